@@ -1,0 +1,46 @@
+# Every third-party library that the project uses, each as one imported target. `scripts/install_dependencies` brings them.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(CycloneDDS 0.10 REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(PNG REQUIRED)
+find_package(urdfdom REQUIRED)
+
+set(OpenGL_GL_PREFERENCE GLVND)
+find_package(OpenGL REQUIRED COMPONENTS EGL)
+find_package(mujoco 2.2.2 REQUIRED)
+# Debian's export names a folder of a package that it does not depend on (libqhull-dev)
+set_target_properties(mujoco::mujoco PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "")
+
+find_package(orocos_kdl REQUIRED) # sets variables only
+add_library(mrroc_kdl INTERFACE)
+target_link_libraries(mrroc_kdl INTERFACE ${orocos_kdl_LIBRARIES} Eigen3::Eigen)
+
+find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
+add_library(mrroc_tomlplusplus INTERFACE)
+target_include_directories(mrroc_tomlplusplus SYSTEM INTERFACE ${TOMLPLUSPLUS_INCLUDE})
+
+set(MRROC_RUCKIG ${CMAKE_SOURCE_DIR}/.deps/ruckig-0.19.4)
+if(NOT EXISTS ${MRROC_RUCKIG}/CMakeLists.txt)
+  message(FATAL_ERROR "Ruckig is missing: run scripts/install_dependencies")
+endif()
+set(BUILD_CLOUD_CLIENT OFF CACHE BOOL "" FORCE)
+set(BUILD_EXAMPLES OFF CACHE BOOL "" FORCE)
+set(BUILD_TESTS OFF CACHE BOOL "" FORCE)
+set(BUILD_SHARED_LIBS OFF CACHE BOOL "" FORCE)
+add_subdirectory(${MRROC_RUCKIG} ${CMAKE_BINARY_DIR}/ruckig EXCLUDE_FROM_ALL SYSTEM)
+
+if(MRROC_TESTS)
+  find_package(GTest REQUIRED)
+  find_package(rapidcheck REQUIRED)
+endif()
+if(MRROC_BENCH)
+  find_package(benchmark REQUIRED)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()

@@ -1,0 +1,44 @@
+# The framework's few kinds of target. Users get the same functions from find_package(mrroc).
+
+# Warnings and sanitizers of our own code; third-party headers come as SYSTEM.
+add_library(mrroc_flags INTERFACE)
+target_compile_options(mrroc_flags INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wconversion -Wshadow -Werror>)
+if(MRROC_SANITIZE)
+  add_compile_options(-fsanitize=${MRROC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${MRROC_SANITIZE})
+endif()
+
+# mrroc_library(NAME SOURCES ... [LINKS ...] [PRIVATE_LINKS ...]): one layer's static library. Includes read "folder/file.hpp".
+function(mrroc_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  add_library(mrroc::${name} ALIAS ${name})
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE mrroc_flags ${ARG_PRIVATE_LINKS})
+endfunction()
+
+# mrroc_data(KIND NAME): makes this folder's data files part of share/mrroc/<kind>/<name>, as an installation would.
+function(mrroc_data kind name)
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/mrroc/${kind})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/share/mrroc/${kind}/${name} SYMBOLIC)
+endfunction()
+
+# mrroc_test(NAME SOURCES ... LINKS ... [LABELS ...] [TIMEOUT s] [SERIAL]): one GoogleTest executable, one ctest entry.
+function(mrroc_test name)
+  cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${name} PRIVATE MRROC_SOURCE_DIR="${PROJECT_SOURCE_DIR}" MRROC_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  target_link_libraries(${name} PRIVATE mrroc_flags ${ARG_LINKS} GTest::gtest_main)
+  add_test(NAME ${name} COMMAND ${name})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  if(ARG_SERIAL)
+    set_tests_properties(${name} PROPERTIES RUN_SERIAL ON)
+  endif()
+endfunction()

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "mrroc/types.hpp"
+
+namespace mrroc {
+
+/// The paper's three classes of f_E (section 5). The class says who reacts and what may follow.
+enum class ErrorClass : std::uint8_t {
+  none = 0,       ///< no error
+  non_fatal = 1,  ///< a programmer's or a computation's error: robots hold, the task may catch it and go on
+  hardware = 2,   ///< a robot or sensor malfunctions: its robot has stopped, the task may recover it
+  system = 3      ///< a process, a link or the clock is lost: every robot stops, the deployment ends
+};
+
+/// What happened, one line each in `describe()`. The number travels in messages: append only.
+enum class ErrorCode : std::uint16_t {
+  none = 0,
+  invalid_argument = 1,
+  not_finite = 2,
+  invalid_motion_steps = 3,
+  invalid_reply_step = 4,
+  joint_limit = 5,
+  velocity_limit = 6,
+  motor_limit = 7,
+  out_of_workspace = 8,
+  singular = 9,
+  busy = 10,
+  not_synchronised = 11,
+  sensor_not_ready = 12,
+  sensor_out_of_range = 13,
+  task_failed = 14,
+  force_limit = 15,
+  following_error = 100,
+  drive_fault = 101,
+  sensor_hardware = 102,
+  hardware_silent = 103,
+  process_died = 200,
+  process_silent = 201,
+  link_lost = 202,
+  clock_lost = 203,
+  resources = 204,
+  configuration = 205,
+  simulator = 206
+};
+
+/// One line of text for a code, e.g. "the pose is out of the workspace". Any thread; never throws.
+std::string_view describe(ErrorCode code) noexcept;
+
+/// "non-fatal error", "hardware error", "system error". Any thread; never throws.
+std::string_view describe(ErrorClass error_class) noexcept;
+
+/// Where an error arose. `process`, `device` (robot or sensor) may be empty, step and tick 0, when not known.
+struct ErrorOrigin {
+  std::string process;
+  std::string device;
+  std::uint64_t step = 0;
+  Tick tick = 0;
+};
+
+/// f_E as an exception: what `Move` and `Wait` throw. `what()` reads
+/// "<class> <code text>: <detail> [process arm, robot wrist, step 3, tick 120]".
+class Error : public std::runtime_error {
+ public:
+  ErrorClass error_class() const noexcept { return class_; }
+  ErrorCode code() const noexcept { return code_; }
+  /// What was wrong in this case: the value and what was expected.
+  const std::string& detail() const noexcept { return detail_; }
+  const ErrorOrigin& origin() const noexcept { return origin_; }
+
+ protected:
+  Error(ErrorClass error_class, ErrorCode code, std::string detail, ErrorOrigin origin);
+
+ private:
+  ErrorClass class_;
+  ErrorCode code_;
+  std::string detail_;
+  ErrorOrigin origin_;
+};
+
+/// Pose out of workspace, invalid argument, sensor not ready ...: robots hold, the task may catch it and go on.
+class NonFatalError : public Error {
+ public:
+  explicit NonFatalError(ErrorCode code, std::string detail, ErrorOrigin origin = {});
+  /// A task's own reason, code `task_failed`.
+  explicit NonFatalError(std::string detail);
+};
+
+/// Following error, drive fault, dead sensor hardware ...: the robot has stopped by itself, the task may recover it.
+class HardwareError : public Error {
+ public:
+  explicit HardwareError(ErrorCode code, std::string detail, ErrorOrigin origin = {});
+};
+
+/// A process died, a link broke, the clock is lost: every robot stops and the deployment ends.
+class SystemError : public Error {
+ public:
+  explicit SystemError(ErrorCode code, std::string detail, ErrorOrigin origin = {});
+};
+
+/// Throws the error of class `error_class` (not `none`). Not for the real-time path.
+[[noreturn]] void throw_error(ErrorClass error_class, ErrorCode code, std::string detail, ErrorOrigin origin);
+
+}  // namespace mrroc

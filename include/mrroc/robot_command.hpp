@@ -1,0 +1,38 @@
+#pragma once
+
+#include "mrroc/types.hpp"
+
+namespace mrroc {
+
+/// What a command asks of the effector.
+enum class CommandKind : std::uint8_t {
+  query = 0,  ///< GET: report the state at once, change nothing
+  hold = 1,   ///< e^{i+1} = e^i: come to rest (within the limits) and stay there for the macrostep
+  joint = 2,  ///< be at `joints`, moving with `joint_velocity`, at the end of the macrostep
+  pose = 3    ///< be at `pose`, moving with `twist`, at the end of the macrostep (path: joint interpolation)
+};
+
+/// e^{i+1} for one effector: one macrostep of N servo ticks (DESIGN 3; original's motion_steps / value_in_step_no).
+///
+/// The macrostep begins where the previous one's desired state ends (or at the end of a stop), at tick
+/// max(start_tick, end of the previous macrostep, next tick), and ends N ticks later. The reply leaves at its tick v;
+/// v = N + 1 is the first tick after the macrostep. A command whose end velocity is not zero expects a successor: if
+/// none arrives in time, the EDP brakes within the limits, holds, and counts a late command.
+struct RobotCommand {
+  CommandKind kind = CommandKind::query;
+  /// `joints` / `pose` are increments on the *desired* state at the macrostep's start; a pose increment is in tool
+  /// axes: target = desired * pose.
+  bool relative = false;
+  std::uint16_t motion_steps = 10;  ///< N, 1..kMaxMotionSteps
+  std::uint16_t reply_step = 8;     ///< v, 1..N+1
+  Tick start_tick = 0;              ///< tick 0 of the macrostep; 0: as soon as possible
+  JointVector joints;               ///< rad or m
+  JointVector joint_velocity;       ///< rad/s or m/s at the end; empty: at rest
+  JointVector joint_acceleration;   ///< rad/s^2 or m/s^2 at the end; empty: zero
+  Pose pose = Pose::Identity();     ///< of the tool frame in the robot's base frame
+  Twist twist = Twist::Zero();      ///< of the tool frame's origin at the end, in base axes
+};
+
+inline constexpr std::uint16_t kMaxMotionSteps = 10000;
+
+}  // namespace mrroc

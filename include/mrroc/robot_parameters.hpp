@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mrroc/types.hpp"
+
+namespace mrroc {
+
+/// One axis: a joint, the motor that drives it, its servo regulator and its plant model. Data only, from
+/// robots/<name>/<name>.toml. Units: rad or m at the joint, rad at the motor shaft.
+struct AxisParameters {
+  std::string name;
+  // joint limits: hold at every tick, for every source of set-points
+  double position_min = 0;
+  double position_max = 0;
+  double velocity_max = 0;
+  double acceleration_max = 0;
+  double jerk_max = 0;
+  // motor
+  double motor_min = 0;
+  double motor_max = 0;
+  double motor_synchro = 0;          ///< shaft position at synchronisation, rad
+  double encoder_increments = 4000;  ///< per shaft revolution
+  double current_max = 0;            ///< A
+  double following_error_max = 0;    ///< rad of the shaft
+  // servo regulator (original's algorithm 0, `mrrocpp` 4.1)
+  double regulator_a = 0;
+  double regulator_b0 = 0;
+  double regulator_b1 = 0;
+  double regulator_eps = 0;
+  double regulator_output_max = 190;
+  double regulator_current_gain = 0;  ///< A per unit of regulator output
+  // plant model of the drive
+  double torque_constant = 0;   ///< N m / A
+  double rotor_inertia = 0;     ///< kg m^2, at the shaft
+  double viscous_friction = 0;  ///< N m s / rad, at the shaft
+};
+
+/// All numbers of one robot type.
+struct RobotParameters {
+  std::string type;
+  std::vector<AxisParameters> axes;
+  JointVector home;  ///< joint position in which the simulated robot starts
+};
+
+}  // namespace mrroc

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "mrroc/errors.hpp"
+#include "mrroc/fixed_text.hpp"
+#include "mrroc/types.hpp"
+
+namespace mrroc {
+
+/// f_E as reported by a robot or a sensor in its reply; class `none` when all is well.
+struct ErrorReport {
+  ErrorClass error_class = ErrorClass::none;
+  ErrorCode code = ErrorCode::none;
+  FixedText<191> detail;
+};
+
+/// e^i of one effector as its EDP reports it. Measured values belong to `tick`; desired values to `desired_tick`, the
+/// end of the macrostep (or stop) that is under way, equal to `tick` when the robot rests. Generators plan from
+/// desired. Joint order and units are the robot's; poses are of the tool frame in the robot's base frame.
+struct RobotState {
+  Tick tick = 0;
+  JointVector joints;            ///< measured, rad or m
+  JointVector joint_velocity;    ///< measured, rad/s or m/s
+  JointVector motors;            ///< measured shaft positions, rad
+  JointVector current;           ///< drive current, A
+  Pose pose = Pose::Identity();  ///< direct kinematics of `joints`
+  Tick desired_tick = 0;
+  JointVector desired_joints;
+  JointVector desired_velocity;
+  JointVector desired_acceleration;
+  Pose desired_pose = Pose::Identity();
+  bool synchronised = false;
+  bool enabled = false;
+  std::uint32_t late_commands = 0;  ///< commands that came after the robot had begun to brake, since start
+  ErrorReport error;
+};
+
+}  // namespace mrroc

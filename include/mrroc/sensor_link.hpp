@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+
+#include "mrroc/robot_state.hpp"
+
+namespace mrroc {
+
+/// Most values that one reading carries.
+inline constexpr std::size_t kMaxChannels = 16;
+
+/// v^i of one virtual sensor: the header and the values of its declared channels (names and units: `VirtualSensor`).
+struct SensorReading {
+  std::uint64_t sequence = 0;  ///< counts readings of this VSP since its start, from 1
+  Tick tick = 0;               ///< tick of the hardware reading that was aggregated
+  std::uint32_t channel_count = 0;
+  std::array<double, kMaxChannels> values{};
+  ErrorReport error;
+};
+
+/// What a client asks of an interactive virtual sensor.
+enum class SensorRequestKind : std::uint8_t {
+  reading = 0,  ///< aggregate at `measure_at` and reply
+  bias = 1      ///< take the present reading as zero, then reply with the new reading
+};
+
+struct SensorRequest {
+  SensorRequestKind kind = SensorRequestKind::reading;
+  /// The tick whose hardware reading is wanted; at once when it has passed.
+  Tick measure_at = 0;
+};
+
+/// The way from a `Sensor` to its VSP, or to a test's fake. Called by the task's thread only.
+class SensorLink {
+ public:
+  virtual ~SensorLink() = default;
+  /// Sends a request; does not wait.
+  virtual void request(const SensorRequest& request) = 0;
+  /// Waits for the reply to the last `request`. Throws SystemError when the VSP died or is silent.
+  virtual void receive(SensorReading& reading) = 0;
+  /// The newest published reading (non-interactive); never waits. False when none has come yet.
+  virtual bool latest(SensorReading& reading) = 0;
+};
+
+}  // namespace mrroc

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "clock/shared_slot.hpp"
+#include "mrroc/types.hpp"
+
+namespace mrroc::sim {
+
+/// The simulated hardware's "bus": plain values in memory shared by the sim process, the EDPs' mujoco driver and the
+/// VSPs' simulated source. Each value has one writer; `SharedSlot` makes reads untorn and wait-free for the writer, so
+/// the same layout serves lockstep (where phases never overlap) and real time. The runner creates the memory (memfd,
+/// zeroed, inherited by its children): nothing is left behind whatever dies.
+
+inline constexpr std::size_t kMaxRobots = 16;
+inline constexpr std::size_t kMaxSensors = 32;
+inline constexpr std::size_t kMaxHardwareValues = 16;
+
+/// EDP -> sim, every tick. At the joints: M(q) + B is the inertia, tau - D dq/dt - c the torque that the drives add.
+struct JointDrive {
+  Tick tick = 0;  ///< tick in which it was computed; 0: never attached
+  std::uint32_t joint_count = 0;
+  std::uint32_t enabled = 0;                                    ///< 0: brakes on
+  std::array<double, kMaxJoints> torque{};                      ///< tau = G^T (torque constant * current), N m or N
+  std::array<double, kMaxJoints> bias{};                        ///< c = G^T J dG/dt dq/dt
+  std::array<double, kMaxJoints * kMaxJoints> rotor_inertia{};  ///< B = G^T J G, row major
+  std::array<double, kMaxJoints * kMaxJoints> damping{};        ///< D = G^T b G, row major
+};
+
+/// sim -> EDP, every tick.
+struct JointMeasurement {
+  Tick tick = 0;
+  std::array<double, kMaxJoints> position{};
+  std::array<double, kMaxJoints> velocity{};
+};
+
+/// sim -> VSP, every tick: the raw values of one hardware sensor, in the order in which the scene declares them.
+struct HardwareReading {
+  Tick tick = 0;
+  std::uint32_t count = 0;
+  std::uint32_t padding = 0;
+  std::array<double, kMaxHardwareValues> values{};
+};
+
+/// The whole memory. Robot slot i is deployment.robots[i]; sensor slot j is deployment.sensors[j].
+struct WorldMemory {
+  std::array<clock::SharedSlot<JointDrive>, kMaxRobots> drives;
+  std::array<clock::SharedSlot<JointMeasurement>, kMaxRobots> measurements;
+  std::array<clock::SharedSlot<HardwareReading>, kMaxSensors> readings;
+};
+
+}  // namespace mrroc::sim

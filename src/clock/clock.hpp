@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "mrroc/types.hpp"
+
+namespace mrroc::clock {
+
+/// Why a wait ended.
+enum class Wake {
+  mail,        ///< something new has become visible in the process's mailbox
+  tick,        ///< the tick waited for has come
+  interrupted  ///< the process is asked to end, or the deployment has failed
+};
+
+/// One process's view of the deployment's time, and its mailbox's gate. Three implementations: real, and lockstep
+/// (which `paced` shares: only the host differs). The task's (participant's) thread calls everything but what is marked
+/// otherwise.
+///
+/// Life: construct, register links, `start()` (the start-up barrier), then `wait()` again and again.
+class Clock {
+ public:
+  virtual ~Clock() = default;
+
+  /// Servo period, s.
+  virtual double period() const noexcept = 0;
+  /// Now. In lockstep it is constant while the participant runs. Any thread.
+  virtual Tick tick() const noexcept = 0;
+  /// True under lockstep and paced: time is the host's, nothing may read the wall clock.
+  virtual bool simulated() const noexcept = 0;
+  /// Monotonic wall time in seconds, for reports only (durations, counters); never for decisions. Any thread.
+  virtual double wall_seconds() const noexcept = 0;
+
+  /// Says "ready" and blocks until the host has seen every participant ready and opened tick 0. False: interrupted.
+  virtual bool start() = 0;
+  /// Blocks until mail arrives that was not visible at the end of the last wait, or `wake_tick` comes (kNever: mail
+  /// only).
+  virtual Wake wait(Tick wake_tick) = 0;
+
+  /// Makes the present and every later wait return `interrupted`. Any thread, signal handlers too.
+  virtual void interrupt() noexcept = 0;
+  /// Wakes the participant's thread as if mail had arrived. Real clock only: another thread of the process has
+  /// something for it. Any thread; a futex wake, no lock.
+  virtual void notify() noexcept = 0;
+
+  // ---- for the links ------------------------------------------------------------------------------------------------
+  /// Declares that this process sends (receives) on `topic`; returns the handle for `sent` (`arrived`). Before
+  /// `start()`.
+  virtual int register_sender(std::string_view topic) = 0;
+  virtual int register_receiver(std::string_view topic) = 0;
+  /// To be put into a message about to be sent.
+  virtual std::uint64_t delta() const noexcept = 0;
+  /// Whether a message that carries this delta may be seen yet: in lockstep, only in a later delta than its own. Any
+  /// thread.
+  virtual bool visible(std::uint64_t delta) const noexcept = 0;
+  /// Counts a message in flight to every registered receiver of the topic; call *before* writing it.
+  virtual void sent(int sender) noexcept = 0;
+  /// Takes one message off and wakes the participant when due. The listener's thread; call after the sample is stored.
+  virtual void arrived(int receiver) noexcept = 0;
+};
+
+}  // namespace mrroc::clock

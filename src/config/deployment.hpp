@@ -1,0 +1,77 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrroc/types.hpp"
+
+namespace mrroc::config {
+
+enum class ClockMode { real, paced, lockstep };
+
+struct MpEntry {
+  std::string program = "mrroc_mp";  ///< the stock MP when left out
+};
+
+struct RobotEntry {
+  std::string name;
+  std::string type;                   ///< folder robots/<type>
+  std::string program = "mrroc_ecp";  ///< of its ECP; the stock ECP when left out
+  std::string hardware;               ///< mujoco | loopback
+  std::string host;                   ///< empty: this machine
+  Pose base =
+      Pose::Identity();  ///< in the world: `position = [x, y, z]` (m), `rotation = [r, p, y]` (rad, fixed axes x y z)
+};
+
+struct SensorEntry {
+  std::string name;
+  std::string type;   ///< folder sensors/<type>
+  std::string robot;  ///< the effector it is mounted on; empty: fixed in the world
+  bool interactive = true;
+  double rate = 0;                   ///< Hz, non-interactive only; a whole number of servo periods
+  std::string source = "simulated";  ///< simulated | replay
+  std::filesystem::path replay;      ///< played file, absolute
+  /// The type's own keys, checked against `[parameters]` of sensors/<type>/<type>.toml; defaults filled in.
+  std::map<std::string, std::vector<double>> numbers;
+  std::map<std::string, std::string> texts;
+};
+
+struct SimEntry {
+  std::filesystem::path scene;  ///< MJCF of the task's scene, absolute
+  double timestep = 0.001;      ///< s; the servo period is a whole number of these
+};
+
+/// An operator command at a given tick: lockstep's way to press a button.
+struct Event {
+  Tick tick = 0;
+  std::string command;  ///< pause | resume | trigger | stop
+};
+
+/// A deployment file, validated as a whole: names are unique and at most 31 characters of letters, digits and `_`,
+/// every type is installed, every program exists, every file named exists.
+struct Deployment {
+  std::filesystem::path file;
+  std::string name;
+  ClockMode clock = ClockMode::lockstep;
+  double servo_period = 0.002;   ///< s
+  int domain = -1;               ///< DDS domain; -1: the runner takes a free one
+  double start_timeout = 30;     ///< s of wall time for the start-up barrier
+  double heartbeat_timeout = 5;  ///< s of wall time without a sign of life before a process counts as silent
+  std::size_t delta_limit = 1000;
+  MpEntry mp;
+  std::vector<RobotEntry> robots;    ///< in file order
+  std::vector<SensorEntry> sensors;  ///< in file order
+  std::optional<SimEntry> sim;
+  std::vector<Event> events;
+
+  const RobotEntry& robot(const std::string& name) const;
+  const SensorEntry& sensor(const std::string& name) const;
+};
+
+/// Reads and validates; throws ConfigurationError with file, line, key, value and what was expected.
+Deployment load_deployment(const std::filesystem::path& file);
+
+}  // namespace mrroc::config

@@ -1,0 +1,130 @@
+#include "mrroc/errors.hpp"
+
+namespace mrroc {
+
+std::string_view describe(ErrorCode code) noexcept {
+  switch (code) {
+    case ErrorCode::none:
+      return "no error";
+    case ErrorCode::invalid_argument:
+      return "invalid argument";
+    case ErrorCode::not_finite:
+      return "a value is not finite";
+    case ErrorCode::invalid_motion_steps:
+      return "motion_steps N is out of range";
+    case ErrorCode::invalid_reply_step:
+      return "reply_step v is out of range";
+    case ErrorCode::joint_limit:
+      return "a joint position limit would be passed";
+    case ErrorCode::velocity_limit:
+      return "a joint velocity limit would be passed";
+    case ErrorCode::motor_limit:
+      return "a motor position limit would be passed";
+    case ErrorCode::out_of_workspace:
+      return "the pose is out of the workspace";
+    case ErrorCode::singular:
+      return "the pose is singular";
+    case ErrorCode::busy:
+      return "the receiver is busy";
+    case ErrorCode::not_synchronised:
+      return "the robot is not synchronised";
+    case ErrorCode::sensor_not_ready:
+      return "the sensor has no reading yet";
+    case ErrorCode::sensor_out_of_range:
+      return "the sensor reading is out of range";
+    case ErrorCode::task_failed:
+      return "the task failed";
+    case ErrorCode::force_limit:
+      return "a force limit is passed";
+    case ErrorCode::following_error:
+      return "the following error is too large";
+    case ErrorCode::drive_fault:
+      return "a drive reports a fault";
+    case ErrorCode::sensor_hardware:
+      return "the sensor hardware malfunctions";
+    case ErrorCode::hardware_silent:
+      return "the hardware does not answer";
+    case ErrorCode::process_died:
+      return "a process died";
+    case ErrorCode::process_silent:
+      return "a process is silent";
+    case ErrorCode::link_lost:
+      return "a link is lost";
+    case ErrorCode::clock_lost:
+      return "the clock is lost";
+    case ErrorCode::resources:
+      return "a system resource is missing";
+    case ErrorCode::configuration:
+      return "the configuration is wrong";
+    case ErrorCode::simulator:
+      return "the simulator failed";
+  }
+  return "unknown error";
+}
+
+std::string_view describe(ErrorClass error_class) noexcept {
+  switch (error_class) {
+    case ErrorClass::none:
+      return "no error";
+    case ErrorClass::non_fatal:
+      return "non-fatal error";
+    case ErrorClass::hardware:
+      return "hardware error";
+    case ErrorClass::system:
+      return "system error";
+  }
+  return "unknown class of error";
+}
+
+namespace {
+
+std::string compose(ErrorClass error_class, ErrorCode code, const std::string& detail, const ErrorOrigin& origin) {
+  std::string text{describe(error_class)};
+  text.append(": ").append(describe(code));
+  if (!detail.empty()) text.append(": ").append(detail);
+  std::string place;
+  const auto add = [&place](const std::string& word, const std::string& value) {
+    if (!place.empty()) place += ", ";
+    place += word + " " + value;
+  };
+  if (!origin.process.empty()) add("process", origin.process);
+  if (!origin.device.empty()) add("device", origin.device);
+  if (origin.step != 0) add("step", std::to_string(origin.step));
+  if (origin.tick != 0) add("tick", std::to_string(origin.tick));
+  if (!place.empty()) text += " [" + place + "]";
+  return text;
+}
+
+}  // namespace
+
+Error::Error(ErrorClass error_class, ErrorCode code, std::string detail, ErrorOrigin origin)
+    : std::runtime_error(compose(error_class, code, detail, origin)),
+      class_(error_class),
+      code_(code),
+      detail_(std::move(detail)),
+      origin_(std::move(origin)) {}
+
+NonFatalError::NonFatalError(ErrorCode code, std::string detail, ErrorOrigin origin)
+    : Error(ErrorClass::non_fatal, code, std::move(detail), std::move(origin)) {}
+
+NonFatalError::NonFatalError(std::string detail)
+    : Error(ErrorClass::non_fatal, ErrorCode::task_failed, std::move(detail), {}) {}
+
+HardwareError::HardwareError(ErrorCode code, std::string detail, ErrorOrigin origin)
+    : Error(ErrorClass::hardware, code, std::move(detail), std::move(origin)) {}
+
+SystemError::SystemError(ErrorCode code, std::string detail, ErrorOrigin origin)
+    : Error(ErrorClass::system, code, std::move(detail), std::move(origin)) {}
+
+void throw_error(ErrorClass error_class, ErrorCode code, std::string detail, ErrorOrigin origin) {
+  switch (error_class) {
+    case ErrorClass::hardware:
+      throw HardwareError(code, std::move(detail), std::move(origin));
+    case ErrorClass::system:
+      throw SystemError(code, std::move(detail), std::move(origin));
+    default:
+      throw NonFatalError(code, std::move(detail), std::move(origin));
+  }
+}
+
+}  // namespace mrroc
