@@ -103,28 +103,22 @@ void Instruction::throw_reported_errors() const {
 }
 
 bool Instruction::operator_ends_it() {
-  switch (task_->operator_request()) {
-    case OperatorRequest::none:
-      return false;
-    case OperatorRequest::stop:
-      throw Stopped{};
-    case OperatorRequest::end_motion:
-      return true;
-    case OperatorRequest::pause:
-      break;
-  }
-  hold_until_resumed();
-  return task_->operator_request() == OperatorRequest::end_motion;
+  OperatorRequest request = task_->operator_request();
+  if (request == OperatorRequest::pause) request = hold_until_resumed();
+  if (request == OperatorRequest::stop) throw Stopped{};
+  return request == OperatorRequest::end_motion;
 }
 
-void Instruction::hold_until_resumed() {
-  while (task_->operator_request() == OperatorRequest::pause) {
+OperatorRequest Instruction::hold_until_resumed() {
+  OperatorRequest request = OperatorRequest::pause;
+  while (request == OperatorRequest::pause) {
     for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
     exchange(0);  // step 0: every reading is due, so that the motion resumes on fresh ones
     throw_reported_errors();
+    request = task_->operator_request();
   }
-  if (task_->operator_request() == OperatorRequest::stop) throw Stopped{};
-  if (generator_ != nullptr) generator_->start();
+  if (request == OperatorRequest::none && generator_ != nullptr) generator_->start();
+  return request;
 }
 
 std::optional<Ending> Instruction::evaluate_end() {

@@ -22,7 +22,8 @@ class Instruction {
   void throw_reported_errors() const;
   /// Handles pause (holding), stop (throws) and end-motion (true).
   bool operator_ends_it();
-  void hold_until_resumed();
+  /// What came after the pause.
+  OperatorRequest hold_until_resumed();
   std::optional<Ending> evaluate_end();
   void write_next_state();
   void observe(bool last) const;
