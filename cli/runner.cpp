@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "cli/trace.hpp"
-#include "clock/pinning.hpp"
+#include "clock/realtime.hpp"
 #include "process/arguments.hpp"
 
 namespace mrroc::cli {

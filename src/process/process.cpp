@@ -36,6 +36,23 @@ links::ProcessStatus first_status(const Arguments& arguments, links::ProcessRole
   return status;
 }
 
+/// The original's order (mrrocpp.md 2.1): what is nearer to the drives goes first.
+int priority_of(links::ProcessRole role) {
+  switch (role) {
+    case links::ProcessRole::edp:
+      return 80;
+    case links::ProcessRole::sim:
+      return 75;
+    case links::ProcessRole::vsp:
+      return 70;
+    case links::ProcessRole::ecp:
+      return 60;
+    case links::ProcessRole::mp:
+      return 50;
+  }
+  return 50;
+}
+
 bool serves(links::ProcessRole role) {
   return role == links::ProcessRole::edp || role == links::ProcessRole::vsp || role == links::ProcessRole::sim;
 }
@@ -48,7 +65,7 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
   interruptible = clock_.get();
   // before the domain: Cyclone's threads inherit the priority of the thread that creates them (dds.md, trap 7)
   if (!clock_->simulated()) {
-    const std::string warning = clock::become_realtime();
+    const std::string warning = clock::request_realtime(priority_of(role));
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
   domain_ = std::make_unique<links::Domain>(links::DomainOptions{arguments.domain, {}});
