@@ -7,7 +7,7 @@
 #include "edp/mujoco_hardware.hpp"
 #include "edp/servo.hpp"
 #include "edp/servo_thread.hpp"
-#include "links/robot_links.hpp"
+#include "links/robot_responder.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "sim/mapped_world.hpp"
