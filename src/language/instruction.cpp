@@ -117,7 +117,7 @@ OperatorRequest Instruction::hold_until_resumed() {
     throw_reported_errors();
     request = task_->operator_request();
   }
-  if (request == OperatorRequest::none && generator_ != nullptr) generator_->start();
+  if (request == OperatorRequest::none && generator_ != nullptr) generator_->resume();
   return request;
 }
 
