@@ -67,7 +67,7 @@ void JointLine::check_target(const JointVector& target) const {
 }
 
 void JointLine::start() {
-  const RobotState& state = robot_->state();
+  const RobotState& state = robot_->known_state();
   const ErrorOrigin origin{robot_->task().process_name(), robot_->name(), 0, state.tick};
   if (to_pose_) {
     JointVector joints = state.desired_joints;
