@@ -13,6 +13,10 @@ constexpr Tick kStepWithoutRobots = 10;
 /// Ticks between the present and the common start of several robots at rest: time for every command to arrive.
 constexpr Tick kStartMargin = 2;
 
+bool rests(const RobotState& state) {
+  return (state.desired_velocity.array() == 0.0).all() && (state.desired_acceleration.array() == 0.0).all();
+}
+
 template <class Element>
 void refuse_duplicates(const std::vector<Element*>& elements, const Task& task) {
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -138,20 +142,27 @@ void Instruction::write_next_state() {
 void Instruction::align_start_ticks() {
   if (robots_.size() < 2) return;
   Tick start = 0;
-  for (const Robot* robot : robots_) start = std::max(start, robot->state().desired_tick);
-  if (step_ == 0) start += kStartMargin;
+  bool resting = true;
+  for (const Robot* robot : robots_) {
+    start = std::max(start, robot->state().desired_tick);
+    resting = resting && rests(robot->state());
+  }
+  // a moving robot would have to brake for a later start
+  if (resting) start = std::max(start, task_->tick() + kStartMargin);
   for (Robot* robot : robots_) {
     if (robot->command().start_tick == 0) robot->command().start_tick = start;
   }
 }
 
 Tick Instruction::next_measurement() const {
+  const Tick now = task_->tick();
+  if (robots_.empty()) return now + kStepWithoutRobots;
   Tick tick = 0;
   for (const Robot* robot : robots_) {
-    const Tick start = std::max(robot->command().start_tick, robot->state().desired_tick);
+    const Tick start = std::max({robot->command().start_tick, robot->state().desired_tick, now});
     tick = std::max(tick, start + robot->command().reply_step);
   }
-  return robots_.empty() ? task_->tick() + kStepWithoutRobots : tick;
+  return tick;
 }
 
 void Instruction::exchange(std::uint64_t next_step) {
