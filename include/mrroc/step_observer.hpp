@@ -23,8 +23,8 @@ struct StepRecord {
   std::span<const Condition* const> conditions;  ///< leaves; each has its value
 };
 
-/// Is told every step of every Move and Wait of a task: traces, progress displays. Called between the exchange's two
-/// ends, on the task's thread: it must neither allocate, block nor throw.
+/// Is told every step of every Move and Wait of a task: traces, progress displays. Called when the commands have been
+/// sent and no reply is awaited yet, on the task's thread: it must neither allocate, block nor throw.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;

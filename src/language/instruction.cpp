@@ -82,8 +82,9 @@ Outcome Instruction::run() {
       return finish(*ending);
     }
     write_next_state();
+    send(step_ + 1);
     observe(false);
-    exchange(step_ + 1);
+    receive(step_ + 1);
     ++commanded_steps_;
     ++step_;
   }
@@ -117,7 +118,8 @@ OperatorRequest Instruction::hold_until_resumed() {
   OperatorRequest request = OperatorRequest::pause;
   while (request == OperatorRequest::pause) {
     for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
-    exchange(0);  // step 0: every reading is due, so that the motion resumes on fresh ones
+    send(0);  // step 0: every reading is due, so that the motion resumes on fresh ones
+    receive(0);
     throw_reported_errors();
     request = task_->operator_request();
   }
@@ -165,14 +167,17 @@ Tick Instruction::next_measurement() const {
   return tick;
 }
 
-void Instruction::exchange(std::uint64_t next_step) {
-  const Tick measure_at = next_measurement();
+void Instruction::send(std::uint64_t next_step) {
+  measure_at_ = next_measurement();
   for (Sensor* sensor : sensors_) {
-    if (sensor->due(next_step)) sensor->initiate_reading(measure_at);
+    if (sensor->due(next_step)) sensor->initiate_reading(measure_at_);
   }
   for (Robot* robot : robots_) robot->send();
+}
+
+void Instruction::receive(std::uint64_t next_step) {
   for (Robot* robot : robots_) robot->receive();
-  if (robots_.empty()) task_->sleep_until(measure_at);
+  if (robots_.empty()) task_->sleep_until(measure_at_);
   for (Sensor* sensor : sensors_) {
     if (sensor->due(next_step)) sensor->collect_reading();
   }

@@ -27,8 +27,10 @@ class Instruction {
   std::optional<Ending> evaluate_end();
   void write_next_state();
   void observe(bool last) const;
-  /// Sends e^{i+1}, awaits the replies, renews the readings due at `next_step`.
-  void exchange(std::uint64_t next_step);
+  /// Requests the readings due at `next_step`, then sends e^{i+1}.
+  void send(std::uint64_t next_step);
+  /// Awaits every reply, then collects the readings due at `next_step`.
+  void receive(std::uint64_t next_step);
   void align_start_ticks();
   /// The tick at which e^{i+1} will be measured.
   Tick next_measurement() const;
@@ -46,6 +48,7 @@ class Instruction {
   std::uint64_t commanded_steps_ = 0;
   Tick start_tick_ = 0;
   double start_wall_ = 0;
+  Tick measure_at_ = 0;
 };
 
 }  // namespace mrroc
