@@ -29,13 +29,6 @@ void refuse_duplicates(const std::vector<Element*>& elements, const Task& task) 
   }
 }
 
-void throw_if_reported(const ErrorReport& error, const Task& task, const std::string& device, std::uint64_t step,
-                       Tick tick) {
-  if (error.error_class == ErrorClass::none) return;
-  throw_error(error.error_class, error.code, std::string{error.detail.view()},
-              {task.process_name(), device, step, tick});
-}
-
 }  // namespace
 
 Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Generator* generator,
@@ -99,12 +92,20 @@ void Instruction::obtain_initial_state() {
 }
 
 void Instruction::throw_reported_errors() const {
-  for (const Robot* robot : robots_) {
-    throw_if_reported(robot->state().error, *task_, robot->name(), step_, robot->state().tick);
-  }
-  for (const Sensor* sensor : sensors_) {
-    throw_if_reported(sensor->reading().error, *task_, sensor->name(), step_, sensor->reading().tick);
-  }
+  const ErrorReport* gravest = nullptr;
+  const std::string* device = nullptr;
+  Tick tick = 0;
+  const auto look = [&](const ErrorReport& error, const std::string& name, Tick when) {
+    if (error.error_class <= (gravest != nullptr ? gravest->error_class : ErrorClass::none)) return;
+    gravest = &error;
+    device = &name;
+    tick = when;
+  };
+  for (const Robot* robot : robots_) look(robot->state().error, robot->name(), robot->state().tick);
+  for (const Sensor* sensor : sensors_) look(sensor->reading().error, sensor->name(), sensor->reading().tick);
+  if (gravest == nullptr) return;
+  throw_error(gravest->error_class, gravest->code, std::string{gravest->detail.view()},
+              {task_->process_name(), *device, step_, tick});
 }
 
 bool Instruction::operator_ends_it() {
