@@ -57,6 +57,15 @@ void Instruction::check_lists() const {
 }
 
 Outcome Instruction::run() {
+  try {
+    return run_steps();
+  } catch (Error& error) {
+    error.complete_origin({task_->process_name(), "", step_, newest_tick()});
+    throw;
+  }
+}
+
+Outcome Instruction::run_steps() {
   instruction_ = task_->begin_instruction();
   start_wall_ = task_->wall_seconds();
   obtain_initial_state();

@@ -17,6 +17,7 @@ class Instruction {
   Outcome run();
 
  private:
+  Outcome run_steps();
   void check_lists() const;
   void obtain_initial_state();
   /// f_E: throws the gravest error reported by e^i or v^i, the first in the lists among equals.
