@@ -20,6 +20,7 @@ class ListOf {
   ListOf(std::initializer_list<std::reference_wrapper<Element>> elements) {
     for (Element& element : elements) elements_.push_back(&element);
   }
+  /// No null pointers.
   explicit ListOf(const std::vector<Element*>& elements) : elements_(elements) {}
 
   auto begin() const noexcept { return elements_.begin(); }

@@ -46,6 +46,10 @@ void Instruction::check_lists() const {
   if (robots_.empty() && sensors_.empty()) {
     throw NonFatalError(ErrorCode::invalid_argument, "Move and Wait need at least one robot or sensor");
   }
+  const auto missing = [](const auto* element) { return element == nullptr; };
+  if (std::any_of(robots_.begin(), robots_.end(), missing) || std::any_of(sensors_.begin(), sensors_.end(), missing)) {
+    throw NonFatalError(ErrorCode::invalid_argument, "a robot or sensor of the list is a null pointer");
+  }
   const Task& task = !robots_.empty() ? robots_.front()->task() : sensors_.front()->task();
   const auto foreign = [&task](const auto* element) { return &element->task() != &task; };
   if (std::any_of(robots_.begin(), robots_.end(), foreign) || std::any_of(sensors_.begin(), sensors_.end(), foreign)) {
