@@ -80,6 +80,7 @@ Outcome Instruction::run_steps() {
   for (;;) {
     throw_reported_errors();
     if (operator_ends_it()) {
+      leaves_.clear();  // they were not evaluated at this step
       observe(true);
       return finish(Ending::end_motion);
     }
