@@ -78,7 +78,6 @@ Outcome Instruction::run_steps() {
   if (condition_) condition_->start();
   if (generator_ != nullptr) generator_->start();
   for (;;) {
-    throw_reported_errors();
     if (operator_ends_it()) {
       leaves_.clear();  // they were not evaluated at this step
       observe(true);
@@ -92,8 +91,8 @@ Outcome Instruction::run_steps() {
     send(step_ + 1);
     observe(false);
     receive(step_ + 1);
-    ++commanded_steps_;
     ++step_;
+    throw_reported_errors();
   }
 }
 
@@ -224,7 +223,7 @@ void Instruction::observe(bool last) const {
 Outcome Instruction::finish(Ending ending) const {
   Outcome outcome;
   outcome.ending = ending;
-  outcome.steps = commanded_steps_;
+  outcome.steps = step_;
   outcome.start_tick = start_tick_;
   outcome.end_tick = newest_tick();
   outcome.duration = static_cast<double>(outcome.end_tick - start_tick_) * task_->servo_period();

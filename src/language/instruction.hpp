@@ -46,8 +46,7 @@ class Instruction {
   std::vector<const Condition*> leaves_;
   Task* task_ = nullptr;
   std::uint64_t instruction_ = 0;
-  std::uint64_t step_ = 0;
-  std::uint64_t commanded_steps_ = 0;
+  std::uint64_t step_ = 0;  // i - i0
   Tick start_tick_ = 0;
   double start_wall_ = 0;
   Tick measure_at_ = 0;
