@@ -23,7 +23,8 @@ std::string bounded(const std::string& noun, const std::string& min, const std::
 
 std::string number_text(double value) {
   std::array<char, 32> buffer;
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  const auto [end, error] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general);
   return {buffer.data(), end};
 }
 

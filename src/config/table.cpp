@@ -251,6 +251,11 @@ std::vector<std::string> Table::keys() const {
   return names;
 }
 
+void Table::only(std::initializer_list<std::string_view> keys) const {
+  node_->asked.insert(keys.begin(), keys.end());
+  finish();
+}
+
 void Table::finish() const {
   for (const auto& name : keys()) {
     if (node_->asked.contains(name)) continue;

@@ -8,6 +8,8 @@ namespace {
 TEST(MessageText, NumbersAreShortest) {
   EXPECT_EQ(number_text(0.002), "0.002");
   EXPECT_EQ(number_text(-3), "-3");
+  EXPECT_EQ(number_text(0.0005), "0.0005");
+  EXPECT_EQ(number_text(12345.5), "12345.5");
   EXPECT_EQ(number_text(1e-9), "1e-09");
 }
 

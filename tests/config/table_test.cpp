@@ -169,6 +169,12 @@ TEST_F(TableTest, FinishRefusesKeysThatNobodyAskedFor) {
             "t.toml:2: sub.a: unknown key, expected no keys here");
 }
 
+TEST_F(TableTest, OnlyRefusesUnknownKeysBeforeTheyAreRead) {
+  const auto read = [](Table t) { t.only({"mode", "rate"}); };
+  EXPECT_EQ(message(read, "rate = 'any'"), "");
+  EXPECT_EQ(message(read, "rate = 1\nmoed = 1"), "t.toml:2: moed: unknown key, did you mean 'mode'?");
+}
+
 TEST_F(TableTest, ASlipInARequiredKeyIsReportedWhereItStands) {
   const auto read = [](Table t) { t.number("regulator_b0"); };
   EXPECT_EQ(message(read, "\nregulatro_b0 = 1"), "t.toml:2: regulatro_b0: unknown key, did you mean 'regulator_b0'?");
