@@ -73,10 +73,9 @@ ErrorCode Kinematics::inverse(const Pose& flange, const JointVector& near, Joint
   double least = std::numeric_limits<double>::infinity();
   JointVector best(6);
   for (const double sign : {1.0, -1.0}) {
-    const double t4 =
-        rolls_aligned ? near[1] + near[2] + near[3] + pi / 2 : std::atan2(sign * forward, sign * up);
+    const double t4 = rolls_aligned ? near[1] + near[2] + near[3] + pi / 2 : std::atan2(sign * forward, sign * up);
     const ArmAxes arm(q1, t4);
-    const double e = r - wrist_ * std::cos(t4);        // forward and down from the shoulder to the wrist pitch axis
+    const double e = r - wrist_ * std::cos(t4);  // forward and down from the shoulder to the wrist pitch axis
     const double f = -p.z() - wrist_ * std::sin(t4);
     const double elbow_cosine =
         (e * e + f * f - lower_arm_ * lower_arm_ - upper_arm_ * upper_arm_) / (2 * lower_arm_ * upper_arm_);

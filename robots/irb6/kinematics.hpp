@@ -6,12 +6,12 @@
 
 namespace mrroc::irb6 {
 
-/// Joints (rad) <-> flange pose in the base frame, in closed form. The base frame is at the shoulder, z up, x forward at
-/// q1 = 0. With the absolute arm angles t2 = q2, t3 = q2 + q3 + pi/2, t4 = t3 + q4 (0 forward, +pi/2 down) and
-/// r = lower_arm cos t2 + upper_arm cos t3 + wrist cos t4, the flange is at
-/// (r cos q1, r sin q1, -lower_arm sin t2 - upper_arm sin t3 - wrist sin t4). Wrist roll q5 turns about the wrist's own
-/// direction, tool roll q6 about the flange's z axis, which is at right angles to it. At t4 = q5 = q6 = 0 the flange's
-/// x axis is up, y forward, z to the left. Any thread; never allocates or throws.
+/// Joints (rad) <-> flange pose in the base frame, in closed form. The base frame is at the shoulder, z up, x forward
+/// at q1 = 0. With the absolute arm angles t2 = q2, t3 = q2 + q3 + pi/2, t4 = t3 + q4 (0 forward, +pi/2 down) and r =
+/// lower_arm cos t2 + upper_arm cos t3 + wrist cos t4, the flange is at (r cos q1, r sin q1, -lower_arm sin t2 -
+/// upper_arm sin t3 - wrist sin t4). Wrist roll q5 turns about the wrist's own direction, tool roll q6 about the
+/// flange's z axis, which is at right angles to it. At t4 = q5 = q6 = 0 the flange's x axis is up, y forward, z to the
+/// left. Any thread; never allocates or throws.
 class Kinematics {
  public:
   explicit Kinematics(const Geometry& geometry) noexcept;

@@ -51,10 +51,10 @@ ErrorCode Transmission::motors_to_joints(const JointVector& motors, JointVector&
   const double pitch_turn = motors[3] - synchro_[3];
   const double t4 = pitch_turn / wrist_pitch_gear_;
   joints.resize(6);
-  joints << (motors[0] - synchro_[0]) / column_gear_,          //
-      *t2,                                                     //
-      *t3 - *t2 - pi / 2,                                      //
-      t4 - *t3,                                                //
+  joints << (motors[0] - synchro_[0]) / column_gear_,             //
+      *t2,                                                        //
+      *t3 - *t2 - pi / 2,                                         //
+      t4 - *t3,                                                   //
       (motors[4] - synchro_[4] - pitch_turn) / wrist_roll_gear_,  //
       (motors[5] - synchro_[5]) / tool_roll_gear_;
   return ErrorCode::none;
@@ -67,11 +67,11 @@ ErrorCode Transmission::joints_to_motors(const JointVector& joints, JointVector&
   if (!lower_arm_.reaches(t2) || !upper_arm_.reaches(t3)) return ErrorCode::joint_limit;
   const double pitch_turn = wrist_pitch_gear_ * t4;
   JointVector result(6);
-  result << column_gear_ * joints[0] + synchro_[0],                  //
-      lower_arm_.motor(t2),                                          //
-      upper_arm_.motor(t3),                                          //
-      pitch_turn + synchro_[3],                                      //
-      wrist_roll_gear_ * joints[4] + synchro_[4] + pitch_turn,       //
+  result << column_gear_ * joints[0] + synchro_[0],             //
+      lower_arm_.motor(t2),                                     //
+      upper_arm_.motor(t3),                                     //
+      pitch_turn + synchro_[3],                                 //
+      wrist_roll_gear_ * joints[4] + synchro_[4] + pitch_turn,  //
       tool_roll_gear_ * joints[5] + synchro_[5];
   if (!result.allFinite()) return ErrorCode::joint_limit;
   motors = result;
