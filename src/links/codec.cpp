@@ -233,6 +233,7 @@ void encode(const ProcessStatus& message, mrroc_wire_ProcessStatus& wire) noexce
   wire.process_role = static_cast<std::uint8_t>(message.role);
   wire.process_state = static_cast<std::uint8_t>(message.state);
   wire.boot = message.boot;
+  wire.beat = message.beat;
   wire.pid = message.pid;
   wire.tick = message.tick;
   wire.instruction = message.instruction;
@@ -255,6 +256,7 @@ bool decode(const mrroc_wire_ProcessStatus& wire, ProcessStatus& message) noexce
   message.role = static_cast<ProcessRole>(wire.process_role);
   message.state = static_cast<ProcessState>(wire.process_state);
   message.boot = wire.boot;
+  message.beat = wire.beat;
   message.pid = wire.pid;
   message.tick = wire.tick;
   message.instruction = wire.instruction;
