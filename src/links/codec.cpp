@@ -25,6 +25,8 @@ bool known(ErrorCode code) noexcept {
     case ErrorCode::sensor_out_of_range:
     case ErrorCode::task_failed:
     case ErrorCode::force_limit:
+    case ErrorCode::acceleration_limit:
+    case ErrorCode::not_enabled:
     case ErrorCode::following_error:
     case ErrorCode::drive_fault:
     case ErrorCode::sensor_hardware:
@@ -234,6 +236,7 @@ void encode(const ProcessStatus& message, mrroc_wire_ProcessStatus& wire) noexce
   wire.process_state = static_cast<std::uint8_t>(message.state);
   wire.boot = message.boot;
   wire.pid = message.pid;
+  wire.beat = message.beat;
   wire.tick = message.tick;
   wire.instruction = message.instruction;
   encode_text(message.activity, wire.activity);
@@ -256,6 +259,7 @@ bool decode(const mrroc_wire_ProcessStatus& wire, ProcessStatus& message) noexce
   message.state = static_cast<ProcessState>(wire.process_state);
   message.boot = wire.boot;
   message.pid = wire.pid;
+  message.beat = wire.beat;
   message.tick = wire.tick;
   message.instruction = wire.instruction;
   message.activity.assign(wire.activity);
