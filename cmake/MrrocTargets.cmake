@@ -41,9 +41,9 @@ endfunction()
 
 # mrroc_add_edp_(NAME SOURCE): of mrroc_add_robot; nothing in a build without EDPs.
 function(mrroc_add_edp_ name source)
-  if(TARGET mrroc_edp)
+  if(TARGET mrroc_edp_shell)
     add_executable(${name}_edp ${source})
-    target_link_libraries(${name}_edp PRIVATE mrroc_flags mrroc_robot_${name} mrroc_edp)
+    target_link_libraries(${name}_edp PRIVATE mrroc_flags mrroc_robot_${name} mrroc_edp_shell)
   endif()
 endfunction()
 

@@ -157,7 +157,7 @@ TEST_F(DeploymentTest, KnowsThisMachineByAllItsNames) {
   const Scratch scratch;
   char own_name[256] = "";
   ASSERT_EQ(gethostname(own_name, sizeof own_name - 1), 0);
-  for (const std::string host : {"", "localhost", "127.0.0.1", "127.3.2.1", "::1", own_name}) {
+  for (const auto& host : std::vector<std::string>{"", "localhost", "127.0.0.1", "127.3.2.1", "::1", own_name}) {
     const auto file = scratch.write("d.toml",
                                     "deployment.name = 'one'\nrobots.arm.type = 'irb6'\n"
                                     "robots.arm.hardware = 'loopback'\nrobots.arm.host = '" +
