@@ -25,6 +25,21 @@ function(mrroc_data kind name)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/share/mrroc/${kind}/${name} SYMBOLIC)
 endfunction()
 
+# mrroc_add_sensor(TYPE CLIENT ... SOURCES ... [EXECUTABLE main.cpp]): the folder of one sensor type. CLIENT are the sources of
+# mrroc_sensor_TYPE, what a task program links (headers: include/mrroc/sensors/ of the folder); SOURCES those of
+# mrroc_sensor_TYPE_vsp, its aggregating function. EXECUTABLE is main() of its process, TYPE_vsp.
+function(mrroc_add_sensor type)
+  cmake_parse_arguments(ARG "" "EXECUTABLE" "CLIENT;SOURCES" ${ARGN})
+  mrroc_library(mrroc_sensor_${type} SOURCES ${ARG_CLIENT} LINKS mrroc_language)
+  target_include_directories(mrroc_sensor_${type} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
+  mrroc_library(mrroc_sensor_${type}_vsp SOURCES ${ARG_SOURCES} LINKS mrroc_vsp)
+  mrroc_data(sensors ${type})
+  if(ARG_EXECUTABLE AND TARGET mrroc_vsp_shell)
+    add_executable(${type}_vsp ${ARG_EXECUTABLE})
+    target_link_libraries(${type}_vsp PRIVATE mrroc_flags mrroc_sensor_${type}_vsp mrroc_vsp_shell)
+  endif()
+endfunction()
+
 # mrroc_test(NAME SOURCES ... LINKS ... [LABELS ...] [TIMEOUT s] [SERIAL]): one GoogleTest executable, one ctest entry.
 function(mrroc_test name)
   cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})
