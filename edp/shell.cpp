@@ -7,7 +7,7 @@
 #include "edp/mujoco_hardware.hpp"
 #include "edp/servo.hpp"
 #include "edp/servo_thread.hpp"
-#include "links/robot_links.hpp"
+#include "links/robot_responder.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "sim/mapped_world.hpp"
@@ -60,8 +60,9 @@ class Shell {
     std::unique_ptr<Hardware> hardware;
     if (place_.entry.hardware == "mujoco") {
       world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
-      hardware = std::make_unique<MujocoHardware>(*model_, **world_, place_.index, process_.clock().period(),
-                                                  process_.clock().simulated());
+      const auto timing =
+          process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::free_running;
+      hardware = std::make_unique<MujocoHardware>(*model_, **world_, place_.index, timing);
     } else {
       hardware = std::make_unique<LoopbackHardware>(*model_, process_.clock().period());
     }

@@ -1,5 +1,7 @@
 #include "process/process.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -33,6 +35,7 @@ links::ProcessStatus first_status(const Arguments& arguments, links::ProcessRole
   status.process.assign(arguments.name);
   status.role = role;
   status.state = links::ProcessState::starting;
+  status.pid = getpid();
   return status;
 }
 
@@ -77,8 +80,10 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
   domain_ = std::make_unique<links::Domain>(domain_options(arguments.domain, clock_->simulated()));
-  publisher_ = std::make_unique<links::StatusPublisher>(*domain_, *clock_, topic("status"));
-  status_ = std::make_unique<StatusBoard>(*publisher_, first_status(arguments, role), *clock_);
+  publisher_ = std::make_unique<links::StatusPublisher>(*domain_, deployment_.name);
+  links::ProcessStatus status = first_status(arguments, role);
+  status.boot = domain_->boot();
+  status_ = std::make_unique<StatusBoard>(*publisher_, status, *clock_);
 }
 
 Process::~Process() { interruptible = nullptr; }
