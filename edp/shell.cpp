@@ -60,8 +60,9 @@ class Shell {
     std::unique_ptr<Hardware> hardware;
     if (place_.entry.hardware == "mujoco") {
       world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
-      hardware = std::make_unique<MujocoHardware>(*model_, **world_, place_.index, process_.clock().period(),
-                                                  process_.clock().simulated());
+      const auto timing =
+          process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::free_running;
+      hardware = std::make_unique<MujocoHardware>(*model_, **world_, place_.index, timing);
     } else {
       hardware = std::make_unique<LoopbackHardware>(*model_, process_.clock().period());
     }

@@ -28,8 +28,8 @@ struct ProcessStatus {
   ProcessRole role = ProcessRole::mp;
   ProcessState state = ProcessState::starting;
   std::uint64_t boot = 0;  ///< `Domain::boot`
+  std::uint64_t beat = 0;  ///< counts the statuses of this process: its heartbeat
   std::int32_t pid = 0;
-  std::uint64_t beat = 0;  ///< counts the statuses of this process: it lives
   Tick tick = 0;
   std::uint64_t instruction = 0;  ///< number of the Move or Wait that is under way
   FixedText<63> activity;         ///< its text, e.g. "Move ToolVelocity"
