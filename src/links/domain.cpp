@@ -64,7 +64,8 @@ std::string dds_configuration(const DomainOptions& options) {
       check_host(host);
       peers += "<Peer Address=\"" + host + "\"/>";
     }
-    peers = "<Peers>" + peers + "</Peers>";
+    // with peers named Cyclone forgets its own machine
+    peers = "<Peers><Peer Address=\"127.0.0.1\"/>" + peers + "</Peers>";
   }
   const double lease = options.lease > 0 ? std::max(1.0, 2 * options.lease) : kSimulatedLease;
   return "<CycloneDDS><Domain Id=\"any\"><General>" + interfaces +
