@@ -33,9 +33,10 @@ void ServoThread::run() noexcept {
   raise_priority();
   for (;;) {
     const Tick tick = ticker_.wait_next();
-    if (end_.load(std::memory_order_acquire)) servo_.switch_off();
+    const bool ending = end_.load(std::memory_order_acquire);
+    if (ending) servo_.switch_off();
     if (servo_.tick(tick)) clock_.notify();
-    if (end_.load(std::memory_order_acquire) && !servo_.drives_on()) return;
+    if (ending && !servo_.drives_on()) return;
   }
 }
 

@@ -29,13 +29,17 @@ class Clock {
   virtual Tick tick() const noexcept = 0;
   /// True under lockstep and paced: time is the host's, nothing may read the wall clock.
   virtual bool simulated() const noexcept = 0;
+  /// CLOCK_MONOTONIC time at which tick 0 begins, ns: the grid of a servo thread's `Ticker`. Real and paced, after
+  /// `start()`; otherwise 0. Any thread.
+  virtual std::int64_t epoch_ns() const noexcept { return 0; }
   /// Monotonic wall time in seconds, for reports only (durations, counters); never for decisions. Any thread.
   virtual double wall_seconds() const noexcept = 0;
 
   /// Says "ready" and blocks until the host has seen every participant ready and opened tick 0. False: interrupted.
   virtual bool start() = 0;
   /// Blocks until mail arrives that was not visible at the end of the last wait, or `wake_tick` comes (kNever: mail
-  /// only).
+  /// only). When both have come it returns `tick`: look into the mailbox after every wait. In lockstep a wake tick that
+  /// has already passed ends the wait in the next delta. After `interrupted` nobody waits for this process any more.
   virtual Wake wait(Tick wake_tick) = 0;
 
   /// Makes the present and every later wait return `interrupted`. Any thread, signal handlers too.

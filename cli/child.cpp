@@ -1,0 +1,113 @@
+#include "cli/child.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace mrroc::cli {
+
+namespace {
+
+[[noreturn]] void execute(const std::string& program, char** words, int output, pid_t parent) {
+  // between fork and exec: async-signal-safe calls only
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != parent) _exit(127);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  setpgid(0, 0);  // Ctrl-C is the runner's to forward
+  dup2(output, STDOUT_FILENO);
+  dup2(output, STDERR_FILENO);
+  const int null = open("/dev/null", O_RDONLY);
+  if (null >= 0) dup2(null, STDIN_FILENO);
+  execv(program.c_str(), words);
+  _exit(127);
+}
+
+}  // namespace
+
+Child::Child(std::string name, const std::string& program, const std::vector<std::string>& arguments)
+    : name_(std::move(name)) {
+  std::vector<char*> words;
+  words.push_back(const_cast<char*>(program.c_str()));
+  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+  words.push_back(nullptr);
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string{"pipe: "} + std::strerror(errno));
+  fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ == 0) execute(program, words.data(), ends[1], parent);
+  close(ends[1]);
+  output_ = ends[0];
+  if (pid_ < 0) {
+    close(output_);
+    throw std::runtime_error("cannot start " + name_ + ": " + std::strerror(errno));
+  }
+}
+
+Child::Child(Child&& other) noexcept
+    : name_(std::move(other.name_)),
+      pid_(other.pid_),
+      output_(other.output_),
+      ended_(other.ended_),
+      status_(other.status_),
+      unfinished_(std::move(other.unfinished_)) {
+  other.pid_ = -1;
+  other.output_ = -1;
+}
+
+Child::~Child() {
+  if (pid_ > 0 && !ended()) {
+    ::kill(pid_, SIGKILL);
+    waitpid(pid_, &status_, 0);
+  }
+  if (output_ >= 0) close(output_);
+}
+
+bool Child::ended() noexcept {
+  if (!ended_ && waitpid(pid_, &status_, WNOHANG) == pid_) ended_ = true;
+  return ended_;
+}
+
+bool Child::succeeded() const noexcept { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
+
+std::string Child::how_it_ended() const {
+  if (WIFSIGNALED(status_)) {
+    const int number = WTERMSIG(status_);
+    return "signal " + std::to_string(number) + " (" + strsignal(number) + ")";
+  }
+  return "exit code " + std::to_string(WEXITSTATUS(status_));
+}
+
+void Child::signal(int number) noexcept {
+  if (!ended()) ::kill(pid_, number);
+}
+
+std::vector<std::string> Child::read_lines() {
+  char buffer[4096];
+  for (;;) {
+    const ssize_t size = read(output_, buffer, sizeof buffer);
+    if (size <= 0) break;
+    unfinished_.append(buffer, static_cast<std::size_t>(size));
+  }
+  std::vector<std::string> lines;
+  std::size_t end = 0;
+  while ((end = unfinished_.find('\n')) != std::string::npos) {
+    lines.push_back(unfinished_.substr(0, end));
+    unfinished_.erase(0, end + 1);
+  }
+  if (ended_ && !unfinished_.empty()) {
+    lines.push_back(unfinished_);
+    unfinished_.clear();
+  }
+  return lines;
+}
+
+}  // namespace mrroc::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace mrroc::cli {
+
+/// One process that the runner has started. It cannot outlive the runner: the kernel terminates it when the runner's
+/// main thread ends, however that happens (PR_SET_PDEATHSIG). Main thread only.
+class Child {
+ public:
+  /// Starts `program`; its stdout and stderr come through `output_fd()`. Throws std::runtime_error when it cannot be
+  /// started.
+  Child(std::string name, const std::string& program, const std::vector<std::string>& arguments);
+  ~Child();
+  Child(Child&& other) noexcept;
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  Child& operator=(Child&&) = delete;
+
+  const std::string& name() const noexcept { return name_; }
+  pid_t pid() const noexcept { return pid_; }
+  int output_fd() const noexcept { return output_; }
+
+  /// True when it has ended; then `how_it_ended()` and `succeeded()` tell how. Never waits.
+  bool ended() noexcept;
+  bool succeeded() const noexcept;
+  /// "exit code 3" or "signal 9 (Killed)".
+  std::string how_it_ended() const;
+  void signal(int number) noexcept;
+  /// Whole lines that it has written since the last call; at its end also an unfinished one. Never waits.
+  std::vector<std::string> read_lines();
+
+ private:
+  std::string name_;
+  pid_t pid_ = -1;
+  int output_ = -1;
+  bool ended_ = false;
+  int status_ = 0;
+  std::string unfinished_;
+};
+
+}  // namespace mrroc::cli

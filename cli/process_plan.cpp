@@ -1,0 +1,19 @@
+#include "cli/process_plan.hpp"
+
+namespace mrroc::cli {
+
+std::vector<PlannedProcess> plan_processes(const config::Deployment& deployment) {
+  std::vector<PlannedProcess> plan;
+  if (deployment.sim) plan.push_back({"sim", deployment.sim->program, false});
+  for (const config::RobotEntry& robot : deployment.robots) {
+    plan.push_back({robot.name + "_edp", robot.edp_program, false});
+  }
+  for (const config::SensorEntry& sensor : deployment.sensors) {
+    plan.push_back({sensor.name, sensor.vsp_program, false});
+  }
+  for (const config::RobotEntry& robot : deployment.robots) plan.push_back({robot.name, robot.program, true});
+  plan.push_back({"mp", deployment.mp.program, true});
+  return plan;
+}
+
+}  // namespace mrroc::cli

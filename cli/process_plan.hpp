@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "config/deployment.hpp"
+
+namespace mrroc::cli {
+
+/// One process that a deployment needs.
+struct PlannedProcess {
+  std::string name;  ///< mp; a robot's name (its ECP); <robot>_edp; a sensor's name (its VSP); sim
+  std::filesystem::path program;
+  bool has_task = false;  ///< an MP or ECP: it runs instructions and may write a trace
+};
+
+/// All processes of a deployment: sim first (hardware is there before its drivers), then EDPs, VSPs, ECPs, the MP.
+std::vector<PlannedProcess> plan_processes(const config::Deployment& deployment);
+
+}  // namespace mrroc::cli

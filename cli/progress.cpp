@@ -1,0 +1,99 @@
+#include "cli/progress.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace mrroc::cli {
+
+namespace {
+
+const char* text_of(links::ProcessState state) {
+  switch (state) {
+    case links::ProcessState::starting:
+      return "starting";
+    case links::ProcessState::ready:
+      return "ready";
+    case links::ProcessState::running:
+      return "running";
+    case links::ProcessState::ended:
+      return "ended";
+    case links::ProcessState::failed:
+      return "FAILED";
+  }
+  return "?";
+}
+
+std::string activity_of(const links::ProcessStatus& status) {
+  if (status.instruction == 0) return "";
+  return fmt::format("{} {:<28} step {:>5}", status.instruction, status.activity.view(), status.step);
+}
+
+}  // namespace
+
+Progress::Progress(std::vector<std::string> processes, double servo_period, bool quiet)
+    : names_(std::move(processes)),
+      servo_period_(servo_period),
+      quiet_(quiet),
+      live_(!quiet && isatty(STDOUT_FILENO) != 0) {}
+
+Progress::~Progress() { finish(); }
+
+void Progress::update(const links::ProcessStatus& status) {
+  links::ProcessStatus& known = statuses_[std::string{status.process.view()}];
+  const links::ProcessStatus before = known;
+  known = status;
+  if (!quiet_ && !live_) print_change(before, status);
+}
+
+void Progress::print_change(const links::ProcessStatus& before, const links::ProcessStatus& now) {
+  const bool first = before.process.empty();
+  if (first || before.state != now.state) {
+    fmt::print("{:<12} {}\n", now.process.view(), text_of(now.state));
+  } else if (before.instruction != now.instruction) {
+    fmt::print("{:<12} {:8.3f} s  {}\n", now.process.view(), static_cast<double>(now.tick) * servo_period_,
+               activity_of(now));
+  } else {
+    return;
+  }
+  std::fflush(stdout);
+}
+
+void Progress::message(const std::string& text) {
+  erase();
+  fmt::print("{}\n", text);
+  std::fflush(stdout);
+  draw();
+}
+
+void Progress::draw() {
+  if (!live_) return;
+  erase();
+  for (const std::string& name : names_) {
+    const auto found = statuses_.find(name);
+    if (found == statuses_.end()) {
+      fmt::print("{:<12} -\n", name);
+    } else {
+      const links::ProcessStatus& status = found->second;
+      fmt::print("{:<12} {:<8} {:9.3f} s  {}\n", name, text_of(status.state),
+                 static_cast<double>(status.tick) * servo_period_, activity_of(status));
+    }
+  }
+  drawn_lines_ = names_.size();
+  std::fflush(stdout);
+}
+
+void Progress::erase() {
+  if (drawn_lines_ == 0) return;
+  fmt::print("\x1b[{}A\x1b[J", drawn_lines_);
+  drawn_lines_ = 0;
+}
+
+void Progress::finish() {
+  drawn_lines_ = 0;
+  live_ = false;
+}
+
+}  // namespace mrroc::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "links/process_status.hpp"
+
+namespace mrroc::cli {
+
+/// What the operator sees while a deployment runs: on a terminal one live line per process, redrawn in place; otherwise
+/// one plain line for each change of a process's state or instruction. Main thread.
+class Progress {
+ public:
+  /// `quiet`: shows nothing but messages.
+  Progress(std::vector<std::string> processes, double servo_period, bool quiet);
+  ~Progress();
+
+  void update(const links::ProcessStatus& status);
+  /// A line of text above the live lines: output of a process, a notice. Shown even when quiet.
+  void message(const std::string& text);
+  /// Redraws the live lines; call it a few times per second.
+  void draw();
+  /// Leaves the live lines as they are and writes below from now on.
+  void finish();
+
+ private:
+  void erase();
+  void print_change(const links::ProcessStatus& before, const links::ProcessStatus& now);
+
+  std::vector<std::string> names_;
+  double servo_period_;
+  bool quiet_;
+  bool live_;  // stdout is a terminal
+  std::map<std::string, links::ProcessStatus> statuses_;
+  std::size_t drawn_lines_ = 0;
+};
+
+}  // namespace mrroc::cli

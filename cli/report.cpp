@@ -1,0 +1,36 @@
+#include "cli/report.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace mrroc::cli {
+
+namespace {
+
+void print_servo(const links::ProcessStatus& status, bool real) {
+  const links::Counters& counters = status.counters;
+  fmt::print("  {:<10} {} ticks, {} missed, {} late commands", status.process.view(), counters.ticks,
+             counters.missed_ticks, counters.late_commands);
+  if (real) {
+    fmt::print("; wake-up p50 {:.0f} p99 {:.0f} max {:.0f} us; tick p50 {:.0f} p99 {:.0f} max {:.0f} us",
+               counters.wakeup_p50_us, counters.wakeup_p99_us, counters.wakeup_max_us, counters.execution_p50_us,
+               counters.execution_p99_us, counters.execution_max_us);
+  }
+  fmt::print("\n");
+}
+
+}  // namespace
+
+void print_report(const config::Deployment& deployment, const RunResult& result) {
+  const double simulated = static_cast<double>(result.ticks) * deployment.servo_period;
+  const char* word = result.code == process::ExitCode::success ? "succeeded" : "ended";
+  fmt::print("{} {}: {:.3f} s in {:.2f} s of wall time", deployment.name, word, simulated, result.wall_seconds);
+  if (deployment.clock == config::ClockMode::lockstep && result.wall_seconds > 0) {
+    fmt::print(" ({:.1f} x real time)", simulated / result.wall_seconds);
+  }
+  fmt::print("\n");
+  for (const auto& [name, status] : result.statuses) {
+    if (status.role == links::ProcessRole::edp) print_servo(status, deployment.clock == config::ClockMode::real);
+  }
+}
+
+}  // namespace mrroc::cli

@@ -1,0 +1,73 @@
+#include "cli/run_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cstdio>
+
+#include "cli/report.hpp"
+#include "cli/runner.hpp"
+#include "cli/trace.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+struct RunArguments {
+  std::filesystem::path file;
+  std::string clock;
+  RunOptions options;
+  bool check = false;
+};
+
+config::ClockMode clock_mode(const std::string& name) {
+  if (name == "real") return config::ClockMode::real;
+  return name == "paced" ? config::ClockMode::paced : config::ClockMode::lockstep;
+}
+
+int run(const RunArguments& arguments) {
+  config::Deployment deployment = config::load_deployment(arguments.file);
+  if (!arguments.clock.empty()) deployment.clock = clock_mode(arguments.clock);
+  if (arguments.check) {
+    fmt::print("{}\n", config::describe(deployment));
+    return 0;
+  }
+  const RunResult result = Runner(deployment, arguments.options).run();
+  if (!arguments.options.quiet) print_report(deployment, result);
+  if (!result.reason.empty()) {
+    std::fflush(stdout);
+    fmt::print(stderr, "mrroc: {}: {}\n", deployment.name, result.reason);
+  }
+  return static_cast<int>(result.code);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command = app.add_subcommand("run", "Start a deployment, show its progress, exit with the task's result");
+  command->add_option("FILE", arguments->file, "Deployment file (TOML)")->required();
+  command->add_option("--clock", arguments->clock, "Clock instead of the deployment's")
+      ->check(CLI::IsMember({"real", "paced", "lockstep"}));
+  command->add_option("--trace", arguments->options.trace, "Write every step of every Move and Wait to this file");
+  command->add_option("--snapshots", arguments->options.snapshots,
+                      "Write states of the simulated world to this folder");
+  command->add_option("--shuffle-start", arguments->options.shuffle_seed,
+                      "Start the processes in a random order with random delays, from this seed");
+  command->add_flag("--quiet", arguments->options.quiet, "Print errors only");
+  command->add_flag("--check", arguments->check, "Validate the deployment and show its processes; start nothing");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+void add_trace_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("trace", "Look at a trace written by `mrroc run --trace`");
+  command->require_subcommand(1);
+  auto file = std::make_shared<std::filesystem::path>();
+  CLI::App* hash = command->add_subcommand("hash", "Print the hash of a trace: equal traces, equal hashes");
+  hash->add_option("FILE", *file, "Trace file")->required();
+  hash->callback([file, &exit_code] {
+    fmt::print("{}\n", hash_trace(*file));
+    exit_code = 0;
+  });
+}
+
+}  // namespace mrroc::cli

@@ -1,0 +1,298 @@
+#include "cli/runner.hpp"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/trace.hpp"
+#include "clock/realtime.hpp"
+#include "process/arguments.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr int kTurn = 20;             // ms between looks at the mail
+constexpr double kPatienceToEnd = 3;  // s that processes get to end by themselves
+
+clock::Mode mode_of(config::ClockMode mode) {
+  switch (mode) {
+    case config::ClockMode::real:
+      return clock::Mode::real;
+    case config::ClockMode::paced:
+      return clock::Mode::paced;
+    case config::ClockMode::lockstep:
+      return clock::Mode::lockstep;
+  }
+  return clock::Mode::lockstep;
+}
+
+std::vector<std::string> names_of(const std::vector<PlannedProcess>& plan) {
+  std::vector<std::string> names;
+  for (const PlannedProcess& process : plan) names.push_back(process.name);
+  return names;
+}
+
+clock::HostOptions host_options(const config::Deployment& deployment, const std::vector<PlannedProcess>& plan) {
+  clock::HostOptions options;
+  options.mode = mode_of(deployment.clock);
+  options.period = deployment.servo_period;
+  options.participants = names_of(plan);
+  options.delta_limit = deployment.delta_limit;
+  options.live_operator = true;
+  return options;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+int open_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, number);
+  sigprocmask(SIG_BLOCK, &set, nullptr);
+  return signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
+}
+
+}  // namespace
+
+Runner::Runner(const config::Deployment& deployment, RunOptions options)
+    : deployment_(deployment),
+      options_(std::move(options)),
+      plan_(plan_processes(deployment_)),
+      progress_(names_of(plan_), deployment_.servo_period, options_.quiet),
+      domain_lock_(deployment_.domain),
+      clock_(host_options(deployment_, plan_)),
+      signals_(open_signals()) {
+  if (deployment_.sim) world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
+}
+
+Runner::~Runner() {
+  clock_.end();
+  if (signals_ >= 0) close(signals_);
+}
+
+RunResult Runner::run() {
+  // lockstep is serial by nature: one CPU for all is several times faster than two (DESIGN 5)
+  if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
+  start_processes();
+  if (!stopping_) pass_barrier();
+  if (!stopping_) supervise();
+  end_processes();
+  result_.statuses = statuses_;
+  if (!options_.trace.empty()) {
+    std::vector<std::filesystem::path> parts;
+    for (const PlannedProcess& process : plan_) {
+      const std::filesystem::path part = trace_part(process.name);
+      if (process.has_task && std::filesystem::exists(part)) parts.push_back(part);
+    }
+    merge_traces(parts, options_.trace);
+    for (const std::filesystem::path& part : parts) std::filesystem::remove(part);
+  }
+  return result_;
+}
+
+void Runner::start_processes() {
+  std::vector<PlannedProcess> order = plan_;
+  std::mt19937_64 random(options_.shuffle_seed.value_or(0));
+  if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);
+  for (const PlannedProcess& process : order) {
+    if (options_.shuffle_seed) turn(static_cast<int>(random() % 300));
+    process::Arguments arguments;
+    arguments.deployment = deployment_.file;
+    arguments.name = process.name;
+    arguments.clock_fd = clock_.fd();
+    arguments.world_fd = world_ ? world_->fd() : -1;
+    arguments.domain = domain_lock_.domain();
+    if (process.has_task && !options_.trace.empty()) arguments.trace = trace_part(process.name);
+    if (process.name == "sim") arguments.snapshots = options_.snapshots;
+    children_.emplace_back(process.name, process.program.string(), process::to_command_line(arguments));
+  }
+  // after the children: they would inherit the domain's sockets (dds.md, trap 5)
+  operator_clock_ = clock_.operator_clock();
+  links::DomainOptions options;
+  options.id = domain_lock_.domain();
+  if (deployment_.clock != config::ClockMode::real) options.lease = 0;
+  domain_ = std::make_unique<links::Domain>(options);
+  collector_ = std::make_unique<links::StatusCollector>(*domain_, deployment_.name);
+  mp_ = std::make_unique<links::TaskSuperior>(*domain_, *operator_clock_, deployment_.name + "/mp", "mp");
+}
+
+void Runner::pass_barrier() {
+  const double deadline = operator_clock_->wall_seconds() + deployment_.start_timeout;
+  std::vector<std::string> missing;
+  while (!(missing = clock_.wait_ready(0)).empty()) {
+    if (!turn(kTurn)) return;
+    if (operator_clock_->wall_seconds() > deadline) {
+      fail(process::ExitCode::system,
+           "not ready within " + std::to_string(deployment_.start_timeout) + " s: " + joined(missing));
+      return;
+    }
+  }
+  mp_->connect(deployment_.start_timeout);
+  schedule_events();
+  mp_->send(links::TaskCommandKind::start);
+  const double now = operator_clock_->wall_seconds();
+  for (const PlannedProcess& process : plan_) last_heard_[process.name] = now;
+  result_.wall_seconds = now;
+  task_started_ = true;
+  clock_.start();
+}
+
+void Runner::schedule_events() {
+  for (const config::Event& event : deployment_.events) {
+    links::TaskCommandKind kind = links::TaskCommandKind::trigger;
+    if (event.command == "pause") kind = links::TaskCommandKind::pause;
+    if (event.command == "resume") kind = links::TaskCommandKind::resume;
+    if (event.command == "stop") kind = links::TaskCommandKind::stop;
+    clock_.at_tick(event.tick, [this, kind] { mp_->send(kind); });
+  }
+}
+
+void Runner::supervise() {
+  while (turn(kTurn)) {
+    check_heartbeats();
+    check_clock();
+  }
+}
+
+bool Runner::turn(int milliseconds) {
+  std::vector<pollfd> descriptors{{signals_, POLLIN, 0}};
+  for (const Child& child : children_) descriptors.push_back({child.output_fd(), POLLIN, 0});
+  // a child that has closed its pipe is read in check_children: polling it again would not wait
+  for (std::size_t i = 0; i < children_.size(); ++i) {
+    if (children_[i].ended()) descriptors[i + 1].fd = -1;
+  }
+  poll(descriptors.data(), descriptors.size(), milliseconds);
+  read_signals();
+  for (Child& child : children_) read_output(child);
+  if (collector_ != nullptr) read_statuses();
+  if (task_started_) read_task_status();
+  check_children();
+  progress_.draw();
+  return !stopping_;
+}
+
+void Runner::read_signals() {
+  signalfd_siginfo info;
+  while (read(signals_, &info, sizeof info) == static_cast<ssize_t>(sizeof info)) {
+    if (info.ssi_signo != SIGCHLD) interrupt_by_operator();
+  }
+}
+
+void Runner::interrupt_by_operator() {
+  ++interrupts_;
+  if (interrupts_ > 1 || !task_started_) {
+    fail(process::ExitCode::stopped, "ended by the operator");
+    return;
+  }
+  progress_.message("stopping (once more to end at once)");
+  mp_->send(links::TaskCommandKind::stop);
+}
+
+void Runner::read_output(Child& child) {
+  for (const std::string& line : child.read_lines()) progress_.message(child.name() + " | " + line);
+}
+
+void Runner::read_statuses() {
+  collector_->poll();
+  for (const auto& [name, process] : collector_->processes()) {
+    const auto known = statuses_.find(name);
+    if (known != statuses_.end() && known->second.beat == process.status.beat) continue;
+    statuses_[name] = process.status;
+    last_heard_[name] = operator_clock_->wall_seconds();
+    progress_.update(process.status);
+  }
+}
+
+void Runner::read_task_status() {
+  links::TaskStatus status;
+  std::uint64_t last_command = 0;
+  while (mp_->take(status, last_command)) {
+    if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
+    result_.ticks = status.tick;
+    if (status.state == links::TaskState::failed) {
+      fail(process::exit_code(status.error.error_class), std::string{describe(status.error.error_class)} + ": " +
+                                                             std::string{describe(status.error.code)} + ": " +
+                                                             std::string{status.error.detail.view()});
+    } else if (status.state == links::TaskState::stopped) {
+      fail(process::ExitCode::stopped, "stopped by the operator");
+    } else {
+      stopping_ = true;
+    }
+  }
+}
+
+void Runner::check_children() {
+  if (stopping_) return;
+  for (Child& child : children_) {
+    if (!child.ended()) continue;
+    read_output(child);
+    const auto status = statuses_.find(child.name());
+    const bool told = status != statuses_.end() && status->second.state == links::ProcessState::failed;
+    std::string reason = "process " + child.name() + " died: " + child.how_it_ended();
+    if (told) reason += ": " + std::string{status->second.error.detail.view()};
+    clock_.participant_died(child.name());
+    fail(process::ExitCode::system, reason);
+    return;
+  }
+}
+
+void Runner::check_heartbeats() {
+  if (stopping_) return;
+  const double now = operator_clock_->wall_seconds();
+  for (const auto& [name, heard] : last_heard_) {
+    if (now - heard > deployment_.heartbeat_timeout) {
+      fail(process::ExitCode::system,
+           "process " + name + " is silent for " + std::to_string(deployment_.heartbeat_timeout) + " s");
+      return;
+    }
+  }
+}
+
+void Runner::check_clock() {
+  if (!stopping_ && clock_.state() == clock::State::failed)
+    fail(process::ExitCode::system, "clock lost: " + clock_.error());
+}
+
+void Runner::fail(process::ExitCode code, std::string reason) {
+  if (stopping_) return;
+  stopping_ = true;
+  result_.code = code;
+  result_.reason = std::move(reason);
+}
+
+void Runner::end_processes() {
+  const double start = result_.wall_seconds;
+  const double now = operator_clock_ ? operator_clock_->wall_seconds() : 0;
+  result_.wall_seconds = task_started_ ? now - start : 0;
+  if (result_.ticks == 0 && task_started_) result_.ticks = clock_.tick();
+  clock_.end();
+  for (Child& child : children_) child.signal(SIGTERM);
+  const auto all_ended = [this] {
+    return std::all_of(children_.begin(), children_.end(), [](Child& child) { return child.ended(); });
+  };
+  while (!all_ended() && operator_clock_->wall_seconds() < now + kPatienceToEnd) turn(kTurn);
+  for (Child& child : children_) {
+    if (!child.ended()) {
+      progress_.message("process " + child.name() + " does not end, killing it");
+      child.signal(SIGKILL);
+    }
+  }
+  while (!all_ended()) turn(kTurn);
+  turn(0);
+  progress_.finish();
+}
+
+std::filesystem::path Runner::trace_part(const std::string& process) const {
+  return options_.trace.string() + "." + process + ".part";
+}
+
+}  // namespace mrroc::cli

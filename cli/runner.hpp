@@ -1,0 +1,95 @@
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "cli/child.hpp"
+#include "cli/domain_lock.hpp"
+#include "cli/process_plan.hpp"
+#include "cli/progress.hpp"
+#include "clock/host.hpp"
+#include "config/deployment.hpp"
+#include "links/domain.hpp"
+#include "links/status_collector.hpp"
+#include "links/task_superior.hpp"
+#include "process/exit_code.hpp"
+#include "sim/mapped_world.hpp"
+
+namespace mrroc::cli {
+
+struct RunOptions {
+  std::filesystem::path trace;      ///< empty: none
+  std::filesystem::path snapshots;  ///< folder for world snapshots; empty: none
+  bool quiet = false;
+  /// Starts the processes in a random order with random delays (0 to 0.3 s) drawn from this seed: a test of the
+  /// barrier.
+  std::optional<std::uint64_t> shuffle_seed;
+};
+
+/// How a run ended.
+struct RunResult {
+  process::ExitCode code = process::ExitCode::success;
+  std::string reason;                                    ///< one line, empty on success
+  Tick ticks = 0;                                        ///< simulated length
+  double wall_seconds = 0;                               ///< from the start of the task to its end
+  std::map<std::string, links::ProcessStatus> statuses;  ///< last word of each process
+};
+
+/// `mrroc run`: starts every process of a deployment, opens the clock when all are ready, starts the MP, shows
+/// progress, forwards Ctrl-C, notices a process that dies or is silent, and ends every process whatever happens. Main
+/// thread.
+class Runner {
+ public:
+  Runner(const config::Deployment& deployment, RunOptions options);
+  ~Runner();
+  RunResult run();
+
+ private:
+  void start_processes();
+  void pass_barrier();
+  void schedule_events();
+  void supervise();
+  void end_processes();
+
+  /// One turn of the supervisor: waits at most `milliseconds` for signals and output; true when all is well.
+  bool turn(int milliseconds);
+  void read_signals();
+  void read_output(Child& child);
+  void read_statuses();
+  void read_task_status();
+  void check_children();
+  void check_heartbeats();
+  void check_clock();
+  void interrupt_by_operator();
+  void fail(process::ExitCode code, std::string reason);
+  std::filesystem::path trace_part(const std::string& process) const;
+
+  config::Deployment deployment_;
+  RunOptions options_;
+  std::vector<PlannedProcess> plan_;
+  Progress progress_;
+  DomainLock domain_lock_;
+  clock::ClockHost clock_;
+  std::unique_ptr<sim::MappedWorld> world_;
+  int signals_ = -1;
+  std::deque<Child> children_;
+  std::unique_ptr<clock::Clock> operator_clock_;
+  std::unique_ptr<links::Domain> domain_;
+  std::unique_ptr<links::StatusCollector> collector_;
+  std::unique_ptr<links::TaskSuperior> mp_;
+
+  std::map<std::string, links::ProcessStatus> statuses_;
+  std::map<std::string, double> last_heard_;  // s of wall time
+  int interrupts_ = 0;
+  bool stopping_ = false;  // the task has ended or failed: processes may go
+  bool task_started_ = false;
+  RunResult result_;
+};
+
+}  // namespace mrroc::cli

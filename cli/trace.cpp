@@ -1,0 +1,65 @@
+#include "cli/trace.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <stdexcept>
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr const char* kHeader = "# mrroc trace 1";
+
+struct Line {
+  std::uint64_t tick = 0;
+  std::string text;
+};
+
+std::uint64_t tick_of(const std::string& text) {
+  constexpr std::string_view key = "tick=";
+  std::uint64_t tick = 0;
+  if (text.starts_with(key)) std::from_chars(text.data() + key.size(), text.data() + text.size(), tick);
+  return tick;
+}
+
+}  // namespace
+
+void merge_traces(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& merged) {
+  std::vector<std::filesystem::path> sorted = parts;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<Line> lines;
+  for (const std::filesystem::path& part : sorted) {
+    std::ifstream file(part);
+    if (!file) throw std::runtime_error("cannot read the trace " + part.string());
+    for (std::string text; std::getline(file, text);) lines.push_back({tick_of(text), text});
+  }
+  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.tick < b.tick; });
+  std::ofstream file(merged);
+  file << kHeader << '\n';
+  for (const Line& line : lines) file << line.text << '\n';
+  if (!file.flush()) throw std::runtime_error("cannot write the trace " + merged.string());
+}
+
+std::string hash_trace(const std::filesystem::path& trace) {
+  std::ifstream file(trace, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read the trace " + trace.string());
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  std::string text;
+  if (!std::getline(file, text) || text != kHeader) {
+    throw std::runtime_error(trace.string() + ":1: is no trace, expected the line \"" + kHeader + "\"");
+  }
+  while (std::getline(file, text)) {
+    text += '\n';
+    for (const char character : text) {
+      hash ^= static_cast<unsigned char>(character);
+      hash *= 0x100000001b3U;
+    }
+  }
+  const char* const digits = "0123456789abcdef";
+  std::string result(16, '0');
+  for (std::size_t i = 0; i < 16; ++i) result[15 - i] = digits[(hash >> (4 * i)) & 15U];
+  return result;
+}
+
+}  // namespace mrroc::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mrroc::cli {
+
+/// Joins the traces of several processes into one, ordered by tick, then process, then as each process wrote them: an
+/// order that depends on nothing but the lines. Throws std::runtime_error when a file cannot be read or written.
+void merge_traces(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& merged);
+
+/// FNV-1a (64 bit) of the whole file, as 16 hexadecimal digits. Throws std::runtime_error when it cannot be read, or is
+/// no trace.
+std::string hash_trace(const std::filesystem::path& trace);
+
+}  // namespace mrroc::cli

@@ -1,0 +1,12 @@
+#include "mrroc/ecp.hpp"
+
+namespace {
+
+/// The stock ECP: transparent. It has nothing to do when it is started; MP-level Moves pass through it.
+class Stock : public mrroc::ecp::Task {
+  void run() override {}
+};
+
+}  // namespace
+
+MRROC_ECP(Stock)

@@ -1,0 +1,80 @@
+#include "mrroc/ecp.hpp"
+#include "mrroc/stopped.hpp"
+#include "process/build_scope.hpp"
+
+namespace mrroc::ecp {
+
+Task::Task()
+    : TaskProcess(process::BuildScope::process(),
+                  process::BuildScope::process().topic(process::BuildScope::process().name())),
+      mp_(process().domain(), process().clock(), process().topic(process().name() + "/mp")),
+      edp_(&robot_link(process().name(), process().deployment().robot(process().name()).type)) {}
+
+std::string Task::robot_name(const std::string& requested) const {
+  if (requested.empty() || requested == process_name()) return process_name();
+  throw NonFatalError(ErrorCode::invalid_argument,
+                      "robot '" + requested + "' in the ECP of '" + process_name() + "': an ECP has its own robot only",
+                      {process_name(), requested, 0, 0});
+}
+
+std::string Task::robot_topic(const std::string& name) const { return process().topic(name); }
+
+std::string Task::robot_peer(const std::string& name) const { return name + "_edp"; }
+
+void Task::relay() {
+  std::uint64_t sequence = 0;
+  while (mp_.take(command_, sequence)) {
+    edp_->send(command_);
+    edp_->receive(state_);
+    mp_.reply(state_, sequence);
+  }
+}
+
+void Task::poll_others() {
+  std::uint64_t sequence = 0;
+  while (mp_.take(command_, sequence)) {
+    state_ = RobotState{};
+    state_.tick = tick();
+    state_.error.error_class = ErrorClass::non_fatal;
+    state_.error.code = ErrorCode::busy;
+    state_.error.detail.assign("the ECP runs a task of its own");
+    mp_.reply(state_, sequence);
+  }
+}
+
+namespace {
+
+/// Runs the task once and reports how it ended to the MP.
+void run_task(Task& task) {
+  task.report(links::TaskState::running);
+  try {
+    task.run();
+    task.report(links::TaskState::succeeded);
+  } catch (const Stopped&) {
+    task.report(links::TaskState::stopped);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    task.report(links::TaskState::failed, process::report_of(error));
+  }
+}
+
+void serve(process::Process& process, const TaskFactory& factory) {
+  const process::BuildScope scope(process);
+  const std::unique_ptr<Task> task = factory();
+  task->connect_links();
+  process.start();
+  for (;;) {
+    if (task->read_superior()) run_task(*task);
+    task->relay();
+    if (process.clock().wait(kNever) == clock::Wake::interrupted) throw Stopped{};
+  }
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const TaskFactory& factory) {
+  return process::run_process(argc, argv, links::ProcessRole::ecp,
+                              [&factory](process::Process& process) { serve(process, factory); });
+}
+
+}  // namespace mrroc::ecp

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "mrroc/condition.hpp"
+
+namespace mrroc {
+
+class Task;
+
+/// The operator has given a trigger since the instruction began.
+class OperatorTrigger : public Condition {
+ public:
+  explicit OperatorTrigger(Task& task);
+
+  /// Forgets triggers from before the instruction.
+  void start() override;
+
+ protected:
+  bool holds() override;
+
+ private:
+  Task* task_;
+  bool given_ = false;
+};
+
+}  // namespace mrroc

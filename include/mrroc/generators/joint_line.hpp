@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "mrroc/generator.hpp"
+#include "mrroc/robot.hpp"
+
+namespace mrroc {
+
+/// Straight line in joint space, time-optimal under the robot's velocity, acceleration and jerk limits scaled by
+/// `speed` (Ruckig, phase-synchronised: all joints start and end together). It starts from the desired state, moving or
+/// not, and ends at rest. The motion ends by itself when the last macrostep has been commanded.
+class JointLine : public Generator {
+ public:
+  /// To joint positions (rad or m). `speed` in (0, 1] scales velocity by `speed`, acceleration by speed^2, jerk by
+  /// speed^3, so that the path's shape in time is only stretched. Throws NonFatalError: invalid_argument (size, speed),
+  /// not_finite, joint_limit.
+  JointLine(Robot& robot, const JointVector& target, double speed = 0.5);
+  /// To a tool pose in the robot's base frame, on the inverse kinematics' branch nearest to the desired joints at the
+  /// start. `start()` throws NonFatalError: out_of_workspace, singular, joint_limit.
+  JointLine(Robot& robot, const Pose& target, double speed = 0.5);
+  ~JointLine() override;
+  JointLine(JointLine&&) noexcept;
+  JointLine& operator=(JointLine&&) noexcept;
+
+  void start() override;
+  bool terminal_condition() override;
+  void next_state() override;
+
+  /// Seconds that the whole motion takes; after `start()`.
+  double duration() const noexcept;
+
+ private:
+  struct Plan;
+  void check_target(const JointVector& target) const;
+
+  Robot* robot_;
+  bool to_pose_;
+  JointVector target_;
+  Pose target_pose_ = Pose::Identity();
+  double speed_;
+  std::unique_ptr<Plan> plan_;
+};
+
+}  // namespace mrroc

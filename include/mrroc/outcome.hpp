@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mrroc/condition.hpp"
+#include "mrroc/types.hpp"
+
+namespace mrroc {
+
+/// What ended an instruction that did not throw.
+enum class Ending : std::uint8_t {
+  condition,  ///< a condition given to `Wait`, or to the generator with `until`, held
+  generator,  ///< the generator's own terminal condition held
+  end_motion  ///< the operator or the superior process asked for the next instruction
+};
+
+/// What `Move` and `Wait` return.
+struct Outcome {
+  Ending ending = Ending::condition;
+  /// Steps executed: commands sent to each robot. 0 when the condition held at i0.
+  std::uint64_t steps = 0;
+  /// First and last tick of the states that were seen.
+  Tick start_tick = 0;
+  Tick end_tick = 0;
+  double duration = 0;       ///< s, from the ticks
+  double wall_duration = 0;  ///< s, measured
+  /// The whole condition that held, for its lifetime; null unless `ending` is `condition`.
+  std::shared_ptr<const Condition> condition;
+  /// The parts of it whose value made it hold.
+  std::vector<const Condition*> reasons;
+
+  /// Whether a condition of class C was (one of) the reason(s): `if (end.by<Travelled>()) ...`.
+  template <class C>
+  bool by() const noexcept {
+    for (const Condition* reason : reasons) {
+      if (dynamic_cast<const C*>(reason) != nullptr) return true;
+    }
+    return false;
+  }
+  /// Whether the condition of this name was (one of) the reason(s).
+  bool by(std::string_view name) const noexcept;
+  /// Names of the reasons joined with " and "; "generator" or "end of motion" when it was no condition.
+  std::string reason() const;
+};
+
+}  // namespace mrroc

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mrroc/robot_link.hpp"
+#include "mrroc/robot_model.hpp"
+
+namespace mrroc {
+
+class Task;
+
+/// One effector e_l as a task program sees it: its state e^i, the command e^{i+1} that a generator writes, its
+/// geometry. It knows how to exchange them (the paper's "each robot knows how to interact"), at ECP and MP level alike.
+/// A robot of a given type is a class derived from this one (`Irb6`). Task's thread only.
+class Robot {
+ public:
+  /// `name`: as in the deployment; empty in an ECP: its own robot. Throws NonFatalError when the deployment has no such
+  /// robot of the model's type.
+  Robot(Task& task, const std::string& name, std::shared_ptr<const RobotModel> model);
+  virtual ~Robot() = default;
+  Robot(const Robot&) = delete;
+  Robot& operator=(const Robot&) = delete;
+
+  const std::string& name() const noexcept { return name_; }
+  Task& task() const noexcept { return *task_; }
+  const RobotModel& model() const noexcept { return *model_; }
+  const RobotParameters& parameters() const noexcept { return model_->parameters(); }
+
+  /// e^i, as of the last step of a Move or Wait.
+  const RobotState& state() const noexcept { return state_; }
+  /// The same, for a generator that plans from it. Throws NonFatalError(invalid_argument) when there is none: the robot
+  /// has not been in the list of any Move or Wait.
+  const RobotState& known_state() const;
+  /// e^{i+1}. Before each `Generator::next_state()` it is reset to "hold" with this robot's macrostep.
+  RobotCommand& command() noexcept { return command_; }
+  const RobotCommand& command() const noexcept { return command_; }
+
+  /// Macrostep of the coming instructions: N ticks, reply at tick v (default 10 / 8, the original's). Throws
+  /// NonFatalError when N is not in 1..kMaxMotionSteps or v not in 1..N+1.
+  void set_macrostep(std::uint16_t motion_steps, std::uint16_t reply_step);
+  std::uint16_t motion_steps() const noexcept { return motion_steps_; }
+  std::uint16_t reply_step() const noexcept { return reply_step_; }
+  /// Seconds from one state to the next: N * servo period.
+  double step_duration() const noexcept;
+
+  // ---- the exchange, used by Move and Wait
+  // -----------------------------------------------------------------------------
+  /// Makes the command a plain `kind` with this robot's macrostep.
+  void reset_command(CommandKind kind) noexcept;
+  void send() { link_->send(command_); }
+  void receive() { link_->receive(state_); }
+
+ private:
+  Task* task_;
+  std::string name_;
+  std::shared_ptr<const RobotModel> model_;
+  RobotLink* link_;
+  RobotState state_;
+  RobotCommand command_;
+  std::uint16_t motion_steps_ = 10;
+  std::uint16_t reply_step_ = 8;
+};
+
+}  // namespace mrroc

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+
+#include "mrroc/sensor_link.hpp"
+
+namespace mrroc {
+
+class Task;
+
+/// One virtual sensor v_p as a task program sees it. *Interactive*: `Move` requests a reading before the robots are
+/// commanded and collects it after their replies, so that measuring overlaps motion; *non-interactive*: the newest
+/// published reading is read from a local buffer, never waiting. Which of the two is the deployment's choice. A sensor
+/// of a given type is a class derived from this one that names the channels. Task's thread only.
+class Sensor {
+ public:
+  /// Throws NonFatalError when the deployment has no sensor `name` of `type`.
+  Sensor(Task& task, const std::string& name, const std::string& type);
+  virtual ~Sensor() = default;
+  Sensor(const Sensor&) = delete;
+  Sensor& operator=(const Sensor&) = delete;
+
+  const std::string& name() const noexcept { return name_; }
+  Task& task() const noexcept { return *task_; }
+  bool interactive() const noexcept { return interactive_; }
+  /// v^i, as of the last step at which it was due.
+  const SensorReading& reading() const noexcept { return reading_; }
+  /// Channel `channel` of the reading; NaN when it does not have it.
+  double value(std::size_t channel) const noexcept;
+
+  /// A new reading every `steps` steps of a Move or Wait (1: every step). Throws NonFatalError when 0.
+  void set_period(std::uint32_t steps);
+  std::uint32_t period() const noexcept { return period_; }
+
+  /// Takes the present reading as zero; interactive sensors only (NonFatalError otherwise). Waits for the reply.
+  void bias();
+
+  // ---- the exchange, used by Move and Wait
+  // -----------------------------------------------------------------------------
+  /// Whether v^i is renewed at step i of an instruction: i is a multiple of the period.
+  bool due(std::uint64_t step) const noexcept { return step % period_ == 0; }
+  /// Requests a reading of the hardware at `measure_at`; a non-interactive sensor does nothing.
+  void initiate_reading(Tick measure_at);
+  /// Stores the reading: awaits the reply to the request, or reads the buffer.
+  void collect_reading();
+
+ private:
+  Task* task_;
+  std::string name_;
+  bool interactive_ = true;
+  SensorLink* link_;
+  SensorReading reading_;
+  std::uint32_t period_ = 1;
+};
+
+}  // namespace mrroc

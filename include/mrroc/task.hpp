@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "mrroc/robot_link.hpp"
+#include "mrroc/sensor_link.hpp"
+#include "mrroc/types.hpp"
+
+namespace mrroc {
+
+class StepObserver;
+
+/// What the operator, or the superior process, wants of the instruction under way.
+enum class OperatorRequest : std::uint8_t {
+  none = 0,
+  pause = 1,      ///< hold until resumed
+  stop = 2,       ///< leave the task: `Stopped` is thrown
+  end_motion = 3  ///< end this Move or Wait as if its condition had held
+};
+
+/// The process that a task program runs in, as `Robot`, `Sensor`, `Move` and `Wait` see it: a source of links, the
+/// time, the operator. `ecp::Task` and `mp::Task` implement it over DDS, tests over fakes. All methods: the task's
+/// thread.
+class Task {
+ public:
+  virtual ~Task() = default;
+  Task() = default;
+  Task(const Task&) = delete;
+  Task& operator=(const Task&) = delete;
+
+  /// Name of the process, for errors and traces.
+  virtual const std::string& process_name() const noexcept = 0;
+  /// Name of the robot meant by `requested`: in an ECP, its own robot when empty. Throws NonFatalError when there is
+  /// none.
+  virtual std::string robot_name(const std::string& requested) const = 0;
+  /// The link to robot `name` of type `type` (its EDP or ECP). Throws NonFatalError when the deployment has no such
+  /// robot, or has it as another type. Called while the task object is built; the link lives as long as the task.
+  virtual RobotLink& robot_link(const std::string& name, const std::string& type) = 0;
+  /// The link to sensor `name` of type `type`, likewise. `interactive` tells how it is deployed.
+  virtual SensorLink& sensor_link(const std::string& name, const std::string& type, bool& interactive) = 0;
+
+  /// Length of a servo tick, s.
+  virtual double servo_period() const noexcept = 0;
+  /// The present tick.
+  virtual Tick tick() const noexcept = 0;
+  /// Monotonic wall time, s: for reports only.
+  virtual double wall_seconds() const noexcept = 0;
+  /// Waits until `tick`. Throws Stopped when the process is asked to end.
+  virtual void sleep_until(Tick tick) = 0;
+
+  /// What is wanted of the instruction at this step; never waits.
+  virtual OperatorRequest operator_request() noexcept = 0;
+  /// True once for each trigger that the operator gave.
+  virtual bool take_trigger() noexcept = 0;
+  /// Is told every step; null: nobody. It must neither allocate nor block.
+  virtual StepObserver* observer() noexcept = 0;
+
+  /// Number of the instruction that begins now; counts from 1. Used by Move and Wait.
+  std::uint64_t begin_instruction() noexcept { return ++instructions_; }
+
+ private:
+  std::uint64_t instructions_ = 0;
+};
+
+}  // namespace mrroc

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clock/clock.hpp"
+#include "clock/gate.hpp"
+#include "mrroc/fixed_text.hpp"
+#include "mrroc/types.hpp"
+
+namespace mrroc::clock {
+
+/// What the processes of one deployment know of each other's time: plain words in a memfd that the host creates and
+/// its children inherit. Nothing is left behind, whatever dies. There is no lock and hardly a word with two writers, so
+/// that a process can die between any two instructions and what it held can be told from its own words alone.
+
+enum class Mode : std::uint32_t { real, paced, lockstep };
+enum class State : std::uint32_t { setting_up, running, failed, ended };
+
+enum class Membership : std::uint32_t {
+  alive,
+  left,  ///< it went by itself: nobody waits for it, what it has sent still arrives
+  dead   ///< it was lost: nothing from it or to it is waited for
+};
+
+inline constexpr std::size_t kMaxParticipants = 64;
+/// Slot of the runner's own links: a sender and receiver that nobody waits for.
+inline constexpr std::uint32_t kOperator = kMaxParticipants;
+inline constexpr std::uint32_t kMaxLinks = 512;
+inline constexpr std::size_t kTopicLength = 95;
+
+/// One process. "Host" or "participant" says who writes.
+struct alignas(64) ParticipantSlot {
+  FixedText<kNameLength> name;            // host, when the memory is created
+  std::atomic<std::int32_t> pid{0};       // participant; 0: nobody has attached
+  std::atomic<std::uint32_t> ready{0};    // participant
+  std::atomic<std::uint32_t> physics{0};  // participant: woken before the others in a new tick
+  std::atomic<Membership> membership{};   // participant (left), host (dead)
+  std::atomic<std::uint32_t> running{0};  // host sets, participant clears
+  std::atomic<Tick> wake_tick{kNever};    // participant
+  std::atomic<std::uint64_t> mail{0};     // participant: messages stored in its mailbox so far
+  std::atomic<Tick> tick{0};              // host, before it opens the gate, as the two below
+  std::atomic<std::uint64_t> delta{0};    // the delta in which the participant runs
+  std::atomic<Wake> reason{Wake::tick};   // why it runs
+  Gate gate;                              // the participant sleeps on it
+};
+
+/// The one sender of a topic.
+struct alignas(64) SenderEntry {
+  FixedText<kTopicLength> topic;
+  std::uint32_t participant = 0;
+  std::atomic<std::uint32_t> claimed{0};  // last of all
+};
+
+/// One receiver of a topic. Messages in flight on it: sent - arrived.
+struct alignas(64) LinkEntry {
+  FixedText<kTopicLength> topic;
+  std::uint32_t receiver = 0;
+  std::atomic<std::uint32_t> claimed{0};  // last of all
+  std::atomic<std::int32_t> sender{-1};   // index into `senders`; host, at the start
+  std::atomic<std::uint64_t> sent{0};     // its sender
+  std::atomic<std::uint64_t> arrived{0};  // its receiver
+};
+
+struct ClockMemory {
+  Mode mode = Mode::lockstep;
+  std::int64_t period_ns = 0;
+  std::int32_t host_pid = 0;
+  std::uint32_t participant_count = 0;
+  std::atomic<State> state{State::setting_up};
+  std::atomic<std::uint32_t> failing{0};  // claimed by whoever writes `error`
+  FixedText<1023> error;                  // valid when state is `failed`
+  std::atomic<std::int64_t> epoch_ns{0};  // CLOCK_MONOTONIC at tick 0
+  std::atomic<Tick> tick{0};              // lockstep: the newest tick that participants may see
+  std::atomic<std::uint64_t> delta{0};    // lockstep: the delta that is open
+  Gate host;                              // the host sleeps on it
+  std::array<ParticipantSlot, kMaxParticipants + 1> participants;
+  std::atomic<std::uint32_t> sender_count{0};
+  std::array<SenderEntry, kMaxLinks> senders;
+  std::atomic<std::uint32_t> link_count{0};
+  std::array<LinkEntry, kMaxLinks> links;
+};
+
+/// The memory mapped into this process.
+class MappedClock {
+ public:
+  /// Creates the memfd (inherited through exec) and its mapping. `period` in s, a positive whole number of ns. Throws
+  /// SystemError: names that are empty, too long, repeated or too many; a bad period; no memory.
+  static MappedClock create(Mode mode, double period, const std::vector<std::string>& participants);
+  /// Maps the memory behind `fd`, which stays the caller's. Throws SystemError when it is not a clock's.
+  static MappedClock attach(int fd);
+  ~MappedClock();
+  MappedClock(MappedClock&& other) noexcept;
+  MappedClock& operator=(MappedClock&&) = delete;
+
+  ClockMemory& operator*() const noexcept { return *memory_; }
+  ClockMemory* operator->() const noexcept { return memory_; }
+  /// Descriptor of a memory that was created here; -1 otherwise. Closed with this object.
+  int fd() const noexcept { return fd_; }
+
+ private:
+  MappedClock(ClockMemory* memory, int fd) noexcept : memory_(memory), fd_(fd) {}
+  ClockMemory* memory_;
+  int fd_;
+};
+
+/// Real and paced: CLOCK_MONOTONIC time at which `tick` begins, epoch + tick * period, ns; kForever when out of range.
+std::int64_t begin_of(const ClockMemory& memory, Tick tick) noexcept;
+/// Real: floor((now - epoch) / period); 0 before the epoch and before the start.
+Tick wall_tick(const ClockMemory& memory) noexcept;
+
+/// Lockstep: true when no live participant runs and no message is in flight on a live link. Only running participants
+/// send and only the host sets one running, so the answer `true` stays true until the host (or the operator) acts. Any
+/// thread; whoever may have made it true asks, and opens the host's gate. Looks at the running words first: after that
+/// nothing more is sent.
+bool quiescent(const ClockMemory& memory) noexcept;
+
+/// Whether messages on the link are waited for: its receiver takes part and its sender has not been lost.
+bool live(const ClockMemory& memory, const LinkEntry& link) noexcept;
+
+/// Enter a topic into the tables, before the start; return the index. Throw SystemError: the name is empty or too long,
+/// the table is full, the clock has started.
+int add_sender(ClockMemory& memory, std::uint32_t participant, std::string_view topic);
+int add_link(ClockMemory& memory, std::uint32_t participant, std::string_view topic);
+/// Host, at the start: tells every link its sender. Throws SystemError when a topic has two.
+void connect(ClockMemory& memory);
+/// Counts one message in flight to each receiver of the sender's topic. No allocation.
+void count_sent(ClockMemory& memory, int sender) noexcept;
+
+/// Ends the deployment's time, unless that has been done before (false): every wait of every process returns
+/// `interrupted`. Any thread.
+bool fail(ClockMemory& memory, std::string_view text) noexcept;
+bool end(ClockMemory& memory) noexcept;
+
+}  // namespace mrroc::clock

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace mrroc::clock {
+
+/// What one thread sleeps on and any thread or process opens: one futex word in shared memory. Bit 0 says
+/// "interrupted" and stays set for good; the other bits count openings. Because a sleeper compares the whole word, no
+/// opening and no interruption between its last look and its sleep is lost. Zeroed memory is a valid gate.
+class Gate {
+ public:
+  /// To be read before looking for work, and given to `sleep` when there is none. Any thread.
+  std::uint32_t word() const noexcept { return word_.load(); }
+  /// Any thread.
+  bool interrupted() const noexcept { return (word() & kInterrupted) != 0; }
+  /// Number of openings in a word, modulo 2^31.
+  static std::uint32_t openings(std::uint32_t word) noexcept { return word >> 1; }
+
+  /// Wakes the sleeper. Any thread; one atomic add and a futex wake.
+  void open() noexcept;
+  /// Wakes the sleeper, now and whenever it tries to sleep again. Any thread, signal handlers too.
+  void interrupt() noexcept;
+  /// Sleeps until the word differs from `seen` (true) or CLOCK_MONOTONIC reaches `deadline_ns` (false).
+  bool sleep(std::uint32_t seen, std::int64_t deadline_ns) noexcept;
+
+ private:
+  static constexpr std::uint32_t kInterrupted = 1;
+  static constexpr std::uint32_t kOpening = 2;
+  void wake() noexcept;
+
+  std::atomic<std::uint32_t> word_{0};
+  static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
+};
+
+}  // namespace mrroc::clock

@@ -1,0 +1,140 @@
+#include "clock/host.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "clock/monotonic.hpp"
+#include "clock/operator_clock.hpp"
+#include "clock/real_clock.hpp"
+#include "mrroc/errors.hpp"
+
+namespace mrroc::clock {
+
+namespace {
+
+/// Between the announcement of the epoch and tick 0 in real mode: time for the processes to wake up.
+constexpr std::int64_t kLeadPeriods = 10;
+
+std::uint64_t checked_limit(std::uint64_t limit) {
+  if (limit < 2)
+    throw SystemError(ErrorCode::configuration,
+                      "clock: delta_limit " + std::to_string(limit) + ": expected at least 2");
+  return limit;
+}
+
+}  // namespace
+
+ClockHost::ClockHost(HostOptions options)
+    : memory_(MappedClock::create(options.mode, options.period, options.participants)),
+      cycle_(*memory_, events_, checked_limit(options.delta_limit), options.live_operator) {}
+
+ClockHost::~ClockHost() {
+  end();
+  if (thread_.joinable()) thread_.join();
+}
+
+std::vector<std::string> ClockHost::not_ready() const {
+  std::vector<std::string> missing;
+  for (std::uint32_t i = 0; i < memory_->participant_count; ++i) {
+    const ParticipantSlot& slot = memory_->participants[i];
+    if (slot.ready.load() == 0 || slot.membership.load() != Membership::alive) missing.emplace_back(slot.name.view());
+  }
+  return missing;
+}
+
+std::vector<std::string> ClockHost::wait_ready(double timeout) {
+  const std::int64_t deadline = monotonic_ns() + static_cast<std::int64_t>(timeout * 1e9);
+  for (;;) {
+    const std::uint32_t seen = memory_->host.word();
+    std::vector<std::string> missing = not_ready();
+    if (missing.empty() || state() != State::setting_up || !memory_->host.sleep(seen, deadline)) return missing;
+  }
+}
+
+void ClockHost::at_tick(Tick tick, TickEvents::Callback callback) {
+  events_.add(tick, std::move(callback));
+  memory_->host.open();  // it may be sleeping towards a later event
+}
+
+void ClockHost::open_time() {
+  std::string missing;
+  for (const std::string& name : not_ready()) missing += (missing.empty() ? "" : ", ") + name;
+  if (!missing.empty()) throw SystemError(ErrorCode::process_silent, "clock: not ready for the start: " + missing);
+  connect(*memory_);
+  const std::int64_t lead = memory_->mode == Mode::real ? kLeadPeriods * memory_->period_ns : 0;
+  if (memory_->mode != Mode::lockstep) memory_->epoch_ns.store(monotonic_ns() + lead);
+  State expected = State::setting_up;
+  if (!memory_->state.compare_exchange_strong(expected, State::running))
+    throw SystemError(ErrorCode::clock_lost, "clock: cannot start: " + describe());
+  if (memory_->mode == Mode::real)
+    for (std::uint32_t i = 0; i < memory_->participant_count; ++i) memory_->participants[i].gate.open();
+  memory_->participants[kOperator].gate.open();
+}
+
+void ClockHost::start() {
+  open_time();
+  thread_ = std::thread([this] { loop(); });
+}
+
+void ClockHost::run() {
+  open_time();
+  loop();
+}
+
+void ClockHost::loop() {
+  if (memory_->mode == Mode::real)
+    run_events_in_real_time();
+  else
+    cycle_.run();
+}
+
+void ClockHost::run_events_in_real_time() {
+  for (;;) {
+    const std::uint32_t seen = memory_->host.word();
+    if (state() != State::running) return;
+    const Tick next = events_.next();
+    if (memory_->host.sleep(seen, begin_of(*memory_, next))) continue;
+    try {
+      events_.run(next);
+    } catch (const std::exception& error) {
+      fail("event at tick " + std::to_string(next) + ": " + error.what());
+    }
+  }
+}
+
+void ClockHost::participant_died(std::string_view name) {
+  for (std::uint32_t i = 0; i < memory_->participant_count; ++i) {
+    ParticipantSlot& slot = memory_->participants[i];
+    if (slot.name.view() != name) continue;
+    Membership alive = Membership::alive;
+    slot.membership.compare_exchange_strong(alive, Membership::dead);
+    memory_->host.open();
+    return;
+  }
+  throw SystemError(ErrorCode::configuration, "clock: '" + std::string(name) + "' is no participant");
+}
+
+void ClockHost::fail(std::string_view text) { clock::fail(*memory_, text); }
+
+void ClockHost::end() { clock::end(*memory_); }
+
+std::string ClockHost::error() const {
+  return state() == State::failed ? std::string(memory_->error.view()) : std::string();
+}
+
+Tick ClockHost::tick() const noexcept {
+  return memory_->mode == Mode::real ? wall_tick(*memory_) : memory_->tick.load();
+}
+
+std::unique_ptr<Clock> ClockHost::operator_clock() {
+  std::int32_t nobody = 0;
+  if (!memory_->participants[kOperator].pid.compare_exchange_strong(nobody, ::getpid()))
+    throw SystemError(ErrorCode::configuration, "clock: the host has given out its operator clock already");
+  MappedClock memory = MappedClock::attach(fd());
+  if (memory->mode == Mode::real) return std::make_unique<RealClock>(std::move(memory), kOperator);
+  return std::make_unique<OperatorClock>(std::move(memory));
+}
+
+}  // namespace mrroc::clock

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "clock/clock.hpp"
+#include "clock/clock_memory.hpp"
+#include "clock/delta_cycle.hpp"
+#include "clock/tick_events.hpp"
+
+namespace mrroc::clock {
+
+struct HostOptions {
+  Mode mode = Mode::lockstep;
+  double period = 0.002;                  ///< s
+  std::vector<std::string> participants;  ///< names of the processes; their order is the order of the table
+  std::uint64_t delta_limit = 1000;       ///< deltas in one tick; at least 2
+  /// Messages may come through the operator clock at any moment: having nobody to wake is then no error.
+  bool live_operator = false;
+};
+
+/// The deployment's clock, owned by whoever starts the deployment (`mrroc run`, a test). Life: construct, start the
+/// processes with `fd()`, `wait_ready`, `start`, and at the end `end`. In lockstep and paced mode it opens the deltas
+/// in a thread of its own; in real mode that thread runs events only. Any thread of the owner may call it.
+class ClockHost {
+ public:
+  /// Throws SystemError when an option is wrong or there is no memory.
+  explicit ClockHost(HostOptions options);
+  /// Ends the clock and joins its thread.
+  ~ClockHost();
+
+  /// Descriptor of the clock's memory, for `attach_clock` in the children; it is inherited through exec.
+  int fd() const noexcept { return memory_.fd(); }
+
+  /// Waits until every participant is ready, but not longer than `timeout` s of wall time and not when the clock has
+  /// failed or ended. Returns the names of those that are not.
+  std::vector<std::string> wait_ready(double timeout);
+  /// Runs `callback` in the host's thread before anybody sees tick `tick`, while every participant is blocked (real
+  /// mode: when the tick begins). What it sends through the operator clock is visible at that tick. An exception fails
+  /// the clock. For a tick that has passed: before the next one.
+  void at_tick(Tick tick, TickEvents::Callback callback);
+  /// Opens tick 0 and goes on in a thread of its own. Throws SystemError when somebody is not ready, or a topic has two
+  /// senders, or the clock has failed or ended.
+  void start();
+  /// As `start`, but goes on in the calling thread until the clock fails or ends.
+  void run();
+
+  /// Nobody waits for this participant any more, nor for anything it has sent or was to receive. Its owner has seen it
+  /// die; for one that has left by itself it changes nothing. Throws SystemError for an unknown name.
+  void participant_died(std::string_view name);
+  /// Every wait in every process returns `interrupted` from now on. The first of the two decides.
+  void fail(std::string_view text);
+  void end();
+
+  State state() const noexcept { return memory_->state.load(); }
+  /// Why it failed; empty when it has not.
+  std::string error() const;
+  /// One line: tick, delta, who is at work and what is in flight. What to print when time stands still.
+  std::string describe() const { return clock::describe(*memory_); }
+  /// The newest tick that participants may see.
+  Tick tick() const noexcept;
+  /// Number of the open delta; it grows as long as anything happens. Lockstep and paced.
+  std::uint64_t delta() const noexcept { return memory_->delta.load(); }
+  /// Paced: ticks that were due before the tick before them was done.
+  std::uint64_t late_ticks() const noexcept { return cycle_.late_ticks(); }
+
+  /// A clock for the owner's own links: it sends counted messages but nobody waits for it. One per host (SystemError).
+  std::unique_ptr<Clock> operator_clock();
+
+ private:
+  std::vector<std::string> not_ready() const;
+  void open_time();
+  void loop();
+  void run_events_in_real_time();
+
+  MappedClock memory_;
+  TickEvents events_;
+  DeltaCycle cycle_;
+  std::thread thread_;
+};
+
+}  // namespace mrroc::clock

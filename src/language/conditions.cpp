@@ -1,0 +1,49 @@
+#include <cmath>
+
+#include "mrroc/conditions/elapsed_steps.hpp"
+#include "mrroc/conditions/operator_trigger.hpp"
+#include "mrroc/conditions/travelled.hpp"
+#include "mrroc/task.hpp"
+
+namespace mrroc {
+
+namespace {
+
+std::string short_number(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+Travelled::Travelled(const Robot& robot, double distance)
+    : Condition("travelled " + short_number(distance) + " m"), robot_(&robot), distance_(distance) {
+  if (!(distance > 0) || !std::isfinite(distance)) {
+    throw NonFatalError(ErrorCode::invalid_argument,
+                        "Travelled " + std::to_string(distance) + " m, expected a finite distance above 0");
+  }
+}
+
+void Travelled::start() { origin_ = robot_->state().pose.translation(); }
+
+bool Travelled::holds() { return (robot_->state().pose.translation() - origin_).norm() >= distance_; }
+
+ElapsedSteps::ElapsedSteps(std::uint64_t steps)
+    : Condition("elapsed " + std::to_string(steps) + " steps"), steps_(steps) {}
+
+OperatorTrigger::OperatorTrigger(Task& task) : Condition("operator trigger"), task_(&task) {}
+
+void OperatorTrigger::start() {
+  given_ = false;
+  while (task_->take_trigger()) {
+  }
+}
+
+bool OperatorTrigger::holds() {
+  given_ = given_ || task_->take_trigger();
+  return given_;
+}
+
+}  // namespace mrroc

@@ -1,0 +1,247 @@
+#include "language/instruction.hpp"
+
+#include <algorithm>
+
+#include "mrroc/stopped.hpp"
+
+namespace mrroc {
+
+namespace {
+
+/// Length of a step without robots: the original's macrostep.
+constexpr Tick kStepWithoutRobots = 10;
+/// Ticks between the present and the common start of several robots at rest: time for every command to arrive.
+constexpr Tick kStartMargin = 2;
+
+bool rests(const RobotState& state) {
+  return (state.desired_velocity.array() == 0.0).all() && (state.desired_acceleration.array() == 0.0).all();
+}
+
+template <class Element>
+void refuse_duplicates(const std::vector<Element*>& elements, const Task& task) {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    for (std::size_t j = i + 1; j < elements.size(); ++j) {
+      if (elements[i]->name() == elements[j]->name()) {
+        throw NonFatalError(ErrorCode::invalid_argument, "'" + elements[i]->name() + "' stands twice in the list",
+                            {task.process_name(), elements[i]->name(), 0, 0});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Generator* generator,
+                         std::shared_ptr<Condition> condition)
+    : robots_(robots.begin(), robots.end()),
+      sensors_(sensors.begin(), sensors.end()),
+      generator_(generator),
+      condition_(std::move(condition)) {
+  check_lists();
+  task_ = !robots_.empty() ? &robots_.front()->task() : &sensors_.front()->task();
+  if (condition_) condition_->append_leaves(leaves_);
+}
+
+void Instruction::check_lists() const {
+  if (robots_.empty() && sensors_.empty()) {
+    throw NonFatalError(ErrorCode::invalid_argument, "Move and Wait need at least one robot or sensor");
+  }
+  const auto missing = [](const auto* element) { return element == nullptr; };
+  if (std::any_of(robots_.begin(), robots_.end(), missing) || std::any_of(sensors_.begin(), sensors_.end(), missing)) {
+    throw NonFatalError(ErrorCode::invalid_argument, "a robot or sensor of the list is a null pointer");
+  }
+  const Task& task = !robots_.empty() ? robots_.front()->task() : sensors_.front()->task();
+  const auto foreign = [&task](const auto* element) { return &element->task() != &task; };
+  if (std::any_of(robots_.begin(), robots_.end(), foreign) || std::any_of(sensors_.begin(), sensors_.end(), foreign)) {
+    throw NonFatalError(ErrorCode::invalid_argument, "robots and sensors of one instruction belong to different tasks",
+                        {task.process_name(), "", 0, 0});
+  }
+  refuse_duplicates(robots_, task);
+  refuse_duplicates(sensors_, task);
+}
+
+Outcome Instruction::run() {
+  try {
+    return run_steps();
+  } catch (Error& error) {
+    error.complete_origin({task_->process_name(), "", step_, newest_tick()});
+    throw;
+  }
+}
+
+Outcome Instruction::run_steps() {
+  instruction_ = task_->begin_instruction();
+  start_wall_ = task_->wall_seconds();
+  obtain_initial_state();
+  start_tick_ = newest_tick();
+  throw_reported_errors();
+  if (condition_) condition_->start();
+  if (generator_ != nullptr) generator_->start();
+  for (;;) {
+    if (operator_ends_it()) {
+      leaves_.clear();  // they were not evaluated at this step
+      observe(true);
+      return finish(Ending::end_motion);
+    }
+    if (const std::optional<Ending> ending = evaluate_end()) {
+      observe(true);
+      return finish(*ending);
+    }
+    write_next_state();
+    send(step_ + 1);
+    observe(false);
+    receive(step_ + 1);
+    ++step_;
+    throw_reported_errors();
+  }
+}
+
+void Instruction::obtain_initial_state() {
+  for (Robot* robot : robots_) robot->reset_command(CommandKind::query);
+  for (Sensor* sensor : sensors_) sensor->initiate_reading(0);
+  for (Robot* robot : robots_) robot->send();
+  for (Robot* robot : robots_) robot->receive();
+  for (Sensor* sensor : sensors_) sensor->collect_reading();
+}
+
+void Instruction::throw_reported_errors() const {
+  const ErrorReport* gravest = nullptr;
+  const std::string* device = nullptr;
+  Tick tick = 0;
+  const auto look = [&](const ErrorReport& error, const std::string& name, Tick when) {
+    if (error.error_class <= (gravest != nullptr ? gravest->error_class : ErrorClass::none)) return;
+    gravest = &error;
+    device = &name;
+    tick = when;
+  };
+  for (const Robot* robot : robots_) look(robot->state().error, robot->name(), robot->state().tick);
+  for (const Sensor* sensor : sensors_) look(sensor->reading().error, sensor->name(), sensor->reading().tick);
+  if (gravest == nullptr) return;
+  throw_error(gravest->error_class, gravest->code, std::string{gravest->detail.view()},
+              {task_->process_name(), *device, step_, tick});
+}
+
+bool Instruction::operator_ends_it() {
+  OperatorRequest request = task_->operator_request();
+  if (request == OperatorRequest::pause) request = hold_until_resumed();
+  if (request == OperatorRequest::stop) throw Stopped{};
+  return request == OperatorRequest::end_motion;
+}
+
+OperatorRequest Instruction::hold_until_resumed() {
+  OperatorRequest request = OperatorRequest::pause;
+  while (request == OperatorRequest::pause) {
+    for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
+    send(0);  // step 0: every reading is due, so that the motion resumes on fresh ones
+    receive(0);
+    throw_reported_errors();
+    request = task_->operator_request();
+  }
+  if (request == OperatorRequest::none && generator_ != nullptr) generator_->resume();
+  return request;
+}
+
+std::optional<Ending> Instruction::evaluate_end() {
+  const bool condition_holds = condition_ != nullptr && condition_->evaluate();
+  const bool generator_ends = generator_ != nullptr && generator_->terminal_condition();
+  if (condition_holds) return Ending::condition;
+  if (generator_ends) return Ending::generator;
+  return std::nullopt;
+}
+
+void Instruction::write_next_state() {
+  for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
+  if (generator_ != nullptr) generator_->next_state();
+  align_start_ticks();
+}
+
+void Instruction::align_start_ticks() {
+  if (robots_.size() < 2) return;
+  Tick start = 0;
+  bool resting = true;
+  for (const Robot* robot : robots_) {
+    start = std::max(start, robot->state().desired_tick);
+    resting = resting && rests(robot->state());
+  }
+  // a moving robot would have to brake for a later start
+  if (resting) start = std::max(start, task_->tick() + kStartMargin);
+  for (Robot* robot : robots_) {
+    if (robot->command().start_tick == 0) robot->command().start_tick = start;
+  }
+}
+
+Tick Instruction::next_measurement() const {
+  const Tick now = task_->tick();
+  if (robots_.empty()) return now + kStepWithoutRobots;
+  Tick tick = 0;
+  for (const Robot* robot : robots_) {
+    const Tick start = std::max({robot->command().start_tick, robot->state().desired_tick, now});
+    tick = std::max(tick, start + robot->command().reply_step);
+  }
+  return tick;
+}
+
+void Instruction::send(std::uint64_t next_step) {
+  measure_at_ = next_measurement();
+  for (Sensor* sensor : sensors_) {
+    if (sensor->due(next_step)) sensor->initiate_reading(measure_at_);
+  }
+  for (Robot* robot : robots_) robot->send();
+}
+
+void Instruction::receive(std::uint64_t next_step) {
+  for (Robot* robot : robots_) robot->receive();
+  if (robots_.empty()) task_->sleep_until(measure_at_);
+  for (Sensor* sensor : sensors_) {
+    if (sensor->due(next_step)) sensor->collect_reading();
+  }
+}
+
+Tick Instruction::newest_tick() const {
+  Tick tick = 0;
+  for (const Robot* robot : robots_) tick = std::max(tick, robot->state().tick);
+  for (const Sensor* sensor : sensors_) tick = std::max(tick, sensor->reading().tick);
+  return tick;
+}
+
+void Instruction::observe(bool last) const {
+  StepObserver* observer = task_->observer();
+  if (observer == nullptr) return;
+  StepRecord record;
+  record.is_move = generator_ != nullptr;
+  record.instruction = instruction_;
+  record.name = generator_ != nullptr ? &generator_->name() : &condition_->name();
+  record.step = step_;
+  record.tick = newest_tick();
+  record.last = last;
+  record.robots = robots_;
+  record.sensors = sensors_;
+  record.conditions = leaves_;
+  observer->on_step(record);
+}
+
+Outcome Instruction::finish(Ending ending) const {
+  Outcome outcome;
+  outcome.ending = ending;
+  outcome.steps = step_;
+  outcome.start_tick = start_tick_;
+  outcome.end_tick = newest_tick();
+  outcome.duration = static_cast<double>(outcome.end_tick - start_tick_) * task_->servo_period();
+  outcome.wall_duration = task_->wall_seconds() - start_wall_;
+  if (ending == Ending::condition) {
+    outcome.condition = condition_;
+    condition_->append_reasons(outcome.reasons);
+  }
+  return outcome;
+}
+
+Outcome Move(const RobotList& robots, const SensorList& sensors, Generator& generator) {
+  return Instruction(robots, sensors, &generator, generator.condition()).run();
+}
+
+Outcome Wait(const RobotList& robots, const SensorList& sensors, std::shared_ptr<Condition> condition) {
+  if (condition == nullptr) throw NonFatalError(ErrorCode::invalid_argument, "Wait needs a condition");
+  return Instruction(robots, sensors, nullptr, std::move(condition)).run();
+}
+
+}  // namespace mrroc

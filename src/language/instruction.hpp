@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+
+#include "mrroc/move.hpp"
+#include "mrroc/step_observer.hpp"
+#include "mrroc/task.hpp"
+
+namespace mrroc {
+
+/// One execution of Move (with a generator) or Wait (without): the loop that both share. See `Move` for the algorithm.
+class Instruction {
+ public:
+  /// `generator` null: Wait. Checks the lists; throws NonFatalError(invalid_argument).
+  Instruction(const RobotList& robots, const SensorList& sensors, Generator* generator,
+              std::shared_ptr<Condition> condition);
+  Outcome run();
+
+ private:
+  Outcome run_steps();
+  void check_lists() const;
+  void obtain_initial_state();
+  /// f_E: throws the gravest error reported by e^i or v^i, the first in the lists among equals.
+  void throw_reported_errors() const;
+  /// Handles pause (holding), stop (throws) and end-motion (true).
+  bool operator_ends_it();
+  /// What came after the pause.
+  OperatorRequest hold_until_resumed();
+  std::optional<Ending> evaluate_end();
+  void write_next_state();
+  void observe(bool last) const;
+  /// Requests the readings due at `next_step`, then sends e^{i+1}.
+  void send(std::uint64_t next_step);
+  /// Awaits every reply, then collects the readings due at `next_step`.
+  void receive(std::uint64_t next_step);
+  void align_start_ticks();
+  /// The tick at which e^{i+1} will be measured.
+  Tick next_measurement() const;
+  Tick newest_tick() const;
+  Outcome finish(Ending ending) const;
+
+  std::vector<Robot*> robots_;
+  std::vector<Sensor*> sensors_;
+  Generator* generator_;
+  std::shared_ptr<Condition> condition_;
+  std::vector<const Condition*> leaves_;
+  Task* task_ = nullptr;
+  std::uint64_t instruction_ = 0;
+  std::uint64_t step_ = 0;  // i - i0
+  Tick start_tick_ = 0;
+  double start_wall_ = 0;
+  Tick measure_at_ = 0;
+};
+
+}  // namespace mrroc

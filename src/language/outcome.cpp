@@ -1,0 +1,29 @@
+#include "mrroc/outcome.hpp"
+
+namespace mrroc {
+
+bool Outcome::by(std::string_view name) const noexcept {
+  for (const Condition* reason : reasons) {
+    if (reason->name() == name) return true;
+  }
+  return false;
+}
+
+std::string Outcome::reason() const {
+  switch (ending) {
+    case Ending::generator:
+      return "generator";
+    case Ending::end_motion:
+      return "end of motion";
+    case Ending::condition:
+      break;
+  }
+  std::string text;
+  for (const Condition* reason : reasons) {
+    if (!text.empty()) text += " and ";
+    text += reason->name();
+  }
+  return text;
+}
+
+}  // namespace mrroc

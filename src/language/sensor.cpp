@@ -1,0 +1,50 @@
+#include "mrroc/sensor.hpp"
+
+#include <limits>
+
+#include "mrroc/task.hpp"
+
+namespace mrroc {
+
+Sensor::Sensor(Task& task, const std::string& name, const std::string& type)
+    : task_(&task), name_(name), link_(&task.sensor_link(name, type, interactive_)) {}
+
+double Sensor::value(std::size_t channel) const noexcept {
+  return channel < reading_.channel_count ? reading_.values[channel] : std::numeric_limits<double>::quiet_NaN();
+}
+
+void Sensor::set_period(std::uint32_t steps) {
+  if (steps == 0) {
+    throw NonFatalError(ErrorCode::invalid_argument, "sensor period 0 steps, expected at least 1",
+                        {task_->process_name(), name_, 0, 0});
+  }
+  period_ = steps;
+}
+
+void Sensor::bias() {
+  if (!interactive_) {
+    throw NonFatalError(ErrorCode::invalid_argument, "bias needs a sensor in interactive mode",
+                        {task_->process_name(), name_, 0, 0});
+  }
+  link_->request({SensorRequestKind::bias, 0});
+  link_->receive(reading_);
+  const ErrorReport& error = reading_.error;
+  if (error.error_class != ErrorClass::none) {
+    throw_error(error.error_class, error.code, std::string{error.detail.view()},
+                {task_->process_name(), name_, 0, reading_.tick});
+  }
+}
+
+void Sensor::initiate_reading(Tick measure_at) {
+  if (interactive_) link_->request({SensorRequestKind::reading, measure_at});
+}
+
+void Sensor::collect_reading() {
+  if (interactive_) {
+    link_->receive(reading_);
+  } else if (!link_->latest(reading_)) {
+    reading_.error = {ErrorClass::non_fatal, ErrorCode::sensor_not_ready, {}};
+  }
+}
+
+}  // namespace mrroc

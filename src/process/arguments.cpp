@@ -1,0 +1,40 @@
+#include "process/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+
+namespace mrroc::process {
+
+std::vector<std::string> to_command_line(const Arguments& arguments) {
+  std::vector<std::string> words{
+      "--deployment", arguments.deployment.string(),      "--name",   arguments.name,
+      "--clock-fd",   std::to_string(arguments.clock_fd), "--domain", std::to_string(arguments.domain)};
+  const auto add = [&words](const char* option, const std::string& value) {
+    words.emplace_back(option);
+    words.push_back(value);
+  };
+  if (arguments.world_fd >= 0) add("--world-fd", std::to_string(arguments.world_fd));
+  if (!arguments.trace.empty()) add("--trace", arguments.trace.string());
+  if (!arguments.snapshots.empty()) add("--snapshots", arguments.snapshots.string());
+  return words;
+}
+
+Arguments parse_arguments(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app{"A process of an MRROC++ deployment. It is started by `mrroc run FILE`, not by hand."};
+  app.add_option("--deployment", arguments.deployment)->required();
+  app.add_option("--name", arguments.name)->required();
+  app.add_option("--clock-fd", arguments.clock_fd)->required();
+  app.add_option("--world-fd", arguments.world_fd);
+  app.add_option("--domain", arguments.domain)->required();
+  app.add_option("--trace", arguments.trace);
+  app.add_option("--snapshots", arguments.snapshots);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    throw std::runtime_error(std::string{error.what()} + "; this program is started by `mrroc run FILE`");
+  }
+  return arguments;
+}
+
+}  // namespace mrroc::process

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mrroc::process {
+
+/// How the runner tells a process who it is: written by `to_command_line`, read by `parse_arguments`.
+struct Arguments {
+  std::filesystem::path deployment;
+  std::string name;                 ///< of the process, e.g. `arm` (ECP), `arm_edp`, `wrist`
+  int clock_fd = -1;                ///< memory of the clock (memfd, inherited)
+  int world_fd = -1;                ///< memory of the simulated world; -1: there is none
+  int domain = 0;                   ///< DDS domain
+  std::filesystem::path trace;      ///< this process's trace file; empty: no trace
+  std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); empty: none
+};
+
+std::vector<std::string> to_command_line(const Arguments& arguments);
+
+/// Throws config::ConfigurationError-like std::runtime_error with usage when called by hand without the runner.
+Arguments parse_arguments(int argc, char** argv);
+
+}  // namespace mrroc::process

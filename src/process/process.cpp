@@ -1,0 +1,135 @@
+#include "process/process.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+#include "clock/participant.hpp"
+#include "clock/realtime.hpp"
+#include "mrroc/stopped.hpp"
+
+namespace mrroc::process {
+
+namespace {
+
+// the one thing that a signal handler can reach
+std::atomic<clock::Clock*> interruptible{nullptr};
+
+void on_signal(int) {
+  if (clock::Clock* clock = interruptible.load()) clock->interrupt();
+}
+
+void install_signal_handlers() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGINT, &action, nullptr);
+  // a closed pipe to the runner is no reason to die in the middle of a motion
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+links::ProcessStatus first_status(const Arguments& arguments, links::ProcessRole role) {
+  links::ProcessStatus status;
+  status.process.assign(arguments.name);
+  status.role = role;
+  status.state = links::ProcessState::starting;
+  status.pid = getpid();
+  return status;
+}
+
+/// The original's order (mrrocpp.md 2.1): what is nearer to the drives goes first.
+int priority_of(links::ProcessRole role) {
+  switch (role) {
+    case links::ProcessRole::edp:
+      return 80;
+    case links::ProcessRole::sim:
+      return 75;
+    case links::ProcessRole::vsp:
+      return 70;
+    case links::ProcessRole::ecp:
+      return 60;
+    case links::ProcessRole::mp:
+      return 50;
+  }
+  return 50;
+}
+
+/// Under simulated time the runner watches the processes: a busy machine must not look like a death.
+links::DomainOptions domain_options(int domain, bool simulated) {
+  links::DomainOptions options;
+  options.id = domain;
+  if (simulated) options.lease = 0;
+  return options;
+}
+
+bool serves(links::ProcessRole role) {
+  return role == links::ProcessRole::edp || role == links::ProcessRole::vsp || role == links::ProcessRole::sim;
+}
+
+}  // namespace
+
+Process::Process(const Arguments& arguments, links::ProcessRole role)
+    : arguments_(arguments), deployment_(config::load_deployment(arguments.deployment)) {
+  clock_ = clock::attach_clock(arguments.clock_fd, arguments.name, role == links::ProcessRole::sim);
+  interruptible = clock_.get();
+  // before the domain: Cyclone's threads inherit the priority of the thread that creates them (dds.md, trap 7)
+  if (!clock_->simulated()) {
+    const std::string warning = clock::request_realtime(priority_of(role));
+    if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  }
+  domain_ = std::make_unique<links::Domain>(domain_options(arguments.domain, clock_->simulated()));
+  publisher_ = std::make_unique<links::StatusPublisher>(*domain_, deployment_.name);
+  links::ProcessStatus status = first_status(arguments, role);
+  status.boot = domain_->boot();
+  status_ = std::make_unique<StatusBoard>(*publisher_, status, *clock_);
+}
+
+Process::~Process() { interruptible = nullptr; }
+
+void Process::start() {
+  status_->state(links::ProcessState::ready);
+  if (!clock_->start()) throw Stopped{};
+  status_->state(links::ProcessState::running);
+}
+
+ErrorReport report_of(const std::exception& error) noexcept {
+  ErrorReport report;
+  if (const auto* known = dynamic_cast<const Error*>(&error)) {
+    report.error_class = known->error_class();
+    report.code = known->code();
+    report.detail.assign(known->detail());
+    return report;
+  }
+  report.error_class = ErrorClass::system;
+  report.code = dynamic_cast<const config::ConfigurationError*>(&error) != nullptr ? ErrorCode::configuration
+                                                                                   : ErrorCode::resources;
+  report.detail.assign(error.what());
+  return report;
+}
+
+int run_process(int argc, char** argv, links::ProcessRole role, const std::function<void(Process&)>& body) {
+  std::unique_ptr<Process> process;
+  install_signal_handlers();
+  try {
+    process = std::make_unique<Process>(parse_arguments(argc, argv), role);
+    body(*process);
+    process->status().state(links::ProcessState::ended);
+    return static_cast<int>(ExitCode::success);
+  } catch (const Stopped& stopped) {
+    if (process) process->status().state(links::ProcessState::ended);
+    return static_cast<int>(serves(role) ? ExitCode::success : ExitCode::stopped);
+  } catch (const config::ConfigurationError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    if (process) process->status().failed(report_of(error));
+    return static_cast<int>(ExitCode::usage);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    if (!process) return static_cast<int>(ExitCode::usage);
+    process->status().failed(report_of(error));
+    return static_cast<int>(exit_code(report_of(error).error_class));
+  }
+}
+
+}  // namespace mrroc::process

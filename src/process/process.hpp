@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "clock/clock.hpp"
+#include "config/deployment.hpp"
+#include "links/domain.hpp"
+#include "process/arguments.hpp"
+#include "process/exit_code.hpp"
+#include "process/status_board.hpp"
+
+namespace mrroc::process {
+
+/// What every process of a deployment has: the deployment file, its clock, its DDS domain, its status. Built by
+/// `run_process`. Main thread.
+class Process {
+ public:
+  Process(const Arguments& arguments, links::ProcessRole role);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  const std::string& name() const noexcept { return arguments_.name; }
+  const Arguments& arguments() const noexcept { return arguments_; }
+  const config::Deployment& deployment() const noexcept { return deployment_; }
+  clock::Clock& clock() noexcept { return *clock_; }
+  links::Domain& domain() noexcept { return *domain_; }
+  StatusBoard& status() noexcept { return *status_; }
+  /// "<deployment>/<path>", the common beginning of topic names.
+  std::string topic(const std::string& path) const { return deployment_.name + "/" + path; }
+
+  /// The start-up barrier: says "ready" and waits until every process of the deployment is. Throws Stopped when asked
+  /// to end.
+  void start();
+
+ private:
+  Arguments arguments_;
+  config::Deployment deployment_;
+  std::unique_ptr<clock::Clock> clock_;
+  std::unique_ptr<links::Domain> domain_;
+  std::unique_ptr<links::StatusPublisher> publisher_;
+  std::unique_ptr<StatusBoard> status_;
+};
+
+/// main() of every process: reads the arguments, installs signal handlers (SIGTERM, SIGINT: the clock is interrupted),
+/// builds the Process, runs `body`, reports what it throws to the operator and on stderr, and gives the exit code.
+/// `Stopped` is success for processes that serve (edp, vsp, sim) and ExitCode::stopped for tasks.
+int run_process(int argc, char** argv, links::ProcessRole role, const std::function<void(Process&)>& body);
+
+/// An exception as it travels in messages. Not `Error`: class system, with its `what()`.
+ErrorReport report_of(const std::exception& error) noexcept;
+
+}  // namespace mrroc::process

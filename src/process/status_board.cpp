@@ -1,0 +1,68 @@
+#include "process/status_board.hpp"
+
+#include <chrono>
+#include <cstring>
+
+namespace mrroc::process {
+
+namespace {
+constexpr std::chrono::milliseconds kHeartbeat{100};
+}
+
+StatusBoard::StatusBoard(links::StatusPublisher& publisher, links::ProcessStatus first, const clock::Clock& clock)
+    : publisher_(publisher), clock_(clock), status_(std::move(first)), thread_([this] { run(); }) {}
+
+StatusBoard::~StatusBoard() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void StatusBoard::step(std::uint64_t instruction, std::string_view activity, std::uint64_t step) noexcept {
+  Activity value;
+  value.instruction = instruction;
+  value.step = step;
+  std::memcpy(value.text, activity.data(), std::min(activity.size(), sizeof(value.text) - 1));
+  activity_.store(value);
+}
+
+void StatusBoard::counters(const links::Counters& counters) noexcept { counters_.store(counters); }
+
+void StatusBoard::state(links::ProcessState state) {
+  const std::lock_guard lock(mutex_);
+  status_.state = state;
+  publish();
+}
+
+void StatusBoard::failed(const ErrorReport& error) {
+  const std::lock_guard lock(mutex_);
+  status_.state = links::ProcessState::failed;
+  status_.error = error;
+  publish();
+}
+
+void StatusBoard::publish() {
+  Activity activity;
+  if (activity_.load(activity)) {
+    status_.instruction = activity.instruction;
+    status_.step = activity.step;
+    status_.activity.assign(activity.text);
+  }
+  counters_.load(status_.counters);
+  status_.tick = clock_.tick();
+  ++status_.beat;
+  publisher_.publish(status_);
+}
+
+void StatusBoard::run() {
+  std::unique_lock lock(mutex_);
+  while (!ended_) {
+    publish();
+    wake_.wait_for(lock, kHeartbeat);
+  }
+}
+
+}  // namespace mrroc::process

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "clock/clock.hpp"
+#include "clock/shared_slot.hpp"
+#include "links/status_publisher.hpp"
+
+namespace mrroc::process {
+
+/// What a process tells the operator about itself, ten times a second of wall time: its heartbeat, its activity, its
+/// counters. Publishing is the business of a thread of its own, so that the task's thread only stores values. Nothing
+/// that a process does depends on it: it may read the wall clock.
+class StatusBoard {
+ public:
+  /// `publisher` must outlive the board.
+  StatusBoard(links::StatusPublisher& publisher, links::ProcessStatus first, const clock::Clock& clock);
+  ~StatusBoard();
+  StatusBoard(const StatusBoard&) = delete;
+  StatusBoard& operator=(const StatusBoard&) = delete;
+
+  /// The task's thread: a step of an instruction. Does not allocate, lock or publish.
+  void step(std::uint64_t instruction, std::string_view activity, std::uint64_t step) noexcept;
+  /// The participant's thread: new counters. Does not allocate, lock or publish.
+  void counters(const links::Counters& counters) noexcept;
+  /// A new state of the process, published at once.
+  void state(links::ProcessState state);
+  /// The error that ends the process; published at once.
+  void failed(const ErrorReport& error);
+
+ private:
+  struct Activity {
+    std::uint64_t instruction = 0;
+    std::uint64_t step = 0;
+    char text[64]{};
+  };
+  void publish();
+  void run();
+
+  links::StatusPublisher& publisher_;
+  const clock::Clock& clock_;
+  clock::SharedSlot<Activity> activity_;
+  clock::SharedSlot<links::Counters> counters_;
+  std::mutex mutex_;  // of status_ and the thread's end; never taken by a real-time thread
+  std::condition_variable wake_;
+  links::ProcessStatus status_;
+  bool ended_ = false;
+  std::thread thread_;
+};
+
+}  // namespace mrroc::process

@@ -1,0 +1,82 @@
+#include "process/step_reporter.hpp"
+
+namespace mrroc::process {
+
+namespace {
+
+void write_vector(TextLine& line, const JointVector& values) noexcept {
+  for (Eigen::Index i = 0; i < values.size(); ++i) line << (i == 0 ? "" : ",") << values[i];
+}
+
+void write_pose(TextLine& line, const Pose& pose) noexcept {
+  const Eigen::Quaterniond rotation(pose.linear());
+  const Eigen::Vector3d position = pose.translation();
+  line << position.x() << "," << position.y() << "," << position.z() << "," << rotation.w() << "," << rotation.x()
+       << "," << rotation.y() << "," << rotation.z();
+}
+
+void write_command(TextLine& line, const RobotCommand& command) noexcept {
+  const char* const kinds[] = {"query", "hold", "joint", "pose"};
+  line << kinds[static_cast<int>(command.kind)] << (command.relative ? ",relative" : "");
+  line << ",N" << std::uint64_t{command.motion_steps} << ",v" << std::uint64_t{command.reply_step};
+  if (command.start_tick != 0) line << ",start" << command.start_tick;
+  if (command.kind == CommandKind::joint) {
+    line << ":";
+    write_vector(line, command.joints);
+  } else if (command.kind == CommandKind::pose) {
+    line << ":";
+    write_pose(line, command.pose);
+  }
+}
+
+void write_robot(TextLine& line, const Robot& robot, bool commanded) noexcept {
+  const RobotState& state = robot.state();
+  line << " robot=" << robot.name() << " tick=" << state.tick << " joints=";
+  write_vector(line, state.joints);
+  line << " pose=";
+  write_pose(line, state.pose);
+  line << " desired_tick=" << state.desired_tick << " desired=";
+  write_vector(line, state.desired_joints);
+  if (commanded) {
+    line << " command=";
+    write_command(line, robot.command());
+  }
+}
+
+void write_sensor(TextLine& line, const Sensor& sensor) noexcept {
+  const SensorReading& reading = sensor.reading();
+  line << " sensor=" << sensor.name() << " tick=" << reading.tick << " values=";
+  for (std::uint32_t i = 0; i < reading.channel_count; ++i) line << (i == 0 ? "" : ",") << reading.values[i];
+}
+
+}  // namespace
+
+void format_step(TextLine& line, std::string_view process, const StepRecord& record) noexcept {
+  line << "tick=" << record.tick << " process=" << process << " instruction=" << record.instruction
+       << (record.is_move ? " move=\"" : " wait=\"") << *record.name << "\" step=" << record.step;
+  for (const Robot* robot : record.robots) write_robot(line, *robot, !record.last);
+  for (const Sensor* sensor : record.sensors) write_sensor(line, *sensor);
+  for (const Condition* condition : record.conditions) {
+    line << " condition=\"" << condition->name() << "\":" << (condition->value() ? "1" : "0");
+  }
+  if (record.last) line << " end";
+}
+
+StepReporter::StepReporter(Process& process) : process_(process) {
+  const std::filesystem::path& path = process.arguments().trace;
+  if (!path.empty()) trace_ = std::make_unique<TraceFile>(path, process.clock().simulated());
+}
+
+void StepReporter::on_step(const StepRecord& record) noexcept {
+  process_.status().step(record.instruction, *record.name, record.step);
+  if (trace_ != nullptr) write_line(record);
+}
+
+void StepReporter::write_line(const StepRecord& record) noexcept {
+  TextLine* line = trace_->begin();
+  if (line == nullptr) return;
+  format_step(*line, process_.name(), record);
+  trace_->commit();
+}
+
+}  // namespace mrroc::process

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+
+#include "mrroc/step_observer.hpp"
+#include "process/process.hpp"
+#include "process/trace_file.hpp"
+
+namespace mrroc::process {
+
+/// Tells the operator which step a task is at, and writes the trace when one is asked for: one line per step,
+/// documented in docs/trace.md. Neither allocates nor blocks (but for a trace under a simulated clock, which loses
+/// nothing).
+class StepReporter : public StepObserver {
+ public:
+  explicit StepReporter(Process& process);
+  void on_step(const StepRecord& record) noexcept override;
+
+ private:
+  void write_line(const StepRecord& record) noexcept;
+
+  Process& process_;
+  std::unique_ptr<TraceFile> trace_;
+};
+
+/// Writes one step as a line of a trace (without the end of line).
+void format_step(TextLine& line, std::string_view process, const StepRecord& record) noexcept;
+
+}  // namespace mrroc::process

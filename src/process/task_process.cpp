@@ -1,0 +1,130 @@
+#include "process/task_process.hpp"
+
+#include "mrroc/stopped.hpp"
+
+namespace mrroc::process {
+
+namespace {
+
+std::string names_of(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
+template <class Entry>
+const Entry& find_entry(const std::vector<Entry>& entries, const std::string& name, const std::string& type,
+                        const char* kind, const std::string& process) {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries) {
+    names.push_back(entry.name);
+    if (entry.name != name) continue;
+    if (entry.type == type) return entry;
+    throw NonFatalError(ErrorCode::invalid_argument,
+                        std::string{kind} + " '" + name + "' is of type '" + entry.type +
+                            "' in the deployment, the task expects '" + type + "'",
+                        {process, name, 0, 0});
+  }
+  throw NonFatalError(ErrorCode::invalid_argument,
+                      std::string{"the deployment has no "} + kind + " '" + name + "', it has: " + names_of(names),
+                      {process, name, 0, 0});
+}
+
+}  // namespace
+
+TaskProcess::TaskProcess(Process& process, const std::string& superior_topic)
+    : process_(process),
+      superior_(process.domain(), process.clock(), superior_topic),
+      reporter_(std::make_unique<StepReporter>(process)) {}
+
+TaskProcess::~TaskProcess() = default;
+
+RobotLink& TaskProcess::robot_link(const std::string& name, const std::string& type) {
+  find_entry(process_.deployment().robots, name, type, "robot", process_.name());
+  auto& link = robots_[name];
+  if (link == nullptr) {
+    link = std::make_unique<links::RobotRequester>(process_.domain(), process_.clock(), robot_topic(name),
+                                                   robot_peer(name));
+  }
+  return *link;
+}
+
+SensorLink& TaskProcess::sensor_link(const std::string& name, const std::string& type, bool& interactive) {
+  const config::SensorEntry& entry = find_entry(process_.deployment().sensors, name, type, "sensor", process_.name());
+  interactive = entry.interactive;
+  auto& link = sensors_[name];
+  if (link == nullptr) {
+    links::SensorRequesterOptions options;
+    options.published = !entry.interactive;
+    link = std::make_unique<links::SensorRequester>(process_.domain(), process_.clock(), process_.topic(name),
+                                                    process_.name(), name, options);
+  }
+  return *link;
+}
+
+void TaskProcess::connect_links() {
+  const double timeout = process_.deployment().start_timeout;
+  for (auto& [name, link] : robots_) link->connect(timeout);
+  for (auto& [name, link] : sensors_) link->connect(timeout);
+}
+
+bool TaskProcess::read_superior() {
+  bool started = false;
+  links::TaskCommand command;
+  while (superior_.take(command)) {
+    switch (command.kind) {
+      case links::TaskCommandKind::start:
+        started = true;
+        request_ = OperatorRequest::none;
+        break;
+      case links::TaskCommandKind::pause:
+        if (request_ == OperatorRequest::none) request_ = OperatorRequest::pause;
+        break;
+      case links::TaskCommandKind::resume:
+        if (request_ == OperatorRequest::pause) request_ = OperatorRequest::none;
+        break;
+      case links::TaskCommandKind::stop:
+        request_ = OperatorRequest::stop;
+        break;
+      case links::TaskCommandKind::end_motion:
+        if (request_ != OperatorRequest::stop) request_ = OperatorRequest::end_motion;
+        break;
+      case links::TaskCommandKind::trigger:
+        ++triggers_;
+        break;
+    }
+  }
+  return started;
+}
+
+void TaskProcess::report(links::TaskState state, const ErrorReport& error) {
+  links::TaskStatus status;
+  status.state = state;
+  status.error = error;
+  status.process.assign(process_.name());
+  status.tick = process_.clock().tick();
+  superior_.report(status);
+}
+
+void TaskProcess::sleep_until(Tick tick) {
+  while (process_.clock().tick() < tick) {
+    if (process_.clock().wait(tick) == clock::Wake::interrupted) throw Stopped{};
+  }
+}
+
+OperatorRequest TaskProcess::operator_request() noexcept {
+  read_superior();
+  poll_others();
+  if (request_ != OperatorRequest::end_motion) return request_;
+  request_ = OperatorRequest::none;  // it ends one motion only
+  return OperatorRequest::end_motion;
+}
+
+bool TaskProcess::take_trigger() noexcept {
+  read_superior();
+  if (triggers_ == 0) return false;
+  --triggers_;
+  return true;
+}
+
+}  // namespace mrroc::process

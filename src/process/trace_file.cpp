@@ -1,0 +1,66 @@
+#include "process/trace_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace mrroc::process {
+
+TraceFile::TraceFile(const std::filesystem::path& path, bool lossless)
+    : file_(std::fopen(path.c_str(), "we")), lossless_(lossless), ring_(kLines) {
+  if (file_ == nullptr)
+    throw std::runtime_error("cannot write the trace " + path.string() + ": " + std::strerror(errno));
+  thread_ = std::thread([this] { run(); });
+}
+
+TraceFile::~TraceFile() {
+  ended_ = true;
+  written_.notify_one();
+  thread_.join();
+  if (dropped_ != 0) std::fprintf(file_, "# dropped %llu lines\n", static_cast<unsigned long long>(dropped_));
+  std::fclose(file_);
+}
+
+TextLine* TraceFile::begin() noexcept {
+  const std::uint64_t written = written_.load(std::memory_order_relaxed);
+  std::uint64_t read = read_.load(std::memory_order_acquire);
+  while (written - read >= kLines) {
+    if (!lossless_) {
+      ++dropped_;
+      return nullptr;
+    }
+    read_.wait(read);
+    read = read_.load(std::memory_order_acquire);
+  }
+  TextLine& line = ring_[written % kLines];
+  line.clear();
+  return &line;
+}
+
+void TraceFile::commit() noexcept {
+  written_.fetch_add(1, std::memory_order_release);
+  written_.notify_one();
+}
+
+void TraceFile::run() {
+  while (!ended_) {
+    const std::uint64_t seen = written_.load(std::memory_order_acquire);
+    drain();
+    if (ended_) break;
+    if (written_.load(std::memory_order_acquire) == seen) written_.wait(seen);
+  }
+  drain();
+}
+
+void TraceFile::drain() {
+  while (read_.load(std::memory_order_relaxed) < written_.load(std::memory_order_acquire)) {
+    const TextLine& line = ring_[read_.load(std::memory_order_relaxed) % kLines];
+    std::fwrite(line.view().data(), 1, line.view().size(), file_);
+    std::fputc('\n', file_);
+    read_.fetch_add(1, std::memory_order_release);
+    read_.notify_one();
+  }
+  std::fflush(file_);
+}
+
+}  // namespace mrroc::process

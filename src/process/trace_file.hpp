@@ -1,0 +1,46 @@
+#pragma once
+
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "process/text_line.hpp"
+
+namespace mrroc::process {
+
+/// A file that lines are appended to without waiting for the disk: the task's thread hands a line over in a lock-free
+/// ring, a thread of its own writes it. When the ring is full the line is dropped and counted, or, if `lossless`,
+/// waited for (for clocks that do not run by the wall).
+class TraceFile {
+ public:
+  /// Throws std::runtime_error when the file cannot be written.
+  TraceFile(const std::filesystem::path& path, bool lossless);
+  /// Writes what is left, and as last line how many lines were dropped if any were.
+  ~TraceFile();
+  TraceFile(const TraceFile&) = delete;
+  TraceFile& operator=(const TraceFile&) = delete;
+
+  /// The line to fill next; null when it has to be dropped. One thread.
+  TextLine* begin() noexcept;
+  /// Hands the line of the last `begin()` over.
+  void commit() noexcept;
+
+ private:
+  static constexpr std::size_t kLines = 256;
+  void run();
+  void drain();
+
+  std::FILE* file_;
+  bool lossless_;
+  std::vector<TextLine> ring_;
+  std::atomic<std::uint64_t> written_{0};  // by the task's thread
+  std::atomic<std::uint64_t> read_{0};     // by the file's thread
+  std::atomic<bool> ended_{false};
+  std::uint64_t dropped_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace mrroc::process

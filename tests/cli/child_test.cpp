@@ -1,0 +1,51 @@
+#include "cli/child.hpp"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <signal.h>
+
+namespace mrroc::cli {
+namespace {
+
+std::vector<std::string> run_to_end(Child& child) {
+  std::vector<std::string> lines;
+  for (;;) {
+    const bool ended = child.ended();
+    for (std::string& line : child.read_lines()) lines.push_back(std::move(line));
+    if (ended) return lines;
+    pollfd descriptor{child.output_fd(), POLLIN, 0};
+    poll(&descriptor, 1, 20);
+  }
+}
+
+TEST(Child, GivesItsOutputByLinesAndItsExitCode) {
+  Child child("talker", "/bin/sh", {"-c", "echo one; echo two >&2; printf three; exit 7"});
+  EXPECT_EQ(run_to_end(child), (std::vector<std::string>{"one", "two", "three"}));
+  EXPECT_FALSE(child.succeeded());
+  EXPECT_EQ(child.how_it_ended(), "exit code 7");
+}
+
+TEST(Child, TellsTheSignalThatEndedIt) {
+  Child child("sleeper", "/bin/sleep", {"60"});
+  child.signal(SIGKILL);
+  run_to_end(child);
+  EXPECT_EQ(child.how_it_ended(), "signal 9 (Killed)");
+}
+
+TEST(Child, AMissingProgramEndsWith127) {
+  Child child("ghost", "/no/such/program", {});
+  run_to_end(child);
+  EXPECT_EQ(child.how_it_ended(), "exit code 127");
+}
+
+TEST(Child, IsKilledWithItsObject) {
+  pid_t pid = 0;
+  {
+    const Child child("sleeper", "/bin/sleep", {"60"});
+    pid = child.pid();
+  }
+  EXPECT_EQ(kill(pid, 0), -1);
+}
+
+}  // namespace
+}  // namespace mrroc::cli

@@ -1,0 +1,59 @@
+#include "cli/trace.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace mrroc::cli {
+namespace {
+
+class Trace : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  std::string read(const std::filesystem::path& path) const {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("mrroc_trace" + std::to_string(getpid()));
+};
+
+TEST_F(Trace, PartsAreMergedByTickThenProcessThenOrder) {
+  const auto b = write("t.b.part", "tick=1 process=b step=0\ntick=9 process=b step=1\ntick=9 process=b step=2\n");
+  const auto a = write("t.a.part", "tick=1 process=a step=0\ntick=10 process=a step=1\n");
+  const auto merged = folder_ / "t";
+  merge_traces({b, a}, merged);
+  EXPECT_EQ(read(merged),
+            "# mrroc trace 1\ntick=1 process=a step=0\ntick=1 process=b step=0\ntick=9 process=b step=1\n"
+            "tick=9 process=b step=2\ntick=10 process=a step=1\n");
+}
+
+TEST_F(Trace, EqualTracesHaveEqualHashesAndOthersDiffer) {
+  const auto one = write("one", "# mrroc trace 1\ntick=1\n");
+  const auto same = write("same", "# mrroc trace 1\ntick=1\n");
+  const auto other = write("other", "# mrroc trace 1\ntick=2\n");
+  EXPECT_EQ(hash_trace(one), hash_trace(same));
+  EXPECT_NE(hash_trace(one), hash_trace(other));
+  EXPECT_EQ(hash_trace(one).size(), 16U);
+}
+
+TEST_F(Trace, AFileThatIsNoTraceIsRefusedWithItsLine) {
+  const auto wrong = write("wrong", "hello\n");
+  try {
+    hash_trace(wrong);
+    FAIL() << "hashed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string{error.what()}.find("wrong:1: is no trace"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::cli

@@ -1,0 +1,38 @@
+#include "process/arguments.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mrroc::process {
+namespace {
+
+Arguments parse(const std::vector<std::string>& words) {
+  std::vector<std::string> copies{"program"};
+  copies.insert(copies.end(), words.begin(), words.end());
+  std::vector<char*> argv;
+  for (std::string& word : copies) argv.push_back(word.data());
+  return parse_arguments(static_cast<int>(argv.size()), argv.data());
+}
+
+TEST(Arguments, TheCommandLineReadsBack) {
+  const Arguments arguments{"press.toml", "arm", 3, 4, 17, "t.arm", "shots"};
+  const Arguments read = parse(to_command_line(arguments));
+  EXPECT_EQ(read.deployment, arguments.deployment);
+  EXPECT_EQ(read.name, arguments.name);
+  EXPECT_EQ(read.clock_fd, 3);
+  EXPECT_EQ(read.world_fd, 4);
+  EXPECT_EQ(read.domain, 17);
+  EXPECT_EQ(read.trace, arguments.trace);
+  EXPECT_EQ(read.snapshots, arguments.snapshots);
+}
+
+TEST(Arguments, WithoutTheRunnerTheProgramSaysHowItIsStarted) {
+  try {
+    parse({});
+    FAIL() << "parsed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string{error.what()}.find("mrroc run FILE"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::process
