@@ -16,8 +16,8 @@
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
 #include "links/domain.hpp"
-#include "links/status_links.hpp"
-#include "links/task_links.hpp"
+#include "links/status_collector.hpp"
+#include "links/task_superior.hpp"
 #include "process/exit_code.hpp"
 #include "sim/mapped_world.hpp"
 

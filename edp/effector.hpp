@@ -51,6 +51,11 @@ class Effector {
   bool peek(RobotState& state) noexcept;
 
   const CommandCounters& counters() const noexcept { return counters_; }
+  /// What the servo has published last; null before its first tick. Valid until the next call of this object.
+  const Snapshot* snapshot() noexcept {
+    refresh();
+    return snapshot_;
+  }
 
  private:
   struct Outstanding {

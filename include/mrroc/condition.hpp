@@ -19,7 +19,10 @@ class Condition {
   virtual ~Condition() = default;
 
   const std::string& name() const noexcept { return name_; }
-  void rename(std::string name) { name_ = std::move(name); }
+  void rename(std::string name) {
+    name_ = std::move(name);
+    renamed_ = true;
+  }
 
   /// Called once per instruction, when e^{i0}, v^{i0} are there and before the first evaluation. May allocate.
   virtual void start() {}
@@ -39,12 +42,15 @@ class Condition {
   Condition& operator=(const Condition&) = default;
   Condition& operator=(Condition&&) = default;
 
+  /// Whether the name was given by `named`, not composed: then a combination is a reason itself, beside its parts.
+  bool renamed() const noexcept { return renamed_; }
   /// The predicate f(c^i, e^i, v^i).
   virtual bool holds() = 0;
 
  private:
   std::string name_;
   bool value_ = false;
+  bool renamed_ = false;
 };
 
 template <class C>
@@ -63,7 +69,8 @@ class When : public Condition {
   std::function<bool()> predicate_;
 };
 
-/// Gives a condition a name of its own: named("left contact", ForceAbove{left, 10}).
+/// Gives a condition a name of its own: named("left contact", ForceAbove{left, 10}). A named combination is found by
+/// `Outcome::by(name)` like any other.
 template <ConditionType C>
 C named(std::string name, C condition) {
   condition.rename(std::move(name));

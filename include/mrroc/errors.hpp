@@ -73,6 +73,11 @@ class Error : public std::runtime_error {
   /// What was wrong in this case: the value and what was expected.
   const std::string& detail() const noexcept { return detail_; }
   const ErrorOrigin& origin() const noexcept { return origin_; }
+  const char* what() const noexcept override { return text_.c_str(); }
+
+  /// Fills in what the origin does not say yet. Move and Wait do it for every error that passes through them, so that
+  /// one thrown by a generator, a condition or a link says where it arose, too.
+  void complete_origin(const ErrorOrigin& known);
 
  protected:
   Error(ErrorClass error_class, ErrorCode code, std::string detail, ErrorOrigin origin);
@@ -82,6 +87,7 @@ class Error : public std::runtime_error {
   ErrorCode code_;
   std::string detail_;
   ErrorOrigin origin_;
+  std::string text_;
 };
 
 /// Pose out of workspace, invalid argument, sensor not ready ...: robots hold, the task may catch it and go on.

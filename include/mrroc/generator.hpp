@@ -18,9 +18,11 @@ class Generator {
 
   const std::string& name() const noexcept { return name_; }
 
-  /// Called when e^{i0}, v^{i0} are there, before the first step, and again after every pause: plan from `state()`'s
-  /// desired values. May allocate; may throw NonFatalError.
+  /// Called once per Move, when e^{i0}, v^{i0} are there, before the first step: plan from `state()`'s desired values.
+  /// May allocate; may throw NonFatalError.
   virtual void start() {}
+  /// Called after every pause, the robots at rest: plan the rest of the motion. By default it is started again.
+  virtual void resume() { start(); }
   /// f_T: the motion is over by itself. Evaluated once per step, before `next_state()`.
   virtual bool terminal_condition() { return false; }
   /// f_e*: writes `robot.command()` of every robot it moves; a robot it leaves alone holds. Must not allocate.

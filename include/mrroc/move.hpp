@@ -20,6 +20,7 @@ class ListOf {
   ListOf(std::initializer_list<std::reference_wrapper<Element>> elements) {
     for (Element& element : elements) elements_.push_back(&element);
   }
+  /// No null pointers.
   explicit ListOf(const std::vector<Element*>& elements) : elements_(elements) {}
 
   auto begin() const noexcept { return elements_.begin(); }
@@ -39,7 +40,7 @@ using SensorList = ListOf<Sensor>;
 ///
 ///     obtain e^i, v^i                            (i = i0)
 ///     repeat
-///       f_E: an error reported by e^i or v^i is thrown, with its class
+///       f_E: the gravest error reported by e^i or v^i is thrown, with its class
 ///       the operator: pause holds every robot until resume; stop throws Stopped; end-motion returns
 ///       f_T: generator.terminal_condition() or the condition of `until` holds: return
 ///       e^{i+1} = f_e*(c^i, e^i, v^i): generator.next_state() writes the commands

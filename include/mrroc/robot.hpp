@@ -29,6 +29,9 @@ class Robot {
 
   /// e^i, as of the last step of a Move or Wait.
   const RobotState& state() const noexcept { return state_; }
+  /// The same, for a generator that plans from it. Throws NonFatalError(invalid_argument) when there is none: the robot
+  /// has not been in the list of any Move or Wait.
+  const RobotState& known_state() const;
   /// e^{i+1}. Before each `Generator::next_state()` it is reset to "hold" with this robot's macrostep.
   RobotCommand& command() noexcept { return command_; }
   const RobotCommand& command() const noexcept { return command_; }

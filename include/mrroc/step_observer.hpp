@@ -20,11 +20,11 @@ struct StepRecord {
   bool last = false;                  ///< the instruction ends here: no command is sent
   std::span<Robot* const> robots;
   std::span<Sensor* const> sensors;
-  std::span<const Condition* const> conditions;  ///< leaves; each has its value
+  std::span<const Condition* const> conditions;  ///< leaves; each has its value. None at the operator's end-motion
 };
 
-/// Is told every step of every Move and Wait of a task: traces, progress displays. Called between the exchange's two
-/// ends, on the task's thread: it must neither allocate, block nor throw.
+/// Is told every step of every Move and Wait of a task: traces, progress displays. Called when the commands have been
+/// sent and no reply is awaited yet, on the task's thread: it must neither allocate, block nor throw.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;

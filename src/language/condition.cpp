@@ -22,6 +22,7 @@ void Both::append_leaves(std::vector<const Condition*>& leaves) const {
 }
 
 void Both::append_reasons(std::vector<const Condition*>& reasons) const {
+  if (renamed()) reasons.push_back(this);
   a_->append_reasons(reasons);
   b_->append_reasons(reasons);
 }
@@ -46,6 +47,7 @@ void Either::append_leaves(std::vector<const Condition*>& leaves) const {
 }
 
 void Either::append_reasons(std::vector<const Condition*>& reasons) const {
+  if (renamed()) reasons.push_back(this);
   if (a_->value()) a_->append_reasons(reasons);
   if (b_->value()) b_->append_reasons(reasons);
 }

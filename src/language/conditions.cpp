@@ -36,10 +36,14 @@ ElapsedSteps::ElapsedSteps(std::uint64_t steps)
 OperatorTrigger::OperatorTrigger(Task& task) : Condition("operator trigger"), task_(&task) {}
 
 void OperatorTrigger::start() {
+  given_ = false;
   while (task_->take_trigger()) {
   }
 }
 
-bool OperatorTrigger::holds() { return task_->take_trigger(); }
+bool OperatorTrigger::holds() {
+  given_ = given_ || task_->take_trigger();
+  return given_;
+}
 
 }  // namespace mrroc

@@ -102,11 +102,20 @@ std::string compose(ErrorClass error_class, ErrorCode code, const std::string& d
 }  // namespace
 
 Error::Error(ErrorClass error_class, ErrorCode code, std::string detail, ErrorOrigin origin)
-    : std::runtime_error(compose(error_class, code, detail, origin)),
+    : std::runtime_error(detail),
       class_(error_class),
       code_(code),
       detail_(std::move(detail)),
-      origin_(std::move(origin)) {}
+      origin_(std::move(origin)),
+      text_(compose(class_, code_, detail_, origin_)) {}
+
+void Error::complete_origin(const ErrorOrigin& known) {
+  if (origin_.process.empty()) origin_.process = known.process;
+  if (origin_.device.empty()) origin_.device = known.device;
+  if (origin_.step == 0) origin_.step = known.step;
+  if (origin_.tick == 0) origin_.tick = known.tick;
+  text_ = compose(class_, code_, detail_, origin_);
+}
 
 NonFatalError::NonFatalError(ErrorCode code, std::string detail, ErrorOrigin origin)
     : Error(ErrorClass::non_fatal, code, std::move(detail), std::move(origin)) {}

@@ -13,7 +13,12 @@ Hold::Hold(Robot& robot, double duration) : Generator("Hold"), robot_(&robot), d
   }
 }
 
-void Hold::start() { last_tick_ = robot_->state().tick; }
+void Hold::start() {
+  held_ = 0;
+  resume();
+}
+
+void Hold::resume() { last_tick_ = robot_->state().tick; }
 
 bool Hold::terminal_condition() {
   const Tick tick = robot_->state().tick;

@@ -13,6 +13,10 @@ constexpr Tick kStepWithoutRobots = 10;
 /// Ticks between the present and the common start of several robots at rest: time for every command to arrive.
 constexpr Tick kStartMargin = 2;
 
+bool rests(const RobotState& state) {
+  return (state.desired_velocity.array() == 0.0).all() && (state.desired_acceleration.array() == 0.0).all();
+}
+
 template <class Element>
 void refuse_duplicates(const std::vector<Element*>& elements, const Task& task) {
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -23,13 +27,6 @@ void refuse_duplicates(const std::vector<Element*>& elements, const Task& task) 
       }
     }
   }
-}
-
-void throw_if_reported(const ErrorReport& error, const Task& task, const std::string& device, std::uint64_t step,
-                       Tick tick) {
-  if (error.error_class == ErrorClass::none) return;
-  throw_error(error.error_class, error.code, std::string{error.detail.view()},
-              {task.process_name(), device, step, tick});
 }
 
 }  // namespace
@@ -49,6 +46,10 @@ void Instruction::check_lists() const {
   if (robots_.empty() && sensors_.empty()) {
     throw NonFatalError(ErrorCode::invalid_argument, "Move and Wait need at least one robot or sensor");
   }
+  const auto missing = [](const auto* element) { return element == nullptr; };
+  if (std::any_of(robots_.begin(), robots_.end(), missing) || std::any_of(sensors_.begin(), sensors_.end(), missing)) {
+    throw NonFatalError(ErrorCode::invalid_argument, "a robot or sensor of the list is a null pointer");
+  }
   const Task& task = !robots_.empty() ? robots_.front()->task() : sensors_.front()->task();
   const auto foreign = [&task](const auto* element) { return &element->task() != &task; };
   if (std::any_of(robots_.begin(), robots_.end(), foreign) || std::any_of(sensors_.begin(), sensors_.end(), foreign)) {
@@ -60,6 +61,15 @@ void Instruction::check_lists() const {
 }
 
 Outcome Instruction::run() {
+  try {
+    return run_steps();
+  } catch (Error& error) {
+    error.complete_origin({task_->process_name(), "", step_, newest_tick()});
+    throw;
+  }
+}
+
+Outcome Instruction::run_steps() {
   instruction_ = task_->begin_instruction();
   start_wall_ = task_->wall_seconds();
   obtain_initial_state();
@@ -68,8 +78,8 @@ Outcome Instruction::run() {
   if (condition_) condition_->start();
   if (generator_ != nullptr) generator_->start();
   for (;;) {
-    throw_reported_errors();
     if (operator_ends_it()) {
+      leaves_.clear();  // they were not evaluated at this step
       observe(true);
       return finish(Ending::end_motion);
     }
@@ -78,10 +88,11 @@ Outcome Instruction::run() {
       return finish(*ending);
     }
     write_next_state();
+    send(step_ + 1);
     observe(false);
-    exchange(step_ + 1);
-    ++commanded_steps_;
+    receive(step_ + 1);
     ++step_;
+    throw_reported_errors();
   }
 }
 
@@ -94,12 +105,20 @@ void Instruction::obtain_initial_state() {
 }
 
 void Instruction::throw_reported_errors() const {
-  for (const Robot* robot : robots_) {
-    throw_if_reported(robot->state().error, *task_, robot->name(), step_, robot->state().tick);
-  }
-  for (const Sensor* sensor : sensors_) {
-    throw_if_reported(sensor->reading().error, *task_, sensor->name(), step_, sensor->reading().tick);
-  }
+  const ErrorReport* gravest = nullptr;
+  const std::string* device = nullptr;
+  Tick tick = 0;
+  const auto look = [&](const ErrorReport& error, const std::string& name, Tick when) {
+    if (error.error_class <= (gravest != nullptr ? gravest->error_class : ErrorClass::none)) return;
+    gravest = &error;
+    device = &name;
+    tick = when;
+  };
+  for (const Robot* robot : robots_) look(robot->state().error, robot->name(), robot->state().tick);
+  for (const Sensor* sensor : sensors_) look(sensor->reading().error, sensor->name(), sensor->reading().tick);
+  if (gravest == nullptr) return;
+  throw_error(gravest->error_class, gravest->code, std::string{gravest->detail.view()},
+              {task_->process_name(), *device, step_, tick});
 }
 
 bool Instruction::operator_ends_it() {
@@ -113,11 +132,12 @@ OperatorRequest Instruction::hold_until_resumed() {
   OperatorRequest request = OperatorRequest::pause;
   while (request == OperatorRequest::pause) {
     for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
-    exchange(0);  // step 0: every reading is due, so that the motion resumes on fresh ones
+    send(0);  // step 0: every reading is due, so that the motion resumes on fresh ones
+    receive(0);
     throw_reported_errors();
     request = task_->operator_request();
   }
-  if (request == OperatorRequest::none && generator_ != nullptr) generator_->start();
+  if (request == OperatorRequest::none && generator_ != nullptr) generator_->resume();
   return request;
 }
 
@@ -138,30 +158,40 @@ void Instruction::write_next_state() {
 void Instruction::align_start_ticks() {
   if (robots_.size() < 2) return;
   Tick start = 0;
-  for (const Robot* robot : robots_) start = std::max(start, robot->state().desired_tick);
-  if (step_ == 0) start += kStartMargin;
+  bool resting = true;
+  for (const Robot* robot : robots_) {
+    start = std::max(start, robot->state().desired_tick);
+    resting = resting && rests(robot->state());
+  }
+  // a moving robot would have to brake for a later start
+  if (resting) start = std::max(start, task_->tick() + kStartMargin);
   for (Robot* robot : robots_) {
     if (robot->command().start_tick == 0) robot->command().start_tick = start;
   }
 }
 
 Tick Instruction::next_measurement() const {
+  const Tick now = task_->tick();
+  if (robots_.empty()) return now + kStepWithoutRobots;
   Tick tick = 0;
   for (const Robot* robot : robots_) {
-    const Tick start = std::max(robot->command().start_tick, robot->state().desired_tick);
+    const Tick start = std::max({robot->command().start_tick, robot->state().desired_tick, now});
     tick = std::max(tick, start + robot->command().reply_step);
   }
-  return robots_.empty() ? task_->tick() + kStepWithoutRobots : tick;
+  return tick;
 }
 
-void Instruction::exchange(std::uint64_t next_step) {
-  const Tick measure_at = next_measurement();
+void Instruction::send(std::uint64_t next_step) {
+  measure_at_ = next_measurement();
   for (Sensor* sensor : sensors_) {
-    if (sensor->due(next_step)) sensor->initiate_reading(measure_at);
+    if (sensor->due(next_step)) sensor->initiate_reading(measure_at_);
   }
   for (Robot* robot : robots_) robot->send();
+}
+
+void Instruction::receive(std::uint64_t next_step) {
   for (Robot* robot : robots_) robot->receive();
-  if (robots_.empty()) task_->sleep_until(measure_at);
+  if (robots_.empty()) task_->sleep_until(measure_at_);
   for (Sensor* sensor : sensors_) {
     if (sensor->due(next_step)) sensor->collect_reading();
   }
@@ -193,7 +223,7 @@ void Instruction::observe(bool last) const {
 Outcome Instruction::finish(Ending ending) const {
   Outcome outcome;
   outcome.ending = ending;
-  outcome.steps = commanded_steps_;
+  outcome.steps = step_;
   outcome.start_tick = start_tick_;
   outcome.end_tick = newest_tick();
   outcome.duration = static_cast<double>(outcome.end_tick - start_tick_) * task_->servo_period();

@@ -17,8 +17,10 @@ class Instruction {
   Outcome run();
 
  private:
+  Outcome run_steps();
   void check_lists() const;
   void obtain_initial_state();
+  /// f_E: throws the gravest error reported by e^i or v^i, the first in the lists among equals.
   void throw_reported_errors() const;
   /// Handles pause (holding), stop (throws) and end-motion (true).
   bool operator_ends_it();
@@ -27,8 +29,10 @@ class Instruction {
   std::optional<Ending> evaluate_end();
   void write_next_state();
   void observe(bool last) const;
-  /// Sends e^{i+1}, awaits the replies, renews the readings due at `next_step`.
-  void exchange(std::uint64_t next_step);
+  /// Requests the readings due at `next_step`, then sends e^{i+1}.
+  void send(std::uint64_t next_step);
+  /// Awaits every reply, then collects the readings due at `next_step`.
+  void receive(std::uint64_t next_step);
   void align_start_ticks();
   /// The tick at which e^{i+1} will be measured.
   Tick next_measurement() const;
@@ -42,10 +46,10 @@ class Instruction {
   std::vector<const Condition*> leaves_;
   Task* task_ = nullptr;
   std::uint64_t instruction_ = 0;
-  std::uint64_t step_ = 0;
-  std::uint64_t commanded_steps_ = 0;
+  std::uint64_t step_ = 0;  // i - i0
   Tick start_tick_ = 0;
   double start_wall_ = 0;
+  Tick measure_at_ = 0;
 };
 
 }  // namespace mrroc

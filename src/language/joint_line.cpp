@@ -14,6 +14,9 @@ struct JointLine::Plan {
   ruckig::Trajectory<ruckig::DynamicDOFs> trajectory;
   std::vector<double> position, velocity, acceleration;  // scratch, so that sampling does not allocate
   double time = 0;                                       // of the macrostep commanded last
+
+  /// Sums of step durations are not exact.
+  bool over() const { return time >= trajectory.get_duration() - 1e-9; }
 };
 
 namespace {
@@ -64,7 +67,7 @@ void JointLine::check_target(const JointVector& target) const {
 }
 
 void JointLine::start() {
-  const RobotState& state = robot_->state();
+  const RobotState& state = robot_->known_state();
   const ErrorOrigin origin{robot_->task().process_name(), robot_->name(), 0, state.tick};
   if (to_pose_) {
     JointVector joints = state.desired_joints;
@@ -101,20 +104,19 @@ void JointLine::start() {
   }
 }
 
-bool JointLine::terminal_condition() { return plan_->time >= plan_->trajectory.get_duration() - 1e-9; }
+bool JointLine::terminal_condition() { return plan_->over(); }
 
 void JointLine::next_state() {
   plan_->time += robot_->step_duration();
-  plan_->trajectory.at_time(plan_->time, plan_->position, plan_->velocity, plan_->acceleration);
   RobotCommand& command = robot_->command();
   command.kind = CommandKind::joint;
-  const auto joints = static_cast<Eigen::Index>(plan_->position.size());
-  const bool over = plan_->time >= plan_->trajectory.get_duration();
-  command.joints = Eigen::Map<const Eigen::VectorXd>(plan_->position.data(), joints);
-  if (over) {
+  if (plan_->over()) {
     command.joints = target_;
     return;  // at rest
   }
+  plan_->trajectory.at_time(plan_->time, plan_->position, plan_->velocity, plan_->acceleration);
+  const auto joints = static_cast<Eigen::Index>(plan_->position.size());
+  command.joints = Eigen::Map<const Eigen::VectorXd>(plan_->position.data(), joints);
   command.joint_velocity = Eigen::Map<const Eigen::VectorXd>(plan_->velocity.data(), joints);
   command.joint_acceleration = Eigen::Map<const Eigen::VectorXd>(plan_->acceleration.data(), joints);
 }

@@ -26,6 +26,17 @@ void Robot::set_macrostep(std::uint16_t motion_steps, std::uint16_t reply_step) 
   reply_step_ = reply_step;
 }
 
+const RobotState& Robot::known_state() const {
+  const auto axes = static_cast<Eigen::Index>(parameters().axes.size());
+  if (state_.desired_joints.size() != axes || state_.desired_velocity.size() != axes ||
+      state_.desired_acceleration.size() != axes) {
+    throw NonFatalError(ErrorCode::invalid_argument,
+                        "the state of this robot is not known, expected it in the list of the Move",
+                        {task_->process_name(), name_, 0, 0});
+  }
+  return state_;
+}
+
 double Robot::step_duration() const noexcept { return motion_steps_ * task_->servo_period(); }
 
 void Robot::reset_command(CommandKind kind) noexcept {

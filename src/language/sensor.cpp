@@ -43,8 +43,7 @@ void Sensor::collect_reading() {
   if (interactive_) {
     link_->receive(reading_);
   } else if (!link_->latest(reading_)) {
-    reading_.error.error_class = ErrorClass::non_fatal;
-    reading_.error.code = ErrorCode::sensor_not_ready;
+    reading_.error = {ErrorClass::non_fatal, ErrorCode::sensor_not_ready, {}};
   }
 }
 

@@ -28,37 +28,46 @@ Pose exponential(const Twist& displacement) {
   return pose;
 }
 
+/// The same twist in axes turned by `rotation`.
+Twist turned(const Eigen::Matrix3d& rotation, const Twist& twist) {
+  Twist result;
+  result << rotation * twist.head<3>(), rotation * twist.tail<3>();
+  return result;
+}
+
 }  // namespace
 
 ToolVelocity::ToolVelocity(Robot& robot, const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
                            double acceleration)
-    : Generator("ToolVelocity"), robot_(&robot) {
-  twist_ << linear, angular;
-  if (!twist_.allFinite()) throw NonFatalError(ErrorCode::not_finite, "tool velocity of " + robot.name());
+    : Generator("ToolVelocity"), robot_(&robot), acceleration_(acceleration) {
+  target_ << linear, angular;
+  if (!target_.allFinite()) throw NonFatalError(ErrorCode::not_finite, "tool velocity of " + robot.name());
   if (!(acceleration > 0) || !std::isfinite(acceleration)) {
     throw NonFatalError(ErrorCode::invalid_argument,
                         "acceleration " + std::to_string(acceleration) + ", expected a finite number above 0");
   }
-  ramp_duration_ = std::max(linear.norm(), angular.norm()) / acceleration;
 }
 
 void ToolVelocity::start() {
-  reference_ = robot_->state().desired_pose;
-  fraction_ = 0;
+  const RobotState& state = robot_->known_state();
+  reference_ = state.desired_pose;
+  const Twist base = robot_->model().jacobian(state.desired_joints) * state.desired_velocity;
+  twist_ = turned(reference_.linear().transpose(), base);
 }
 
 void ToolVelocity::next_state() {
   const double dt = robot_->step_duration();
-  const double next = ramp_duration_ <= dt ? 1.0 : std::min(1.0, fraction_ + dt / ramp_duration_);
-  reference_ = reference_ * exponential(twist_ * (0.5 * (fraction_ + next) * dt));
+  const Twist missing = target_ - twist_;
+  const double ramp_duration = std::max(missing.head<3>().norm(), missing.tail<3>().norm()) / acceleration_;
+  const Twist next = ramp_duration <= dt ? target_ : Twist(twist_ + missing * (dt / ramp_duration));
+  reference_ = reference_ * exponential(0.5 * (twist_ + next) * dt);
   // products of rotations drift off the orthonormal matrices
   reference_.linear() = Eigen::Quaterniond(reference_.linear()).normalized().toRotationMatrix();
-  fraction_ = next;
+  twist_ = next;
   RobotCommand& command = robot_->command();
   command.kind = CommandKind::pose;
   command.pose = reference_;
-  command.twist.head<3>() = reference_.linear() * twist_.head<3>() * fraction_;
-  command.twist.tail<3>() = reference_.linear() * twist_.tail<3>() * fraction_;
+  command.twist = turned(reference_.linear(), twist_);
 }
 
 }  // namespace mrroc

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <charconv>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -64,19 +64,22 @@ class TomlPlaces {
   std::map<std::string, int> lines_;
 };
 
-/// Line, key and problem of a message `<file>:<line>: <key>: <problem>`; line 0 if it has another shape.
+/// Parts of a message `<file>:<line>: <key>: <problem>`, the file's name without a colon. Line 0 if it has another
+/// shape.
 struct Complaint {
   int line = 0;
   std::string key;
   std::string problem;
 
   explicit Complaint(const std::string& message) {
-    static const std::regex shape(R"([^:]+:(\d+): ([^ :]+|column \d+): (.+))");
-    std::smatch parts;
-    if (!std::regex_match(message, parts, shape)) return;
-    line = std::stoi(parts[1]);
-    key = parts[2];
-    problem = parts[3];
+    const auto number = message.find(':') + 1;
+    const auto key_begin = message.find(": ") + 2;
+    const auto key_end = message.find(": ", key_begin);
+    if (number == 0 || number >= key_begin || key_end == std::string::npos) return;
+    const auto [end, error] = std::from_chars(message.data() + number, message.data() + message.size(), line);
+    if (error != std::errc() || end != message.data() + key_begin - 2) line = 0;
+    key = message.substr(key_begin, key_end - key_begin);
+    problem = message.substr(key_end + 2);
   }
 };
 

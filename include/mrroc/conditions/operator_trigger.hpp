@@ -19,6 +19,7 @@ class OperatorTrigger : public Condition {
 
  private:
   Task* task_;
+  bool given_ = false;
 };
 
 }  // namespace mrroc

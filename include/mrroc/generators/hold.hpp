@@ -12,6 +12,8 @@ class Hold : public Generator {
   Hold(Robot& robot, double duration);
 
   void start() override;
+  /// A pause is no holding time.
+  void resume() override;
   bool terminal_condition() override;
   /// Writes nothing: a robot that its generator leaves alone holds.
   void next_state() override {}
@@ -19,7 +21,7 @@ class Hold : public Generator {
  private:
   Robot* robot_;
   double duration_;
-  double held_ = 0;  // kept over pauses: a pause is no holding time
+  double held_ = 0;  // s, since the start
   Tick last_tick_ = 0;
 };
 

@@ -6,8 +6,9 @@
 namespace mrroc {
 
 /// Moves the tool at a constant velocity given in tool axes, until a condition of `.until(...)` holds: it has no end of
-/// its own. The speed rises linearly from the state at the start, at `acceleration` (m/s^2, and rad/s^2 for the angular
-/// part alike). The pose follows T(t + dt) = T(t) exp(xi dt), xi the mean twist of the step in tool axes.
+/// its own. The twist goes linearly from the desired one at the start (rest or not) to the given one, at `acceleration`
+/// (m/s^2, and rad/s^2 for the angular part alike). The pose follows T(t + dt) = T(t) exp(xi dt), xi the mean of the
+/// twists in tool axes at the two ends of the step.
 class ToolVelocity : public Generator {
  public:
   /// `linear` (m/s) and `angular` (rad/s) in tool axes. Throws NonFatalError(not_finite, invalid_argument).
@@ -19,10 +20,10 @@ class ToolVelocity : public Generator {
 
  private:
   Robot* robot_;
-  Twist twist_;           // in tool axes
-  double ramp_duration_;  // s from rest to the whole velocity
-  Pose reference_ = Pose::Identity();
-  double fraction_ = 0;  // of the velocity, reached so far
+  Twist target_;  // in tool axes
+  double acceleration_;
+  Pose reference_ = Pose::Identity();  // desired at the end of the macrostep commanded last
+  Twist twist_ = Twist::Zero();        // there, in tool axes
 };
 
 }  // namespace mrroc
