@@ -1,13 +1,13 @@
 #include "edp/mujoco_hardware.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <memory>
 #include <numbers>
 
 #include "allocations.hpp"
 #include "bent_model.hpp"
+#include "language/property.hpp"
 #include "reference_dynamics.hpp"
 #include "sim/world.hpp"
 #include "worlds.hpp"
@@ -51,8 +51,8 @@ class MujocoHardwareTest : public testing::Test {
 
 double joint_value() { return *rc::gen::inRange(-20000, 20000) * 1e-4; }
 
-TEST_F(MujocoHardwareTest, ReadsShaftPositionsInWholeIncrements) {
-  EXPECT_TRUE(rc::check("within half an increment of the exact shaft position", [&] {
+TEST_F(MujocoHardwareTest, ReadsShaftPositionsToHalfAnIncrement) {
+  fakes::check_property(200, [&] {
     const JointVector joints = pair(joint_value(), joint_value());
     measure(7, joints, pair(0, 0));
     MujocoHardware drives = hardware();
@@ -67,11 +67,11 @@ TEST_F(MujocoHardwareTest, ReadsShaftPositionsInWholeIncrements) {
       RC_ASSERT(std::abs(input.motors[i] - exact[i]) <= increment / 2 + 1e-12);
       RC_ASSERT(std::abs(std::remainder(input.motors[i], increment)) < 1e-10);
     }
-  }));
+  });
 }
 
 TEST_F(MujocoHardwareTest, WritesTheDrivesSeenFromTheJoints) {
-  EXPECT_TRUE(rc::check("tau, B, D and c follow from G, its rate, and the motors' parameters", [&] {
+  fakes::check_property(200, [&] {
     const JointVector q = pair(joint_value(), joint_value()), v = pair(joint_value(), joint_value());
     const JointVector current = pair(joint_value(), joint_value());
     measure(9, q, v);
@@ -99,7 +99,7 @@ TEST_F(MujocoHardwareTest, WritesTheDrivesSeenFromTheJoints) {
       RC_ASSERT(std::abs(written.rotor_inertia[i] - expected.rotor_inertia[i]) < 1e-10);
       RC_ASSERT(std::abs(written.damping[i] - expected.damping[i]) < 1e-10);
     }
-  }));
+  });
 }
 
 TEST_F(MujocoHardwareTest, CurrentsAreCutAndReportedAndZeroWhileDisabled) {
