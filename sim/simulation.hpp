@@ -34,10 +34,8 @@ class Simulation {
   /// robot that has no drive yet, a disabled or an expired one. Throws SystemError (simulator), see World::step.
   void step(Tick tick);
 
-  /// What `mrroc_render` makes pictures of.
+  /// What `mrroc_render` makes pictures of; `save_state` writes it to a file.
   WorldState state() const;
-  /// Writes it to a file. Throws SystemError.
-  void save_state(const std::filesystem::path& file) const { sim::save_state(file, state()); }
   Tick tick() const noexcept { return tick_; }
   World& world() noexcept { return world_; }
 

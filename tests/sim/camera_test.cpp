@@ -140,7 +140,7 @@ TEST_F(RenderProgram, WritesAPngOfASavedState) {
   simulation.publish_initial();
   for (Tick k = 1; k <= 300; ++k) simulation.step(k);
   const auto state = scratch_.folder() / "00000300.state", png = scratch_.folder() / "out.png";
-  simulation.save_state(state);
+  save_state(state, simulation.state());
   ASSERT_EQ(run("--camera overview --width 200 --height 150 --state " + state.string() + " --out " + png.string()), 0);
   const Picture picture = read_png(png);
   EXPECT_EQ(picture.width, 200);

@@ -208,7 +208,7 @@ TEST_F(SimulationTest, StatesSurviveTheirFile) {
   for (Tick k = 1; k <= 7; ++k) simulation.step(k);
   const WorldState state = simulation.state();
   const auto file = scratch.folder() / "state";
-  simulation.save_state(file);
+  save_state(file, simulation.state());
   const WorldState read = load_state(file);
   EXPECT_EQ(read.tick, 7U);
   EXPECT_EQ(read.time, state.time);

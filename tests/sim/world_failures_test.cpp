@@ -116,6 +116,22 @@ TEST(WorldFailures, TooManyContactsAndTooManyConstraintsAreErrors) {
   EXPECT_NO_THROW(crowded("njmax='500' nconmax='100'"));
 }
 
+TEST(WorldFailures, WarningsAreCountedAndKeepTheirFirstTick) {
+  const Scratch scratch;
+  World world(compose_texts(scratch, kEmptyScene), 0.002, 0.001);
+  world.start();
+  // a callback stands for whatever inside MuJoCo has something to say
+  mjcb_passive = [](const mjModel*, mjData* data) {
+    if (data->time > 0.0095) mju_warning("the belt squeaks");
+  };
+  for (Tick k = 1; k <= 10; ++k) world.step(k);
+  mjcb_passive = nullptr;
+  ASSERT_EQ(world.warnings().size(), 1U);
+  EXPECT_EQ(world.warnings()[0].text, "the belt squeaks");
+  EXPECT_EQ(world.warnings()[0].first_tick, 5U);
+  EXPECT_GE(world.warnings()[0].count, 10U);
+}
+
 TEST(WorldFailures, AnIntegratorOtherThanEulerIsRefused) {
   const Scratch scratch;
   EXPECT_THROW(World(compose_texts(scratch, "<mujoco><option integrator='RK4'/></mujoco>"), 0.001, 0.001),
