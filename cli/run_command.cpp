@@ -7,6 +7,7 @@
 #include "cli/report.hpp"
 #include "cli/runner.hpp"
 #include "cli/trace.hpp"
+#include "config/description.hpp"
 
 namespace mrroc::cli {
 

@@ -117,9 +117,12 @@ void Runner::start_processes() {
   }
   // after the children: they would inherit the domain's sockets (dds.md, trap 5)
   operator_clock_ = clock_.operator_clock();
-  domain_ = std::make_unique<links::Domain>(links::DomainOptions{domain_lock_.domain(), {}});
-  collector_ = std::make_unique<links::StatusCollector>(*domain_, *operator_clock_, deployment_.name + "/status");
-  mp_ = std::make_unique<links::TaskSuperior>(*domain_, *operator_clock_, deployment_.name + "/mp/task", "mp");
+  links::DomainOptions options;
+  options.id = domain_lock_.domain();
+  if (deployment_.clock != config::ClockMode::real) options.lease = 0;
+  domain_ = std::make_unique<links::Domain>(options);
+  collector_ = std::make_unique<links::StatusCollector>(*domain_, deployment_.name);
+  mp_ = std::make_unique<links::TaskSuperior>(*domain_, *operator_clock_, deployment_.name + "/mp", "mp");
 }
 
 void Runner::pass_barrier() {
@@ -134,8 +137,7 @@ void Runner::pass_barrier() {
     }
   }
   mp_->connect(deployment_.start_timeout);
-  schedule_events();
-  mp_->command({links::TaskCommandKind::start});
+  schedule_commands();
   const double now = operator_clock_->wall_seconds();
   for (const PlannedProcess& process : plan_) last_heard_[process.name] = now;
   result_.wall_seconds = now;
@@ -143,13 +145,14 @@ void Runner::pass_barrier() {
   clock_.start();
 }
 
-void Runner::schedule_events() {
+void Runner::schedule_commands() {
+  clock_.at_tick(0, [this] { command(links::TaskCommandKind::start); });
   for (const config::Event& event : deployment_.events) {
     links::TaskCommandKind kind = links::TaskCommandKind::trigger;
     if (event.command == "pause") kind = links::TaskCommandKind::pause;
     if (event.command == "resume") kind = links::TaskCommandKind::resume;
     if (event.command == "stop") kind = links::TaskCommandKind::stop;
-    clock_.at_tick(event.tick, [this, kind] { mp_->command({kind}); });
+    clock_.at_tick(event.tick, [this, kind] { command(kind); });
   }
 }
 
@@ -191,7 +194,12 @@ void Runner::interrupt_by_operator() {
     return;
   }
   progress_.message("stopping (once more to end at once)");
-  mp_->command({links::TaskCommandKind::stop});
+  command(links::TaskCommandKind::stop);
+}
+
+void Runner::command(links::TaskCommandKind kind) {
+  const std::lock_guard lock(command_mutex_);
+  mp_->send(kind);
 }
 
 void Runner::read_output(Child& child) {
@@ -199,18 +207,20 @@ void Runner::read_output(Child& child) {
 }
 
 void Runner::read_statuses() {
-  links::ProcessStatus status;
-  while (collector_->take(status)) {
-    const std::string name{status.process.view()};
-    statuses_[name] = status;
+  collector_->poll();
+  for (const auto& [name, process] : collector_->processes()) {
+    const auto known = statuses_.find(name);
+    if (known != statuses_.end() && known->second.beat == process.status.beat) continue;
+    statuses_[name] = process.status;
     last_heard_[name] = operator_clock_->wall_seconds();
-    progress_.update(status);
+    progress_.update(process.status);
   }
 }
 
 void Runner::read_task_status() {
   links::TaskStatus status;
-  while (mp_->take(status)) {
+  std::uint64_t last_command = 0;
+  while (mp_->take(status, last_command)) {
     if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
     result_.ticks = status.tick;
     if (status.state == links::TaskState::failed) {

@@ -25,6 +25,52 @@ function(mrroc_data kind name)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/share/mrroc/${kind}/${name} SYMBOLIC)
 endfunction()
 
+# mrroc_add_robot(NAME SOURCES ... [LINKS ...] [EDP edp_main.cpp]): a robot's folder. The library mrroc_robot_NAME (model and
+# typed class, public headers in include/), its data files in share/mrroc/robots/NAME, and with EDP its driver process NAME_edp.
+function(mrroc_add_robot name)
+  cmake_parse_arguments(ARG "" "EDP" "SOURCES;LINKS" ${ARGN})
+  mrroc_library(mrroc_robot_${name} SOURCES ${ARG_SOURCES} LINKS mrroc_language mrroc_config ${ARG_LINKS})
+  target_include_directories(mrroc_robot_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
+  mrroc_data(robots ${name})
+  if(ARG_EDP)
+    # the EDP's layer comes after the robots: decided when every layer is known
+    cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${PROJECT_SOURCE_DIR}]]
+      CALL mrroc_add_edp_ [[${name}]] [[${CMAKE_CURRENT_SOURCE_DIR}/${ARG_EDP}]])")
+  endif()
+endfunction()
+
+# mrroc_add_edp_(NAME SOURCE): of mrroc_add_robot; nothing in a build without EDPs.
+function(mrroc_add_edp_ name source)
+  if(TARGET mrroc_edp_shell)
+    add_executable(${name}_edp ${source})
+    target_link_libraries(${name}_edp PRIVATE mrroc_flags mrroc_robot_${name} mrroc_edp_shell)
+  endif()
+endfunction()
+
+# mrroc_add_sensor(TYPE CLIENT ... SOURCES ... [EXECUTABLE main.cpp]): a sensor type's folder. CLIENT are the sources of
+# mrroc_sensor_TYPE, what a task program links (public headers in include/); SOURCES those of mrroc_sensor_TYPE_vsp, its
+# aggregating function; its data files are in share/mrroc/sensors/TYPE. EXECUTABLE is main() of its process TYPE_vsp.
+function(mrroc_add_sensor type)
+  cmake_parse_arguments(ARG "" "EXECUTABLE" "CLIENT;SOURCES" ${ARGN})
+  mrroc_library(mrroc_sensor_${type} SOURCES ${ARG_CLIENT} LINKS mrroc_language)
+  target_include_directories(mrroc_sensor_${type} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
+  mrroc_library(mrroc_sensor_${type}_vsp SOURCES ${ARG_SOURCES} LINKS mrroc_vsp)
+  mrroc_data(sensors ${type})
+  if(ARG_EXECUTABLE)
+    # the VSP's layer comes after the sensors: decided when every layer is known
+    cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${PROJECT_SOURCE_DIR}]]
+      CALL mrroc_add_vsp_ [[${type}]] [[${CMAKE_CURRENT_SOURCE_DIR}/${ARG_EXECUTABLE}]])")
+  endif()
+endfunction()
+
+# mrroc_add_vsp_(TYPE SOURCE): of mrroc_add_sensor; nothing in a build without the VSP's shell.
+function(mrroc_add_vsp_ type source)
+  if(TARGET mrroc_vsp_shell)
+    add_executable(${type}_vsp ${source})
+    target_link_libraries(${type}_vsp PRIVATE mrroc_flags mrroc_sensor_${type}_vsp mrroc_vsp_shell)
+  endif()
+endfunction()
+
 # mrroc_test(NAME SOURCES ... LINKS ... [LABELS ...] [TIMEOUT s] [SERIAL]): one GoogleTest executable, one ctest entry.
 function(mrroc_test name)
   cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})

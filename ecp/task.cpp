@@ -6,7 +6,7 @@ namespace mrroc::ecp {
 
 Task::Task()
     : TaskProcess(process::BuildScope::process(),
-                  process::BuildScope::process().topic(process::BuildScope::process().name() + "/task")),
+                  process::BuildScope::process().topic(process::BuildScope::process().name())),
       mp_(process().domain(), process().clock(), process().topic(process().name() + "/mp")),
       edp_(&robot_link(process().name(), process().deployment().robot(process().name()).type)) {}
 
@@ -17,7 +17,7 @@ std::string Task::robot_name(const std::string& requested) const {
                       {process_name(), requested, 0, 0});
 }
 
-std::string Task::robot_topic(const std::string& name) const { return process::BuildScope::process().topic(name); }
+std::string Task::robot_topic(const std::string& name) const { return process().topic(name); }
 
 std::string Task::robot_peer(const std::string& name) const { return name + "_edp"; }
 

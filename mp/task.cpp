@@ -4,10 +4,10 @@
 
 namespace mrroc::mp {
 
-Task::Task() : TaskProcess(process::BuildScope::process(), process::BuildScope::process().topic("mp/task")) {
+Task::Task() : TaskProcess(process::BuildScope::process(), process::BuildScope::process().topic("mp")) {
   for (const config::RobotEntry& robot : process().deployment().robots) {
     ecps_[robot.name].link = std::make_unique<links::TaskSuperior>(process().domain(), process().clock(),
-                                                                   process().topic(robot.name + "/task"), robot.name);
+                                                                   process().topic(robot.name), robot.name);
   }
 }
 
@@ -16,9 +16,7 @@ std::string Task::robot_name(const std::string& requested) const {
   throw NonFatalError(ErrorCode::invalid_argument, "a robot of an MP task needs its name", {process_name(), "", 0, 0});
 }
 
-std::string Task::robot_topic(const std::string& name) const {
-  return process::BuildScope::process().topic(name + "/mp");
-}
+std::string Task::robot_topic(const std::string& name) const { return process().topic(name + "/mp"); }
 
 void Task::connect() {
   connect_links();
@@ -33,7 +31,7 @@ void Task::start(const std::string& name) {
   }
   found->second.running = true;
   found->second.status = links::TaskStatus{};
-  found->second.link->command({links::TaskCommandKind::start});
+  found->second.started_by = found->second.link->send(links::TaskCommandKind::start);
 }
 
 void Task::start_all() {
@@ -65,7 +63,9 @@ void Task::wait_for_running() {
 void Task::poll_others() {
   for (auto& [name, ecp] : ecps_) {
     links::TaskStatus status;
-    while (ecp.link->take(status)) {
+    std::uint64_t last_command = 0;
+    while (ecp.link->take(status, last_command)) {
+      if (last_command < ecp.started_by) continue;  // from before this start
       ecp.status = status;
       if (status.state != links::TaskState::running && status.state != links::TaskState::paused) ecp.running = false;
     }
@@ -80,7 +80,7 @@ void Task::on_superior_command(const links::TaskCommand& command) {
 
 void Task::command_running(links::TaskCommandKind kind) {
   for (auto& [name, ecp] : ecps_) {
-    if (ecp.running) ecp.link->command({kind});
+    if (ecp.running) ecp.link->send(kind);
   }
 }
 

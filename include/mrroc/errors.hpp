@@ -35,6 +35,8 @@ enum class ErrorCode : std::uint16_t {
   sensor_out_of_range = 13,
   task_failed = 14,
   force_limit = 15,
+  acceleration_limit = 16,
+  not_enabled = 17,
   following_error = 100,
   drive_fault = 101,
   sensor_hardware = 102,

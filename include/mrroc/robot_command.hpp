@@ -15,9 +15,10 @@ enum class CommandKind : std::uint8_t {
 /// e^{i+1} for one effector: one macrostep of N servo ticks (DESIGN 3; original's motion_steps / value_in_step_no).
 ///
 /// The macrostep begins where the previous one's desired state ends (or at the end of a stop), at tick
-/// max(start_tick, end of the previous macrostep, next tick), and ends N ticks later. The reply leaves at its tick v;
-/// v = N + 1 is the first tick after the macrostep. A command whose end velocity is not zero expects a successor: if
-/// none arrives in time, the EDP brakes within the limits, holds, and counts a late command.
+/// max(start_tick, end of the previous macrostep, present tick), and ends N ticks later; its first new set-point is
+/// that of its tick 1, so a reply at v = N can still be followed without a gap. The reply leaves at its tick v; v = N +
+/// 1 is the first tick after the macrostep. A command whose end velocity is not zero expects a successor: if none
+/// arrives in time, the EDP brakes within the limits, holds, and counts a late command.
 struct RobotCommand {
   CommandKind kind = CommandKind::query;
   /// `joints` / `pose` are increments on the *desired* state at the macrostep's start; a pose increment is in tool

@@ -2,7 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/pidfd.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,7 +14,9 @@
 namespace mrroc::clock {
 
 ParticipantClock::ParticipantClock(MappedClock memory, std::uint32_t index)
-    : memory_(std::move(memory)), index_(index), host_process_(::pidfd_open(memory_->host_pid, 0)) {
+    : memory_(std::move(memory)),
+      index_(index),
+      host_process_(static_cast<int>(::syscall(SYS_pidfd_open, memory_->host_pid, 0))) {
   if (host_process_ < 0) throw SystemError(ErrorCode::clock_lost, "clock: its host has died before the start");
 }
 

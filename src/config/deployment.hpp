@@ -13,17 +13,18 @@ namespace mrroc::config {
 enum class ClockMode { real, paced, lockstep };
 
 struct MpEntry {
-  std::string program = "mrroc_mp";  ///< the stock MP when left out
+  std::string program = "mrroc_mp";  ///< the stock MP when left out; absolute path after loading
 };
 
 struct RobotEntry {
   std::string name;
   std::string type;                   ///< folder robots/<type>
-  std::string program = "mrroc_ecp";  ///< of its ECP; the stock ECP when left out
+  std::string program = "mrroc_ecp";  ///< of its ECP; the stock ECP when left out; absolute path after loading
   std::string hardware;               ///< mujoco | loopback
   std::string host;                   ///< empty: this machine
   Pose base =
       Pose::Identity();  ///< in the world: `position = [x, y, z]` (m), `rotation = [r, p, y]` (rad, fixed axes x y z)
+  std::string edp_program;  ///< the type's `<type>_edp`, absolute path
 };
 
 struct SensorEntry {
@@ -31,17 +32,19 @@ struct SensorEntry {
   std::string type;   ///< folder sensors/<type>
   std::string robot;  ///< the effector it is mounted on; empty: fixed in the world
   bool interactive = true;
-  double rate = 0;                   ///< Hz, non-interactive only; a whole number of servo periods
+  double rate = 0;                   ///< Hz, non-interactive only; 1 / rate is a whole number of servo periods
   std::string source = "simulated";  ///< simulated | replay
   std::filesystem::path replay;      ///< played file, absolute
   /// The type's own keys, checked against `[parameters]` of sensors/<type>/<type>.toml; defaults filled in.
   std::map<std::string, std::vector<double>> numbers;
   std::map<std::string, std::string> texts;
+  std::string vsp_program;  ///< the type's `<type>_vsp`, absolute path
 };
 
 struct SimEntry {
   std::filesystem::path scene;  ///< MJCF of the task's scene, absolute
   double timestep = 0.001;      ///< s; the servo period is a whole number of these
+  std::string program;          ///< `mrroc_sim`, absolute path
 };
 
 /// An operator command at a given tick: lockstep's way to press a button.
@@ -53,7 +56,7 @@ struct Event {
 /// A deployment file, validated as a whole: names are unique and at most 31 characters of letters, digits and `_`,
 /// every type is installed, every program exists, every file named exists.
 struct Deployment {
-  std::filesystem::path file;
+  std::filesystem::path file;  ///< absolute
   std::string name;
   ClockMode clock = ClockMode::lockstep;
   double servo_period = 0.002;   ///< s
@@ -65,13 +68,15 @@ struct Deployment {
   std::vector<RobotEntry> robots;    ///< in file order
   std::vector<SensorEntry> sensors;  ///< in file order
   std::optional<SimEntry> sim;
-  std::vector<Event> events;
+  std::vector<Event> events;  ///< by tick, those of one tick in file order
 
+  /// The entry of this name; throws ConfigurationError that lists the known ones.
   const RobotEntry& robot(const std::string& name) const;
   const SensorEntry& sensor(const std::string& name) const;
 };
 
-/// Reads and validates; throws ConfigurationError with file, line, key, value and what was expected.
+/// Reads and validates; throws ConfigurationError with file, line, key, value and what was expected. Configuration time
+/// only: reads the files named, and asks the resolver for every `host`.
 Deployment load_deployment(const std::filesystem::path& file);
 
 }  // namespace mrroc::config

@@ -6,8 +6,8 @@
 namespace mrroc::config {
 
 /// Reads the general part of robots/<type>/<type>.toml: `type`, `home`, and `[[axes]]` with the keys of AxisParameters
-/// (same names). The `[geometry]` table is the robot's own: its model reads it from the same Table. Throws
-/// ConfigurationError.
+/// (same names; only `encoder_increments` and `regulator_output_max` may be left out). The `[geometry]` table is the
+/// robot's own: its model reads it from the same Table, which then calls `finish()`. Throws ConfigurationError.
 RobotParameters read_robot_parameters(const Table& file);
 
 /// Path of robots/<type>/<name> in the share folder.

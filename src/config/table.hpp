@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -59,6 +60,10 @@ class Table {
   std::vector<std::string> table_names() const;
   /// Keys of this table in file order.
   std::vector<std::string> keys() const;
+
+  /// Counts `keys` as asked for, then `finish()`: called before the values are read, it makes a slip in a key the first
+  /// mistake to be reported, before what follows from it.
+  void only(std::initializer_list<std::string_view> keys) const;
 
   /// Throws if a key of this table (not of its sub-tables) was never asked for.
   void finish() const;

@@ -36,6 +36,10 @@ std::string_view describe(ErrorCode code) noexcept {
       return "the task failed";
     case ErrorCode::force_limit:
       return "a force limit is passed";
+    case ErrorCode::acceleration_limit:
+      return "a joint acceleration limit would be passed";
+    case ErrorCode::not_enabled:
+      return "the drives are not enabled";
     case ErrorCode::following_error:
       return "the following error is too large";
     case ErrorCode::drive_fault:

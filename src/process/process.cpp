@@ -1,11 +1,14 @@
 #include "process/process.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
 #include <cstdio>
 
 #include "clock/participant.hpp"
 #include "clock/realtime.hpp"
+#include "config/table.hpp"
 #include "mrroc/stopped.hpp"
 
 namespace mrroc::process {
@@ -33,6 +36,7 @@ links::ProcessStatus first_status(const Arguments& arguments, links::ProcessRole
   status.process.assign(arguments.name);
   status.role = role;
   status.state = links::ProcessState::starting;
+  status.pid = getpid();
   return status;
 }
 
@@ -53,6 +57,14 @@ int priority_of(links::ProcessRole role) {
   return 50;
 }
 
+/// Under simulated time the runner watches the processes: a busy machine must not look like a death.
+links::DomainOptions domain_options(int domain, bool simulated) {
+  links::DomainOptions options;
+  options.id = domain;
+  if (simulated) options.lease = 0;
+  return options;
+}
+
 bool serves(links::ProcessRole role) {
   return role == links::ProcessRole::edp || role == links::ProcessRole::vsp || role == links::ProcessRole::sim;
 }
@@ -68,9 +80,11 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
     const std::string warning = clock::request_realtime(priority_of(role));
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
-  domain_ = std::make_unique<links::Domain>(links::DomainOptions{arguments.domain, {}});
-  publisher_ = std::make_unique<links::StatusPublisher>(*domain_, *clock_, topic("status"));
-  status_ = std::make_unique<StatusBoard>(*publisher_, first_status(arguments, role), *clock_);
+  domain_ = std::make_unique<links::Domain>(domain_options(arguments.domain, clock_->simulated()));
+  publisher_ = std::make_unique<links::StatusPublisher>(*domain_, deployment_.name);
+  links::ProcessStatus status = first_status(arguments, role);
+  status.boot = domain_->boot();
+  status_ = std::make_unique<StatusBoard>(*publisher_, status, *clock_);
 }
 
 Process::~Process() { interruptible = nullptr; }

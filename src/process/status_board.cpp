@@ -53,6 +53,7 @@ void StatusBoard::publish() {
   }
   counters_.load(status_.counters);
   status_.tick = clock_.tick();
+  ++status_.beat;
   publisher_.publish(status_);
 }
 

@@ -7,7 +7,7 @@
 
 #include "clock/clock.hpp"
 #include "clock/shared_slot.hpp"
-#include "links/status_links.hpp"
+#include "links/status_publisher.hpp"
 
 namespace mrroc::process {
 

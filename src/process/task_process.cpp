@@ -54,8 +54,10 @@ SensorLink& TaskProcess::sensor_link(const std::string& name, const std::string&
   interactive = entry.interactive;
   auto& link = sensors_[name];
   if (link == nullptr) {
+    links::SensorRequesterOptions options;
+    options.published = !entry.interactive;
     link = std::make_unique<links::SensorRequester>(process_.domain(), process_.clock(), process_.topic(name),
-                                                    process_.name(), name, entry.interactive);
+                                                    process_.name(), name, options);
   }
   return *link;
 }

@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "links/robot_links.hpp"
-#include "links/sensor_links.hpp"
-#include "links/task_links.hpp"
+#include "links/robot_requester.hpp"
+#include "links/sensor_requester.hpp"
+#include "links/task_subordinate.hpp"
 #include "mrroc/task.hpp"
 #include "process/process.hpp"
 #include "process/step_reporter.hpp"
@@ -21,7 +21,7 @@ class TaskProcess : public Task {
   TaskProcess(Process& process, const std::string& superior_topic);
   ~TaskProcess() override;
 
-  Process& process() noexcept { return process_; }
+  Process& process() const noexcept { return process_; }
   links::TaskSubordinate& superior() noexcept { return superior_; }
 
   /// Handshakes with every robot and sensor that the task has opened a link to. After the task object is built. Throws

@@ -12,9 +12,8 @@ class Press : public ecp::Task {
   Ultrasonic gate{*this, "gate"};
 
   void run() override {
-    const Pose home = arm.state().pose;
-    Wait({arm}, {gate}, Closer{gate, 0.10});  // a part has come
-    Move({arm}, {}, JointLine{arm, above_part()});
+    Wait({arm}, {gate}, Closer{gate, 0.10});                             // a part has come
+    Move({arm}, {}, JointLine{arm, Irb6::tool_down(0.75, 0.2, -0.05)});  // above it
     Move({arm}, {}, Hold{arm, 0.3});  // let the arm settle before the force is zeroed
     wrist.bias();
     const Outcome end = Move({arm}, {wrist},
@@ -22,7 +21,7 @@ class Press : public ecp::Task {
                                  .until(ForceAbove{wrist, 10.0} || Travelled{arm, 0.15}));
     if (end.by<Travelled>()) throw NonFatalError{"no part under the tool"};
     Move({arm}, {wrist}, Hold{arm, 0.5});
-    Move({arm}, {wrist}, JointLine{arm, home});
+    Move({arm}, {wrist}, JointLine{arm, arm.parameters().home});
   }
 };
 

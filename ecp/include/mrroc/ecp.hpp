@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-#include "links/robot_links.hpp"
+#include "links/robot_responder.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
 #include "mrroc/conditions/travelled.hpp"

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "links/task_superior.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
 #include "mrroc/conditions/travelled.hpp"
@@ -51,6 +52,7 @@ class Task : public process::TaskProcess {
   struct Ecp {
     std::unique_ptr<links::TaskSuperior> link;
     bool running = false;
+    std::uint64_t started_by = 0;  // number of the last start command
     links::TaskStatus status;
   };
   void wait_for_running();

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+
+#include "edp/hand_over.hpp"
+#include "edp/planner.hpp"
+#include "mrroc/robot_command.hpp"
+#include "mrroc/robot_model.hpp"
+#include "mrroc/robot_state.hpp"
+
+namespace mrroc::edp {
+
+/// The answer to one command.
+struct Reply {
+  std::uint64_t command = 0;  ///< the number that `accept` was given
+  RobotState state;
+};
+
+/// The comms side of one robot, without any transport: takes commands, hands macrosteps to the servo, gives replies.
+/// Every command is answered exactly once: by `accept` at once (queries and errors) or by `poll` at its tick v.
+///
+/// A command is planned from the desired state at the end of all that was accepted before. One may run and one may wait
+/// for it (pipelining); a third is refused with `busy`. A start tick after the end of a motion that does not end at
+/// rest lets the robot stop first.
+///
+/// Late: a command is late when the robot has begun to brake for want of it, that is when it was computed from a state
+/// before the braking. It is counted, planned from the end of the stop, and takes longer instead of being refused where
+/// the limits demand it. A reply that reports the stop ends this: what comes after it knows.
+///
+/// After a fault or `enable(false)` motions are refused, and every reply carries a latched fault as a hardware error,
+/// until `enable(true)`.
+///
+/// One thread (any, but always the same one); allocates nothing but in the constructor, never throws, never waits.
+class Effector {
+ public:
+  /// `period` in s. Throws SystemError when an axis has no acceleration or jerk limit.
+  Effector(const RobotModel& model, double period, HandOver& hand_over);
+
+  /// Takes command number `number` (the caller's, for the reply). True: `reply` is the answer; false: `poll` will give
+  /// it. Call `poll` until false before; in lockstep, both after the servo's tick.
+  bool accept(const RobotCommand& command, std::uint64_t number, Reply& reply) noexcept;
+
+  /// The next reply that may leave; false when there is none. Call until false whenever the servo's tick returned true.
+  bool poll(Reply& reply) noexcept;
+
+  /// Switches the drives on (clearing a fault that is over) or stops the robot and switches them off, from the servo's
+  /// next tick on.
+  void enable(bool on) noexcept;
+
+  /// The state as a query would report it, for telemetry; false before the servo's first tick. Does not count as told.
+  bool peek(RobotState& state) noexcept;
+
+  const CommandCounters& counters() const noexcept { return counters_; }
+  /// What the servo has published last; null before its first tick. Valid until the next call of this object.
+  const Snapshot* snapshot() noexcept {
+    refresh();
+    return snapshot_;
+  }
+
+ private:
+  struct Outstanding {
+    bool used = false;
+    bool replied = false;
+    bool late = false;
+    std::uint64_t ticket = 0;
+    std::uint64_t number = 0;
+    RobotCommand command;
+  };
+
+  void refresh() noexcept;
+  ErrorReport refusal(const RobotCommand& command) const noexcept;
+  Outstanding* free_place() noexcept;
+  ErrorReport hand_over(Outstanding& entry) noexcept;
+  void fill(const Snapshot& snapshot, const DesiredState& end, Tick end_tick, RobotState& state) const noexcept;
+  void fill_present(RobotState& state) const noexcept;
+  void answer(std::uint64_t number, const ErrorReport& error, Reply& reply) noexcept;
+
+  const RobotModel& model_;
+  HandOver& hand_over_;
+  Planner planner_;
+  const Snapshot* snapshot_ = nullptr;  ///< the newest; null before the servo's first tick
+  std::uint32_t epoch_ = 0;
+  DesiredState end_;     ///< of all that has been accepted
+  Tick end_tick_ = 0;    ///< when
+  bool untold_ = false;  ///< the robot has braked and no reply has said so yet
+  std::array<Outstanding, 2> outstanding_{};
+  std::uint64_t last_ticket_ = 0;
+  Macrostep stop_;  ///< scratch: too large for a small stack
+  Macrostep macrostep_;
+  CommandCounters counters_;
+};
+
+}  // namespace mrroc::edp

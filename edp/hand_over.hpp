@@ -1,0 +1,33 @@
+#pragma once
+
+#include "edp/latest_value.hpp"
+#include "edp/macrostep.hpp"
+#include "edp/snapshot.hpp"
+#include "edp/spsc_queue.hpp"
+
+namespace mrroc::edp {
+
+/// What the operator's side asks of the drives.
+enum class DriveOrder : std::uint8_t { none, enable, disable };
+
+/// What became of one ticket; exactly one per accepted command, unless it is `refused` and handed over anew.
+struct Report {
+  enum class Outcome : std::uint8_t {
+    reply,    ///< tick v has come: the reply may leave
+    refused,  ///< the servo had left the plan that the macrostep continues
+    aborted   ///< the robot was stopped before tick v
+  };
+  Outcome outcome = Outcome::reply;
+  std::uint64_t ticket = 0;
+  Snapshot snapshot;  ///< of the tick in which it happened
+};
+
+/// All that the comms thread and the servo thread share. Lock-free: neither side ever waits for the other.
+struct HandOver {
+  SpscQueue<Macrostep, 4> macrosteps;               ///< comms -> servo: two commands, each with a stop before it
+  SpscQueue<Report, 8> reports;                     ///< servo -> comms: at most two tickets are out at a time
+  LatestValue<Snapshot> snapshot;                   ///< servo -> comms, every tick, before the reports of that tick
+  std::atomic<DriveOrder> order{DriveOrder::none};  ///< comms -> servo; the last one counts
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,141 @@
+#include "edp/limit_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edp/error_report.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+constexpr double kRounding = 1e-9;     // relative, and absolute for positions
+constexpr std::uint32_t kSamples = 8;  // per macrostep, at least
+
+bool bad(const ErrorReport& report) noexcept { return report.error_class != ErrorClass::none; }
+
+}  // namespace
+
+LimitCheck::LimitCheck(const RobotModel& model, double period)
+    : model_(model), period_(period), stop_(model.parameters(), period) {}
+
+ErrorReport LimitCheck::violation(ErrorCode code, int axis, double tick, const char* what, double value,
+                                  double limit) const noexcept {
+  return make_report(ErrorClass::non_fatal, code, "axis %d (%s), tick %.4g: %s %.6g, limit %.6g", axis + 1,
+                     model_.parameters().axes[static_cast<std::size_t>(axis)].name.c_str(), tick, what, value, limit);
+}
+
+void LimitCheck::widen(const DesiredState& from) noexcept {
+  const auto& axes = model_.parameters().axes;
+  const int count = model_.joint_count();
+  JointVector motors;
+  const bool known = model_.joints_to_motors(from.position, motors) == ErrorCode::none;
+  position_min_.resize(count), position_max_.resize(count), motor_min_.resize(count), motor_max_.resize(count);
+  for (int i = 0; i < count; ++i) {
+    const AxisParameters& axis = axes[static_cast<std::size_t>(i)];
+    position_min_[i] = std::min(axis.position_min, from.position[i]) - kRounding;
+    position_max_[i] = std::max(axis.position_max, from.position[i]) + kRounding;
+    motor_min_[i] = (known ? std::min(axis.motor_min, motors[i]) : axis.motor_min) - kRounding;
+    motor_max_[i] = (known ? std::max(axis.motor_max, motors[i]) : axis.motor_max) + kRounding;
+  }
+}
+
+ErrorReport LimitCheck::check_state(const DesiredState& state, double tick) const noexcept {
+  for (int i = 0; i < model_.joint_count(); ++i) {
+    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+    if (state.position[i] < position_min_[i])
+      return violation(ErrorCode::joint_limit, i, tick, "position", state.position[i], axis.position_min);
+    if (state.position[i] > position_max_[i])
+      return violation(ErrorCode::joint_limit, i, tick, "position", state.position[i], axis.position_max);
+    if (std::abs(state.velocity[i]) > axis.velocity_max * (1 + kRounding))
+      return violation(ErrorCode::velocity_limit, i, tick, "velocity", state.velocity[i], axis.velocity_max);
+    const double acceleration_max = axis.acceleration_max * kPathAccelerationFactor;
+    if (std::abs(state.acceleration[i]) > acceleration_max * (1 + kRounding))
+      return violation(ErrorCode::acceleration_limit, i, tick, "acceleration", state.acceleration[i], acceleration_max);
+  }
+  return {};
+}
+
+ErrorReport LimitCheck::check_motors(const JointVector& joints, double tick, const char* where) const noexcept {
+  JointVector motors;
+  if (model_.joints_to_motors(joints, motors) != ErrorCode::none)
+    return make_report(ErrorClass::non_fatal, ErrorCode::motor_limit, "tick %.4g: the transmission cannot reach %s",
+                       tick, where);
+  for (int i = 0; i < model_.joint_count(); ++i) {
+    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+    if (motors[i] < motor_min_[i]) return violation(ErrorCode::motor_limit, i, tick, where, motors[i], axis.motor_min);
+    if (motors[i] > motor_max_[i]) return violation(ErrorCode::motor_limit, i, tick, where, motors[i], axis.motor_max);
+  }
+  return {};
+}
+
+ErrorReport LimitCheck::check_stop(const DesiredState& state, double tick) noexcept {
+  stop_.plan(state);
+  for (int i = 0; i < model_.joint_count(); ++i) {
+    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+    const AxisStop& stop = stop_.axis(i);
+    if (stop.lowest() < position_min_[i])
+      return violation(ErrorCode::joint_limit, i, tick, "a stop would reach", stop.lowest(), axis.position_min);
+    if (stop.highest() > position_max_[i])
+      return violation(ErrorCode::joint_limit, i, tick, "a stop would reach", stop.highest(), axis.position_max);
+    if (std::abs(stop.fastest()) > axis.velocity_max * (1 + kRounding))
+      return violation(ErrorCode::velocity_limit, i, tick, "a stop would reach the velocity", stop.fastest(),
+                       axis.velocity_max);
+  }
+  return check_motors(stop_.end().position, tick, "motor position after a stop");
+}
+
+ErrorReport LimitCheck::check_motors_of_stop(const DesiredState& state, double tick) noexcept {
+  stop_.plan(state);
+  for (std::uint32_t k = 1; k < stop_.ticks(); ++k)
+    if (const ErrorReport report = check_motors(stop_.at(k * period_).position, tick + k, "motor position in a stop");
+        bad(report))
+      return report;
+  return {};
+}
+
+ErrorReport LimitCheck::check_end(const Macrostep& path) noexcept {
+  widen(path.from);
+  const double tick = path.steps;
+  if (const ErrorReport report = check_state(path.to, tick); bad(report)) return report;
+  if (const ErrorReport report = check_motors(path.to.position, tick, "motor position"); bad(report)) return report;
+  if (path.to.at_rest()) return {};
+  if (const ErrorReport report = check_stop(path.to, tick); bad(report)) return report;
+  return check_motors_of_stop(path.to, tick);
+}
+
+ErrorReport LimitCheck::check_between(const DesiredState& before, const DesiredState& after, double duration,
+                                      double tick) const noexcept {
+  for (int i = 0; i < model_.joint_count(); ++i) {
+    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+    const double velocity = (after.position[i] - before.position[i]) / duration;
+    const double acceleration = (after.velocity[i] - before.velocity[i]) / duration;
+    const double acceleration_max = axis.acceleration_max * kPathAccelerationFactor;
+    if (std::abs(velocity) > axis.velocity_max * (1 + kRounding))
+      return violation(ErrorCode::velocity_limit, i, tick, "mean velocity", velocity, axis.velocity_max);
+    if (std::abs(acceleration) > acceleration_max * (1 + kRounding))
+      return violation(ErrorCode::acceleration_limit, i, tick, "mean acceleration", acceleration, acceleration_max);
+  }
+  return {};
+}
+
+ErrorReport LimitCheck::check(const Macrostep& path) noexcept {
+  if (const ErrorReport report = check_end(path); bad(report)) return report;
+  const std::uint32_t fraction = (kSamples + path.steps - 1) / path.steps;  // samples per tick
+  const std::uint32_t samples = path.steps * fraction;
+  const double interval = period_ / fraction;
+  DesiredState previous = path.from;
+  for (std::uint32_t sample = 1; sample <= samples; ++sample) {
+    const double tick = static_cast<double>(sample) / fraction;
+    const DesiredState state = sample == samples ? path.to : path.path.at(tick * period_);
+    if (const ErrorReport report = check_between(previous, state, interval, tick); bad(report)) return report;
+    previous = state;
+    if (sample == samples) break;  // check_end has seen it
+    if (const ErrorReport report = check_state(state, tick); bad(report)) return report;
+    if (sample % fraction != 0) continue;
+    if (const ErrorReport report = check_motors(state.position, tick, "motor position"); bad(report)) return report;
+    if (const ErrorReport report = check_stop(state, tick); bad(report)) return report;
+  }
+  return {};
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "edp/macrostep.hpp"
+#include "edp/stop.hpp"
+#include "mrroc/robot_model.hpp"
+#include "mrroc/robot_state.hpp"
+
+namespace mrroc::edp {
+
+/// How far a path may go beyond acceleration_max: the peak of the quintic that changes the velocity between two ends
+/// without acceleration (docs/decisions/acceleration-limit.md). Stops keep acceleration_max itself.
+inline constexpr double kPathAccelerationFactor = 1.5;
+
+/// Looks whether a path keeps the robot's limits at every servo tick: position, velocity and acceleration of the
+/// joints, position of the motors; the means of velocity and acceleration from tick to tick; and all that at least
+/// eight times per macrostep, so that a short one hides nothing between its ticks. From every tick a stop must be
+/// possible: it passes neither position nor velocity limit and rests inside the motor limits; from the last tick the
+/// motor limits are checked at every tick of the stop.
+///
+/// A robot that starts outside a position limit (brakes off, moved by hand) may move, but no farther out. Allocates
+/// nothing but in its constructor, never throws; the comms thread.
+class LimitCheck {
+ public:
+  LimitCheck(const RobotModel& model, double period);
+
+  /// Class `none`, or the first violation: joint_limit, motor_limit, velocity_limit or acceleration_limit, with axis,
+  /// tick, value and limit. `path` is a macrostep of kind `path`.
+  ErrorReport check(const Macrostep& path) noexcept;
+
+  /// The end state alone, seen from `from`: no longer duration can heal what is wrong with it.
+  ErrorReport check_end(const Macrostep& path) noexcept;
+
+ private:
+  ErrorReport check_state(const DesiredState& state, double tick) const noexcept;
+  ErrorReport check_between(const DesiredState& before, const DesiredState& after, double duration,
+                            double tick) const noexcept;
+  ErrorReport check_motors(const JointVector& joints, double tick, const char* where) const noexcept;
+  ErrorReport check_stop(const DesiredState& state, double tick) noexcept;
+  ErrorReport check_motors_of_stop(const DesiredState& state, double tick) noexcept;
+  void widen(const DesiredState& from) noexcept;
+  ErrorReport violation(ErrorCode code, int axis, double tick, const char* what, double value,
+                        double limit) const noexcept;
+
+  const RobotModel& model_;
+  double period_;
+  Stop stop_;
+  JointVector position_min_, position_max_, motor_min_, motor_max_;
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "edp/desired_state.hpp"
+#include "edp/quintic.hpp"
+
+namespace mrroc::edp {
+
+/// One accepted macrostep, ready for the servo: everything in it has been checked. Its tick 0 is the boundary with what
+/// came before (the set-point there is `from`); its set-points are those of ticks 1..steps, the last one is exactly
+/// `to`.
+struct Macrostep {
+  enum class Kind : std::uint8_t {
+    path,  ///< along `path`
+    stop   ///< the robot's Stop from `from`, then rest
+  };
+  Kind kind = Kind::path;
+  std::uint64_t ticket = 0;      ///< names the command in reports; 0: nobody asked for it, no reply
+  std::uint32_t epoch = 0;       ///< the servo's plan that it continues; refused when the servo has left that plan
+  Tick start = 0;                ///< tick 0; a resting robot may begin later, a moving one may not
+  std::uint32_t steps = 1;       ///< N
+  std::uint32_t reply_step = 1;  ///< v, 1..N+1
+  DesiredState from;
+  DesiredState to;
+  Quintic path;
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,87 @@
+#include "edp/mujoco_hardware.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mrroc::edp {
+
+namespace {
+
+constexpr double kDifferenceTime = 1e-4;  // s: far above rounding, far below what the transmission's curvature shows
+
+Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+}  // namespace
+
+MujocoHardware::MujocoHardware(const RobotModel& model, sim::WorldMemory& memory, std::size_t slot, Timing timing)
+    : model_(model), memory_(memory), slot_(slot), timing_(timing) {
+  const int count = model.joint_count();
+  joints_ = model.parameters().home;
+  velocity_ = current_ = motors_ = JointVector::Zero(count);
+}
+
+void MujocoHardware::read(Tick tick, HardwareInput& input) noexcept {
+  sim::JointMeasurement measurement;
+  const bool present = memory_.measurements[slot_].load(measurement);
+  const bool fresh = timing_ == Timing::lockstep ? measurement.tick == tick : measurement.tick + kSilence >= tick;
+  input.synchronised = true;
+  input.fault = present && fresh ? ErrorCode::none : ErrorCode::hardware_silent;
+  if (input.fault == ErrorCode::none) {
+    for (Eigen::Index i = 0; i < joints_.size(); ++i) {
+      joints_[i] = measurement.position[static_cast<std::size_t>(i)];
+      velocity_[i] = measurement.velocity[static_cast<std::size_t>(i)];
+    }
+    JointVector shafts;
+    if (model_.joints_to_motors(joints_, shafts) == ErrorCode::none) {
+      const auto& axes = model_.parameters().axes;
+      for (std::size_t i = 0; i < axes.size(); ++i) {
+        const double increment = 2.0 * std::numbers::pi / axes[i].encoder_increments;
+        motors_[index(i)] = std::round(shafts[index(i)] / increment) * increment;
+      }
+    } else {
+      input.fault = ErrorCode::drive_fault;
+    }
+  }
+  input.motors = motors_;
+  input.current = current_;
+}
+
+void MujocoHardware::write(Tick tick, const JointVector& current) noexcept {
+  const auto& axes = model_.parameters().axes;
+  const Eigen::Index count = joints_.size();
+  JointVector torque(count), inertia(count), friction(count);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const double limit = axes[i].current_max;
+    current_[index(i)] = enabled_ ? std::clamp(current[index(i)], -limit, limit) : 0.0;
+    torque[index(i)] = axes[i].torque_constant * current_[index(i)];
+    inertia[index(i)] = axes[i].rotor_inertia;
+    friction[index(i)] = axes[i].viscous_friction;
+  }
+  const JointMatrix g = model_.transmission(joints_);
+  const JointVector step = velocity_ * kDifferenceTime;
+  const JointMatrix difference = model_.transmission(joints_ + step) - model_.transmission(joints_ - step);
+  const JointMatrix b = g.transpose() * inertia.asDiagonal() * g;
+  const JointMatrix d = g.transpose() * friction.asDiagonal() * g;
+  const JointVector tau = g.transpose() * torque;
+  const JointVector shaft_acceleration = difference * velocity_ / (2 * kDifferenceTime);
+  const JointVector c = g.transpose() * inertia.cwiseProduct(shaft_acceleration);
+
+  sim::JointDrive drive{};
+  drive.tick = tick;
+  drive.joint_count = static_cast<std::uint32_t>(count);
+  drive.enabled = enabled_ ? 1 : 0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    drive.torque[row] = tau[i];
+    drive.bias[row] = c[i];
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const std::size_t entry = row * kMaxJoints + static_cast<std::size_t>(j);
+      drive.rotor_inertia[entry] = b(i, j);
+      drive.damping[entry] = d(i, j);
+    }
+  }
+  memory_.drives[slot_].store(drive);
+}
+
+}  // namespace mrroc::edp

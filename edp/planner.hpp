@@ -1,0 +1,51 @@
+#pragma once
+
+#include "edp/limit_check.hpp"
+#include "edp/macrostep.hpp"
+#include "edp/stop.hpp"
+#include "mrroc/robot_command.hpp"
+#include "mrroc/robot_model.hpp"
+#include "mrroc/robot_state.hpp"
+
+namespace mrroc::edp {
+
+/// What to do with a macrostep that is too fast.
+enum class Pace {
+  as_commanded,  ///< refuse it
+  stretched      ///< let it take longer: the command was planned from a state that is gone
+};
+
+/// Turns a command into a macrostep, or says why it cannot: everything is validated here, before acceptance. Increments
+/// (`relative`) are on the desired state `from`, for joints and for poses alike, so that they never add up an error. A
+/// twist becomes the joint velocity of least squares (least norm where the robot is redundant) through the Jacobian at
+/// the target.
+///
+/// Pace::stretched lets the duration grow, by a quarter at a time and to at most 4 kMaxMotionSteps, until the limits
+/// hold; when the run-up to an end velocity does not fit, the macrostep ends at rest instead.
+///
+/// Allocates nothing but in its constructor, never throws; the comms thread.
+class Planner {
+ public:
+  /// Throws SystemError when an axis has no acceleration or jerk limit.
+  Planner(const RobotModel& model, double period);
+
+  /// Fills kind, steps, reply_step, from, to and path of `macrostep`; the rest is the caller's. Class `none`, or a
+  /// non-fatal error, which leaves `macrostep` undefined. Not for queries.
+  ErrorReport plan(const RobotCommand& command, const DesiredState& from, Pace pace, Macrostep& macrostep) noexcept;
+
+  /// The stop from `from`, lasting at least `steps` ticks.
+  void plan_stop(const DesiredState& from, std::uint32_t steps, Macrostep& macrostep) noexcept;
+
+ private:
+  ErrorReport joint_target(const RobotCommand& command, const DesiredState& from, DesiredState& to) const noexcept;
+  ErrorReport pose_target(const RobotCommand& command, const DesiredState& from, DesiredState& to) const noexcept;
+  ErrorReport stretch(ErrorReport report, Macrostep& macrostep) noexcept;
+  ErrorReport plan_path(Macrostep& macrostep) noexcept;
+
+  const RobotModel& model_;
+  double period_;
+  Stop stop_;
+  LimitCheck limits_;
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,258 @@
+#include "edp/servo.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrroc::edp {
+namespace {
+
+constexpr double kRounding = 1e-6;  // the planner has checked the limits; this guard only meets what it cannot see
+
+}  // namespace
+
+Servo::Servo(const RobotModel& model, Hardware& hardware, double period, HandOver& hand_over)
+    : model_(model), hardware_(hardware), period_(period), hand_over_(hand_over), stop_(model.parameters(), period) {
+  const int count = model.joint_count();
+  for (const AxisParameters& axis : model.parameters().axes) regulators_.emplace_back(axis);
+  const JointVector zero = JointVector::Zero(count);
+  joints_ = velocity_ = measured_motors_ = measured_increment_ = current_ = zero;
+  desired_motors_ = previous_position_ = previous_motors_ = position_min_ = position_max_ = zero;
+  input_.motors = input_.current = zero;
+  desired_ = DesiredState::resting_at(zero);
+  counters_.following_error = zero;
+}
+
+bool Servo::tick(Tick tick) noexcept {
+  measure(tick);
+  obey_order();
+  watch(tick);
+  if (enabled_) {
+    previous_position_ = desired_.position;
+    previous_motors_ = desired_motors_;
+    const DesiredState before = desired_;
+    advance(tick);
+    if (!keeps_limits(tick)) {
+      desired_ = before;
+      boundary_ = last_;
+      stop_and_switch_off();
+      advance(tick);
+      model_.joints_to_motors(desired_.position, desired_motors_);
+    }
+    regulate();
+    if (stopping_ && !running_) {
+      hardware_.enable(false);
+      enabled_ = stopping_ = false;
+      current_.setZero();
+    }
+  } else {
+    refuse_foreign();
+    desired_ = DesiredState::resting_at(joints_);
+    desired_motors_ = measured_motors_;
+  }
+  hardware_.write(tick, current_);
+  return publish(tick);
+}
+
+void Servo::measure(Tick tick) noexcept {
+  elapsed_ = ticked_ ? tick - last_ : 1;
+  hardware_.read(tick, input_);
+  JointVector joints = joints_;
+  if (model_.motors_to_joints(input_.motors, joints) != ErrorCode::none) {
+    joints = joints_;
+    latch(ErrorCode::motor_limit, -1, 0, 0, tick);
+  }
+  if (ticked_) {
+    measured_increment_ = input_.motors - measured_motors_;
+    velocity_ = (joints - joints_) / (period_ * static_cast<double>(elapsed_));
+  } else {
+    last_ = tick == 0 ? 0 : tick - 1;
+  }
+  measured_motors_ = input_.motors;
+  joints_ = joints;
+  ++counters_.ticks;
+  counters_.missed += elapsed_ - 1;
+}
+
+void Servo::switch_off() noexcept {
+  if (enabled_ && !stopping_) stop_and_switch_off();
+}
+
+void Servo::obey_order() noexcept {
+  DriveOrder order = hand_over_.order.load(std::memory_order_acquire);
+  if (order == DriveOrder::disable) {
+    switch_off();
+  } else if (order == DriveOrder::enable) {
+    if (stopping_) return;  // first comes the end of the stop; the order waits
+    if (!enabled_) {
+      fault_ = {};
+      ++epoch_;
+      braking_ = false;
+      desired_ = DesiredState::resting_at(joints_);
+      desired_motors_ = measured_motors_;
+      boundary_ = last_;
+      for (int i = 0; i < model_.joint_count(); ++i) {
+        const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+        position_min_[i] = std::min(axis.position_min, joints_[i]) - kRounding;
+        position_max_[i] = std::max(axis.position_max, joints_[i]) + kRounding;
+        regulators_[static_cast<std::size_t>(i)].reset();
+      }
+      measured_increment_.setZero();
+      enabled_ = true;
+      hardware_.enable(true);
+    }
+  }
+  // a newer order stays for the next tick
+  hand_over_.order.compare_exchange_strong(order, DriveOrder::none, std::memory_order_acq_rel);
+}
+
+void Servo::watch(Tick tick) noexcept {
+  if (input_.fault != ErrorCode::none) latch(input_.fault, -1, 0, 0, tick);
+  if (enabled_ && !stopping_) {
+    for (int i = 0; i < model_.joint_count(); ++i) {
+      const double error = std::abs(desired_motors_[i] - measured_motors_[i]);
+      const double limit = model_.parameters().axes[static_cast<std::size_t>(i)].following_error_max;
+      counters_.following_error[i] = std::max(counters_.following_error[i], error);
+      if (!(error <= limit)) latch(ErrorCode::following_error, i, error, limit, tick);
+    }
+    if (fault_.code != ErrorCode::none) stop_and_switch_off();
+  }
+}
+
+void Servo::latch(ErrorCode code, int axis, double value, double limit, Tick tick) noexcept {
+  if (fault_.code == ErrorCode::none) fault_ = {code, axis, value, limit, tick};
+}
+
+void Servo::advance(Tick tick) noexcept {
+  refuse_foreign();
+  for (;;) {
+    if (running_) {
+      const Tick step = tick - active_.start;
+      if (step < active_.steps) {
+        const double time = static_cast<double>(step) * period_;
+        if (active_.kind == Macrostep::Kind::stop)
+          desired_ = stop_.at(time);
+        else if (step > 0)
+          desired_ = active_.path.at(time);
+        return;
+      }
+      desired_ = active_.to;
+      running_ = false;
+      boundary_ = active_.start + active_.steps;
+      if (active_.ticket != 0) finished_ = active_.ticket;
+      if (boundary_ == tick) return;
+    }
+    if (start_next(tick)) continue;
+    if (desired_.at_rest()) return;
+    ++counters_.stops;
+    brake(boundary_);
+    braking_ = true;
+    refuse_foreign();
+  }
+}
+
+bool Servo::start_next(Tick tick) noexcept {
+  const Macrostep* next = hand_over_.macrosteps.front();
+  if (next == nullptr || next->epoch != epoch_ || stopping_ || next->start > tick) return false;
+  active_ = *next;
+  hand_over_.macrosteps.pop();
+  running_ = true;
+  // a moving predecessor ended at `start`, be it in a missed tick; a resting robot begins now
+  active_.start = std::max({active_.start, boundary_, last_});
+  if (active_.kind == Macrostep::Kind::stop) stop_.plan(desired_);
+  if (active_.ticket != 0 && pending_count_ < pending_.size())
+    pending_[pending_count_++] = {active_.ticket, active_.start + active_.reply_step};
+  return true;
+}
+
+void Servo::refuse_foreign() noexcept {
+  while (const Macrostep* next = hand_over_.macrosteps.front()) {
+    if (enabled_ && !stopping_ && next->epoch == epoch_) return;
+    if (next->ticket != 0 && outbox_count_ < outbox_.size())
+      outbox_[outbox_count_++] = {Report::Outcome::refused, next->ticket};
+    hand_over_.macrosteps.pop();
+  }
+}
+
+void Servo::brake(Tick from) noexcept {
+  ++epoch_;
+  stop_.plan(desired_);
+  active_.kind = Macrostep::Kind::stop;
+  active_.ticket = 0;
+  active_.start = from;
+  active_.steps = stop_.ticks();
+  active_.from = desired_;
+  active_.to = stop_.end();
+  running_ = true;
+}
+
+void Servo::stop_and_switch_off() noexcept {
+  if (running_ && active_.ticket != 0) finished_ = active_.ticket;
+  for (std::size_t i = 0; i < pending_count_ && outbox_count_ < outbox_.size(); ++i)
+    outbox_[outbox_count_++] = {Report::Outcome::aborted, pending_[i].ticket};
+  pending_count_ = 0;
+  brake(last_);
+  braking_ = false;
+  stopping_ = true;
+}
+
+bool Servo::keeps_limits(Tick tick) noexcept {
+  if (model_.joints_to_motors(desired_.position, desired_motors_) != ErrorCode::none) {
+    latch(ErrorCode::motor_limit, -1, 0, 0, tick);
+    return stopping_;
+  }
+  if (stopping_) return true;  // nothing better than the stop is left
+  for (int i = 0; i < model_.joint_count(); ++i) {
+    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+    const double position = desired_.position[i];
+    const double velocity = (position - previous_position_[i]) / (period_ * static_cast<double>(elapsed_));
+    if (!(position >= position_min_[i])) latch(ErrorCode::joint_limit, i, position, axis.position_min, tick);
+    if (!(position <= position_max_[i])) latch(ErrorCode::joint_limit, i, position, axis.position_max, tick);
+    if (!(std::abs(velocity) <= axis.velocity_max * (1 + kRounding) + kRounding))
+      latch(ErrorCode::velocity_limit, i, velocity, axis.velocity_max, tick);
+  }
+  return fault_.code == ErrorCode::none;
+}
+
+void Servo::regulate() noexcept {
+  for (int i = 0; i < model_.joint_count(); ++i)
+    current_[i] =
+        regulators_[static_cast<std::size_t>(i)].step(desired_motors_[i] - previous_motors_[i], measured_increment_[i]);
+}
+
+bool Servo::publish(Tick tick) noexcept {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pending_count_; ++i) {
+    if (pending_[i].due <= tick && outbox_count_ < outbox_.size())
+      outbox_[outbox_count_++] = {Report::Outcome::reply, pending_[i].ticket};
+    else
+      pending_[kept++] = pending_[i];
+  }
+  pending_count_ = kept;
+
+  snapshot_.tick = tick;
+  snapshot_.joints = joints_;
+  snapshot_.velocity = velocity_;
+  snapshot_.motors = measured_motors_;
+  snapshot_.current = input_.current;
+  snapshot_.synchronised = input_.synchronised;
+  snapshot_.enabled = enabled_ && !stopping_;
+  snapshot_.fault = fault_;
+  snapshot_.epoch = epoch_;
+  snapshot_.braking = braking_;
+  snapshot_.desired = desired_;
+  snapshot_.end = running_ ? active_.to : desired_;
+  snapshot_.end_tick = running_ ? active_.start + active_.steps : std::max(tick, boundary_);
+  snapshot_.finished = finished_;
+  snapshot_.counters = counters_;
+  hand_over_.snapshot.store(snapshot_);
+
+  const bool news = outbox_count_ > 0;
+  for (std::size_t i = 0; i < outbox_count_; ++i)
+    hand_over_.reports.push({outbox_[i].outcome, outbox_[i].ticket, snapshot_});
+  outbox_count_ = 0;
+  last_ = tick;
+  ticked_ = true;
+  return news;
+}
+
+}  // namespace mrroc::edp

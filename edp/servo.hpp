@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "edp/hand_over.hpp"
+#include "edp/hardware.hpp"
+#include "edp/regulator.hpp"
+#include "edp/stop.hpp"
+#include "mrroc/robot_model.hpp"
+
+namespace mrroc::edp {
+
+/// The servo of one robot. One tick: read the hardware, estimate the state, take the set-point of this tick, look at
+/// the limits, regulate, write the hardware, count. Ticked by whoever owns it: a thread of its own in real time, the
+/// participant in lockstep; the other side of `HandOver` may be any one other thread.
+///
+/// Set-points: macrosteps one after the other, each from the tick at which its predecessor ended. When a macrostep ends
+/// in motion and no successor has come by the next tick, the robot brakes within its limits from where it should be and
+/// holds there. At rest it holds the desired position.
+///
+/// Life: it starts stopped, with the drives off. `enable` switches them on at the measured position, so nothing jumps,
+/// and clears a latched fault. `disable`, a fault of the hardware, a following error beyond the axis's limit, or a
+/// set-point beyond a limit stop the robot and then switch the drives off (stop category 1).
+///
+/// The servo's plan has an epoch: it is left (braking, stopping, switching on) by counting it up, and a macrostep
+/// planned for an older epoch is refused, because it would continue a motion that is no more.
+///
+/// `tick` allocates nothing, takes no lock, does not log, never throws; the constructor allocates.
+class Servo {
+ public:
+  /// `period` in s. Throws SystemError when an axis has no acceleration or jerk limit.
+  Servo(const RobotModel& model, Hardware& hardware, double period, HandOver& hand_over);
+
+  /// Executes tick `tick`, greater than the last one; a gap counts as missed ticks. True: reports have been put out,
+  /// the comms side should look.
+  bool tick(Tick tick) noexcept;
+
+  /// The process ends: from the next tick on the robot stops, then its drives go off. The servo's thread.
+  void switch_off() noexcept;
+  /// False once nothing moves any more. The servo's thread.
+  bool drives_on() const noexcept { return enabled_; }
+
+  /// What the last tick published. The servo's thread.
+  const Snapshot& snapshot() const noexcept { return snapshot_; }
+
+ private:
+  struct Outcome {
+    Report::Outcome outcome;
+    std::uint64_t ticket;
+  };
+  struct PendingReply {
+    std::uint64_t ticket;
+    Tick due;
+  };
+
+  void measure(Tick tick) noexcept;
+  void obey_order() noexcept;
+  void watch(Tick tick) noexcept;
+  void advance(Tick tick) noexcept;
+  bool start_next(Tick tick) noexcept;
+  void refuse_foreign() noexcept;
+  void brake(Tick from) noexcept;
+  void stop_and_switch_off() noexcept;
+  void latch(ErrorCode code, int axis, double value, double limit, Tick tick) noexcept;
+  bool keeps_limits(Tick tick) noexcept;
+  void regulate() noexcept;
+  bool publish(Tick tick) noexcept;
+
+  const RobotModel& model_;
+  Hardware& hardware_;
+  double period_;
+  HandOver& hand_over_;
+  Stop stop_;
+  std::vector<Regulator> regulators_;
+
+  // measured
+  bool ticked_ = false;  ///< at least once
+  Tick last_ = 0;        ///< the last executed tick
+  Tick elapsed_ = 1;     ///< since then
+  HardwareInput input_;
+  JointVector joints_, velocity_, measured_motors_, measured_increment_;
+
+  // desired
+  DesiredState desired_;
+  JointVector desired_motors_, previous_position_, previous_motors_;
+  JointVector position_min_, position_max_;  ///< widened by where the robot was switched on
+  Macrostep active_;
+  bool running_ = false;
+  Tick boundary_ = 0;  ///< tick in which the last macrostep ended
+  std::uint64_t finished_ = 0;
+  std::uint32_t epoch_ = 0;
+  bool braking_ = false;
+
+  // drives
+  bool enabled_ = false;
+  bool stopping_ = false;  ///< the drives go off at the end of the stop
+  Fault fault_;
+  JointVector current_;
+
+  std::array<PendingReply, 8> pending_{};
+  std::size_t pending_count_ = 0;
+  std::array<Outcome, 16> outbox_{};
+  std::size_t outbox_count_ = 0;
+  ServoCounters counters_;
+  Snapshot snapshot_;
+};
+
+}  // namespace mrroc::edp

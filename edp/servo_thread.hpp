@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <thread>
+
+#include "clock/clock.hpp"
+#include "clock/ticker.hpp"
+#include "edp/servo.hpp"
+
+namespace mrroc::edp {
+
+/// Real time: the servo's own thread, ticking on the deployment's grid from construction to destruction. When a tick
+/// puts out reports it wakes the comms thread with `Clock::notify`. It inherits the scheduling class of the thread that
+/// makes it; under SCHED_FIFO it takes the next higher priority, so that no comms thread of the process delays it.
+///
+/// The destructor stops the robot, switches the drives off, and returns when that is done (a stop's duration).
+class ServoThread {
+ public:
+  /// After `clock.start()`. `servo` and `clock` must outlive it; nobody else may tick `servo`.
+  ServoThread(Servo& servo, clock::Clock& clock);
+  ~ServoThread();
+  ServoThread(const ServoThread&) = delete;
+  ServoThread& operator=(const ServoThread&) = delete;
+
+  /// Lateness, execution times, missed ticks. Any thread.
+  const clock::Ticker& ticker() const noexcept { return ticker_; }
+
+ private:
+  void run() noexcept;
+
+  Servo& servo_;
+  clock::Clock& clock_;
+  clock::Ticker ticker_;
+  std::atomic<bool> end_{false};
+  std::thread thread_;
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,159 @@
+#include "edp/shell.hpp"
+
+#include <optional>
+
+#include "edp/effector.hpp"
+#include "edp/loopback_hardware.hpp"
+#include "edp/mujoco_hardware.hpp"
+#include "edp/servo.hpp"
+#include "edp/servo_thread.hpp"
+#include "links/robot_responder.hpp"
+#include "mrroc/stopped.hpp"
+#include "process/process.hpp"
+#include "sim/mapped_world.hpp"
+
+namespace mrroc::edp {
+
+namespace {
+
+/// Ticks that a robot gets to come to rest when the process ends in real time.
+constexpr Tick kStopTicks = 1000;
+
+/// The robot's entry, and its place in the deployment: the EDP's process is called <robot>_edp.
+struct Place {
+  std::size_t index;
+  const config::RobotEntry& entry;
+};
+
+Place place_of(const process::Process& process) {
+  const auto& robots = process.deployment().robots;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (robots[i].name + "_edp" == process.name()) return {i, robots[i]};
+  }
+  throw SystemError(ErrorCode::configuration, "the deployment has no robot for the process " + process.name());
+}
+
+class Shell {
+ public:
+  Shell(process::Process& process, const ModelFactory& factory)
+      : process_(process),
+        place_(place_of(process)),
+        model_(factory()),
+        hardware_(open_hardware()),
+        servo_(*model_, *hardware_, process.clock().period(), hand_over_),
+        effector_(*model_, process.clock().period(), hand_over_),
+        responder_(process.domain(), process.clock(), process.topic(place_.entry.name)) {}
+
+  void serve() {
+    process_.start();
+    effector_.enable(true);
+    if (process_.clock().simulated()) {
+      serve_simulated();
+    } else {
+      serve_real();
+    }
+    throw Stopped{};
+  }
+
+ private:
+  std::unique_ptr<Hardware> open_hardware() {
+    std::unique_ptr<Hardware> hardware;
+    if (place_.entry.hardware == "mujoco") {
+      world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
+      const auto timing =
+          process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::free_running;
+      hardware = std::make_unique<MujocoHardware>(*model_, **world_, place_.index, timing);
+    } else {
+      hardware = std::make_unique<LoopbackHardware>(*model_, process_.clock().period());
+    }
+    hardware->open();
+    return hardware;
+  }
+
+  void serve_simulated() {
+    clock::Clock& clock = process_.clock();
+    servo_.tick(0);  // so that a command of tick 0 finds the robot's state
+    Tick next = 1;
+    for (;;) {
+      const clock::Wake wake = clock.wait(next);
+      if (wake == clock::Wake::interrupted) return;
+      if (clock.tick() >= next) {
+        servo_.tick(clock.tick());
+        next = clock.tick() + 1;
+      }
+      exchange();
+      process_.status().counters(counters(nullptr));
+    }
+  }
+
+  void serve_real() {
+    clock::Clock& clock = process_.clock();
+    ServoThread thread(servo_, clock);
+    while (!switched_on() && clock.wait(clock.tick() + 1) != clock::Wake::interrupted) {
+    }
+    do {
+      exchange();
+      process_.status().counters(counters(&thread.ticker()));
+    } while (clock.wait(kNever) != clock::Wake::interrupted);
+    effector_.enable(false);
+    const Tick last = clock.tick() + kStopTicks;
+    while (clock.tick() < last && effector_.snapshot()->enabled) std::this_thread::yield();
+    process_.status().counters(counters(&thread.ticker()));
+  }
+
+  /// The drives are on, or a fault keeps them off: from now on every command has its answer.
+  bool switched_on() noexcept {
+    const Snapshot* snapshot = effector_.snapshot();
+    return snapshot != nullptr && (snapshot->enabled || snapshot->fault.code != ErrorCode::none);
+  }
+
+  /// Replies that are due, then commands that have come.
+  void exchange() {
+    while (effector_.poll(reply_)) responder_.reply(reply_.state, reply_.command);
+    std::uint64_t sequence = 0;
+    while (responder_.take(command_, sequence)) {
+      if (effector_.accept(command_, sequence, reply_)) responder_.reply(reply_.state, sequence);
+    }
+  }
+
+  links::Counters counters(const clock::Ticker* ticker) {
+    links::Counters counters;
+    if (const Snapshot* snapshot = effector_.snapshot()) {
+      counters.ticks = snapshot->counters.ticks;
+      counters.missed_ticks = snapshot->counters.missed;
+    }
+    counters.late_commands = effector_.counters().late;
+    if (ticker == nullptr) return counters;
+    const auto microseconds = [](std::uint64_t ns) { return static_cast<double>(ns) * 1e-3; };
+    counters.wakeup_p50_us = microseconds(ticker->lateness().percentile(0.5));
+    counters.wakeup_p99_us = microseconds(ticker->lateness().percentile(0.99));
+    counters.wakeup_max_us = microseconds(ticker->lateness().max());
+    counters.execution_p50_us = microseconds(ticker->execution().percentile(0.5));
+    counters.execution_p99_us = microseconds(ticker->execution().percentile(0.99));
+    counters.execution_max_us = microseconds(ticker->execution().max());
+    return counters;
+  }
+
+  process::Process& process_;
+  Place place_;
+  std::unique_ptr<RobotModel> model_;
+  std::optional<sim::MappedWorld> world_;
+  std::unique_ptr<Hardware> hardware_;
+  HandOver hand_over_;
+  Servo servo_;
+  Effector effector_;
+  links::RobotResponder responder_;
+  RobotCommand command_;
+  Reply reply_;
+};
+
+}  // namespace
+
+int run(int argc, char** argv, const ModelFactory& factory) {
+  return process::run_process(argc, argv, links::ProcessRole::edp, [&factory](process::Process& process) {
+    // on the heap: the hand-over's queues are larger than a stack should be
+    std::make_unique<Shell>(process, factory)->serve();
+  });
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "mrroc/robot_model.hpp"
+
+namespace mrroc::edp {
+
+using ModelFactory = std::function<std::unique_ptr<RobotModel>()>;
+
+/// main() of an EDP: the process that owns one robot. It opens the hardware that the deployment names, passes the
+/// start-up barrier, switches the drives on, and from then on executes the commands of its ECP. Under simulated time
+/// its participant runs the servo tick; in real time a thread of its own does. When it is asked to end, or its clock
+/// fails, it stops the robot within its limits and switches the drives off.
+int run(int argc, char** argv, const ModelFactory& factory);
+
+}  // namespace mrroc::edp
+
+/// Makes an EDP out of a function that loads a robot's model.
+#define MRROC_EDP(load_model)                                        \
+  int main(int argc, char** argv) {                                  \
+    return mrroc::edp::run(argc, argv, [] { return load_model(); }); \
+  }

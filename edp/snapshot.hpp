@@ -1,0 +1,34 @@
+#pragma once
+
+#include "edp/counters.hpp"
+#include "edp/desired_state.hpp"
+#include "mrroc/errors.hpp"
+
+namespace mrroc::edp {
+
+/// What stopped the robot: latched until the drives are enabled anew.
+struct Fault {
+  ErrorCode code = ErrorCode::none;
+  int axis = -1;     ///< from 0; -1: the whole robot
+  double value = 0;  ///< what was measured
+  double limit = 0;  ///< what was allowed
+  Tick tick = 0;
+};
+
+/// All that the servo knows at the end of a tick, as the comms side sees it.
+struct Snapshot {
+  Tick tick = 0;
+  JointVector joints, velocity, motors, current;  ///< measured
+  bool synchronised = false;
+  bool enabled = false;  ///< drives on and not about to be switched off
+  Fault fault;
+  std::uint32_t epoch = 0;     ///< counts the times the servo left the accepted plan (braked, was switched on or off)
+  bool braking = false;        ///< the epoch began by braking for want of a successor
+  DesiredState desired;        ///< set-point of `tick`
+  DesiredState end;            ///< end of the macrostep or stop under way; `desired` when there is none
+  Tick end_tick = 0;           ///< when `end` is reached; `tick` when the robot rests
+  std::uint64_t finished = 0;  ///< ticket of the last macrostep that ended or was given up
+  ServoCounters counters;
+};
+
+}  // namespace mrroc::edp

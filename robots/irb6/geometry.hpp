@@ -1,0 +1,31 @@
+#pragma once
+
+#include "mrroc/types.hpp"
+
+namespace mrroc::irb6 {
+
+/// A ball screw that closes a triangle between two arms: the screw is sqrt(squares + cosine cos t - sine sin t) long at
+/// arm angle t. Lengths in m, coefficients in m^2.
+struct ScrewGeometry {
+  double gear = 0;            ///< rad of the motor per m of the screw
+  double squares = 0;         ///< l1^2 + l2^2 + l3^2 of the linkage
+  double cosine = 0;          ///< coefficient of cos t
+  double sine = 0;            ///< coefficient of -sin t
+  double synchro_length = 0;  ///< length at synchronisation, m
+};
+
+/// `[geometry]` of irb6.toml. Lengths in m, gears in rad of the motor per rad of what it drives.
+struct Geometry {
+  double lower_arm = 0;  ///< shoulder to elbow
+  double upper_arm = 0;  ///< elbow to wrist pitch axis
+  double wrist = 0;      ///< wrist pitch axis to the crossing of the two roll axes
+  double column_gear = 0;
+  ScrewGeometry lower_arm_screw;
+  ScrewGeometry upper_arm_screw;
+  double wrist_pitch_gear = 0;
+  double wrist_roll_gear = 0;
+  double tool_roll_gear = 0;
+  Pose tool = Pose::Identity();  ///< tool frame in the flange frame
+};
+
+}  // namespace mrroc::irb6

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "mrroc/types.hpp"
+
+namespace mrroc::vsp {
+
+/// First-order low-pass of a wrench, the exact response to an input that changes at ticks and holds between them:
+///
+///     y_k = y_j + (1 - exp(-2 pi f (k - j) T)) (u_k - y_j)
+///
+/// f: cut-off (-3 dB), Hz; T: servo period, s; j: the tick of the update before. The first update gives y = u. f = 0:
+/// y = u always. Allocates nothing, never throws.
+class LowPass {
+ public:
+  void configure(double cutoff, double servo_period) noexcept;
+  bool enabled() const noexcept { return rate_ > 0; }
+  /// An update at the same tick as the last, or before it, changes nothing.
+  void update(Tick tick, const Wrench& u) noexcept;
+  const Wrench& value() const noexcept { return y_; }
+  /// False before the first update.
+  bool started() const noexcept { return started_; }
+
+ private:
+  double rate_ = 0;  ///< 2 pi f T, per tick
+  bool started_ = false;
+  Tick tick_ = 0;
+  Wrench y_ = Wrench::Zero();
+};
+
+}  // namespace mrroc::vsp

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "mrroc/condition.hpp"
+#include "mrroc/sensor.hpp"
+
+namespace mrroc {
+
+/// An ultrasonic distance sensor of the deployment, type `ultrasonic`. Task's thread.
+class Ultrasonic : public Sensor {
+ public:
+  /// Throws NonFatalError when the deployment has no such sensor.
+  Ultrasonic(Task& task, const std::string& name);
+
+  /// To the nearest thing along the beam, m; the sensor's range when nothing is seen. NaN before the first reading.
+  double distance() const noexcept { return value(0); }
+  /// Whether anything is seen; false before the first reading.
+  bool detected() const noexcept { return value(1) > 0.5; }
+};
+
+/// Something is seen nearer than `metres`. A reading that sees nothing is never closer.
+class Closer : public Condition {
+ public:
+  /// Throws NonFatalError(invalid_argument) unless `metres` is finite and above 0.
+  Closer(const Ultrasonic& sensor, double metres);
+
+ protected:
+  bool holds() override { return sensor_->detected() && sensor_->distance() < metres_; }
+
+ private:
+  const Ultrasonic* sensor_;
+  double metres_;
+};
+
+}  // namespace mrroc

@@ -1,0 +1,4 @@
+#include "sensors/ultrasonic/ultrasonic_sensor.hpp"
+#include "vsp/shell.hpp"
+
+MRROC_VSP(mrroc::vsp::UltrasonicSensor)

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/model.hpp"
+#include "sim/world_memory.hpp"
+
+namespace mrroc::sim {
+
+/// Which MJCF sensors are the simulated hardware of one sensor of the deployment. Of these the first that exists:
+///   1. `<name>` and `<name>/...`                   declared in the scene
+///   2. `<robot>/<name>` and `<robot>/<name>/...`   declared in the MJCF of the robot that it is mounted on
+///   3. `<robot>/<type>` and `<robot>/<type>/...`   likewise, for any sensor of this type
+/// Its raw values are theirs, one after the other, in the order of declaration; units and frames are MuJoCo's (a
+/// rangefinder reads metres, -1 when it sees nothing; force and torque act from the parent on the site's body, in the
+/// site's frame).
+class SensorSource {
+ public:
+  /// Throws config::ConfigurationError when there is no such MJCF sensor (it lists those that exist) or they have more
+  /// values than a reading carries.
+  SensorSource(const mjModel& model, const std::string& name, const std::string& type, const std::string& robot);
+
+  /// Copies the present values. No allocation; never throws.
+  void read(const mjData& data, HardwareReading& reading) const noexcept;
+  /// Names of the MJCF sensors, in order.
+  const std::vector<std::string>& elements() const noexcept { return elements_; }
+
+ private:
+  bool take(const mjModel& model, const std::string& prefix);
+  std::vector<std::string> elements_;
+  std::vector<int> addresses_;  ///< into sensordata
+};
+
+}  // namespace mrroc::sim

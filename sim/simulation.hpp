@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "config/deployment.hpp"
+#include "sim/sensors.hpp"
+#include "sim/state_file.hpp"
+#include "sim/world.hpp"
+#include "sim/world_memory.hpp"
+
+namespace mrroc::sim {
+
+/// The world of a deployment as text: its scene and every robot whose hardware is `mujoco`. Throws
+/// config::ConfigurationError.
+Composition compose(const config::Deployment& deployment);
+
+/// The simulated world of one deployment, tied to the memory through which drivers and VSPs reach it. Slot i of
+/// `drives` and `measurements` is deployment.robots[i] (unused for other hardware than `mujoco`), slot j of `readings`
+/// deployment.sensors[j] (unused for other sources than `simulated`).
+///
+/// One thread. `step` allocates nothing.
+class Simulation {
+ public:
+  /// A drive older than this many ticks means that its EDP is gone: the brakes engage.
+  static constexpr Tick kDriveLifetime = 50;
+
+  /// Builds the world with each robot at its home. `memory` must outlive this object. Throws config::ConfigurationError
+  /// (no [sim], broken scene, joints or sensors that the MJCF does not have) or SystemError (no memory).
+  Simulation(const config::Deployment& deployment, WorldMemory& memory);
+
+  /// Stores the measurements and readings of tick 0.
+  void publish_initial();
+  /// Reads the drives, advances the world from tick - 1 to `tick`, stores its measurements and readings. Brakes hold a
+  /// robot that has no drive yet, a disabled or an expired one. Throws SystemError (simulator), see World::step.
+  void step(Tick tick);
+
+  /// What `mrroc_render` makes pictures of; `save_state` writes it to a file.
+  WorldState state() const;
+  Tick tick() const noexcept { return tick_; }
+  World& world() noexcept { return world_; }
+
+ private:
+  struct Slot {
+    std::size_t memory;  ///< slot in WorldMemory
+    std::size_t world;   ///< index of the robot in the world
+  };
+  struct SensorSlot {
+    std::size_t memory;
+    SensorSource source;
+  };
+  void take_drive(const Slot& slot, Tick tick);
+  void publish(Tick tick);
+
+  WorldMemory& memory_;
+  World world_;
+  std::vector<Slot> robots_;
+  std::vector<SensorSlot> sensors_;
+  Tick tick_ = 0;
+};
+
+}  // namespace mrroc::sim

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/driven_joints.hpp"
+#include "sim/model.hpp"
+#include "sim/mujoco_messages.hpp"
+
+namespace mrroc::sim {
+
+/// A warning of MuJoCo's, with the tick in which it first came and the number of times that it came.
+struct WorldWarning {
+  std::string text;
+  Tick first_tick = 0;
+  std::uint64_t count = 0;
+};
+
+/// One MuJoCo world with the robots that are driven from outside, stepped tick by tick.
+///
+/// A physics step of h seconds (semi-implicit Euler) is MuJoCo's own sequence with the drives between (see
+/// `DrivenJoints`); it ends with the position and velocity stages of the *new* state, so that positions, and what
+/// range, position and velocity sensors read, belong to the tick that `step` names. Force and acceleration sensors read
+/// what acted during its last physics step.
+///
+/// Bitwise deterministic on one machine. `step` allocates nothing. One thread at a time.
+class World {
+ public:
+  /// `period` is a whole number of `timestep`s (s). Throws config::ConfigurationError when MuJoCo rejects the world or
+  /// the scene asks for another integrator than Euler, SystemError when there is no memory.
+  World(const Composition& composition, double period, double timestep);
+
+  /// Adds a driven robot and places it at `home`, brakes on; returns its index. Before `start`. Throws as DrivenJoints.
+  std::size_t attach(const std::string& robot, const std::vector<std::string>& joints, const JointVector& home);
+  /// Computes positions, forces and sensors of tick 0, with all brakes on.
+  void start();
+
+  /// What robot `index` gets during the next `step`. Throws SystemError (simulator): not finite, or coupling joints of
+  /// different branches.
+  void drive(std::size_t index, const JointDrive& drive, Tick tick);
+  void brake(std::size_t index);
+  /// Advances from tick - 1 to `tick`. Throws SystemError (simulator) with the tick and what diverged: MuJoCo met a
+  /// bad position, velocity, acceleration or control (and has reset the world), its contact or constraint buffers are
+  /// full, an inertia is singular, or time did not advance. The world is of no use afterwards.
+  void step(Tick tick);
+
+  void measure(std::size_t index, JointMeasurement& measurement) const noexcept;
+  const mjModel& model() const noexcept { return *model_; }
+  const mjData& data() const noexcept { return *data_; }
+  /// For tests and scripts that act on the world itself: controls, poses of objects.
+  mjData& data() noexcept { return *data_; }
+  /// MuJoCo's warnings so far, each once.
+  const std::vector<WorldWarning>& warnings() const noexcept { return warnings_; }
+
+ private:
+  void evaluate_motion();
+  void evaluate_forces();
+  void check(double time_before, Tick tick) const;
+  void remember(const std::string& warning, Tick tick);
+
+  Model model_;
+  Data data_;
+  int substeps_;
+  std::vector<DrivenJoints> robots_;
+  std::vector<WorldWarning> warnings_;
+};
+
+}  // namespace mrroc::sim

@@ -1,0 +1,24 @@
+#include "config/table.hpp"
+
+namespace mrroc::config {
+
+namespace {
+
+std::string compose(const std::filesystem::path& file, int line, const std::string& key, const std::string& problem,
+                    const std::string& expected) {
+  std::string message = file.string();
+  if (line > 0) message.append(":").append(std::to_string(line));
+  if (!message.empty()) message += ": ";
+  if (!key.empty()) message += key + ": ";
+  message += problem;
+  if (!expected.empty()) message += ", expected " + expected;
+  return message;
+}
+
+}  // namespace
+
+ConfigurationError::ConfigurationError(const std::filesystem::path& file, int line, const std::string& key,
+                                       const std::string& problem, const std::string& expected)
+    : std::runtime_error(compose(file, line, key, problem, expected)) {}
+
+}  // namespace mrroc::config

@@ -1,0 +1,139 @@
+#include "config/deployment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/device_name.hpp"
+#include "config/message_text.hpp"
+#include "config/named_file.hpp"
+#include "config/robot_entry.hpp"
+#include "config/sensor_entry.hpp"
+#include "config/table.hpp"
+
+namespace mrroc::config {
+
+namespace {
+
+constexpr std::size_t kMostRobots = 16;
+constexpr std::size_t kMostSensors = 32;
+
+ClockMode read_clock(const Table& table) {
+  if (!table.has("clock")) return ClockMode::lockstep;
+  const std::string clock = table.choice("clock", {"real", "paced", "lockstep"});
+  return clock == "real" ? ClockMode::real : clock == "paced" ? ClockMode::paced : ClockMode::lockstep;
+}
+
+void read_general(const Table& table, Deployment& deployment) {
+  table.only({"name", "clock", "servo_period", "domain", "start_timeout", "heartbeat_timeout", "delta_limit"});
+  deployment.name = table.text("name");
+  check_name(table, "name", deployment.name);
+  deployment.clock = read_clock(table);
+  deployment.servo_period = table.number_or("servo_period", deployment.servo_period, {0.0005, 0.02});
+  deployment.domain = static_cast<int>(table.integer_or("domain", deployment.domain, 0, 232));
+  const Range timeouts{0.1, 3600};
+  deployment.start_timeout = table.number_or("start_timeout", deployment.start_timeout, timeouts);
+  deployment.heartbeat_timeout = table.number_or("heartbeat_timeout", deployment.heartbeat_timeout, timeouts);
+  const auto deltas = static_cast<std::int64_t>(deployment.delta_limit);
+  deployment.delta_limit = static_cast<std::size_t>(table.integer_or("delta_limit", deltas, 1, 1'000'000));
+}
+
+void read_mp(const Table& root, MpEntry& mp) {
+  const auto table = root.optional_table("mp");
+  if (!table) {
+    mp.program = require_program(root, "mp", mp.program);
+    return;
+  }
+  table->only({"program"});
+  mp.program = require_program(*table, "program", table->optional_text("program").value_or(mp.program));
+}
+
+SimEntry read_sim(const Table& table, double servo_period) {
+  table.only({"scene", "timestep"});
+  SimEntry sim;
+  sim.scene = require_file(table, "scene");
+  sim.timestep = table.number_or("timestep", sim.timestep, {1e-5, 0.02});
+  const double steps = servo_period / sim.timestep;
+  if (std::round(steps) < 1 || std::abs(steps - std::round(steps)) > 1e-9 * steps) {
+    table.fail("timestep", number_text(sim.timestep) + " s does not divide the servo period",
+               number_text(servo_period) + " divided by a whole number");
+  }
+  sim.program = require_program(table, "", "mrroc_sim");
+  return sim;
+}
+
+/// Reads every sub-table of `root`'s table `kind`, in file order, with `read(table, name)`.
+template <typename Read>
+void read_devices(const Table& root, const std::string& kind, std::size_t most, Read read) {
+  const auto devices = root.optional_table(kind);
+  if (!devices) return;
+  const auto names = devices->table_names();
+  if (names.size() > most) {
+    root.fail(kind, std::to_string(names.size()) + " " + kind, "at most " + std::to_string(most));
+  }
+  for (const auto& name : names) {
+    check_device_name(*devices, name);
+    read(devices->table(name), name);
+  }
+}
+
+void refuse_name_of_robot(const Table& sensor, const std::string& name, const Deployment& deployment) {
+  for (const auto& robot : deployment.robots) {
+    if (robot.name == name) sensor.fail("", in_quotes(name) + " is the name of a robot", "a name of its own");
+  }
+}
+
+std::vector<Event> read_events(const Table& root) {
+  std::vector<Event> events;
+  for (const auto& table : root.tables("events")) {
+    table.only({"tick", "command"});
+    const auto tick = table.integer("tick", 0, std::numeric_limits<std::int64_t>::max());
+    events.push_back({static_cast<Tick>(tick), table.choice("command", {"pause", "resume", "trigger", "stop"})});
+  }
+  std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.tick < b.tick; });
+  return events;
+}
+
+template <typename Entry>
+const Entry& find(const std::vector<Entry>& entries, const std::string& name, const std::string& kind,
+                  const Deployment& deployment) {
+  std::vector<std::string> known;
+  for (const auto& entry : entries) {
+    if (entry.name == name) return entry;
+    known.push_back(entry.name);
+  }
+  throw ConfigurationError(deployment.file, 0, kind + "s", "no " + kind + " " + in_quotes(name), alternatives(known));
+}
+
+}  // namespace
+
+const RobotEntry& Deployment::robot(const std::string& robot_name) const {
+  return find(robots, robot_name, "robot", *this);
+}
+
+const SensorEntry& Deployment::sensor(const std::string& sensor_name) const {
+  return find(sensors, sensor_name, "sensor", *this);
+}
+
+Deployment load_deployment(const std::filesystem::path& file) {
+  const Table root = Table::load(file);
+  root.only({"deployment", "mp", "robots", "sensors", "sim", "events"});
+  Deployment deployment;
+  deployment.file = std::filesystem::absolute(file);
+  read_general(root.table("deployment"), deployment);
+  read_mp(root, deployment.mp);
+  if (const auto sim = root.optional_table("sim")) deployment.sim = read_sim(*sim, deployment.servo_period);
+  read_devices(root, "robots", kMostRobots, [&deployment](const Table& table, const std::string& name) {
+    deployment.robots.push_back(read_robot(table, name, deployment));
+  });
+  read_devices(root, "sensors", kMostSensors, [&deployment](const Table& table, const std::string& name) {
+    refuse_name_of_robot(table, name, deployment);
+    deployment.sensors.push_back(read_sensor(table, name, deployment));
+  });
+  deployment.events = read_events(root);
+  if (deployment.robots.empty() && deployment.sensors.empty()) {
+    root.fail("", "no robots and no sensors", "at least one [robots.NAME] or [sensors.NAME]");
+  }
+  return deployment;
+}
+
+}  // namespace mrroc::config

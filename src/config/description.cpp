@@ -1,0 +1,64 @@
+#include "config/description.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "config/message_text.hpp"
+
+namespace mrroc::config {
+
+namespace {
+
+using Lines = std::vector<std::pair<std::string, std::string>>;  // process or device, what it is
+
+std::string clock_name(ClockMode clock) {
+  switch (clock) {
+    case ClockMode::real:
+      return "real";
+    case ClockMode::paced:
+      return "paced";
+    case ClockMode::lockstep:
+      return "lockstep";
+  }
+  return "unknown clock";
+}
+
+std::string describe(const RobotEntry& robot) {
+  return robot.type + " on " + robot.hardware + ": ECP " + robot.program + ", EDP " + robot.edp_program;
+}
+
+std::string describe(const SensorEntry& sensor) {
+  std::string text = sensor.type;
+  if (!sensor.robot.empty()) text += " on " + sensor.robot;
+  text += sensor.interactive ? ", interactive, " : ", non-interactive at " + number_text(sensor.rate) + " Hz, ";
+  text += sensor.source;
+  if (!sensor.replay.empty()) text += " of " + sensor.replay.string();
+  return text + ": VSP " + sensor.vsp_program;
+}
+
+}  // namespace
+
+std::string describe(const Deployment& deployment) {
+  std::string text = deployment.name + ": " + clock_name(deployment.clock) + ", servo period " +
+                     number_text(deployment.servo_period) + " s, ";
+  text += deployment.domain < 0 ? "any free DDS domain" : "DDS domain " + std::to_string(deployment.domain);
+  text += "\n";
+
+  Lines lines{{"mp", deployment.mp.program}};
+  if (const auto& sim = deployment.sim) {
+    lines.emplace_back(
+        "sim", sim->program + ", scene " + sim->scene.string() + ", time step " + number_text(sim->timestep) + " s");
+  }
+  for (const auto& robot : deployment.robots) lines.emplace_back(robot.name, describe(robot));
+  for (const auto& sensor : deployment.sensors) lines.emplace_back(sensor.name, describe(sensor));
+
+  std::size_t width = 0;
+  for (const auto& line : lines) width = std::max(width, line.first.size());
+  for (auto& [name, description] : lines) {
+    name.resize(width + 2, ' ');
+    text += "  " + name + description + "\n";
+  }
+  return text;
+}
+
+}  // namespace mrroc::config

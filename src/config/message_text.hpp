@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/table.hpp"
+
+/// Words of the messages of configuration errors. The same in every locale.
+namespace mrroc::config {
+
+/// Shortest text that reads back as the same number: 0.002, 1e-09, inf.
+std::string number_text(double value);
+
+/// `'text'` on one line: control characters become `?`, a long text is cut at 60 bytes with `...`.
+std::string in_quotes(std::string_view text);
+
+/// `'a', 'b' or 'c'`, in the order given; "nothing" for an empty list.
+std::string alternatives(const std::vector<std::string>& choices);
+
+/// "a number from 0 to 1", "a number of at least 0", "a number of at most 1", "a number".
+std::string expected_number(Range range);
+
+/// "an integer from 0 to 232", with the open ends of `expected_number`.
+std::string expected_integer(std::int64_t min, std::int64_t max);
+
+/// Number of letters to insert, delete, replace or swap with their neighbour to turn one word into the other (optimal
+/// string alignment distance).
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The word of `words` nearest to `word`, the first of equals, if at most a third of its letters (at least one, fewer
+/// than all) differ; else empty.
+std::string nearest(std::string_view word, const std::vector<std::string>& words);
+
+}  // namespace mrroc::config

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "config/table.hpp"
+
+/// Files that a deployment names; relative paths start at the folder of the deployment file.
+namespace mrroc::config {
+
+/// The file that text `key` names, absolute. Throws ConfigurationError if the key is missing or the file cannot be
+/// read.
+std::filesystem::path require_file(const Table& table, std::string_view key);
+
+/// The executable `program`, absolute: a plain name lies in `program_directory()`, one with a `/` is a path. Throws
+/// ConfigurationError at `key` if it does not exist or may not be executed.
+std::string require_program(const Table& table, std::string_view key, const std::string& program);
+
+}  // namespace mrroc::config

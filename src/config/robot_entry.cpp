@@ -1,0 +1,67 @@
+#include "config/robot_entry.hpp"
+
+#include "config/local_host.hpp"
+#include "config/message_text.hpp"
+#include "config/named_file.hpp"
+#include "config/resources.hpp"
+
+namespace mrroc::config {
+
+namespace {
+
+std::string read_hardware(const Table& table, const Deployment& deployment) {
+  const std::vector<std::string> available{"mujoco", "loopback"};
+  if (table.optional_text("hardware") == "socketcan") {
+    table.fail("hardware", "'socketcan' is not available in this version", alternatives(available));
+  }
+  const std::string hardware = table.choice("hardware", available);
+  if (hardware == "mujoco" && !deployment.sim) table.fail("hardware", "'mujoco' needs a simulator", "a table [sim]");
+  return hardware;
+}
+
+/// Empty: this machine, under whatever name the file calls it.
+std::string read_host(const Table& table) {
+  const std::string host = table.optional_text("host").value_or("");
+  if (host.empty()) return "";
+  switch (locate_host(host)) {
+    case HostPlace::local:
+      return "";
+    case HostPlace::unknown:
+      table.fail("host", "unreachable host " + in_quotes(host), "this machine (leave the key out)");
+    case HostPlace::remote:
+      break;
+  }
+  table.fail("host", in_quotes(host) + " is another machine: remote hosts are not available in this version",
+             "this machine (leave the key out)");
+}
+
+Pose read_base(const Table& table) {
+  const std::vector<double> none(3, 0.0);
+  const auto position = table.optional_numbers("position", 3).value_or(none);
+  const auto rotation = table.optional_numbers("rotation", 3).value_or(none);
+  Pose base = Pose::Identity();
+  base.translation() << position[0], position[1], position[2];
+  // turns about fixed axes: the last one is the leftmost factor
+  base.linear() = (Eigen::AngleAxisd(rotation[2], Eigen::Vector3d::UnitZ()) *
+                   Eigen::AngleAxisd(rotation[1], Eigen::Vector3d::UnitY()) *
+                   Eigen::AngleAxisd(rotation[0], Eigen::Vector3d::UnitX()))
+                      .toRotationMatrix();
+  return base;
+}
+
+}  // namespace
+
+RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
+  table.only({"type", "program", "hardware", "host", "position", "rotation"});
+  RobotEntry robot;
+  robot.name = name;
+  robot.type = table.choice("type", robot_types());
+  robot.hardware = read_hardware(table, deployment);
+  robot.host = read_host(table);
+  robot.base = read_base(table);
+  robot.program = require_program(table, "program", table.optional_text("program").value_or(robot.program));
+  robot.edp_program = require_program(table, "type", robot.type + "_edp");
+  return robot;
+}
+
+}  // namespace mrroc::config

@@ -1,0 +1,101 @@
+#include "config/robot_parameters_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/message_text.hpp"
+#include "config/resources.hpp"
+
+namespace mrroc::config {
+
+namespace {
+
+double positive(const Table& table, std::string_view key) {
+  const double value = table.number(key);
+  if (!(value > 0)) table.fail(key, number_text(value) + " is not positive", "a number above 0");
+  return value;
+}
+
+double positive_or(const Table& table, std::string_view key, double fallback) {
+  return table.has(key) ? positive(table, key) : fallback;
+}
+
+/// `max_key`, which must lie above the value of `min_key`.
+double above(const Table& table, std::string_view max_key, double min, const std::string& min_key) {
+  const double max = table.number(max_key);
+  if (!(max > min)) {
+    table.fail(max_key, number_text(max) + " is not above " + min_key, "a number above " + number_text(min));
+  }
+  return max;
+}
+
+AxisParameters read_axis(const Table& table) {
+  AxisParameters axis;
+  axis.name = table.text("name");
+  if (axis.name.empty() || axis.name.size() > kNameLength) {
+    table.fail("name", in_quotes(axis.name) + " is no name", "1 to " + std::to_string(kNameLength) + " characters");
+  }
+  axis.position_min = table.number("position_min");
+  axis.position_max = above(table, "position_max", axis.position_min, "position_min");
+  axis.velocity_max = positive(table, "velocity_max");
+  axis.acceleration_max = positive(table, "acceleration_max");
+  axis.jerk_max = positive(table, "jerk_max");
+  axis.motor_min = table.number("motor_min");
+  axis.motor_max = above(table, "motor_max", axis.motor_min, "motor_min");
+  axis.motor_synchro = table.number("motor_synchro", {axis.motor_min, axis.motor_max});
+  axis.encoder_increments = positive_or(table, "encoder_increments", axis.encoder_increments);
+  axis.current_max = positive(table, "current_max");
+  axis.following_error_max = positive(table, "following_error_max");
+  axis.regulator_a = table.number("regulator_a");
+  axis.regulator_b0 = table.number("regulator_b0");
+  axis.regulator_b1 = table.number("regulator_b1");
+  axis.regulator_eps = table.number("regulator_eps");
+  axis.regulator_output_max = positive_or(table, "regulator_output_max", axis.regulator_output_max);
+  axis.regulator_current_gain = positive(table, "regulator_current_gain");
+  axis.torque_constant = positive(table, "torque_constant");
+  axis.rotor_inertia = positive(table, "rotor_inertia");
+  axis.viscous_friction = table.number("viscous_friction", {.min = 0});
+  table.finish();
+  return axis;
+}
+
+/// Refuses a second axis of the name that the last one has.
+void check_name_is_new(const std::vector<AxisParameters>& axes, const Table& table) {
+  const auto& name = axes.back().name;
+  const auto same_name = [&name](const AxisParameters& axis) { return axis.name == name; };
+  if (std::any_of(axes.begin(), axes.end() - 1, same_name)) {
+    table.fail("name", in_quotes(name) + " is the name of an earlier axis", "a name of its own");
+  }
+}
+
+}  // namespace
+
+RobotParameters read_robot_parameters(const Table& file) {
+  RobotParameters parameters;
+  parameters.type = file.text("type");
+  const auto tables = file.tables("axes");
+  if (tables.empty() || tables.size() > kMaxJoints) {
+    file.fail("axes", std::to_string(tables.size()) + " axes", "1 to " + std::to_string(kMaxJoints) + " axes");
+  }
+  for (const auto& table : tables) {
+    parameters.axes.push_back(read_axis(table));
+    check_name_is_new(parameters.axes, table);
+  }
+  const auto home = file.numbers("home", tables.size());
+  parameters.home.resize(static_cast<Eigen::Index>(home.size()));
+  for (std::size_t i = 0; i < home.size(); ++i) {
+    const auto& axis = parameters.axes[i];
+    if (home[i] < axis.position_min || home[i] > axis.position_max) {
+      file.fail("home", number_text(home[i]) + " is outside the limits of axis " + in_quotes(axis.name),
+                expected_number({axis.position_min, axis.position_max}));
+    }
+    parameters.home[static_cast<Eigen::Index>(i)] = home[i];
+  }
+  return parameters;
+}
+
+std::filesystem::path robot_file(const std::string& type, const std::string& name) {
+  return share_directory() / "robots" / type / name;
+}
+
+}  // namespace mrroc::config

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "config/deployment.hpp"
+#include "config/table.hpp"
+
+namespace mrroc::config {
+
+/// Reads the keys of [sensors.NAME] that are of its type's own into `sensor.numbers` and `sensor.texts`. They are
+/// declared in sensors/<type>/<type>.toml of the share folder, one table each:
+///
+///     [parameters.range]
+///     kind = "number"      # number | numbers | text
+///     default = 4.0        # left out: the key is required
+///     min = 0.1            # bounds of a number, or of each of the numbers, both included
+///     max = 10.0
+///     unit = "m"
+///     text = "farthest distance that the sensor measures"
+///
+/// `size` fixes how many `numbers` there are. Throws ConfigurationError, which names the deployment file if a value is
+/// wrong there and the type's file if a declaration is.
+void read_own_parameters(const Table& table, SensorEntry& sensor);
+
+}  // namespace mrroc::config

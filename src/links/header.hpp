@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+
+namespace mrroc::links {
+
+/// What every message carries beside its content.
+struct Header {
+  std::uint64_t sequence = 0;  ///< chosen by the sender; a reply carries that of its request
+  std::uint64_t boot = 0;      ///< of the sending process: `Domain::boot`
+  std::uint64_t answers = 0;   ///< boot of the process whose request this answers; 0: it answers none
+  std::uint64_t delta = 0;     ///< `clock::Clock::delta` of the sender
+  std::int64_t stamp_ns = 0;   ///< CLOCK_MONOTONIC of the sender's host; 0 under simulated time
+};
+
+}  // namespace mrroc::links

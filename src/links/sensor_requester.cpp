@@ -1,0 +1,28 @@
+#include "links/sensor_requester.hpp"
+
+#include <algorithm>
+
+#include "links/topic_name.hpp"
+
+namespace mrroc::links {
+
+SensorRequester::SensorRequester(Domain& domain, clock::Clock& clock, const std::string& prefix,
+                                 const std::string& client, std::string peer, SensorRequesterOptions options)
+    : clock_(clock),
+      timeout_(options.timeout),
+      exchange_(domain, clock, topic_name(prefix, client + "/request"), topic_name(prefix, client + "/reading"),
+                std::move(peer)) {
+  if (options.published) published_.emplace(domain, clock, topic_name(prefix, "published"));
+}
+
+void SensorRequester::connect(double timeout) {
+  std::vector<ReaderBase*> also;
+  if (published_) also.push_back(&*published_);
+  exchange_.connect(timeout, std::move(also));
+}
+
+void SensorRequester::request(const SensorRequest& request) {
+  exchange_.send(request, std::max(clock_.tick(), request.measure_at) + timeout_);
+}
+
+}  // namespace mrroc::links

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "mrroc/fixed_text.hpp"
+#include "mrroc/robot_state.hpp"
+
+namespace mrroc::links {
+
+enum class TaskCommandKind : std::uint8_t { start = 0, pause = 1, resume = 2, trigger = 3, stop = 4, end_motion = 5 };
+
+/// From the superior to its subordinate: operator to MP, MP to ECP.
+struct TaskCommand {
+  TaskCommandKind kind = TaskCommandKind::start;
+};
+
+enum class TaskState : std::uint8_t { idle = 0, running = 1, paused = 2, succeeded = 3, failed = 4, stopped = 5 };
+
+/// The subordinate's answer, and its word of its own accord whenever its state changes.
+struct TaskStatus {
+  TaskState state = TaskState::idle;
+  ErrorReport error;      ///< why it failed
+  FixedText<63> process;  ///< where the error arose
+  std::uint64_t step = 0;
+  Tick tick = 0;
+};
+
+}  // namespace mrroc::links

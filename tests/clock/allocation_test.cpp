@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "clock/thread_deployment.hpp"
+#include "clock/ticker.hpp"
+
+namespace {
+
+thread_local std::size_t allocations = 0;
+
+}  // namespace
+
+// noinline: the compiler takes malloc behind `new` for a mismatch when it sees it
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace mrroc::clock {
+namespace {
+
+std::size_t allocations_of(const std::function<void()>& action) {
+  const std::size_t before = allocations;
+  action();
+  return allocations - before;
+}
+
+TEST(Allocation, TheCounterCounts) {
+  EXPECT_EQ(allocations_of([] { ::operator delete(::operator new(8)); }), 1U);
+}
+
+TEST(Allocation, NoneInWaitSentAndArrived) {
+  for (const Mode mode : {Mode::lockstep, Mode::real}) {
+    HostOptions options;
+    options.mode = mode;
+    options.period = 0.001;
+    ThreadDeployment deployment({"a"}, options);
+    Clock& a = deployment.attach("a");
+    const int sender = a.register_sender("t");
+    const int receiver = a.register_receiver("t");
+    deployment.body([=](Clock& clock) {
+      EXPECT_EQ(allocations_of([&] {
+                  for (Tick tick = 1; tick < 20; ++tick) {
+                    clock.sent(sender);
+                    clock.arrived(receiver);
+                    while (clock.wait(tick) == Wake::mail) {
+                    }
+                  }
+                }),
+                0U);
+    });
+    deployment.start();
+    deployment.join();
+  }
+}
+
+TEST(Allocation, NoneInATicker) {
+  Ticker ticker(0, 100'000);
+  EXPECT_EQ(allocations_of([&] {
+              for (int i = 0; i < 20; ++i) ticker.wait_next();
+              EXPECT_GT(ticker.lateness().percentile(0.99) + ticker.execution().max(), 0U);
+            }),
+            0U);
+}
+
+}  // namespace
+}  // namespace mrroc::clock

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <functional>
+#include <utility>
+
+namespace mrroc::clock {
+
+/// A forked process that runs `body` and exits; killed with this object when it is still there.
+class Child {
+ public:
+  explicit Child(const std::function<void()>& body) : pid_(::fork()) {
+    if (pid_ != 0) return;
+    body();
+    ::_exit(0);
+  }
+  Child(Child&& other) noexcept : pid_(std::exchange(other.pid_, -1)) {}
+  Child& operator=(Child&&) = delete;
+  ~Child() { kill(); }
+
+  /// True: it ran to its end.
+  bool join() {
+    int status = -1;
+    if (pid_ > 0) ::waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  }
+  /// SIGKILL; afterwards it is gone.
+  void kill() {
+    if (pid_ <= 0) return;
+    ::kill(pid_, SIGKILL);
+    join();
+  }
+
+ private:
+  pid_t pid_;
+};
+
+}  // namespace mrroc::clock

@@ -1,0 +1,39 @@
+#include <algorithm>
+#include <vector>
+
+#include "config/deployment_fixture.hpp"
+
+namespace mrroc::config {
+namespace {
+
+/// Every file of broken/ says in its first line, `# expect: ...`, the message that it must give.
+class BrokenDeployment : public DeploymentFixture, public testing::WithParamInterface<std::string> {
+ protected:
+  BrokenDeployment() : DeploymentFixture("broken") {}
+};
+
+std::vector<std::string> broken_files() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(MRROC_SOURCE_DIR "/tests/config/broken")) {
+    names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST_P(BrokenDeployment, GivesTheExpectedMessage) {
+  const std::string file = GetParam() + ".toml";
+  std::string first_line;
+  std::ifstream stream(file);
+  ASSERT_TRUE(std::getline(stream, first_line));
+  ASSERT_TRUE(first_line.starts_with("# expect: ")) << first_line;
+  EXPECT_EQ(message(file), first_line.substr(10));
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BrokenDeployment, testing::ValuesIn(broken_files()),
+                         [](const auto& test) { return test.param; });
+
+TEST(BrokenDeployments, AreMany) { EXPECT_GE(broken_files().size(), 80u); }
+
+}  // namespace
+}  // namespace mrroc::config

@@ -1,0 +1,183 @@
+#include "config/deployment.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+
+#include "config/deployment_fixture.hpp"
+
+namespace mrroc::config {
+namespace {
+
+class DeploymentTest : public DeploymentFixture {
+ protected:
+  DeploymentTest() : DeploymentFixture("valid") {}
+
+  static std::filesystem::path here(const std::string& name) { return std::filesystem::current_path() / name; }
+};
+
+TEST_F(DeploymentTest, ReadsTheGeneralSections) {
+  const Deployment deployment = load_deployment("full.toml");
+  EXPECT_EQ(deployment.file, here("full.toml"));
+  EXPECT_EQ(deployment.name, "press_2");
+  EXPECT_EQ(deployment.clock, ClockMode::paced);
+  EXPECT_EQ(deployment.servo_period, 0.001);
+  EXPECT_EQ(deployment.domain, 17);
+  EXPECT_EQ(deployment.start_timeout, 12.5);
+  EXPECT_EQ(deployment.heartbeat_timeout, 2);
+  EXPECT_EQ(deployment.delta_limit, 50u);
+  EXPECT_EQ(deployment.mp.program, program("press_mp"));
+  ASSERT_TRUE(deployment.sim);
+  EXPECT_EQ(deployment.sim->scene, here("scene.xml"));
+  EXPECT_EQ(deployment.sim->timestep, 0.0005);
+  EXPECT_EQ(deployment.sim->program, program("mrroc_sim"));
+}
+
+TEST_F(DeploymentTest, ReadsRobotsInFileOrder) {
+  const Deployment deployment = load_deployment("full.toml");
+  ASSERT_EQ(deployment.robots.size(), 2u);
+  const RobotEntry& left = deployment.robots[0];
+  EXPECT_EQ(left.name, "left");
+  EXPECT_EQ(left.type, "irb6");
+  EXPECT_EQ(left.program, program("press_ecp"));
+  EXPECT_EQ(left.edp_program, program("irb6_edp"));
+  EXPECT_EQ(left.hardware, "mujoco");
+  EXPECT_EQ(left.host, "");  // localhost is this machine
+  const RobotEntry& belt = deployment.robots[1];
+  EXPECT_EQ(belt.name, "belt");
+  EXPECT_EQ(belt.program, program("mrroc_ecp"));
+  EXPECT_EQ(belt.hardware, "loopback");
+  EXPECT_TRUE(belt.base.isApprox(Pose::Identity()));
+}
+
+TEST_F(DeploymentTest, TurnsTheBaseAboutFixedAxes) {
+  const Pose base = load_deployment("full.toml").robot("left").base;
+  EXPECT_EQ(base.translation(), Eigen::Vector3d(0.5, -1, 0.25));
+  // roll about x, then pitch about the world's y, then yaw about the world's z: followed by hand on the x and z axes
+  const double roll = 0.1, pitch = -0.2, yaw = 1.5;
+  const Eigen::Vector3d x(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), -std::sin(pitch));
+  EXPECT_TRUE(base.linear().col(0).isApprox(x, 1e-12));
+  EXPECT_NEAR(base.linear()(2, 2), std::cos(roll) * std::cos(pitch), 1e-12);
+  EXPECT_NEAR(base.linear()(2, 1), std::sin(roll) * std::cos(pitch), 1e-12);
+  EXPECT_NEAR(base.linear().determinant(), 1, 1e-12);
+}
+
+TEST_F(DeploymentTest, ReadsSensorsWithTheirOwnParameters) {
+  const Deployment deployment = load_deployment("full.toml");
+  ASSERT_EQ(deployment.sensors.size(), 2u);
+  const SensorEntry& wrist = deployment.sensors[0];
+  EXPECT_EQ(wrist.name, "wrist");
+  EXPECT_EQ(wrist.type, "force_torque");
+  EXPECT_EQ(wrist.robot, "left");
+  EXPECT_TRUE(wrist.interactive);
+  EXPECT_EQ(wrist.rate, 0);
+  EXPECT_EQ(wrist.source, "simulated");
+  EXPECT_EQ(wrist.vsp_program, program("force_torque_vsp"));
+  EXPECT_TRUE(wrist.numbers.empty());
+  EXPECT_TRUE(wrist.texts.empty());
+  const SensorEntry& gate = deployment.sensors[1];
+  EXPECT_EQ(gate.robot, "");
+  EXPECT_FALSE(gate.interactive);
+  EXPECT_DOUBLE_EQ(gate.rate, 1000.0 / 3);  // 333.333 Hz: every third period, exactly
+  EXPECT_EQ(gate.source, "replay");
+  EXPECT_EQ(gate.replay, here("readings.txt"));
+  using Numbers = std::map<std::string, std::vector<double>>;
+  EXPECT_EQ(gate.numbers,
+            (Numbers{{"range", {2.5}}, {"beam", {0.1, 0.2}}, {"mount", {1, 2, 3}}, {"curve", {4, 5, 6, 7}}}));
+  EXPECT_EQ(gate.texts, (std::map<std::string, std::string>{{"label", "gate"}}));
+}
+
+TEST_F(DeploymentTest, SortsEventsByTick) {
+  const auto events = load_deployment("full.toml").events;
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(events[0].tick, 100u);
+  EXPECT_EQ(events[0].command, "pause");
+  EXPECT_EQ(events[1].tick, 500u);
+  EXPECT_EQ(events[1].command, "resume");
+  EXPECT_EQ(events[2].command, "trigger");
+}
+
+TEST_F(DeploymentTest, MostMayBeLeftOut) {
+  const Deployment deployment = load_deployment("minimal.toml");
+  EXPECT_EQ(deployment.clock, ClockMode::lockstep);
+  EXPECT_EQ(deployment.servo_period, 0.002);
+  EXPECT_EQ(deployment.domain, -1);
+  EXPECT_EQ(deployment.start_timeout, 30);
+  EXPECT_EQ(deployment.heartbeat_timeout, 5);
+  EXPECT_EQ(deployment.delta_limit, 1000u);
+  EXPECT_EQ(deployment.mp.program, program("mrroc_mp"));
+  EXPECT_FALSE(deployment.sim);
+  EXPECT_TRUE(deployment.sensors.empty());
+  EXPECT_TRUE(deployment.events.empty());
+}
+
+TEST_F(DeploymentTest, ReadsSensorsWithoutRobots) {
+  const Deployment deployment = load_deployment("sensors_only.toml");
+  EXPECT_EQ(deployment.sim->scene, here("scene.xml"));
+  EXPECT_EQ(deployment.sensor("gate").numbers.at("range"), std::vector<double>{4});
+  EXPECT_EQ(deployment.sensor("gate").texts.at("label"), "range finder");
+}
+
+TEST_F(DeploymentTest, FindsEntriesByName) {
+  const Deployment deployment = load_deployment("full.toml");
+  EXPECT_EQ(&deployment.robot("belt"), &deployment.robots[1]);
+  EXPECT_EQ(&deployment.sensor("gate"), &deployment.sensors[1]);
+  const auto folder = std::filesystem::current_path();
+  EXPECT_EQ(message_of(folder, [&] { deployment.robot("gate"); }),
+            "full.toml: robots: no robot 'gate', expected 'left' or 'belt'");
+  EXPECT_EQ(message_of(folder, [&] { deployment.sensor("left"); }),
+            "full.toml: sensors: no sensor 'left', expected 'wrist' or 'gate'");
+}
+
+TEST_F(DeploymentTest, TakesProgramsByPath) {
+  const Scratch scratch;
+  const auto file = [&](const std::string& path) {
+    return scratch.write("cell/d.toml",
+                         "deployment.name = 'one'\nrobots.arm.type = 'irb6'\n"
+                         "robots.arm.hardware = 'loopback'\nrobots.arm.program = '" +
+                             path + "'\n");
+  };
+  const auto own = scratch.write("bin/own_ecp", "");
+  std::filesystem::permissions(own, std::filesystem::perms::owner_all);
+  EXPECT_EQ(load_deployment(file("../bin/own_ecp")).robots[0].program, own);
+  EXPECT_EQ(load_deployment(file(own)).robots[0].program, own);
+}
+
+TEST_F(DeploymentTest, NamesTheStockProgramThatIsMissing) {
+  std::filesystem::remove(program("mrroc_mp"));
+  EXPECT_EQ(message("minimal.toml"),
+            "minimal.toml:1: mp: no program 'mrroc_mp', expected the executable PROGRAMS/mrroc_mp");
+  EXPECT_EQ(message("full.toml"), "");
+  std::filesystem::remove(program("mrroc_sim"));
+  EXPECT_EQ(message("full.toml"),
+            "full.toml:13: sim: no program 'mrroc_sim', expected the executable PROGRAMS/mrroc_sim");
+}
+
+TEST_F(DeploymentTest, KnowsThisMachineByAllItsNames) {
+  const Scratch scratch;
+  char own_name[256] = "";
+  ASSERT_EQ(gethostname(own_name, sizeof own_name - 1), 0);
+  for (const auto& host : std::vector<std::string>{"", "localhost", "127.0.0.1", "127.3.2.1", "::1", own_name}) {
+    const auto file = scratch.write("d.toml",
+                                    "deployment.name = 'one'\nrobots.arm.type = 'irb6'\n"
+                                    "robots.arm.hardware = 'loopback'\nrobots.arm.host = '" +
+                                        host + "'\n");
+    EXPECT_EQ(load_deployment(file).robots[0].host, "") << host;
+  }
+}
+
+TEST_F(DeploymentTest, TheLongestNameAndTheLargestFleetAreTaken) {
+  const Scratch scratch;
+  std::string text = "[deployment]\nname = '" + std::string(31, 'x') + "'\n[sim]\nscene = 'scene.xml'\n";
+  for (int i = 0; i < 16; ++i) {
+    text.append("[robots.r").append(std::to_string(i)).append("]\ntype = 'irb6'\nhardware = 'mujoco'\n");
+  }
+  for (int i = 0; i < 32; ++i) text.append("[sensors.s").append(std::to_string(i)).append("]\ntype = 'force_torque'\n");
+  scratch.write("scene.xml", "");
+  const Deployment deployment = load_deployment(scratch.write("d.toml", text));
+  EXPECT_EQ(deployment.robots.size(), 16u);
+  EXPECT_EQ(deployment.sensors.back().name, "s31");
+}
+
+}  // namespace
+}  // namespace mrroc::config

@@ -1,0 +1,141 @@
+#include "config/robot_parameters_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "config/scratch.hpp"
+
+namespace mrroc::config {
+namespace {
+
+/// The keys of a valid axis, one per line; line 4 of `robot_text` is the first.
+constexpr std::string_view kAxis = R"(name = "column"
+position_min = -2.5
+position_max = 2.75
+velocity_max = 1.5
+acceleration_max = 5
+jerk_max = 50
+motor_min = -470
+motor_max = 450
+motor_synchro = -15.9
+encoder_increments = 2000
+current_max = 15
+following_error_max = 1.5
+regulator_a = 0.41
+regulator_b0 = 1.55
+regulator_b1 = 1.50
+regulator_eps = 0.01
+regulator_output_max = 180
+regulator_current_gain = 0.2
+torque_constant = 0.105
+rotor_inertia = 1.5e-4
+viscous_friction = 0.02
+)";
+
+class RobotParametersFileTest : public testing::Test {
+ protected:
+  static std::string robot_text(const std::string& axis = std::string(kAxis), const std::string& home = "[0.5]") {
+    return "type = \"irb6\"\nhome = " + home + "\n[[axes]]\n" + axis;
+  }
+
+  /// `kAxis` with the line that begins with `key` replaced.
+  static std::string with(const std::string& key, const std::string& line) {
+    std::string axis{kAxis};
+    const auto begin = axis.find(key + " = ");
+    return axis.replace(begin, axis.find('\n', begin) - begin, line);
+  }
+
+  RobotParameters read(const std::string& text) {
+    return read_robot_parameters(Table::load(scratch_.write("r.toml", text)));
+  }
+
+  std::string message(const std::string& text) {
+    return message_of(scratch_.folder(), [&] { read(text); });
+  }
+
+  Scratch scratch_;
+};
+
+TEST_F(RobotParametersFileTest, ReadsEveryNumber) {
+  const RobotParameters robot = read(robot_text());
+  EXPECT_EQ(robot.type, "irb6");
+  ASSERT_EQ(robot.home.size(), 1);
+  EXPECT_EQ(robot.home[0], 0.5);
+  ASSERT_EQ(robot.axes.size(), 1u);
+  const AxisParameters& axis = robot.axes[0];
+  EXPECT_EQ(axis.name, "column");
+  EXPECT_EQ(axis.position_min, -2.5);
+  EXPECT_EQ(axis.position_max, 2.75);
+  EXPECT_EQ(axis.velocity_max, 1.5);
+  EXPECT_EQ(axis.acceleration_max, 5);
+  EXPECT_EQ(axis.jerk_max, 50);
+  EXPECT_EQ(axis.motor_min, -470);
+  EXPECT_EQ(axis.motor_max, 450);
+  EXPECT_EQ(axis.motor_synchro, -15.9);
+  EXPECT_EQ(axis.encoder_increments, 2000);
+  EXPECT_EQ(axis.current_max, 15);
+  EXPECT_EQ(axis.following_error_max, 1.5);
+  EXPECT_EQ(axis.regulator_a, 0.41);
+  EXPECT_EQ(axis.regulator_b0, 1.55);
+  EXPECT_EQ(axis.regulator_b1, 1.50);
+  EXPECT_EQ(axis.regulator_eps, 0.01);
+  EXPECT_EQ(axis.regulator_output_max, 180);
+  EXPECT_EQ(axis.regulator_current_gain, 0.2);
+  EXPECT_EQ(axis.torque_constant, 0.105);
+  EXPECT_EQ(axis.rotor_inertia, 1.5e-4);
+  EXPECT_EQ(axis.viscous_friction, 0.02);
+}
+
+TEST_F(RobotParametersFileTest, TwoKeysMayBeLeftOut) {
+  EXPECT_EQ(read(robot_text(with("encoder_increments", ""))).axes[0].encoder_increments, 4000);
+  EXPECT_EQ(read(robot_text(with("regulator_output_max", ""))).axes[0].regulator_output_max, 190);
+}
+
+TEST_F(RobotParametersFileTest, EveryOtherKeyIsRequiredAndNamed) {
+  for (const std::string key : {"name", "position_min", "position_max", "velocity_max", "acceleration_max", "jerk_max",
+                                "motor_min", "motor_max", "motor_synchro", "current_max", "following_error_max",
+                                "regulator_a", "regulator_b0", "regulator_b1", "regulator_eps",
+                                "regulator_current_gain", "torque_constant", "rotor_inertia", "viscous_friction"}) {
+    EXPECT_TRUE(message(robot_text(with(key, ""))).starts_with("r.toml:3: axes[0]." + key + ": missing, expected a "))
+        << message(robot_text(with(key, "")));
+  }
+  EXPECT_EQ(message(robot_text(with("jerk_max", "jerk_mx = 50"))),
+            "r.toml:9: axes[0].jerk_mx: unknown key, did you mean 'jerk_max'?");
+}
+
+TEST_F(RobotParametersFileTest, RefusesNumbersThatMakeNoSense) {
+  EXPECT_EQ(message(robot_text(with("position_max", "position_max = -2.5"))),
+            "r.toml:6: axes[0].position_max: -2.5 is not above position_min, expected a number above -2.5");
+  EXPECT_EQ(message(robot_text(with("velocity_max", "velocity_max = 0"))),
+            "r.toml:7: axes[0].velocity_max: 0 is not positive, expected a number above 0");
+  EXPECT_EQ(message(robot_text(with("motor_synchro", "motor_synchro = 500"))),
+            "r.toml:12: axes[0].motor_synchro: 500 is out of range, expected a number from -470 to 450");
+  EXPECT_EQ(message(robot_text(with("viscous_friction", "viscous_friction = -1"))),
+            "r.toml:24: axes[0].viscous_friction: -1 is out of range, expected a number of at least 0");
+  EXPECT_EQ(message(robot_text(with("name", "name = ''"))),
+            "r.toml:4: axes[0].name: '' is no name, expected 1 to 31 characters");
+}
+
+TEST_F(RobotParametersFileTest, ChecksTheAxesTogether) {
+  const std::string axis{kAxis};
+  EXPECT_EQ(message(robot_text(axis + "[[axes]]\n" + axis, "[0, 0]")),
+            "r.toml:26: axes[1].name: 'column' is the name of an earlier axis, expected a name of its own");
+  EXPECT_EQ(message(robot_text(axis, "[0, 0]")), "r.toml:2: home: has 2 values, expected an array of 1 numbers");
+  EXPECT_EQ(message(robot_text(axis, "[3]")),
+            "r.toml:2: home: 3 is outside the limits of axis 'column', expected a number from -2.5 to 2.75");
+  EXPECT_EQ(message("type = 'a'\nhome = []\n"), "r.toml:1: axes: 0 axes, expected 1 to 8 axes");
+  std::string nine = "type = 'a'\nhome = [0]\n";
+  for (int i = 0; i < 9; ++i) nine += "[[axes]]\n";
+  EXPECT_EQ(message(nine), "r.toml:3: axes: 9 axes, expected 1 to 8 axes");
+}
+
+TEST_F(RobotParametersFileTest, LeavesTheGeometryToTheModel) {
+  const Table file = Table::load(scratch_.write("r.toml", robot_text() + "[geometry]\na2 = 0.455\n"));
+  read_robot_parameters(file);
+  EXPECT_EQ(message_of(scratch_.folder(), [&] { file.finish(); }),
+            "r.toml:25: geometry: unknown key, expected 'axes', 'home' or 'type'");
+  file.table("geometry");
+  EXPECT_NO_THROW(file.finish());
+}
+
+}  // namespace
+}  // namespace mrroc::config

@@ -1,0 +1,169 @@
+#include "system/mrroc_run.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace mrroc::test {
+
+namespace {
+
+constexpr std::chrono::seconds kPatience{120};
+constexpr std::chrono::milliseconds kPause{5};
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::filesystem::path new_folder() {
+  std::string pattern = std::filesystem::path(testing::TempDir()) / "mrroc_test_XXXXXX";
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no scratch folder");
+  return pattern;
+}
+
+pid_t parent_of(pid_t pid) {
+  const std::string stat = read_file("/proc/" + std::to_string(pid) + "/stat");
+  const std::size_t end = stat.rfind(')');
+  if (end == std::string::npos) return -1;
+  std::istringstream rest(stat.substr(end + 2));
+  char state = 0;
+  pid_t parent = -1;
+  rest >> state >> parent;
+  return state == 'Z' ? -1 : parent;
+}
+
+}  // namespace
+
+MrrocRun::MrrocRun(const std::vector<std::string>& arguments) : folder_(new_folder()) {
+  const std::string program = std::string{MRROC_BINARY_DIR} + "/bin/mrroc";
+  std::vector<std::string> words{program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const std::string out = folder_ / "out";
+  const std::string err = folder_ / "err";
+  pid_ = fork();
+  if (pid_ == 0) {
+    dup2(open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
+    dup2(open(err.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
+    if (chdir(MRROC_SOURCE_DIR) != 0) _exit(126);
+    execv(program.c_str(), argv.data());
+    _exit(127);
+  }
+}
+
+MrrocRun::~MrrocRun() {
+  if (!poll_end()) {
+    kill(pid_, SIGKILL);
+    waitpid(pid_, &status_, 0);
+  }
+  std::filesystem::remove_all(folder_);
+}
+
+bool MrrocRun::poll_end() {
+  if (!ended_ && waitpid(pid_, &status_, WNOHANG) == pid_) ended_ = true;
+  return ended_;
+}
+
+int MrrocRun::wait() {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (!poll_end()) {
+    if (std::chrono::steady_clock::now() > deadline) {
+      ADD_FAILURE() << "mrroc does not end\n" << out() << err();
+      kill(pid_, SIGKILL);
+      waitpid(pid_, &status_, 0);
+      ended_ = true;
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+  return WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_);
+}
+
+bool MrrocRun::wait_for_output(const std::string& text) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  for (;;) {
+    const bool ended = poll_end();
+    if (out().find(text) != std::string::npos) return true;
+    if (ended || std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::sleep_for(kPause);
+  }
+}
+
+void MrrocRun::signal(int number) const { kill(pid_, number); }
+
+std::vector<pid_t> MrrocRun::children() const {
+  std::vector<pid_t> pids;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    const pid_t pid = std::stoi(name);
+    if (parent_of(pid) == pid_) pids.push_back(pid);
+  }
+  return pids;
+}
+
+pid_t MrrocRun::child(const std::string& name) const {
+  const std::string wanted = std::string{"--name"} + '\0' + name + '\0';
+  for (const pid_t pid : children()) {
+    const std::string line = read_file("/proc/" + std::to_string(pid) + "/cmdline");
+    if (line.find(wanted) != std::string::npos) return pid;
+  }
+  return -1;
+}
+
+std::string MrrocRun::out() const { return read_file(folder_ / "out"); }
+
+std::string MrrocRun::err() const { return read_file(folder_ / "err"); }
+
+std::string run_mrroc(const std::vector<std::string>& arguments, int expected) {
+  MrrocRun run(arguments);
+  const int code = run.wait();
+  std::string line = "mrroc";
+  for (const std::string& argument : arguments) line += " " + argument;
+  EXPECT_EQ(code, expected) << line << "\n" << run.out() << run.err();
+  return run.out() + run.err();
+}
+
+std::string trace_hash(const std::filesystem::path& trace) {
+  MrrocRun run({"trace", "hash", trace.string()});
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  return run.out();
+}
+
+ScratchFolder::ScratchFolder() : path_(new_folder()) {}
+
+ScratchFolder::~ScratchFolder() { std::filesystem::remove_all(path_); }
+
+std::filesystem::path ScratchFolder::write(const std::string& name, const std::string& text) const {
+  std::ofstream(path_ / name) << text;
+  return path_ / name;
+}
+
+Load::Load(int processes) {
+  for (int i = 0; i < processes; ++i) {
+    const pid_t pid = fork();
+    if (pid == 0) {
+      volatile unsigned counter = 0;
+      for (;;) counter = counter + 1;
+    }
+    pids_.push_back(pid);
+  }
+}
+
+Load::~Load() {
+  for (const pid_t pid : pids_) {
+    kill(pid, SIGKILL);
+    waitpid(pid, nullptr, 0);
+  }
+}
+
+}  // namespace mrroc::test

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mrroc::test {
+
+/// A run of the `mrroc` command as a user would start it, from the source folder.
+class MrrocRun {
+ public:
+  explicit MrrocRun(const std::vector<std::string>& arguments);
+  /// Kills it when it is still there.
+  ~MrrocRun();
+  MrrocRun(const MrrocRun&) = delete;
+  MrrocRun& operator=(const MrrocRun&) = delete;
+
+  pid_t pid() const noexcept { return pid_; }
+  /// Waits for its end; returns the exit code, or minus the signal that ended it. After 120 s it is killed and the test
+  /// fails.
+  int wait();
+  /// True when its output has come to contain `text`; false when it has ended before.
+  bool wait_for_output(const std::string& text);
+  void signal(int number) const;
+
+  /// The process of this run that was started with `--name NAME`; -1 when there is none (yet).
+  pid_t child(const std::string& name) const;
+  /// All processes that it has started and that are still there.
+  std::vector<pid_t> children() const;
+
+  std::string out() const;
+  std::string err() const;
+
+ private:
+  bool poll_end();
+
+  std::filesystem::path folder_;
+  pid_t pid_ = -1;
+  bool ended_ = false;
+  int status_ = 0;
+};
+
+/// Runs to the end; checks that the exit code is `expected` and shows the output when it is not. Returns stdout and
+/// stderr.
+std::string run_mrroc(const std::vector<std::string>& arguments, int expected);
+
+/// Hash of a trace, by `mrroc trace hash`.
+std::string trace_hash(const std::filesystem::path& trace);
+
+/// A folder of this test's own, removed with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const noexcept { return path_; }
+  /// Writes a file into it and returns its path.
+  std::filesystem::path write(const std::string& name, const std::string& text) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Busy loops on every CPU for as long as it lives.
+class Load {
+ public:
+  explicit Load(int processes);
+  ~Load();
+  Load(const Load&) = delete;
+  Load& operator=(const Load&) = delete;
+
+ private:
+  std::vector<pid_t> pids_;
+};
+
+}  // namespace mrroc::test

@@ -1,0 +1,129 @@
+#include "vsp/replay_source.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "config/file_text.hpp"
+#include "config/message_text.hpp"
+#include "config/table.hpp"
+
+namespace mrroc::vsp {
+
+namespace {
+
+using config::ConfigurationError;
+using config::in_quotes;
+
+constexpr std::string_view kBlanks = " \t\r";
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (;;) {
+    const std::size_t begin = line.find_first_not_of(kBlanks);
+    if (begin == std::string_view::npos) return words;
+    line.remove_prefix(begin);
+    const std::size_t size = std::min(line.find_first_of(kBlanks), line.size());
+    words.push_back(line.substr(0, size));
+    line.remove_prefix(size);
+  }
+}
+
+/// One line of the file, which knows where it stands.
+class Line {
+ public:
+  Line(const std::filesystem::path& file, int number, std::string_view text)
+      : file_(&file), number_(number), text_(text), words_(words_of(text)) {}
+
+  const std::vector<std::string_view>& words() const { return words_; }
+  bool is_comment() const { return words_.empty() || words_[0].front() == '#'; }
+  bool is_header() const {
+    return words_.size() >= 3 && words_[0] == "#" && words_[1] == "mrroc" && words_[2] == "readings";
+  }
+
+  [[noreturn]] void fail(const std::string& key, const std::string& problem, const std::string& expected) const {
+    throw ConfigurationError(*file_, number_, key, problem, expected);
+  }
+
+  void check_header(const std::vector<Channel>& channels) const {
+    std::string header = "# mrroc readings";
+    for (const Channel& channel : channels) header += " " + channel.name;
+    if (!is_header()) fail("header", in_quotes(text_), in_quotes(header));
+    const bool same = std::equal(words_.begin() + 3, words_.end(), channels.begin(), channels.end(),
+                                 [](std::string_view word, const Channel& channel) { return word == channel.name; });
+    if (!same) fail("header", "channels of another sensor: " + in_quotes(text_), in_quotes(header));
+  }
+
+  Tick tick() const {
+    Tick tick = 0;
+    const std::string_view word = words_[0];
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), tick);
+    if (error != std::errc{} || end != word.data() + word.size() || tick == kNever) {
+      fail("tick", in_quotes(word) + " is no tick", "a whole number of at least 0");
+    }
+    return tick;
+  }
+
+  double value(std::size_t column, const std::string& channel) const {
+    double value = 0;
+    const std::string_view word = words_[column];
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size() || std::isinf(value)) {
+      fail(channel, in_quotes(word) + " is no number", "a finite number or nan");
+    }
+    return value;
+  }
+
+ private:
+  const std::filesystem::path* file_;
+  int number_;
+  std::string_view text_;
+  std::vector<std::string_view> words_;
+};
+
+std::string_view take_line(std::string_view& text) {
+  const std::size_t size = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, size);
+  text.remove_prefix(std::min(size + 1, text.size()));
+  return line;
+}
+
+}  // namespace
+
+ReplaySource::ReplaySource(const std::filesystem::path& file, const std::vector<Channel>& raw_channels)
+    : channel_count_(raw_channels.size()) {
+  const std::string content = config::read_file(file);
+  std::string_view rest = content;
+  int number = 1;
+  Line{file, number, take_line(rest)}.check_header(raw_channels);
+  while (!rest.empty()) {
+    const Line line{file, ++number, take_line(rest)};
+    if (line.is_header()) line.fail("header", "a second header", "one, in the first line");
+    if (line.is_comment()) continue;
+    const Tick tick = line.tick();
+    if (!ticks_.empty() && tick <= ticks_.back()) {
+      line.fail("tick", std::to_string(tick) + " follows " + std::to_string(ticks_.back()), "a later tick");
+    }
+    if (line.words().size() != channel_count_ + 1) {
+      line.fail("values", std::to_string(line.words().size() - 1), std::to_string(channel_count_) + " after the tick");
+    }
+    ticks_.push_back(tick);
+    for (std::size_t i = 0; i < channel_count_; ++i) values_.push_back(line.value(i + 1, raw_channels[i].name));
+  }
+  if (ticks_.empty())
+    throw ConfigurationError(file, number, "values", "no readings", "at least one line below the header");
+}
+
+SourceState ReplaySource::read(Tick wanted, RawReading& raw) noexcept {
+  const auto after = std::upper_bound(ticks_.begin(), ticks_.end(), wanted);
+  if (after == ticks_.begin()) return SourceState::not_ready;
+  const std::size_t line = static_cast<std::size_t>(after - ticks_.begin()) - 1;
+  raw.tick = wanted;  // the value holds at the wanted tick too
+  raw.count = static_cast<std::uint32_t>(channel_count_);
+  std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(line * channel_count_), channel_count_, raw.values.begin());
+  return SourceState::ready;
+}
+
+}  // namespace mrroc::vsp

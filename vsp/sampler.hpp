@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mrroc/sensor_link.hpp"
+#include "vsp/source.hpp"
+#include "vsp/virtual_sensor.hpp"
+
+namespace mrroc::vsp {
+
+/// Whose request it is; comes back with the reply.
+struct Caller {
+  std::size_t client = 0;      ///< the shell's number of the link
+  std::uint64_t sequence = 0;  ///< of the request on that link
+};
+
+/// Where readings go: the shell's links. A sink hands on complete readings and never waits for a reader.
+class ReadingSink {
+ public:
+  virtual ~ReadingSink() = default;
+  /// The one answer to a request.
+  virtual void reply(const Caller& caller, const SensorReading& reading) = 0;
+  /// A non-interactive reading, to every reader's own buffer.
+  virtual void publish(const SensorReading& reading) = 0;
+};
+
+/// What a VSP does, without its transport. *Interactive*: a request is kept until the tick that it asks for, then the
+/// hardware is read, aggregated, and the reading given to the caller; every request is answered exactly once, in the
+/// order of ticks, then of arrival. *Non-interactive*: a reading is published at every whole multiple of the
+/// publication period. A reader holds the reading published last in a buffer of its own, so nobody ever waits for an
+/// aggregation but those who asked for it.
+///
+/// All answers and the publication of one `on_tick` give one reading (a bias makes a new one). A reading without an
+/// error is complete and finite; a raw reading that is incomplete or not finite, or a silent source, is
+/// HardwareError(sensor_hardware), one that has not come yet NonFatalError(sensor_not_ready).
+///
+/// The shell's loop, on the VSP's thread:
+///
+///     for (;;) {
+///       clock.wait(sampler.next_wake());
+///       for (every request that came) sampler.on_request(caller, request, clock.tick(), sink);
+///       sampler.on_tick(clock.tick(), sink);
+///     }
+///
+/// Allocates nothing after construction; throws only what the sink throws.
+class Sampler {
+ public:
+  /// Requests that can wait at the same time; one more is answered at once with NonFatalError(busy).
+  static constexpr std::size_t kMaxPending = 64;
+
+  /// `publication_period` in ticks; 0: nothing is published. `sensor` is configured; both outlive the sampler. Throws
+  /// SystemError(configuration) when the sensor has no channels or more than a reading carries.
+  Sampler(VirtualSensor& sensor, Source& source, Tick publication_period);
+
+  /// Keeps a request until its tick; what is due is answered by the next `on_tick`.
+  void on_request(const Caller& caller, const SensorRequest& request, Tick now, ReadingSink& sink);
+  /// e_l has come.
+  void on_effector_state(const RobotState& state) noexcept { sensor_->effector_state(state); }
+  /// Does what is due at `now`: answers requests, then publishes. May be called at any time, several times at a tick.
+  void on_tick(Tick now, ReadingSink& sink);
+
+  /// The tick at which `on_tick` has something to do; kNever: not before a request comes. Present or past: at once.
+  Tick next_wake() const noexcept;
+  /// Publications that were left out because the VSP was not woken in time; the grid is never re-phased.
+  std::uint64_t missed() const noexcept { return missed_; }
+
+ private:
+  struct Pending {
+    Tick due = 0;
+    Caller caller;
+    SensorRequestKind kind = SensorRequestKind::reading;
+  };
+
+  bool answer_is_due(Tick now) const noexcept { return !pending_.empty() && pending_.front().due <= now; }
+  bool raw_usable() const noexcept { return raw_fault_.error.error_class == ErrorClass::none; }
+  void read_source(Tick now) noexcept;
+  void check_raw(SourceState state, Tick now) noexcept;
+  void answer_due(Tick now, ReadingSink& sink);
+  void aggregate() noexcept;
+  void schedule_publication(Tick now) noexcept;
+
+  VirtualSensor* sensor_;
+  Source* source_;
+  std::vector<Channel> channels_;
+  std::vector<Channel> raw_channels_;
+  std::vector<Pending> pending_;  ///< by due tick, then arrival
+  Tick period_;
+  Tick next_publication_ = 0;
+  Tick next_track_ = 0;
+  std::uint64_t missed_ = 0;
+  RawReading raw_;
+  SensorReading raw_fault_;  ///< in error when `raw_` cannot be used
+  SensorReading reading_;
+  bool fresh_ = false;  ///< `reading_` is of the `on_tick` under way
+};
+
+/// Ticks between two publications of `entry`: 0 when interactive, else 1 / (rate * servo_period). Throws
+/// SystemError(configuration) unless that is a whole number of at least 1.
+Tick publication_period(const config::SensorEntry& entry, double servo_period);
+
+}  // namespace mrroc::vsp

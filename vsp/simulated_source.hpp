@@ -1,0 +1,25 @@
+#pragma once
+
+#include "sim/world_memory.hpp"
+#include "vsp/source.hpp"
+
+namespace mrroc::vsp {
+
+/// The simulated hardware of one sensor: a slot of the world's memory, written by the sim process at every tick. In
+/// lockstep the slot holds the present tick. In real time it may be a tick behind or ahead: the newest is given, with
+/// its own tick; more than `silent_after` ticks behind counts as silent.
+class SimulatedSource final : public Source {
+ public:
+  /// `slot`: index of the sensor in the deployment's list. Throws SystemError(configuration) when there is no such
+  /// slot. `world` outlives the source.
+  SimulatedSource(const sim::WorldMemory& world, std::size_t slot, Tick silent_after);
+
+  SourceState read(Tick wanted, RawReading& raw) noexcept override;
+
+ private:
+  const clock::SharedSlot<sim::HardwareReading>* slot_;
+  Tick silent_after_;
+  Tick newest_ = 0;  ///< tick of the last reading that was there
+};
+
+}  // namespace mrroc::vsp

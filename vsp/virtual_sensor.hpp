@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/deployment.hpp"
+#include "mrroc/robot_state.hpp"
+#include "mrroc/sensor_link.hpp"
+#include "vsp/raw_reading.hpp"
+
+namespace mrroc::vsp {
+
+/// Name and unit of one value. Names are unique within a sensor, without spaces.
+struct Channel {
+  std::string name;
+  std::string unit;
+};
+
+/// The aggregating function of one sensor type, the paper's equation (14): v = f_v(c_0, c_l, e_l, r).
+///
+///   r          `RawReading`, from a `Source`
+///   e_l        state of the robot that the sensor is mounted on: `effector_state()`
+///   c_0, c_l   what the control subsystems set: `configure()` from the deployment, `bias()` at run time
+///   v          values of `channels()`
+///
+/// A sensor type derives from this class; the VSP's shell does the rest (`Sampler`). It needs no lock: the VSP's thread
+/// makes every call. After `configure()` nothing here allocates, waits or reads a clock; noise comes from `Noise`.
+class VirtualSensor {
+ public:
+  virtual ~VirtualSensor() = default;
+
+  /// Channels of v, at most kMaxChannels. The same before and after `configure()`.
+  virtual std::vector<Channel> channels() const = 0;
+  /// Channels of r, at most kMaxRawValues.
+  virtual std::vector<Channel> raw_channels() const = 0;
+
+  /// Takes the deployment's parameters; once, before anything else. `servo_period` in s. Throws
+  /// SystemError(configuration) when they contradict each other.
+  virtual void configure(const config::SensorEntry& entry, double servo_period) = 0;
+
+  /// True: f_v has a memory (a filter) and wants r at every tick, through `track()`, not only when a reading is due.
+  virtual bool continuous() const noexcept { return false; }
+  /// r of a tick, for the memory. Called before `bias` and `aggregate` of the same tick; a second call at the same tick
+  /// changes nothing. `r` is complete and finite.
+  virtual void track(const RawReading& /*r*/) noexcept {}
+
+  /// e_l, when a new one has come.
+  virtual void effector_state(const RobotState& /*e*/) noexcept {}
+
+  /// Computes v.values and, if they cannot be had, v.error (with `report`). `r` is complete and finite; v's header is
+  /// filled in, its error is `none`. Must write every channel or report an error.
+  virtual void aggregate(const RawReading& r, SensorReading& v) noexcept = 0;
+
+  /// Takes the values that `r` gives as zero from now on. When `r` gives none (out of range) the zero stays and
+  /// `aggregate` of the same r reports why. False: this type has no zero to set.
+  virtual bool bias(const RawReading& /*r*/) noexcept { return false; }
+};
+
+}  // namespace mrroc::vsp
