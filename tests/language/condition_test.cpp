@@ -124,7 +124,9 @@ TEST(Condition, TravelledHoldsFromTheDistanceOn) {
     const double distance = 0.001 * fakes::detail::pick(1, 200);
     Advance generator(*arm, step);
     generator.until(Travelled{*arm, distance});
-    const double before = arm->state().pose.translation().x();
+    task.robot_fake("arm").state.pose.translation() << 0.3, -0.2, 0.1;  // away from the origin of its base
+    task.robot_fake("arm").state.desired_joints.head<3>() << 0.3, -0.2, 0.1;
+    const double before = 0.3;
     const Outcome end = Move({*arm}, {}, generator);
     const double travelled = arm->state().pose.translation().x() - before;
     RC_ASSERT(end.by<Travelled>());
@@ -157,9 +159,19 @@ TEST(Condition, OperatorTriggerForgetsOldTriggersAndKeepsNewOnes) {
   EXPECT_EQ(end.steps, 7u);
   EXPECT_TRUE(end.by<OperatorTrigger>());
   EXPECT_EQ(task.triggers, 0);
+}
 
-  const Outcome again = Wait({*arm}, {}, OperatorTrigger{task} || ElapsedSteps{3});
-  EXPECT_FALSE(again.by<OperatorTrigger>());
+TEST(Condition, OperatorTriggerIsForgottenWhenItIsUsedAgain) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  Advance generator(*arm, 0);
+  generator.until(OperatorTrigger{task} || ElapsedSteps{3});
+  generator.until(When{"trigger", [&] {
+                         task.triggers = 1;  // for the next step
+                         return false;
+                       }});
+  EXPECT_EQ(Move({*arm}, {}, generator).steps, 1u);
+  EXPECT_EQ(Move({*arm}, {}, generator).steps, 1u);
 }
 
 }  // namespace

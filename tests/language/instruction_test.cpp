@@ -232,6 +232,19 @@ TEST(Instruction, AReadingIsOfTheTickOfTheStateItIsSeenWith) {
                               }});
 }
 
+TEST(Instruction, AReadingIsOfTheTickOfTheStateAlsoWhenPlanningTookTime) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  const auto wrist = task.sensor("wrist");
+  Drive drive({arm.get()}, 0);
+  drive.act = [&] { task.time.tick += 5; };
+  drive.until(When{"same tick", [&, steps = 0]() mutable {
+                     EXPECT_EQ(arm->state().tick, wrist->reading().tick);
+                     return ++steps == 5;
+                   }});
+  Move({*arm}, {*wrist}, drive);
+}
+
 TEST(Instruction, TheGravestErrorOfAStepIsThrown) {
   FakeTask task;
   const auto left = task.robot("left");
