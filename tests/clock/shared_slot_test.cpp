@@ -12,7 +12,8 @@
 namespace mrroc::clock {
 namespace {
 
-using Value = std::array<std::uint64_t, 40>;
+// large, so that loads and stores are often interrupted half-way
+using Value = std::array<std::uint64_t, 1000>;
 
 Value all(std::uint64_t number) {
   Value value;
@@ -20,7 +21,7 @@ Value all(std::uint64_t number) {
   return value;
 }
 
-constexpr int kLoads = 20000;
+constexpr int kLoads = 5000;
 
 /// Loads many values; the number of torn ones and of those older than one before.
 int watch(const SharedSlot<Value>& slot) {
