@@ -12,7 +12,8 @@
 namespace mrroc::clock {
 namespace {
 
-using Value = std::array<std::uint64_t, 40>;
+// large, so that loads and stores are often interrupted half-way
+using Value = std::array<std::uint64_t, 1000>;
 
 Value all(std::uint64_t number) {
   Value value;
@@ -20,13 +21,16 @@ Value all(std::uint64_t number) {
   return value;
 }
 
-/// Loads until the last value has come; the number of torn or older ones.
-int watch(const SharedSlot<Value>& slot, std::uint64_t last) {
+constexpr int kLoads = 5000;
+
+/// Loads many values; the number of torn ones and of those older than one before.
+int watch(const SharedSlot<Value>& slot) {
   int wrong = 0;
   std::uint64_t newest = 0;
   Value value;
-  while (newest < last) {
+  for (int loads = 0; loads < kLoads;) {
     if (!slot.load(value)) continue;
+    ++loads;
     if (value != all(value[0]) || value[0] < newest) ++wrong;
     newest = value[0];
   }
@@ -45,27 +49,37 @@ TEST(SharedSlot, IsEmptyUntilTheFirstStore) {
 }
 
 TEST(SharedSlot, ThreadsNeverSeeATornOrOlderValue) {
-  constexpr std::uint64_t kStores = 20000;
   SharedSlot<Value> slot;
   std::vector<std::thread> readers;
   std::atomic<int> wrong{0};
-  for (int i = 0; i < 3; ++i) readers.emplace_back([&] { wrong.fetch_add(watch(slot, kStores)); });
-  for (std::uint64_t number = 1; number <= kStores; ++number) slot.store(all(number));
+  std::atomic<int> reading{3};
+  for (int i = 0; i < 3; ++i)
+    readers.emplace_back([&] {
+      wrong.fetch_add(watch(slot));
+      reading.fetch_sub(1);
+    });
+  for (std::uint64_t number = 1; reading.load() > 0; ++number) slot.store(all(number));
   for (std::thread& reader : readers) reader.join();
   EXPECT_EQ(wrong.load(), 0);
 }
 
 TEST(SharedSlot, NorDoProcesses) {
-  constexpr std::uint64_t kStores = 20000;
-  void* memory = ::mmap(nullptr, sizeof(SharedSlot<Value>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  ASSERT_NE(memory, MAP_FAILED);
-  auto& slot = *static_cast<SharedSlot<Value>*>(memory);  // zeroed memory is a valid slot
-  Child reader([&slot] {
-    if (watch(slot, kStores) != 0) ::_exit(1);
+  struct Memory {
+    SharedSlot<Value> slot;
+    std::atomic<int> wrong;
+    std::atomic<int> done;
+  };
+  void* zeroed = ::mmap(nullptr, sizeof(Memory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(zeroed, MAP_FAILED);
+  auto& memory = *static_cast<Memory*>(zeroed);  // zeroed memory is a valid slot
+  Child reader([&memory] {
+    memory.wrong.store(watch(memory.slot));
+    memory.done.store(1);
   });
-  for (std::uint64_t number = 1; number <= kStores; ++number) slot.store(all(number));
+  for (std::uint64_t number = 1; memory.done.load() == 0; ++number) memory.slot.store(all(number));
   EXPECT_TRUE(reader.join());
-  ::munmap(memory, sizeof(SharedSlot<Value>));
+  EXPECT_EQ(memory.wrong.load(), 0);
+  ::munmap(zeroed, sizeof(Memory));
 }
 
 }  // namespace
