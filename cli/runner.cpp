@@ -272,6 +272,7 @@ void Runner::fail(process::ExitCode code, std::string reason) {
   stopping_ = true;
   result_.code = code;
   result_.reason = std::move(reason);
+  progress_.error("mrroc: " + deployment_.name + ": " + result_.reason);
 }
 
 void Runner::end_processes() {

@@ -75,7 +75,9 @@ std::string dds_configuration(const DomainOptions& options) {
          "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
          "<MaxAutoParticipantIndex>60</MaxAutoParticipantIndex><LeaseDuration>" +
          std::to_string(static_cast<long>(lease * 1000)) + "ms</LeaseDuration>" + peers +
-         "</Discovery></Domain></CycloneDDS>";
+         "</Discovery>"
+         // how long a writer that ends waits for readers to acknowledge: a dead peer shall not hold it for a second
+         "<Internal><WriterLingerDuration>100ms</WriterLingerDuration></Internal></Domain></CycloneDDS>";
 }
 
 Domain::Domain(DomainOptions options) : options_(std::move(options)), boot_(new_boot()) {
