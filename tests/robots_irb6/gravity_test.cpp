@@ -75,7 +75,7 @@ TEST(Irb6Gravity, TheOriginalsRegulatorsHoldHome) {
     std::printf("%-12s sag: motor %.1e rad, joint %.1e rad, after 2.5 s: motor %.1e rad; current %.2f A, peak %.2f A\n",
                 axis.name.c_str(), worst_motor[i], worst_joint[i], late_motor[i], holding[i], peak_current[i]);
     EXPECT_LT(worst_motor[i], axis.following_error_max / 10) << axis.name;
-    EXPECT_LT(late_motor[i], 10 * 2 * M_PI / axis.encoder_increments) << axis.name;
+    EXPECT_LT(late_motor[i], 2 * 2 * M_PI / axis.encoder_increments) << axis.name;
     EXPECT_LT(worst_joint[i], 1e-3) << axis.name;
     EXPECT_LT(peak_current[i], axis.current_max / 3) << axis.name;
   }
