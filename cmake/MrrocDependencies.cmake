@@ -5,6 +5,7 @@ find_package(CycloneDDS 0.10 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(PNG REQUIRED)
+find_package(tinyxml2 REQUIRED)
 find_package(urdfdom REQUIRED)
 
 set(OpenGL_GL_PREFERENCE GLVND)

@@ -103,12 +103,33 @@ ErrorReport LimitCheck::check_end(const Macrostep& path) noexcept {
   return check_motors_of_stop(path.to, tick);
 }
 
+ErrorReport LimitCheck::check_between(const DesiredState& before, const DesiredState& after, double duration,
+                                      double tick) const noexcept {
+  for (int i = 0; i < model_.joint_count(); ++i) {
+    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+    const double velocity = (after.position[i] - before.position[i]) / duration;
+    const double acceleration = (after.velocity[i] - before.velocity[i]) / duration;
+    const double acceleration_max = axis.acceleration_max * kPathAccelerationFactor;
+    if (std::abs(velocity) > axis.velocity_max * (1 + kRounding))
+      return violation(ErrorCode::velocity_limit, i, tick, "mean velocity", velocity, axis.velocity_max);
+    if (std::abs(acceleration) > acceleration_max * (1 + kRounding))
+      return violation(ErrorCode::acceleration_limit, i, tick, "mean acceleration", acceleration, acceleration_max);
+  }
+  return {};
+}
+
 ErrorReport LimitCheck::check(const Macrostep& path) noexcept {
   if (const ErrorReport report = check_end(path); bad(report)) return report;
   const std::uint32_t fraction = (kSamples + path.steps - 1) / path.steps;  // samples per tick
-  for (std::uint32_t sample = 1; sample < path.steps * fraction; ++sample) {
+  const std::uint32_t samples = path.steps * fraction;
+  const double interval = period_ / fraction;
+  DesiredState previous = path.from;
+  for (std::uint32_t sample = 1; sample <= samples; ++sample) {
     const double tick = static_cast<double>(sample) / fraction;
-    const DesiredState state = path.path.at(tick * period_);
+    const DesiredState state = sample == samples ? path.to : path.path.at(tick * period_);
+    if (const ErrorReport report = check_between(previous, state, interval, tick); bad(report)) return report;
+    previous = state;
+    if (sample == samples) break;  // check_end has seen it
     if (const ErrorReport report = check_state(state, tick); bad(report)) return report;
     if (sample % fraction != 0) continue;
     if (const ErrorReport report = check_motors(state.position, tick, "motor position"); bad(report)) return report;

@@ -12,9 +12,10 @@ namespace mrroc::edp {
 inline constexpr double kPathAccelerationFactor = 1.5;
 
 /// Looks whether a path keeps the robot's limits at every servo tick: position, velocity and acceleration of the
-/// joints, position of the motors; and at least eight times per macrostep, so that a short one hides nothing between
-/// its ticks. From every tick a stop must be possible: it passes neither position nor velocity limit and rests inside
-/// the motor limits; from the last tick the motor limits are checked at every tick of the stop.
+/// joints, position of the motors; the means of velocity and acceleration from tick to tick; and all that at least
+/// eight times per macrostep, so that a short one hides nothing between its ticks. From every tick a stop must be
+/// possible: it passes neither position nor velocity limit and rests inside the motor limits; from the last tick the
+/// motor limits are checked at every tick of the stop.
 ///
 /// A robot that starts outside a position limit (brakes off, moved by hand) may move, but no farther out. Allocates
 /// nothing but in its constructor, never throws; the comms thread.
@@ -31,6 +32,8 @@ class LimitCheck {
 
  private:
   ErrorReport check_state(const DesiredState& state, double tick) const noexcept;
+  ErrorReport check_between(const DesiredState& before, const DesiredState& after, double duration,
+                            double tick) const noexcept;
   ErrorReport check_motors(const JointVector& joints, double tick, const char* where) const noexcept;
   ErrorReport check_stop(const DesiredState& state, double tick) noexcept;
   ErrorReport check_motors_of_stop(const DesiredState& state, double tick) noexcept;

@@ -1,5 +1,6 @@
 #include "sim/driven_joints.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/table.hpp"
@@ -55,18 +56,18 @@ DrivenJoints::DrivenJoints(mjModel& model, const std::string& robot, const std::
     model.dof_simplenum[joints_[i].dof] = 0;
     model.body_simple[model.jnt_bodyid[joint]] = 0;
   }
-  refuse_actuators(model);
+  disable_actuators(model);
   find_addresses(model);
 }
 
-void DrivenJoints::refuse_actuators(const mjModel& model) const {
+void DrivenJoints::disable_actuators(mjModel& model) const {
   for (int a = 0; a < model.nu; ++a) {
     if (model.actuator_trntype[a] != mjTRN_JOINT && model.actuator_trntype[a] != mjTRN_JOINTINPARENT) continue;
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (model.jnt_dofadr[model.actuator_trnid[2 * a]] == joints_[i].dof) {
-        refuse(robot_, "an actuator on " + name_of_dof(model, joints_[i].dof), "none: its own drive moves it");
-      }
-    }
+    const int dof = model.jnt_dofadr[model.actuator_trnid[2 * a]];
+    const auto end = joints_.begin() + static_cast<std::ptrdiff_t>(count_);
+    if (std::none_of(joints_.begin(), end, [dof](const Joint& joint) { return joint.dof == dof; })) continue;
+    mju_zero(model.actuator_gainprm + mjNGAIN * a, mjNGAIN);
+    mju_zero(model.actuator_biasprm + mjNBIAS * a, mjNBIAS);
   }
 }
 

@@ -30,7 +30,7 @@ namespace mrroc::sim {
 class DrivenJoints {
  public:
   /// Joints "<robot>/<name>" of `model`, in the order of `names`. Throws config::ConfigurationError: one is
-  /// missing (the message lists what the robot has), is neither hinge nor slide, or has an actuator of MuJoCo's.
+  /// missing (the message lists what the robot has) or is neither hinge nor slide.
   DrivenJoints(mjModel& model, const std::string& robot, const std::vector<std::string>& names);
 
   const std::string& robot() const noexcept { return robot_; }
@@ -73,7 +73,7 @@ class DrivenJoints {
     return matrix[i * kMaxJoints + j];
   }
   void find_addresses(const mjModel& model);
-  void refuse_actuators(const mjModel& model) const;
+  void disable_actuators(mjModel& model) const;
 
   std::string robot_;
   std::size_t count_ = 0;

@@ -4,7 +4,6 @@
 
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
-#include "sim/state_file.hpp"
 
 namespace mrroc::sim {
 
@@ -92,9 +91,9 @@ void Simulation::publish(Tick tick) {
   }
 }
 
-void Simulation::save_state(const std::filesystem::path& file) const {
+WorldState Simulation::state() const {
   const mjData& data = world_.data();
-  sim::save_state(file, {tick_, data.time, {data.qpos, data.qpos + world_.model().nq}});
+  return {tick_, data.time, {data.qpos, data.qpos + world_.model().nq}};
 }
 
 }  // namespace mrroc::sim

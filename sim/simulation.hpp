@@ -1,10 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "config/deployment.hpp"
 #include "sim/sensors.hpp"
+#include "sim/state_file.hpp"
 #include "sim/world.hpp"
 #include "sim/world_memory.hpp"
 
@@ -34,8 +34,8 @@ class Simulation {
   /// robot that has no drive yet, a disabled or an expired one. Throws SystemError (simulator), see World::step.
   void step(Tick tick);
 
-  /// The world's state as the file that `mrroc_render` makes pictures of. Throws SystemError.
-  void save_state(const std::filesystem::path& file) const;
+  /// What `mrroc_render` makes pictures of; `save_state` writes it to a file.
+  WorldState state() const;
   Tick tick() const noexcept { return tick_; }
   World& world() noexcept { return world_; }
 

@@ -15,7 +15,7 @@ struct ReaderOptions {
   std::size_t depth = 16;
   bool counted = true;  ///< as the topic's writer
   /// Writers through which a ping that comes here is answered; they outlive the reader.
-  std::vector<WriterBase*> answer_through;
+  std::vector<WriterBase*> answer_through = {};
 };
 
 /// What a reader has thrown away, since its creation.

@@ -1,0 +1,43 @@
+// mrroc_render: a picture of a state that the simulation has saved.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "config/deployment.hpp"
+#include "sim/camera.hpp"
+#include "sim/simulation.hpp"
+#include "sim/state_file.hpp"
+
+namespace {
+
+mrroc::sim::WorldState home_state(const mrroc::config::Deployment& deployment) {
+  const auto memory = std::make_unique<mrroc::sim::WorldMemory>();
+  return mrroc::sim::Simulation(deployment, *memory).state();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string deployment_file, state_file, camera, out;
+  int width = 1280, height = 720;
+  CLI::App app{"Draws a state of a simulated world as a PNG file."};
+  app.add_option("--deployment", deployment_file, "deployment file whose world it is")->required();
+  app.add_option("--state", state_file, "state that the simulation saved; left out: every robot at home");
+  app.add_option("--camera", camera, "named camera of the scene; left out: a view of the whole");
+  app.add_option("--out", out, "PNG file to write")->required();
+  app.add_option("--width", width, "pixels")->check(CLI::Range(16, 8192));
+  app.add_option("--height", height, "pixels")->check(CLI::Range(16, 8192));
+  CLI11_PARSE(app, argc, argv);
+  try {
+    const auto deployment = mrroc::config::load_deployment(deployment_file);
+    const auto state = state_file.empty() ? home_state(deployment) : mrroc::sim::load_state(state_file);
+    const auto model = mrroc::sim::load_model(mrroc::sim::compose(deployment));
+    mrroc::sim::Renderer renderer(*model, width, height);
+    mrroc::sim::write_png(out, renderer.render(state.positions, camera));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "mrroc_render: %s\n", error.what());
+    return 2;
+  }
+  return 0;
+}

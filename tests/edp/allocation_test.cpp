@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+#include "rig.hpp"
+
+// every way to the heap is counted: operator new here, malloc and its kin by the linker's --wrap
+namespace {
+thread_local bool counting = false;
+thread_local std::uint64_t allocations = 0;
+void count() {
+  if (counting) ++allocations;
+}
+}  // namespace
+
+extern "C" {
+void* __real_malloc(std::size_t size);
+void* __real_calloc(std::size_t count, std::size_t size);
+void* __real_realloc(void* old, std::size_t size);
+void* __wrap_malloc(std::size_t size) {
+  count();
+  return __real_malloc(size);
+}
+void* __wrap_calloc(std::size_t number, std::size_t size) {
+  count();
+  return __real_calloc(number, size);
+}
+void* __wrap_realloc(void* old, std::size_t size) {
+  count();
+  return __real_realloc(old, size);
+}
+}
+
+// not inlined: the compiler takes the pair malloc, delete for a mistake
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  count();
+  if (void* memory = __real_malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace mrroc::edp {
+namespace {
+
+class Counting {
+ public:
+  Counting() { allocations = 0, counting = true; }
+  ~Counting() { counting = false; }
+};
+
+TEST(Allocation, TheCounterSeesBothWays) {
+  void* (*volatile allocate)(std::size_t) = std::malloc;  // volatile: or the compiler drops the pairs
+  void* (*volatile make)(std::size_t) = ::operator new;
+  {
+    const Counting scope;
+    std::free(allocate(10));
+  }
+  EXPECT_EQ(allocations, 1u);
+  {
+    const Counting scope;
+    ::operator delete(make(10));
+  }
+  EXPECT_EQ(allocations, 1u);
+}
+
+TEST(Allocation, TheServoTickAndTheCommsSideAllocateNothing) {
+  Rig<Gantry> rig;
+  rig.replies.reserve(1000);
+  RobotCommand hold;
+  hold.kind = CommandKind::hold;
+  RobotCommand joint = joint_command(JointVector::Constant(4, 0.01), 60, 58);
+  joint.relative = true;
+  joint.joint_velocity = JointVector::Constant(4, 0.1);
+  RobotCommand pose = joint;
+  pose.kind = CommandKind::pose;
+  pose.pose = Eigen::Translation3d(0.01, 0.01, 0.005);
+  pose.twist << 0.1, 0.1, 0.1, 0, 0, 0;
+  RobotCommand far = joint_command(JointVector::Constant(4, 9), 60, 58);
+  RobotCommand wild = pose;
+  wild.twist[0] = std::numeric_limits<double>::quiet_NaN();
+  int refused = 0;
+  {
+    const Counting scope;
+    for (int i = 0; i < 20; ++i) {
+      for (const RobotCommand* command : {&joint, &pose, &far, &wild, &hold}) {
+        refused += rig.send(*command);
+        rig.run(i % 2 == 0 ? 58 : 70);  // in time or late
+        refused += rig.query().error.error_class != ErrorClass::none;
+      }
+    }
+    rig.send(joint);
+    rig.run(30);
+    rig.hardware.fault = ErrorCode::drive_fault;
+    rig.run(200);
+    refused += rig.send(joint);
+    rig.hardware.fault = ErrorCode::none;
+    rig.effector.enable(true);
+    rig.run(10);
+  }
+  EXPECT_EQ(allocations, 0u);
+  EXPECT_GE(refused, 41);
+  EXPECT_GT(rig.replies.size(), 50u);
+  EXPECT_GT(rig.seen().counters.stops, 5u);
+}
+
+}  // namespace
+}  // namespace mrroc::edp

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <vector>
+
+#include "edp/effector.hpp"
+#include "edp/loopback_hardware.hpp"
+#include "edp/servo.hpp"
+#include "test_robots.hpp"
+
+namespace mrroc::edp {
+
+inline constexpr double kPeriod = 0.002;
+
+/// Hardware under test, with faults to inject.
+class FaultyHardware : public LoopbackHardware {
+ public:
+  using LoopbackHardware::LoopbackHardware;
+  void enable(bool on) noexcept override {
+    powered = on;
+    LoopbackHardware::enable(on);
+  }
+  void read(Tick tick, HardwareInput& input) noexcept override {
+    LoopbackHardware::read(tick, input);
+    if (jammed.size() == 0 && jam) jammed = input.motors;
+    if (jam) input.motors = jammed;
+    input.synchronised = synchronised;
+    input.fault = fault;
+  }
+  bool powered = false;
+  bool jam = false;
+  bool synchronised = true;
+  ErrorCode fault = ErrorCode::none;
+  JointVector jammed;
+};
+
+/// One robot in lockstep: the servo's tick, then the comms side, as the participant of a deployment runs them.
+template <class Model>
+struct Rig {
+  explicit Rig(bool on = true) {
+    effector.enable(on);
+    tick();
+  }
+
+  /// Next servo tick; replies that left in it are appended to `replies`.
+  void tick() {
+    servo.tick(now);
+    Reply reply;
+    while (effector.poll(reply)) replies.push_back(reply);
+    ++now;
+  }
+  void run(Tick ticks) {
+    for (Tick i = 0; i < ticks; ++i) tick();
+  }
+  /// True: refused or answered at once, the answer is in `answer`.
+  bool send(const RobotCommand& command) { return effector.accept(command, ++number, answer); }
+  RobotState query() {
+    send(RobotCommand{});
+    return answer.state;
+  }
+  const Snapshot& seen() const { return servo.snapshot(); }
+
+  Model model;
+  FaultyHardware hardware{model, kPeriod};
+  HandOver hand_over;
+  Servo servo{model, hardware, kPeriod, hand_over};
+  Effector effector{model, kPeriod, hand_over};
+  Tick now = 0;  ///< the tick to be executed next
+  std::uint64_t number = 0;
+  Reply answer;
+  std::vector<Reply> replies;
+};
+
+inline RobotCommand joint_command(const JointVector& joints, std::uint16_t steps, std::uint16_t reply_step) {
+  RobotCommand command;
+  command.kind = CommandKind::joint;
+  command.joints = joints;
+  command.motion_steps = steps;
+  command.reply_step = reply_step;
+  return command;
+}
+
+inline JointVector one(double value) { return JointVector::Constant(1, value); }
+
+}  // namespace mrroc::edp
