@@ -10,6 +10,7 @@
 
 #include "cli/trace.hpp"
 #include "clock/realtime.hpp"
+#include "config/resources.hpp"
 #include "process/arguments.hpp"
 
 namespace mrroc::cli {
@@ -100,6 +101,9 @@ RunResult Runner::run() {
 }
 
 void Runner::start_processes() {
+  // a program may lie elsewhere than the others: it finds them, and the data files, where the runner does
+  setenv("MRROC_PROGRAMS", config::program_directory().c_str(), 1);
+  setenv("MRROC_SHARE", config::share_directory().c_str(), 1);
   std::vector<PlannedProcess> order = plan_;
   std::mt19937_64 random(options_.shuffle_seed.value_or(0));
   if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);
@@ -280,8 +284,9 @@ void Runner::end_processes() {
   const double now = operator_clock_ ? operator_clock_->wall_seconds() : 0;
   result_.wall_seconds = task_started_ ? now - start : 0;
   if (result_.ticks == 0 && task_started_) result_.ticks = clock_.tick();
-  clock_.end();
+  // first the signal: who is still being set up must know that it is asked to end before its clock refuses it
   for (Child& child : children_) child.signal(SIGTERM);
+  clock_.end();
   const auto all_ended = [this] {
     return std::all_of(children_.begin(), children_.end(), [](Child& child) { return child.ended(); });
   };

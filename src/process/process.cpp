@@ -17,8 +17,10 @@ namespace {
 
 // the one thing that a signal handler can reach
 std::atomic<clock::Clock*> interruptible{nullptr};
+std::atomic<bool> asked_to_end{false};
 
 void on_signal(int) {
+  asked_to_end = true;
   if (clock::Clock* clock = interruptible.load()) clock->interrupt();
 }
 
@@ -121,15 +123,13 @@ int run_process(int argc, char** argv, links::ProcessRole role, const std::funct
   } catch (const Stopped& stopped) {
     if (process) process->status().state(links::ProcessState::ended);
     return static_cast<int>(serves(role) ? ExitCode::success : ExitCode::stopped);
-  } catch (const config::ConfigurationError& error) {
+  } catch (const std::exception& error) {
+    // who is asked to end while it is being set up meets closed doors: that is no failure of its own
+    if (asked_to_end) return static_cast<int>(ExitCode::stopped);
     std::fprintf(stderr, "%s\n", error.what());
     if (process) process->status().failed(report_of(error));
-    return static_cast<int>(ExitCode::usage);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    if (!process) return static_cast<int>(ExitCode::usage);
-    process->status().failed(report_of(error));
-    return static_cast<int>(exit_code(report_of(error).error_class));
+    const bool wrong_file = dynamic_cast<const config::ConfigurationError*>(&error) != nullptr;
+    return static_cast<int>(wrong_file || !process ? ExitCode::usage : exit_code(report_of(error).error_class));
   }
 }
 

@@ -35,7 +35,7 @@ TEST(WrongInput, ADeploymentIsRefusedWithItsLineAndNothingIsStarted) {
   const ScratchFolder folder;
   const auto file = folder.write("wrong.toml", "[deployment]\nname = \"wrong\"\nclock = \"fast\"\n");
   const std::string output = run_mrroc({"run", file.string()}, kUsage);
-  expect_text(output, "wrong.toml:3: deployment.clock: 'fast'");
+  expect_text(output, "wrong.toml:3: deployment.clock: unknown value 'fast'");
   EXPECT_EQ(output.find("ready"), std::string::npos) << output;
   expect_text(run_mrroc({"run", "--check", file.string()}, kUsage), "wrong.toml:3: deployment.clock");
 }
@@ -48,14 +48,14 @@ TEST(WrongInput, CheckStartsNothing) {
 
 TEST(WrongInput, ASceneThatMuJoCoRejectsIsShownWithItsMessageAndLine) {
   const ScratchFolder folder;
-  folder.write("scene.xml", "<mujoco>\n  <worldbody>\n    <geom type=\"cylindre\" size=\"1 1\"/>\n  </worldbody>\n</mujoco>\n");
+  folder.write("scene.xml", "<mujoco>\n  <compiler angle=\"radian\"/>\n  <worldbody>\n    <geom type=\"cylindre\" size=\"1 1\"/>\n  </worldbody>\n</mujoco>\n");
   const auto file = folder.write("scene.toml",
                                  "[deployment]\nname = \"scene\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"mujoco\"\n"
                                  "[sim]\nscene = \"scene.xml\"\n");
   const std::string output = run_mrroc({"run", file.string()}, kSystem);
   expect_text(output, "process sim died");
   expect_text(output, "scene.xml");
-  expect_text(output, "line 3");
+  expect_text(output, "line 4");
   EXPECT_EQ(output.find("running"), std::string::npos) << output;
 }
 
