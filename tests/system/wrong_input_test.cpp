@@ -48,27 +48,32 @@ TEST(WrongInput, CheckStartsNothing) {
 
 TEST(WrongInput, ASceneThatMuJoCoRejectsIsShownWithItsMessageAndLine) {
   const ScratchFolder folder;
-  folder.write("scene.xml", "<mujoco>\n  <compiler angle=\"radian\"/>\n  <worldbody>\n    <geom type=\"cylindre\" size=\"1 1\"/>\n  </worldbody>\n</mujoco>\n");
-  const auto file = folder.write("scene.toml",
-                                 "[deployment]\nname = \"scene\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"mujoco\"\n"
-                                 "[sim]\nscene = \"scene.xml\"\n");
+  folder.write("scene.xml",
+               "<mujoco>\n  <compiler angle=\"radian\"/>\n  <worldbody>\n    <geom type=\"cylindre\" size=\"1 1\"/>\n  "
+               "</worldbody>\n</mujoco>\n");
+  const auto file =
+      folder.write("scene.toml",
+                   "[deployment]\nname = \"scene\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"mujoco\"\n"
+                   "[sim]\nscene = \"scene.xml\"\n");
   const std::string output = run_mrroc({"run", file.string()}, kSystem);
   expect_text(output, "process sim died");
-  expect_text(output, "scene.xml");
-  expect_text(output, "line 4");
+  expect_text(output, "scene.xml:4: MuJoCo: ");
+  expect_text(output, "cylindre");
   EXPECT_EQ(output.find("running"), std::string::npos) << output;
 }
 
 TEST(WrongInput, ADomainInUseIsSaid) {
   const ScratchFolder folder;
-  const auto file = folder.write("domain.toml", "[deployment]\nname = \"domain\"\nclock = \"paced\"\ndomain = 117\n"
-                                                "[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n"
-                                                "program = \"" MRROC_BINARY_DIR "/bin/press_ecp\"\n");
+  const auto file = folder.write("domain.toml",
+                                 "[deployment]\nname = \"domain\"\nclock = \"paced\"\ndomain = 117\n"
+                                 "[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n"
+                                 "program = \"" MRROC_BINARY_DIR "/bin/press_ecp\"\n");
   MrrocRun first({"run", "tasks/press/press.toml", "--clock", "paced"});
   ASSERT_TRUE(first.wait_for_output("running"));
   run_mrroc({"run", "tasks/press_replay/press_replay.toml", "--quiet"}, 0);  // another domain: both run
-  const auto busy = folder.write("busy.toml", "[deployment]\nname = \"busy\"\ndomain = 1\n"
-                                              "[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n");
+  const auto busy = folder.write("busy.toml",
+                                 "[deployment]\nname = \"busy\"\ndomain = 1\n"
+                                 "[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n");
   expect_text(run_mrroc({"run", busy.string()}, kUsage), "DDS domain 1 is in use");
 }
 
@@ -84,8 +89,9 @@ TEST(WrongInput, ASensorThatTheDeploymentDoesNotHave) {
 
 TEST(WrongInput, ARobotOfAnotherTypeThanTheTaskExpects) {
   const ScratchFolder folder;
-  const auto file = folder.write("names.toml", "[deployment]\nname = \"names\"\n[mp]\nprogram = \"press_mp\"\n"
-                                               "[robots.other]\ntype = \"irb6\"\nhardware = \"loopback\"\n");
+  const auto file = folder.write("names.toml",
+                                 "[deployment]\nname = \"names\"\n[mp]\nprogram = \"press_mp\"\n"
+                                 "[robots.other]\ntype = \"irb6\"\nhardware = \"loopback\"\n");
   expect_text(run_mrroc({"run", file.string()}, kSystem), "the deployment has no robot 'arm', it has: other");
 }
 
