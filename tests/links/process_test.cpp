@@ -22,7 +22,7 @@ TEST(Process, AKilledPeerIsNamed) {
   TestDomain net;
   TestClock clock;
   PeerProcess peer("respond", net.domain.id(), "t/arm", 1.5);
-  RobotRequester link(net.domain, clock, "t/arm", "arm_edp", kNever / 2);
+  RobotRequester link(net.domain, clock, "t/arm", "arm_edp", 1000000);
   link.connect(kPatience);
   RobotState state;
   link.send({});

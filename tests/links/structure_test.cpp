@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -16,11 +18,15 @@ const fs::path kRoot = MRROC_SOURCE_DIR;
 // headers of src/links that show DDS; only src/links and its tests may include them
 const std::set<std::string> kInternal = {"codec.hpp", "entity.hpp"};
 
-std::string text_of(const fs::path& file) {
+using Words = std::vector<std::string>;
+
+bool has_one_of(const fs::path& file, const Words& words) {
   std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  std::ostringstream content;
+  content << stream.rdbuf();
+  const std::string text = content.str();
+  return std::any_of(words.begin(), words.end(),
+                     [&text](const std::string& word) { return text.find(word) != std::string::npos; });
 }
 
 /// Every C++ file of the project's layers.
@@ -38,10 +44,11 @@ std::vector<fs::path> sources() {
 bool in_links(const fs::path& file) { return file.parent_path() == kRoot / "src" / "links"; }
 
 TEST(Structure, DdsIsIncludedInLinksOnlyAndShownByNoPublicHeader) {
-  const std::regex shows_dds("#include [<\"](dds/|messages\\.h|links/(codec|entity)\\.hpp)");
+  const Words shows_dds = {"#include <dds/", "#include \"dds/", "#include \"messages.h\"",
+                           "#include \"links/codec.hpp\"", "#include \"links/entity.hpp\""};
   int users = 0;
   for (const fs::path& file : sources()) {
-    if (!std::regex_search(text_of(file), shows_dds)) continue;
+    if (!has_one_of(file, shows_dds)) continue;
     ++users;
     EXPECT_TRUE(in_links(file)) << file;
     EXPECT_TRUE(file.extension() == ".cpp" || kInternal.contains(file.filename())) << file;
@@ -50,9 +57,9 @@ TEST(Structure, DdsIsIncludedInLinksOnlyAndShownByNoPublicHeader) {
 }
 
 TEST(Structure, NothingWaitsOrTimesByTheWallClockOfDds) {
-  const std::regex forbidden("dds_waitset|dds_qset_latency_budget|dds_set_listener|dds_time\\(|dds_sleepfor");
+  const Words forbidden = {"dds_waitset", "dds_qset_latency_budget", "dds_set_listener", "dds_time(", "dds_sleepfor"};
   for (const fs::path& file : sources()) {
-    EXPECT_FALSE(std::regex_search(text_of(file), forbidden)) << file;
+    EXPECT_FALSE(has_one_of(file, forbidden)) << file;
   }
 }
 

@@ -28,13 +28,12 @@ class TestClock final : public clock::Clock {
     std::unique_lock lock(mutex_);
     auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     bool due = false;
-    if (!simulated_ && wake_tick != kNever) {
-      const auto now = static_cast<std::int64_t>(tick());
-      const auto ahead = std::chrono::milliseconds(2 * (static_cast<std::int64_t>(wake_tick) - now));
-      if (std::chrono::steady_clock::now() + ahead < limit) {
-        limit = std::chrono::steady_clock::now() + ahead;
-        due = true;
-      }
+    const Tick now = tick();
+    constexpr Tick kMinute = 30000;
+    if (!simulated_ && wake_tick < now + kMinute) {
+      const Tick ahead = wake_tick > now ? wake_tick - now : 0;
+      limit = std::chrono::steady_clock::now() + std::chrono::milliseconds(2 * ahead);
+      due = true;
     }
     const bool woken = wake_.wait_until(lock, limit, [this] { return interrupted_ || openings_ != seen_; });
     delta_.fetch_add(1);
