@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstring>
-#include <regex>
 
 #include "config/table.hpp"
 #include "mrroc/errors.hpp"
+#include "sim/mujoco_error_text.hpp"
 #include "sim/mujoco_messages.hpp"
 
 namespace mrroc::sim {
@@ -22,30 +22,18 @@ Origin origin_of_sensor(const Composition& composition, std::size_t index) {
   return composition.root.origin;
 }
 
-Origin origin_of(const Composition& composition, const std::string& message) {
-  std::smatch match;
-  if (std::regex_search(message, match, std::regex("line(?: =| number=)? ?(\\d+)", std::regex::icase))) {
-    const std::size_t line = std::stoul(match[1]);
-    if (line >= 1 && line <= composition.text.lines.size()) return composition.text.lines[line - 1];
+Origin origin_of(const Composition& composition, const MujocoErrorText& error) {
+  if (error.line && *error.line >= 1 && *error.line <= composition.text.lines.size()) {
+    return composition.text.lines[*error.line - 1];
   }
-  if (std::regex_search(message, match, std::regex("sensor.*\n.*id = (\\d+)"))) {
-    return origin_of_sensor(composition, std::stoul(match[1]));
-  }
+  if (error.id && error.text.find("sensor") != std::string::npos) return origin_of_sensor(composition, *error.id);
   return composition.root.origin;
 }
 
-/// One line, without the line number of the composed text.
-std::string tidy(std::string message) {
-  message =
-      std::regex_replace(message, std::regex(",? line(?: =)? \\d+(?:, column -?\\d+)?(?:, column = -?\\d+)?"), "");
-  message = std::regex_replace(message, std::regex("\\s+"), " ");
-  while (message.ends_with(' ')) message.pop_back();
-  return message;
-}
-
-[[noreturn]] void refuse(const Composition& composition, const std::string& message) {
-  const Origin origin = origin_of(composition, message);
-  throw config::ConfigurationError(*origin.file, origin.line, "", "MuJoCo: " + tidy(message), "");
+[[noreturn]] void refuse(const Composition& composition, const char* message) {
+  const MujocoErrorText error = parse_mujoco_error(message);
+  const Origin origin = origin_of(composition, error);
+  throw config::ConfigurationError(*origin.file, origin.line, "", "MuJoCo: " + error.text, "");
 }
 
 struct Vfs {
@@ -83,7 +71,7 @@ Model load_model(const Composition& composition) {
     std::memcpy(files.vfs->filedata[mj_findFileVFS(files.vfs.get(), kFile)], text.data(), text.size());
     Model model(mj_loadXML(kFile, files.vfs.get(), error.data(), static_cast<int>(error.size())));
     if (!model) refuse(composition, error.data());
-    if (!messages.warnings().empty()) refuse(composition, messages.warnings().front());
+    if (!messages.warnings().empty()) refuse(composition, messages.warnings().front().c_str());
     return model;
   } catch (const MujocoError& mujoco_error) {
     refuse(composition, mujoco_error.what());

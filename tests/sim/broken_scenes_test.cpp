@@ -50,6 +50,9 @@ TEST_P(BrokenScene, IsRefusedWithFileLineAndMujocosMessage) {
   EXPECT_TRUE(message.starts_with(GetParam().place)) << message;
   EXPECT_NE(message.find(GetParam().contains), std::string::npos) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  // the line of the composed text would only mislead
+  EXPECT_EQ(message.find(" line "), std::string::npos) << message;
+  EXPECT_EQ(message.find("column"), std::string::npos) << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(
