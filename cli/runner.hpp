@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -10,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/child.hpp"
+#include "cli/crew.hpp"
 #include "cli/domain_lock.hpp"
 #include "cli/process_plan.hpp"
 #include "cli/progress.hpp"
@@ -64,7 +63,6 @@ class Runner {
   /// One turn of the supervisor: waits at most `milliseconds` for signals and output; true when all is well.
   bool turn(int milliseconds);
   void read_signals();
-  void read_output(Child& child);
   void read_statuses();
   void read_task_status();
   void check_children();
@@ -82,7 +80,7 @@ class Runner {
   clock::ClockHost clock_;
   std::unique_ptr<sim::MappedWorld> world_;
   int signals_ = -1;
-  std::deque<Child> children_;
+  Crew crew_;
   std::unique_ptr<clock::Clock> operator_clock_;
   std::unique_ptr<links::Domain> domain_;
   std::unique_ptr<links::StatusCollector> collector_;
