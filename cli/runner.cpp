@@ -1,6 +1,5 @@
 #include "cli/runner.hpp"
 
-#include <poll.h>
 #include <signal.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
@@ -10,6 +9,7 @@
 
 #include "cli/trace.hpp"
 #include "clock/realtime.hpp"
+#include "config/resources.hpp"
 #include "process/arguments.hpp"
 
 namespace mrroc::cli {
@@ -70,7 +70,8 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       progress_(names_of(plan_), deployment_.servo_period, options_.quiet),
       domain_lock_(deployment_.domain),
       clock_(host_options(deployment_, plan_)),
-      signals_(open_signals()) {
+      signals_(open_signals()),
+      crew_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }) {
   if (deployment_.sim) world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
 }
 
@@ -100,6 +101,9 @@ RunResult Runner::run() {
 }
 
 void Runner::start_processes() {
+  // a program may lie elsewhere than the others: it finds them, and the data files, where the runner does
+  setenv("MRROC_PROGRAMS", config::program_directory().c_str(), 1);
+  setenv("MRROC_SHARE", config::share_directory().c_str(), 1);
   std::vector<PlannedProcess> order = plan_;
   std::mt19937_64 random(options_.shuffle_seed.value_or(0));
   if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);
@@ -113,7 +117,7 @@ void Runner::start_processes() {
     arguments.domain = domain_lock_.domain();
     if (process.has_task && !options_.trace.empty()) arguments.trace = trace_part(process.name);
     if (process.name == "sim") arguments.snapshots = options_.snapshots;
-    children_.emplace_back(process.name, process.program.string(), process::to_command_line(arguments));
+    crew_.start(process.name, process.program.string(), process::to_command_line(arguments));
   }
   // after the children: they would inherit the domain's sockets (dds.md, trap 5)
   operator_clock_ = clock_.operator_clock();
@@ -137,8 +141,7 @@ void Runner::pass_barrier() {
     }
   }
   mp_->connect(deployment_.start_timeout);
-  schedule_events();
-  mp_->send(links::TaskCommandKind::start);
+  schedule_commands();
   const double now = operator_clock_->wall_seconds();
   for (const PlannedProcess& process : plan_) last_heard_[process.name] = now;
   result_.wall_seconds = now;
@@ -146,13 +149,14 @@ void Runner::pass_barrier() {
   clock_.start();
 }
 
-void Runner::schedule_events() {
+void Runner::schedule_commands() {
+  clock_.at_tick(0, [this] { command(links::TaskCommandKind::start); });
   for (const config::Event& event : deployment_.events) {
     links::TaskCommandKind kind = links::TaskCommandKind::trigger;
     if (event.command == "pause") kind = links::TaskCommandKind::pause;
     if (event.command == "resume") kind = links::TaskCommandKind::resume;
     if (event.command == "stop") kind = links::TaskCommandKind::stop;
-    clock_.at_tick(event.tick, [this, kind] { mp_->send(kind); });
+    clock_.at_tick(event.tick, [this, kind] { command(kind); });
   }
 }
 
@@ -164,15 +168,8 @@ void Runner::supervise() {
 }
 
 bool Runner::turn(int milliseconds) {
-  std::vector<pollfd> descriptors{{signals_, POLLIN, 0}};
-  for (const Child& child : children_) descriptors.push_back({child.output_fd(), POLLIN, 0});
-  // a child that has closed its pipe is read in check_children: polling it again would not wait
-  for (std::size_t i = 0; i < children_.size(); ++i) {
-    if (children_[i].ended()) descriptors[i + 1].fd = -1;
-  }
-  poll(descriptors.data(), descriptors.size(), milliseconds);
+  crew_.wait(milliseconds, signals_);
   read_signals();
-  for (Child& child : children_) read_output(child);
   if (collector_ != nullptr) read_statuses();
   if (task_started_) read_task_status();
   check_children();
@@ -194,11 +191,12 @@ void Runner::interrupt_by_operator() {
     return;
   }
   progress_.message("stopping (once more to end at once)");
-  mp_->send(links::TaskCommandKind::stop);
+  command(links::TaskCommandKind::stop);
 }
 
-void Runner::read_output(Child& child) {
-  for (const std::string& line : child.read_lines()) progress_.message(child.name() + " | " + line);
+void Runner::command(links::TaskCommandKind kind) {
+  const std::lock_guard lock(command_mutex_);
+  mp_->send(kind);
 }
 
 void Runner::read_statuses() {
@@ -232,17 +230,14 @@ void Runner::read_task_status() {
 
 void Runner::check_children() {
   if (stopping_) return;
-  for (Child& child : children_) {
-    if (!child.ended()) continue;
-    read_output(child);
-    const auto status = statuses_.find(child.name());
-    const bool told = status != statuses_.end() && status->second.state == links::ProcessState::failed;
-    std::string reason = "process " + child.name() + " died: " + child.how_it_ended();
-    if (told) reason += ": " + std::string{status->second.error.detail.view()};
-    clock_.participant_died(child.name());
-    fail(process::ExitCode::system, reason);
-    return;
-  }
+  const Child* child = crew_.first_ended();
+  if (child == nullptr) return;
+  const auto status = statuses_.find(child->name());
+  const bool told = status != statuses_.end() && status->second.state == links::ProcessState::failed;
+  std::string reason = "process " + child->name() + " died: " + child->how_it_ended();
+  if (told) reason += ": " + std::string{status->second.error.detail.view()};
+  clock_.participant_died(child->name());
+  fail(process::ExitCode::system, reason);
 }
 
 void Runner::check_heartbeats() {
@@ -267,6 +262,7 @@ void Runner::fail(process::ExitCode code, std::string reason) {
   stopping_ = true;
   result_.code = code;
   result_.reason = std::move(reason);
+  progress_.error("mrroc: " + deployment_.name + ": " + result_.reason);
 }
 
 void Runner::end_processes() {
@@ -274,19 +270,14 @@ void Runner::end_processes() {
   const double now = operator_clock_ ? operator_clock_->wall_seconds() : 0;
   result_.wall_seconds = task_started_ ? now - start : 0;
   if (result_.ticks == 0 && task_started_) result_.ticks = clock_.tick();
+  // first the signal: who is still being set up must know that it is asked to end before its clock refuses it
+  crew_.signal(SIGTERM);
   clock_.end();
-  for (Child& child : children_) child.signal(SIGTERM);
-  const auto all_ended = [this] {
-    return std::all_of(children_.begin(), children_.end(), [](Child& child) { return child.ended(); });
-  };
-  while (!all_ended() && operator_clock_->wall_seconds() < now + kPatienceToEnd) turn(kTurn);
-  for (Child& child : children_) {
-    if (!child.ended()) {
-      progress_.message("process " + child.name() + " does not end, killing it");
-      child.signal(SIGKILL);
-    }
+  while (!crew_.all_ended() && operator_clock_->wall_seconds() < now + kPatienceToEnd) turn(kTurn);
+  for (const std::string& name : crew_.kill_rest()) {
+    progress_.message("process " + name + " does not end, killing it");
   }
-  while (!all_ended()) turn(kTurn);
+  while (!crew_.all_ended()) turn(kTurn);
   turn(0);
   progress_.finish();
 }

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "cli/child.hpp"
+#include "cli/crew.hpp"
 #include "cli/domain_lock.hpp"
 #include "cli/process_plan.hpp"
 #include "cli/progress.hpp"
@@ -35,7 +35,7 @@ struct RunOptions {
 /// How a run ended.
 struct RunResult {
   process::ExitCode code = process::ExitCode::success;
-  std::string reason;                                    ///< one line, empty on success
+  std::string reason;                                    ///< one line, told on stderr at once; empty on success
   Tick ticks = 0;                                        ///< simulated length
   double wall_seconds = 0;                               ///< from the start of the task to its end
   std::map<std::string, links::ProcessStatus> statuses;  ///< last word of each process
@@ -53,14 +53,16 @@ class Runner {
  private:
   void start_processes();
   void pass_barrier();
-  void schedule_events();
+  /// The start at tick 0, and the deployment's events, at their ticks.
+  void schedule_commands();
+  /// To the MP. Main thread, or the clock's when a command has its tick.
+  void command(links::TaskCommandKind kind);
   void supervise();
   void end_processes();
 
   /// One turn of the supervisor: waits at most `milliseconds` for signals and output; true when all is well.
   bool turn(int milliseconds);
   void read_signals();
-  void read_output(Child& child);
   void read_statuses();
   void read_task_status();
   void check_children();
@@ -78,11 +80,12 @@ class Runner {
   clock::ClockHost clock_;
   std::unique_ptr<sim::MappedWorld> world_;
   int signals_ = -1;
-  std::deque<Child> children_;
+  Crew crew_;
   std::unique_ptr<clock::Clock> operator_clock_;
   std::unique_ptr<links::Domain> domain_;
   std::unique_ptr<links::StatusCollector> collector_;
   std::unique_ptr<links::TaskSuperior> mp_;
+  std::mutex command_mutex_;
 
   std::map<std::string, links::ProcessStatus> statuses_;
   std::map<std::string, double> last_heard_;  // s of wall time

@@ -17,8 +17,13 @@ namespace {
 
 // the one thing that a signal handler can reach
 std::atomic<clock::Clock*> interruptible{nullptr};
+std::atomic<bool> asked_to_end{false};
+std::atomic<bool> setting_up{true};
 
 void on_signal(int) {
+  // before the barrier nothing moves and nothing is to be put away: the process may just go, whatever it waits for
+  if (setting_up) _exit(static_cast<int>(ExitCode::stopped));
+  asked_to_end = true;
   if (clock::Clock* clock = interruptible.load()) clock->interrupt();
 }
 
@@ -91,7 +96,9 @@ Process::~Process() { interruptible = nullptr; }
 
 void Process::start() {
   status_->state(links::ProcessState::ready);
-  if (!clock_->start()) throw Stopped{};
+  const bool started = clock_->start();
+  setting_up = false;
+  if (!started) throw Stopped{};
   status_->state(links::ProcessState::running);
 }
 
@@ -121,15 +128,13 @@ int run_process(int argc, char** argv, links::ProcessRole role, const std::funct
   } catch (const Stopped& stopped) {
     if (process) process->status().state(links::ProcessState::ended);
     return static_cast<int>(serves(role) ? ExitCode::success : ExitCode::stopped);
-  } catch (const config::ConfigurationError& error) {
+  } catch (const std::exception& error) {
+    // when all are asked to end, some find their peers gone: that is no failure of their own
+    if (asked_to_end) return static_cast<int>(ExitCode::stopped);
     std::fprintf(stderr, "%s\n", error.what());
     if (process) process->status().failed(report_of(error));
-    return static_cast<int>(ExitCode::usage);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    if (!process) return static_cast<int>(ExitCode::usage);
-    process->status().failed(report_of(error));
-    return static_cast<int>(exit_code(report_of(error).error_class));
+    const bool wrong_file = dynamic_cast<const config::ConfigurationError*>(&error) != nullptr;
+    return static_cast<int>(wrong_file || !process ? ExitCode::usage : exit_code(report_of(error).error_class));
   }
 }
 

@@ -93,6 +93,7 @@ bool TaskProcess::read_superior() {
         ++triggers_;
         break;
     }
+    on_superior_command(command);
   }
   return started;
 }

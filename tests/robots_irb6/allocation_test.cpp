@@ -1,30 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "irb6_fixture.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "robots_irb6/allocation_count.hpp"
 
 namespace mrroc {
 namespace {
 
-TEST(Irb6Allocation, TheCounterCounts) {
-  const long before = allocations;
+TEST(Irb6Allocation, TheCounterSeesNewAndEigensHeap) {
+  const long before = allocation_count();
   ::operator delete(::operator new(8));
-  EXPECT_EQ(allocations - before, 1);
+  const long after_new = allocation_count();
+  const Eigen::VectorXd heap = Eigen::VectorXd::Constant(100, static_cast<double>(before));
+  EXPECT_EQ(after_new - before, 1);
+  EXPECT_EQ(allocation_count() - after_new, 1) << heap[0];
 }
 
 TEST(Irb6Allocation, NoMethodAllocates) {
@@ -34,7 +22,7 @@ TEST(Irb6Allocation, NoMethodAllocates) {
   for (int i = 0; i < 100; ++i) postures.push_back(random_posture(random));
   JointVector motors, joints;
   double sum = 0;
-  const long before = allocations;
+  const long before = allocation_count();
   for (const JointVector& posture : postures) {
     const Pose pose = model.direct(posture);
     model.inverse(pose, model.parameters().home, joints);
@@ -42,7 +30,7 @@ TEST(Irb6Allocation, NoMethodAllocates) {
     model.motors_to_joints(motors, joints);
     sum += model.transmission(posture).sum() + model.jacobian(posture).sum() + joints.sum();
   }
-  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(allocation_count() - before, 0);
   EXPECT_TRUE(std::isfinite(sum));
 }
 

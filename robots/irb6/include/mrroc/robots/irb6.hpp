@@ -14,7 +14,8 @@ class Irb6 : public Robot {
   /// irb6, ConfigurationError when its parameter file is wrong.
   explicit Irb6(Task& task, const std::string& name = "");
 
-  /// The tool pose at (x, y, z) m in the base frame with the tool pointing straight down and its x axis along the base's.
+  /// The tool pose at (x, y, z) m in the base frame with the tool pointing straight down and its x axis along the
+  /// base's.
   static Pose tool_down(double x, double y, double z);
 };
 
