@@ -182,17 +182,16 @@ void Runner::schedule_commands() {
 }
 
 void Runner::supervise() {
-  while (turn(kTurn)) {
-    check_heartbeats();
-    check_clock();
-  }
+  while (turn(kTurn)) check_heartbeats();
 }
 
 bool Runner::turn(int milliseconds) {
   crew_.wait(milliseconds, signals_);
   read_signals();
   if (collector_ != nullptr) read_statuses();
-  check_children();  // first: what the task says about a death is but its consequence
+  // first the causes: what the task says about a death or a lost clock is but their consequence
+  check_children();
+  check_clock();
   if (task_started_) read_task_status();
   progress_.draw();
   return !stopping_;
