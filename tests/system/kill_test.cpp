@@ -2,6 +2,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <cstdint>
 #include <random>
 #include <set>
 #include <string>
@@ -31,24 +32,28 @@ pid_t await_child(const MrrocRun& run, const std::string& name) {
 /// Clock, how many times, and the process to kill.
 class Kill : public testing::TestWithParam<std::tuple<std::pair<const char*, int>, const char*>> {};
 
+/// Kills the process `name` of a run `delay` ms after it has come to be.
+void kill_one(const std::vector<std::string>& arguments, const std::string& name, std::uint_fast32_t delay) {
+  MrrocRun run(arguments);
+  const pid_t victim = await_child(run, name);
+  std::this_thread::sleep_for(std::chrono::milliseconds(delay));
+  const std::vector<pid_t> pids = run.children();
+  ASSERT_EQ(kill(victim, SIGKILL), 0);
+  EXPECT_EQ(run.wait(), kSystem) << run.out() << run.err();
+  EXPECT_NE(run.err().find("process " + name + " died: signal 9 (Killed)"), std::string::npos)
+      << run.out() << run.err();
+  EXPECT_EQ(run.out().find("does not end"), std::string::npos) << run.out();
+  EXPECT_TRUE(all_end(pids));
+}
+
 TEST_P(Kill, AnyProcessIsNamedAndTheRestEnds) {
   const auto [clock, times] = std::get<0>(GetParam());
   const std::string name = std::get<1>(GetParam());
   const std::set<std::string> before = shared_memory();
   std::mt19937 random(static_cast<unsigned>(name.front()));
-  for (int i = 0; i < times; ++i) {
-    MrrocRun run({"run", "tasks/press/press.toml", "--clock", clock});
-    const pid_t victim = await_child(run, name);
+  for (int i = 0; i < times && !HasFailure(); ++i) {
     // some die while the deployment is being set up, most in the middle of the task
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 900));
-    const std::vector<pid_t> pids = run.children();
-    ASSERT_EQ(kill(victim, SIGKILL), 0);
-    EXPECT_EQ(run.wait(), kSystem) << run.out() << run.err();
-    EXPECT_NE(run.err().find("process " + name + " died: signal 9 (Killed)"), std::string::npos)
-        << run.out() << run.err();
-    EXPECT_EQ(run.out().find("does not end"), std::string::npos) << run.out();
-    EXPECT_TRUE(all_end(pids));
-    if (HasFailure()) return;
+    kill_one({"run", "tasks/press/press.toml", "--clock", clock}, name, random() % 900);
   }
   EXPECT_EQ(shared_memory(), before);
 }
@@ -62,6 +67,23 @@ std::string name_of(const testing::TestParamInfo<Kill::ParamType>& test) {
 INSTANTIATE_TEST_SUITE_P(Simulated, Kill, testing::Combine(testing::Values(std::pair{"paced", 20}), kProcesses),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Real, Kill, testing::Combine(testing::Values(std::pair{"real", 5}), kProcesses), name_of);
+
+class KillInLockstep : public testing::TestWithParam<const char*> {};
+
+/// Time runs as fast as it can: most die in the middle of a delta, with messages in flight.
+TEST_P(KillInLockstep, AnyProcessIsNamedAndTheRestEnds) {
+  const ScratchFolder folder;
+  const auto deployment = folder.write("hold.toml", faulty_deployment("hold") +
+                                                        "[sensors.gate]\ntype = \"ultrasonic\"\n"
+                                                        "mode = \"non-interactive\"\nrate = 500\n"
+                                                        "source = \"replay\"\nreplay = \"" MRROC_SOURCE_DIR
+                                                        "/tasks/press_replay/gate.txt\"\n");
+  std::mt19937 random(1);
+  for (int i = 0; i < 20 && !HasFailure(); ++i) kill_one({"run", deployment.string()}, GetParam(), random() % 600);
+}
+
+INSTANTIATE_TEST_SUITE_P(Processes, KillInLockstep, testing::Values("mp", "arm", "arm_edp", "gate"),
+                         [](const auto& test) { return std::string{test.param}; });
 
 class KillRunner : public testing::TestWithParam<const char*> {};
 
