@@ -68,6 +68,13 @@ void Progress::message(const std::string& text) {
   draw();
 }
 
+void Progress::error(const std::string& text) {
+  erase();
+  std::fflush(stdout);
+  fmt::print(stderr, "{}\n", text);
+  draw();
+}
+
 void Progress::draw() {
   if (!live_) return;
   erase();

@@ -19,6 +19,8 @@ class Progress {
   void update(const links::ProcessStatus& status);
   /// A line of text above the live lines: output of a process, a notice. Shown even when quiet.
   void message(const std::string& text);
+  /// A line on stderr, with the live lines out of its way.
+  void error(const std::string& text);
   /// Redraws the live lines; call it a few times per second.
   void draw();
   /// Leaves the live lines as they are and writes below from now on.

@@ -7,6 +7,7 @@
 #include "cli/report.hpp"
 #include "cli/runner.hpp"
 #include "cli/trace.hpp"
+#include "config/description.hpp"
 
 namespace mrroc::cli {
 
@@ -33,10 +34,6 @@ int run(const RunArguments& arguments) {
   }
   const RunResult result = Runner(deployment, arguments.options).run();
   if (!arguments.options.quiet) print_report(deployment, result);
-  if (!result.reason.empty()) {
-    std::fflush(stdout);
-    fmt::print(stderr, "mrroc: {}: {}\n", deployment.name, result.reason);
-  }
   return static_cast<int>(result.code);
 }
 

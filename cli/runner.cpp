@@ -137,8 +137,7 @@ void Runner::pass_barrier() {
     }
   }
   mp_->connect(deployment_.start_timeout);
-  schedule_events();
-  mp_->send(links::TaskCommandKind::start);
+  schedule_commands();
   const double now = operator_clock_->wall_seconds();
   for (const PlannedProcess& process : plan_) last_heard_[process.name] = now;
   result_.wall_seconds = now;
@@ -146,13 +145,14 @@ void Runner::pass_barrier() {
   clock_.start();
 }
 
-void Runner::schedule_events() {
+void Runner::schedule_commands() {
+  clock_.at_tick(0, [this] { command(links::TaskCommandKind::start); });
   for (const config::Event& event : deployment_.events) {
     links::TaskCommandKind kind = links::TaskCommandKind::trigger;
     if (event.command == "pause") kind = links::TaskCommandKind::pause;
     if (event.command == "resume") kind = links::TaskCommandKind::resume;
     if (event.command == "stop") kind = links::TaskCommandKind::stop;
-    clock_.at_tick(event.tick, [this, kind] { mp_->send(kind); });
+    clock_.at_tick(event.tick, [this, kind] { command(kind); });
   }
 }
 
@@ -194,7 +194,12 @@ void Runner::interrupt_by_operator() {
     return;
   }
   progress_.message("stopping (once more to end at once)");
-  mp_->send(links::TaskCommandKind::stop);
+  command(links::TaskCommandKind::stop);
+}
+
+void Runner::command(links::TaskCommandKind kind) {
+  const std::lock_guard lock(command_mutex_);
+  mp_->send(kind);
 }
 
 void Runner::read_output(Child& child) {
@@ -267,6 +272,7 @@ void Runner::fail(process::ExitCode code, std::string reason) {
   stopping_ = true;
   result_.code = code;
   result_.reason = std::move(reason);
+  progress_.error("mrroc: " + deployment_.name + ": " + result_.reason);
 }
 
 void Runner::end_processes() {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <random>
 #include <string>
@@ -35,7 +36,7 @@ struct RunOptions {
 /// How a run ended.
 struct RunResult {
   process::ExitCode code = process::ExitCode::success;
-  std::string reason;                                    ///< one line, empty on success
+  std::string reason;                                    ///< one line, told on stderr at once; empty on success
   Tick ticks = 0;                                        ///< simulated length
   double wall_seconds = 0;                               ///< from the start of the task to its end
   std::map<std::string, links::ProcessStatus> statuses;  ///< last word of each process
@@ -53,7 +54,10 @@ class Runner {
  private:
   void start_processes();
   void pass_barrier();
-  void schedule_events();
+  /// The start at tick 0, and the deployment's events, at their ticks.
+  void schedule_commands();
+  /// To the MP. Main thread, or the clock's when a command has its tick.
+  void command(links::TaskCommandKind kind);
   void supervise();
   void end_processes();
 
@@ -83,6 +87,7 @@ class Runner {
   std::unique_ptr<links::Domain> domain_;
   std::unique_ptr<links::StatusCollector> collector_;
   std::unique_ptr<links::TaskSuperior> mp_;
+  std::mutex command_mutex_;
 
   std::map<std::string, links::ProcessStatus> statuses_;
   std::map<std::string, double> last_heard_;  // s of wall time

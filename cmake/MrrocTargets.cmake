@@ -71,6 +71,22 @@ function(mrroc_add_vsp_ type source)
   endif()
 endfunction()
 
+# mrroc_add_task(NAME [MP mp.cpp ...] [ECP ecp.cpp ...] [ROBOTS type ...] [SENSORS type ...]): a task's programs NAME_mp and
+# NAME_ecp, linked with the robots and sensors that they use. What is left out is the stock program's business.
+function(mrroc_add_task name)
+  cmake_parse_arguments(ARG "" "" "MP;ECP;ROBOTS;SENSORS" ${ARGN})
+  list(TRANSFORM ARG_ROBOTS PREPEND mrroc_robot_)
+  list(TRANSFORM ARG_SENSORS PREPEND mrroc_sensor_)
+  if(ARG_MP)
+    add_executable(${name}_mp ${ARG_MP})
+    target_link_libraries(${name}_mp PRIVATE mrroc_mp_shell ${ARG_ROBOTS} ${ARG_SENSORS} mrroc_flags)
+  endif()
+  if(ARG_ECP)
+    add_executable(${name}_ecp ${ARG_ECP})
+    target_link_libraries(${name}_ecp PRIVATE mrroc_ecp_shell ${ARG_ROBOTS} ${ARG_SENSORS} mrroc_flags)
+  endif()
+endfunction()
+
 # mrroc_test(NAME SOURCES ... LINKS ... [LABELS ...] [TIMEOUT s] [SERIAL]): one GoogleTest executable, one ctest entry.
 function(mrroc_test name)
   cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})

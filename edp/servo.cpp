@@ -73,10 +73,14 @@ void Servo::measure(Tick tick) noexcept {
   counters_.missed += elapsed_ - 1;
 }
 
+void Servo::switch_off() noexcept {
+  if (enabled_ && !stopping_) stop_and_switch_off();
+}
+
 void Servo::obey_order() noexcept {
   DriveOrder order = hand_over_.order.load(std::memory_order_acquire);
   if (order == DriveOrder::disable) {
-    if (enabled_ && !stopping_) stop_and_switch_off();
+    switch_off();
   } else if (order == DriveOrder::enable) {
     if (stopping_) return;  // first comes the end of the stop; the order waits
     if (!enabled_) {

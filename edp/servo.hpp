@@ -36,6 +36,11 @@ class Servo {
   /// the comms side should look.
   bool tick(Tick tick) noexcept;
 
+  /// The process ends: from the next tick on the robot stops, then its drives go off. The servo's thread.
+  void switch_off() noexcept;
+  /// False once nothing moves any more. The servo's thread.
+  bool drives_on() const noexcept { return enabled_; }
+
   /// What the last tick published. The servo's thread.
   const Snapshot& snapshot() const noexcept { return snapshot_; }
 

@@ -1,8 +1,22 @@
 #include "edp/servo_thread.hpp"
 
+#include <pthread.h>
+
 #include <cmath>
 
 namespace mrroc::edp {
+namespace {
+
+void raise_priority() noexcept {
+  int policy = 0;
+  sched_param parameters{};
+  if (pthread_getschedparam(pthread_self(), &policy, &parameters) != 0 || policy != SCHED_FIFO) return;
+  if (parameters.sched_priority >= sched_get_priority_max(SCHED_FIFO)) return;
+  ++parameters.sched_priority;
+  pthread_setschedparam(pthread_self(), policy, &parameters);  // refused: it stays as it was inherited
+}
+
+}  // namespace
 
 ServoThread::ServoThread(Servo& servo, clock::Clock& clock)
     : servo_(servo),
@@ -11,13 +25,18 @@ ServoThread::ServoThread(Servo& servo, clock::Clock& clock)
       thread_([this] { run(); }) {}
 
 ServoThread::~ServoThread() {
-  ended_ = true;
+  end_.store(true, std::memory_order_release);
   thread_.join();
 }
 
 void ServoThread::run() noexcept {
-  while (!ended_.load(std::memory_order_relaxed)) {
-    if (servo_.tick(ticker_.wait_next())) clock_.notify();
+  raise_priority();
+  for (;;) {
+    const Tick tick = ticker_.wait_next();
+    const bool ending = end_.load(std::memory_order_acquire);
+    if (ending) servo_.switch_off();
+    if (servo_.tick(tick)) clock_.notify();
+    if (ending && !servo_.drives_on()) return;
   }
 }
 

@@ -9,18 +9,20 @@
 
 namespace mrroc::edp {
 
-/// Real time: the thread that ticks a servo once per period on the deployment's grid, and wakes the comms thread when a
-/// reply may leave. It inherits the real-time class of the thread that starts it.
+/// Real time: the servo's own thread, ticking on the deployment's grid from construction to destruction. When a tick
+/// puts out reports it wakes the comms thread with `Clock::notify`. It inherits the scheduling class of the thread that
+/// makes it; under SCHED_FIFO it takes the next higher priority, so that no comms thread of the process delays it.
+///
+/// The destructor stops the robot, switches the drives off, and returns when that is done (a stop's duration).
 class ServoThread {
  public:
-  /// After `clock.start()`: the grid is known then.
+  /// After `clock.start()`. `servo` and `clock` must outlive it; nobody else may tick `servo`.
   ServoThread(Servo& servo, clock::Clock& clock);
-  /// Ends after the tick under way.
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
-  /// Times and counts of its ticks. Any thread.
+  /// Lateness, execution times, missed ticks. Any thread.
   const clock::Ticker& ticker() const noexcept { return ticker_; }
 
  private:
@@ -29,7 +31,7 @@ class ServoThread {
   Servo& servo_;
   clock::Clock& clock_;
   clock::Ticker ticker_;
-  std::atomic<bool> ended_{false};
+  std::atomic<bool> end_{false};
   std::thread thread_;
 };
 

@@ -16,9 +16,6 @@ namespace mrroc::edp {
 
 namespace {
 
-/// Ticks that a robot gets to come to rest when the process ends in real time.
-constexpr Tick kStopTicks = 1000;
-
 /// The robot's entry, and its place in the deployment: the EDP's process is called <robot>_edp.
 struct Place {
   std::size_t index;
@@ -95,10 +92,7 @@ class Shell {
       exchange();
       process_.status().counters(counters(&thread.ticker()));
     } while (clock.wait(kNever) != clock::Wake::interrupted);
-    effector_.enable(false);
-    const Tick last = clock.tick() + kStopTicks;
-    while (clock.tick() < last && effector_.snapshot()->enabled) std::this_thread::yield();
-    process_.status().counters(counters(&thread.ticker()));
+    // the thread's destructor stops the robot and switches the drives off
   }
 
   /// The drives are on, or a fault keeps them off: from now on every command has its answer.

@@ -125,11 +125,10 @@ void add_scenery(const MjcfPart& scene, std::vector<Element>& sections, std::vec
                                         at)}));
   }
   if (std::none_of(sections.begin(), sections.end(), [](const Element& each) { return each.name == "visual"; })) {
-    sections.push_back(
-        element("visual", {}, at,
-                {element("headlight",
-                         {{"ambient", "0.35 0.35 0.35"}, {"diffuse", "0.35 0.35 0.35"}, {"specular", "0 0 0"}}, at),
-                 element("quality", {{"shadowsize", "4096"}}, at)}));
+    sections.push_back(element(
+        "visual", {}, at,
+        {element("headlight", {{"ambient", "0.3 0.3 0.3"}, {"diffuse", "0.2 0.2 0.2"}, {"specular", "0 0 0"}}, at),
+         element("quality", {{"shadowsize", "4096"}}, at)}));
   }
 }
 

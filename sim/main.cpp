@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -7,6 +8,7 @@
 #include "process/process.hpp"
 #include "sim/mapped_world.hpp"
 #include "sim/simulation.hpp"
+#include "sim/state_file.hpp"
 
 namespace {
 
@@ -19,16 +21,33 @@ void snapshot(const mrroc::sim::Simulation& simulation, const std::filesystem::p
   if (folder.empty() || tick % kSnapshotTicks != 0) return;
   std::string name = std::to_string(tick);
   name.insert(0, 8 - std::min<std::size_t>(8, name.size()), '0');
-  simulation.save_state(folder / (name + ".state"));
+  mrroc::sim::save_state(folder / (name + ".state"), simulation.state());
 }
+
+/// MuJoCo's warnings, each once, on stderr.
+class Warnings {
+ public:
+  void tell(mrroc::sim::World& world) {
+    for (; told_ < world.warnings().size(); ++told_) {
+      const mrroc::sim::WorldWarning& warning = world.warnings()[told_];
+      std::fprintf(stderr, "warning at tick %llu: %s\n", static_cast<unsigned long long>(warning.first_tick),
+                   warning.text.c_str());
+    }
+  }
+
+ private:
+  std::size_t told_ = 0;
+};
 
 /// Lockstep and paced: the clock's physics participant, one step per tick.
 void serve_simulated(mrroc::process::Process& process, mrroc::sim::Simulation& simulation) {
+  Warnings warnings;
   for (Tick next = 1;; ++next) {
     while (process.clock().tick() < next) {
       if (process.clock().wait(next) == mrroc::clock::Wake::interrupted) throw mrroc::Stopped{};
     }
     simulation.step(next);
+    warnings.tell(simulation.world());
     snapshot(simulation, process.arguments().snapshots, next);
   }
 }
@@ -38,12 +57,14 @@ void serve_simulated(mrroc::process::Process& process, mrroc::sim::Simulation& s
 void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simulation) {
   mrroc::clock::Ticker ticker(process.clock().epoch_ns(), std::llround(process.clock().period() * 1e9));
   Tick simulated = 0;
+  Warnings warnings;
   for (;;) {
     const Tick tick = ticker.wait_next();
     while (simulated < tick) {
       simulation.step(++simulated);
       snapshot(simulation, process.arguments().snapshots, simulated);
     }
+    warnings.tell(simulation.world());
     mrroc::links::Counters counters;
     counters.ticks = ticker.ticks();
     counters.missed_ticks = ticker.missed();

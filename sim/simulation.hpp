@@ -34,7 +34,7 @@ class Simulation {
   /// robot that has no drive yet, a disabled or an expired one. Throws SystemError (simulator), see World::step.
   void step(Tick tick);
 
-  /// What `mrroc_render` makes pictures of (`save_state` writes it to a file).
+  /// What `mrroc_render` makes pictures of; `save_state` writes it to a file.
   WorldState state() const;
   Tick tick() const noexcept { return tick_; }
   World& world() noexcept { return world_; }

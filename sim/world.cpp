@@ -1,5 +1,6 @@
 #include "sim/world.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -106,11 +107,13 @@ void World::step(Tick tick) {
   } catch (const MujocoError& error) {
     fail(error.what(), tick);
   }
-  for (const std::string& text : messages.warnings()) {
-    bool known = false;
-    for (const WorldWarning& warning : warnings_) known = known || warning.text == text;
-    if (!known) warnings_.push_back({text, tick});
-  }
+  for (const std::string& text : messages.warnings()) remember(text, tick);
+}
+
+void World::remember(const std::string& warning, Tick tick) {
+  auto known = std::find_if(warnings_.begin(), warnings_.end(), [&](const auto& each) { return each.text == warning; });
+  if (known == warnings_.end()) known = warnings_.insert(known, {warning, tick, 0});
+  ++known->count;
 }
 
 void World::check(double time_before, Tick tick) const {

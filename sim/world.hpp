@@ -9,10 +9,11 @@
 
 namespace mrroc::sim {
 
-/// A warning of MuJoCo's, with the tick in which it first came.
+/// A warning of MuJoCo's, with the tick in which it first came and the number of times that it came.
 struct WorldWarning {
   std::string text;
   Tick first_tick = 0;
+  std::uint64_t count = 0;
 };
 
 /// One MuJoCo world with the robots that are driven from outside, stepped tick by tick.
@@ -55,6 +56,7 @@ class World {
   void evaluate_motion();
   void evaluate_forces();
   void check(double time_before, Tick tick) const;
+  void remember(const std::string& warning, Tick tick);
 
   Model model_;
   Data data_;

@@ -11,7 +11,7 @@ namespace mrroc::vsp {
 
 /// Whose request it is; comes back with the reply.
 struct Caller {
-  std::uint32_t client = 0;    ///< the shell's number of the link
+  std::size_t client = 0;      ///< the shell's number of the link
   std::uint64_t sequence = 0;  ///< of the request on that link
 };
 

@@ -14,6 +14,10 @@ bool LockstepClock::start() {
 
 Wake LockstepClock::wait(Tick wake_tick) {
   const std::uint32_t seen = slot().gate.word();
+  if (slot().gate.interrupted()) {
+    leave();  // while it runs: the delta does not close in between
+    return Wake::interrupted;
+  }
   slot().wake_tick.store(wake_tick);
   slot().running.store(0);
   if (quiescent(memory())) memory().host.open();

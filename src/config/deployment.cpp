@@ -82,6 +82,20 @@ void refuse_name_of_robot(const Table& sensor, const std::string& name, const De
   }
 }
 
+/// The EDP of robot `arm` is the process `arm_edp`: no device may be called so.
+void refuse_names_of_edps(const Table& root, const Deployment& deployment) {
+  const auto check = [&](const std::string& kind, const std::string& name) {
+    for (const auto& robot : deployment.robots) {
+      if (robot.name + "_edp" == name) {
+        root.table(kind).table(name).fail("", in_quotes(name) + " is the EDP of robot " + in_quotes(robot.name),
+                                          "a name of its own");
+      }
+    }
+  };
+  for (const auto& robot : deployment.robots) check("robots", robot.name);
+  for (const auto& sensor : deployment.sensors) check("sensors", sensor.name);
+}
+
 std::vector<Event> read_events(const Table& root) {
   std::vector<Event> events;
   for (const auto& table : root.tables("events")) {
@@ -129,6 +143,7 @@ Deployment load_deployment(const std::filesystem::path& file) {
     refuse_name_of_robot(table, name, deployment);
     deployment.sensors.push_back(read_sensor(table, name, deployment));
   });
+  refuse_names_of_edps(root, deployment);
   deployment.events = read_events(root);
   if (deployment.robots.empty() && deployment.sensors.empty()) {
     root.fail("", "no robots and no sensors", "at least one [robots.NAME] or [sensors.NAME]");

@@ -10,6 +10,9 @@ namespace mrroc::config {
 
 namespace {
 
+/// With `_edp` behind it, it is the name of a process.
+constexpr std::size_t kDeviceNameLength = kNameLength - 4;
+
 constexpr std::array<std::string_view, 3> kReserved{"mp", "sim", "operator"};
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -30,6 +33,10 @@ void check_name(const Table& table, std::string_view key, const std::string& nam
 
 void check_device_name(const Table& table, const std::string& name) {
   check_name(table, name, name);
+  if (name.size() > kDeviceNameLength) {
+    table.fail(name, in_quotes(name) + " has " + std::to_string(name.size()) + " characters",
+               "at most " + std::to_string(kDeviceNameLength));
+  }
   if (std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end()) {
     table.fail(name, in_quotes(name) + " is reserved", "another name than 'mp', 'sim' and 'operator'");
   }

@@ -64,7 +64,8 @@ std::string dds_configuration(const DomainOptions& options) {
       check_host(host);
       peers += "<Peer Address=\"" + host + "\"/>";
     }
-    peers = "<Peers>" + peers + "</Peers>";
+    // with peers named Cyclone forgets its own machine
+    peers = "<Peers><Peer Address=\"127.0.0.1\"/>" + peers + "</Peers>";
   }
   const double lease = options.lease > 0 ? std::max(1.0, 2 * options.lease) : kSimulatedLease;
   return "<CycloneDDS><Domain Id=\"any\"><General>" + interfaces +
@@ -74,7 +75,9 @@ std::string dds_configuration(const DomainOptions& options) {
          "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
          "<MaxAutoParticipantIndex>60</MaxAutoParticipantIndex><LeaseDuration>" +
          std::to_string(static_cast<long>(lease * 1000)) + "ms</LeaseDuration>" + peers +
-         "</Discovery></Domain></CycloneDDS>";
+         "</Discovery>"
+         // how long a writer that ends waits for readers to acknowledge: a dead peer shall not hold it for a second
+         "<Internal><WriterLingerDuration>100ms</WriterLingerDuration></Internal></Domain></CycloneDDS>";
 }
 
 Domain::Domain(DomainOptions options) : options_(std::move(options)), boot_(new_boot()) {

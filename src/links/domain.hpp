@@ -7,8 +7,9 @@
 namespace mrroc::links {
 
 struct DomainOptions {
-  int id = 0;                      ///< DDS domain, 0..230
-  std::vector<std::string> hosts;  ///< names or addresses of the other machines; empty: this machine only (loopback)
+  int id = 0;  ///< DDS domain, 0..230
+  std::vector<std::string> hosts =
+      {};  ///< names or addresses of the other machines; empty: this machine only (loopback)
   /// s of silence of a peer's whole process after which it counts as lost; 0: never, for simulated time, where the
   /// clock's host watches the processes and a busy machine must not look like a death.
   double lease = 0.5;

@@ -43,12 +43,16 @@ struct ListenerDeleter {
 using Qos = std::unique_ptr<dds_qos_t, QosDeleter>;
 using Listener = std::unique_ptr<dds_listener_t, ListenerDeleter>;
 
-/// Of every link, both ends: reliable, volatile, a few messages kept for retransmission, liveliness by the domain's
-/// lease. latency_budget is never set: above 0 it loses messages in lockstep.
-Qos link_qos(const Domain& domain);
+// The lease that counts is the one that the writer promises to keep; readers ask for none, so that no two can disagree.
+
+/// Of every link: reliable, volatile, a few messages kept for retransmission, liveliness by the domain's lease.
+/// latency_budget is never set: above 0 it loses messages in lockstep.
+Qos link_writer_qos(const Domain& domain);
+Qos link_reader_qos();
 
 /// Of telemetry: the newest sample of each process is kept for whoever comes later.
-Qos status_qos(const Domain& domain);
+Qos status_writer_qos(const Domain& domain);
+Qos status_reader_qos();
 
 Entity create_topic(const Domain& domain, const dds_topic_descriptor_t& type, const std::string& topic);
 

@@ -32,8 +32,8 @@ struct Reader<T>::Impl {
     dds_lset_data_available(listener.get(), &on_data);
     dds_lset_liveliness_changed(listener.get(), &on_liveliness);
     dds_lset_requested_incompatible_qos(listener.get(), &on_incompatible);
-    reader =
-        Entity{dds_create_reader(d.participant(), dds_topic.get(), link_qos(d).get(), listener.get()), "reader", topic};
+    reader = Entity{dds_create_reader(d.participant(), dds_topic.get(), link_reader_qos().get(), listener.get()),
+                    "reader", topic};
   }
 
   // ---- Cyclone's threads; it calls one callback of a reader at a time ----------------------------------------------

@@ -17,8 +17,8 @@ struct StatusCollector::Impl {
 StatusCollector::StatusCollector(Domain& domain, const std::string& deployment) : impl_(std::make_unique<Impl>()) {
   const std::string topic = topic_name(deployment, "process_status");
   impl_->topic = create_topic(domain, WireOf<ProcessStatus>::descriptor(), topic);
-  impl_->reader = Entity{dds_create_reader(domain.participant(), impl_->topic.get(), status_qos(domain).get(), nullptr),
-                         "reader", topic};
+  impl_->reader = Entity{
+      dds_create_reader(domain.participant(), impl_->topic.get(), status_reader_qos().get(), nullptr), "reader", topic};
 }
 
 StatusCollector::~StatusCollector() = default;

@@ -16,8 +16,9 @@ struct StatusPublisher::Impl {
 StatusPublisher::StatusPublisher(Domain& domain, const std::string& deployment) : impl_(std::make_unique<Impl>()) {
   const std::string topic = topic_name(deployment, "process_status");
   impl_->topic = create_topic(domain, WireOf<ProcessStatus>::descriptor(), topic);
-  impl_->writer = Entity{dds_create_writer(domain.participant(), impl_->topic.get(), status_qos(domain).get(), nullptr),
-                         "writer", topic};
+  impl_->writer =
+      Entity{dds_create_writer(domain.participant(), impl_->topic.get(), status_writer_qos(domain).get(), nullptr),
+             "writer", topic};
   impl_->sample.header.boot = domain.boot();
 }
 

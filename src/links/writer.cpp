@@ -17,8 +17,8 @@ struct Writer<T>::Impl {
     if (o.counted) sender = clock.register_sender(topic);
     Listener listener{dds_create_listener(this)};
     dds_lset_offered_incompatible_qos(listener.get(), &on_incompatible);
-    writer =
-        Entity{dds_create_writer(d.participant(), dds_topic.get(), link_qos(d).get(), listener.get()), "writer", topic};
+    writer = Entity{dds_create_writer(d.participant(), dds_topic.get(), link_writer_qos(d).get(), listener.get()),
+                    "writer", topic};
     sample.header.boot = boot;
     sample.header.kind = kData;
   }

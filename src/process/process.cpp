@@ -8,6 +8,7 @@
 
 #include "clock/participant.hpp"
 #include "clock/realtime.hpp"
+#include "config/table.hpp"
 #include "mrroc/stopped.hpp"
 
 namespace mrroc::process {

@@ -15,7 +15,7 @@ TraceFile::TraceFile(const std::filesystem::path& path, bool lossless)
 
 TraceFile::~TraceFile() {
   ended_ = true;
-  written_.notify_one();
+  wake();
   thread_.join();
   if (dropped_ != 0) std::fprintf(file_, "# dropped %llu lines\n", static_cast<unsigned long long>(dropped_));
   std::fclose(file_);
@@ -39,15 +39,20 @@ TextLine* TraceFile::begin() noexcept {
 
 void TraceFile::commit() noexcept {
   written_.fetch_add(1, std::memory_order_release);
-  written_.notify_one();
+  wake();
+}
+
+void TraceFile::wake() noexcept {
+  signals_.fetch_add(1, std::memory_order_release);
+  signals_.notify_one();
 }
 
 void TraceFile::run() {
-  while (!ended_) {
-    const std::uint64_t seen = written_.load(std::memory_order_acquire);
-    drain();
+  for (;;) {
+    const std::uint64_t seen = signals_.load(std::memory_order_acquire);
     if (ended_) break;
-    if (written_.load(std::memory_order_acquire) == seen) written_.wait(seen);
+    drain();
+    signals_.wait(seen);
   }
   drain();
 }

@@ -31,6 +31,7 @@ class TraceFile {
  private:
   static constexpr std::size_t kLines = 256;
   void run();
+  void wake() noexcept;
   void drain();
 
   std::FILE* file_;
@@ -38,6 +39,7 @@ class TraceFile {
   std::vector<TextLine> ring_;
   std::atomic<std::uint64_t> written_{0};  // by the task's thread
   std::atomic<std::uint64_t> read_{0};     // by the file's thread
+  std::atomic<std::uint64_t> signals_{0};  // what the file's thread sleeps on: lines and the end
   std::atomic<bool> ended_{false};
   std::uint64_t dropped_ = 0;
   std::thread thread_;

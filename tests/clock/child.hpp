@@ -28,6 +28,12 @@ class Child {
     pid_ = -1;
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
+  /// Stops it wherever it is; afterwards it stands still.
+  void stop() {
+    ::kill(pid_, SIGSTOP);
+    ::waitpid(pid_, nullptr, WUNTRACED);
+  }
+  void go_on() { ::kill(pid_, SIGCONT); }
   /// SIGKILL; afterwards it is gone.
   void kill() {
     if (pid_ <= 0) return;

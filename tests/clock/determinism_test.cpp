@@ -16,7 +16,7 @@
 namespace mrroc::clock {
 namespace {
 
-constexpr Tick kLastTick = 30;
+constexpr Tick kLastTick = 20;
 constexpr std::uint32_t kOthers = ToyNetwork::kNodes - 1;
 
 /// The clock without the delta rule: messages are visible as soon as they are stored.

@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "clock/child.hpp"
+#include "clock/toy_network.hpp"
 
 namespace mrroc::clock {
 namespace {
 
-using Value = std::array<std::uint64_t, 40>;
+// large, so that loads and stores are mostly interrupted half-way
+using Value = std::array<std::uint64_t, 1000>;
 
 Value all(std::uint64_t number) {
   Value value;
@@ -20,18 +22,32 @@ Value all(std::uint64_t number) {
   return value;
 }
 
-/// Loads until the last value has come; the number of torn or older ones.
-int watch(const SharedSlot<Value>& slot, std::uint64_t last) {
+/// Loads values until `done`; the number of torn ones and of those older than one before.
+int watch(const SharedSlot<Value>& slot, const std::atomic<int>& done) {
   int wrong = 0;
   std::uint64_t newest = 0;
   Value value;
-  while (newest < last) {
+  while (done.load() == 0) {
     if (!slot.load(value)) continue;
     if (value != all(value[0]) || value[0] < newest) ++wrong;
     newest = value[0];
   }
   return wrong;
 }
+
+struct Memory {
+  SharedSlot<Value> slot;
+  std::atomic<int> done;
+  std::atomic<int> wrong;
+};
+
+class SharedSlotOfProcesses : public ::testing::Test {
+ protected:
+  ~SharedSlotOfProcesses() override { ::munmap(&memory_, sizeof(Memory)); }
+  // zeroed memory is a valid slot
+  Memory& memory_ =
+      *static_cast<Memory*>(::mmap(nullptr, sizeof(Memory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+};
 
 TEST(SharedSlot, IsEmptyUntilTheFirstStore) {
   SharedSlot<Value> slot;
@@ -45,27 +61,45 @@ TEST(SharedSlot, IsEmptyUntilTheFirstStore) {
 }
 
 TEST(SharedSlot, ThreadsNeverSeeATornOrOlderValue) {
-  constexpr std::uint64_t kStores = 20000;
   SharedSlot<Value> slot;
   std::vector<std::thread> readers;
   std::atomic<int> wrong{0};
-  for (int i = 0; i < 3; ++i) readers.emplace_back([&] { wrong.fetch_add(watch(slot, kStores)); });
-  for (std::uint64_t number = 1; number <= kStores; ++number) slot.store(all(number));
+  std::atomic<int> done{0};
+  for (int i = 0; i < 3; ++i) readers.emplace_back([&] { wrong.fetch_add(watch(slot, done)); });
+  for (std::uint64_t number = 1; number <= 20000; ++number) slot.store(all(number));
+  done.store(1);
   for (std::thread& reader : readers) reader.join();
   EXPECT_EQ(wrong.load(), 0);
 }
 
-TEST(SharedSlot, NorDoProcesses) {
-  constexpr std::uint64_t kStores = 20000;
-  void* memory = ::mmap(nullptr, sizeof(SharedSlot<Value>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  ASSERT_NE(memory, MAP_FAILED);
-  auto& slot = *static_cast<SharedSlot<Value>*>(memory);  // zeroed memory is a valid slot
-  Child reader([&slot] {
-    if (watch(slot, kStores) != 0) ::_exit(1);
-  });
-  for (std::uint64_t number = 1; number <= kStores; ++number) slot.store(all(number));
+TEST_F(SharedSlotOfProcesses, AReaderThatWasHeldUpInTheMiddleReadsAgain) {
+  Child reader([this] { memory_.wrong.store(watch(memory_.slot, memory_.done)); });
+  for (std::uint64_t number = 1; number <= 200; ++number) {
+    stray(200);
+    reader.stop();
+    memory_.slot.store(all(number));
+    reader.go_on();
+  }
+  memory_.done.store(1);
   EXPECT_TRUE(reader.join());
-  ::munmap(memory, sizeof(SharedSlot<Value>));
+  EXPECT_EQ(memory_.wrong.load(), 0);
+}
+
+TEST_F(SharedSlotOfProcesses, NothingIsReadFromAWriterThatStandsStillInTheMiddle) {
+  Child writer([this] {
+    for (std::uint64_t number = 1;; ++number) memory_.slot.store(all(number));
+  });
+  while (memory_.slot.sequence() == 0) {
+  }
+  for (int i = 0; i < 50; ++i) {
+    stray(200);
+    writer.stop();
+    Value value;
+    const bool loaded = memory_.slot.load(value);
+    EXPECT_EQ(loaded, memory_.slot.sequence() % 2 == 0);
+    EXPECT_TRUE(!loaded || value == all(memory_.slot.sequence() / 2));
+    writer.go_on();
+  }
 }
 
 }  // namespace

@@ -41,15 +41,19 @@ class ThreadDeployment {
     for (Member& member : members_)
       threads_.emplace_back([&member] {
         if (member.clock->start()) member.body(*member.clock);
-        member.clock.reset();
+        // leaves as by destruction, but another thread may still hold the clock
+        member.clock->interrupt();
+        EXPECT_EQ(member.clock->wait(kNever), Wake::interrupted);
       });
     EXPECT_TRUE(host.wait_ready(60).empty());
-    host.start();
+    host_thread_ = std::thread([this] { host.run(); });
   }
-  /// Waits until every body has returned.
+  /// Waits until every body has returned, then ends the time and waits for its thread.
   void join() {
     for (std::thread& thread : threads_) thread.join();
     threads_.clear();
+    host.end();
+    if (host_thread_.joinable()) host_thread_.join();
   }
 
   ClockHost host;
@@ -61,6 +65,7 @@ class ThreadDeployment {
   };
   std::vector<Member> members_;
   std::vector<std::thread> threads_;
+  std::thread host_thread_;
 };
 
 }  // namespace mrroc::clock

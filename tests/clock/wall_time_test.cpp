@@ -50,7 +50,7 @@ TEST(Paced, AnOverrunIsCountedAndNoTickIsLost) {
 }
 
 TEST(Paced, OperatorMailIsDeliveredBetweenTicks) {
-  ThreadDeployment deployment({"a"}, with(Mode::paced, 5));
+  ThreadDeployment deployment({"a"}, with(Mode::paced, 10));
   const std::unique_ptr<Clock> panel = deployment.host.operator_clock();
   const int sender = panel->register_sender("panel/a");
   Clock& a = deployment.add("a", [](Clock& clock) {

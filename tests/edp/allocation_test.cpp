@@ -33,13 +33,14 @@ void* __wrap_realloc(void* old, std::size_t size) {
 }
 }
 
-void* operator new(std::size_t size) {
+// not inlined: the compiler takes the pair malloc, delete for a mistake
+[[gnu::noinline]] void* operator new(std::size_t size) {
   count();
   if (void* memory = __real_malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace mrroc::edp {
 namespace {

@@ -158,6 +158,19 @@ TEST(Effector, ACommandThatKnowsOfTheStopIsNotLate) {
   EXPECT_NEAR(rig.seen().desired.position[0], state.desired_joints[0] + 0.05, 1e-15);
 }
 
+// real time: the comms side looks only after the robot has begun to brake
+TEST(Effector, AReplyFromBeforeTheStopDoesNotTellOfIt) {
+  Rig<Slide> rig;
+  ASSERT_FALSE(rig.send(cruise(0.4, 200, 198)));
+  while (rig.now < 210) rig.servo.tick(rig.now++);
+  Reply reply;
+  ASSERT_TRUE(rig.effector.poll(reply));
+  EXPECT_EQ(reply.state.tick, 198u);
+  EXPECT_EQ(reply.state.desired_velocity[0], 0.5);
+  ASSERT_FALSE(rig.send(cruise(0.42, 20, 18)));
+  EXPECT_EQ(rig.effector.counters().late, 1u);
+}
+
 TEST(Effector, OneCommandRunsOneWaitsAThirdIsRefused) {
   Rig<Slide> rig;
   EXPECT_FALSE(rig.send(joint_command(one(0.30), 100, 100)));

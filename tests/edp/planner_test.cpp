@@ -94,6 +94,48 @@ TEST(Planner, RefusesAMotionFromWhichTheRobotCouldNotStopInTime) {
   EXPECT_NE(report.detail.view().find("a stop would reach"), std::string_view::npos) << report.detail.view();
 }
 
+// drives off in the middle of a macrostep: the path may brake harder than the stop
+TEST(Planner, RefusesAPathThatCouldNotBeStoppedInTimeOnItsWay) {
+  Planning<Slide> p;
+  const DesiredState from = DesiredState::resting_at(one(1.89));
+  EXPECT_EQ(p.plan(joint_command(one(1.94), 150, 1), from).code, ErrorCode::none);
+  const ErrorReport report = p.plan(joint_command(one(1.999), 150, 1), from);  // peak 1.4 acceleration_max
+  EXPECT_EQ(report.code, ErrorCode::joint_limit);
+  EXPECT_NE(report.detail.view().find("a stop would reach"), std::string_view::npos) << report.detail.view();
+}
+
+/// Two joints whose second motor turns with their sum.
+class CoupledModel : public PlanarArm {
+ public:
+  ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept override {
+    motors = kGear * joints;
+    motors[1] += motors[0];
+    return ErrorCode::none;
+  }
+};
+
+TEST(Planner, ChecksTheMotorsAtEveryTickOfTheStop) {
+  for (const double motor_max : {250.0, 0.3}) {
+    // the first joint stops at once, the second slowly: their sum swings out before it comes back
+    CoupledModel model;
+    model.change().axes[1].acceleration_max = 0.4;
+    model.change().axes[1].motor_max = motor_max;
+    Planner planner(model, kPeriod);
+    DesiredState from = DesiredState::resting_at((JointVector(2) << -0.06, 0.04).finished());
+    from.velocity << 0.6, -0.4;
+    RobotCommand command = joint_command(JointVector::Zero(2), 50, 1);
+    command.joint_velocity = from.velocity;
+    Macrostep macrostep;
+    const ErrorReport report = planner.plan(command, from, Pace::as_commanded, macrostep);
+    if (motor_max > 1) {
+      EXPECT_EQ(report.code, ErrorCode::none) << report.detail.view();
+    } else {
+      EXPECT_EQ(report.code, ErrorCode::motor_limit);
+      EXPECT_NE(report.detail.view().find("motor position in a stop"), std::string_view::npos) << report.detail.view();
+    }
+  }
+}
+
 TEST(Planner, ChecksTheMotorsToo) {
   Planning<Slide> p;
   p.model.change().axes[0].motor_max = 100;  // the joint alone could go to 2

@@ -13,6 +13,10 @@ class Irb6 : public Robot {
   /// `name`: as in the deployment; empty in an ECP: its own robot. Throws NonFatalError when the deployment has no such
   /// irb6, ConfigurationError when its parameter file is wrong.
   explicit Irb6(Task& task, const std::string& name = "");
+
+  /// The tool pose at (x, y, z) m in the base frame with the tool pointing straight down and its x axis along the
+  /// base's.
+  static Pose tool_down(double x, double y, double z);
 };
 
 }  // namespace mrroc

@@ -1,0 +1,70 @@
+"""Holds README.md and docs/ to the truth: every ```sh line is run, every ```cpp block of a task program stands in a source
+file, every ```toml block parses, every link to a file leads somewhere.
+
+Usage: check_docs.py SOURCE_DIR BINARY_DIR
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tomllib
+
+# run by CI itself, or the subject of the page: running them here would run the tests within the tests
+NOT_RUN_HERE = ("make ", "ctest ", "cmake ")
+
+
+def blocks(text, language):
+    """(line number, content) of each fenced block of a language."""
+    for match in re.finditer(rf"^```{language}\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
+        yield text[: match.start()].count("\n") + 2, match.group(1)
+
+
+def sources(root):
+    """Text of every C++ file that a snippet may quote."""
+    for folder in ("tasks", "tests", "robots", "sensors", "include", "src", "edp", "vsp", "mp", "ecp", "sim"):
+        for path in (root / folder).rglob("*.[ch]pp"):
+            yield path.read_text(encoding="utf-8")
+
+
+def squeeze(text):
+    """Layout does not count: clang-format may indent the quoted code further."""
+    return re.sub(r"\s+", " ", text).strip()
+
+
+def main():
+    root, binary = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+    problems = []
+    code = [squeeze(text) for text in sources(root)]
+    commands = 0
+    for page in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:
+        text = page.read_text(encoding="utf-8")
+        name = page.relative_to(root)
+        for line, block in blocks(text, "cpp"):
+            if not any(squeeze(block) in source for source in code):
+                problems.append(f"{name}:{line}: this code stands in no source file")
+        for line, block in blocks(text, "toml"):
+            try:
+                tomllib.loads(block)
+            except tomllib.TOMLDecodeError as error:
+                problems.append(f"{name}:{line}: {error}")
+        for line, block in blocks(text, "sh"):
+            for command in block.splitlines():
+                if not command.strip() or command.startswith(NOT_RUN_HERE):
+                    continue
+                commands += 1
+                done = subprocess.run(
+                    command.replace("build/", f"{binary}/"), shell=True, cwd=root, capture_output=True, text=True, check=False
+                )
+                if done.returncode != 0:
+                    problems.append(f"{name}:{line}: {command}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
+        for match in re.finditer(r"\]\(([^)#:]+)\)", text):
+            if not (page.parent / match.group(1)).exists():
+                line = text[: match.start()].count("\n") + 1
+                problems.append(f"{name}:{line}: {match.group(1)} does not exist")
+    print("\n".join(problems) or f"{commands} commands run, every snippet and link found")
+    return 1 if problems or commands == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

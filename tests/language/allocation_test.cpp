@@ -1,0 +1,135 @@
+// A step of Move or Wait allocates nothing after the first one. Every malloc of this process is counted.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "language/fakes.hpp"
+#include "mrroc/conditions/elapsed_steps.hpp"
+#include "mrroc/conditions/operator_trigger.hpp"
+#include "mrroc/conditions/travelled.hpp"
+#include "mrroc/generators/joint_line.hpp"
+#include "mrroc/generators/tool_velocity.hpp"
+#include "mrroc/move.hpp"
+
+namespace {
+std::atomic<std::uint64_t> allocations{0};
+}
+
+// glibc's own entries: operator new, Eigen and the standard library all end in one of these
+extern "C" {
+void* __libc_malloc(std::size_t size);                           // NOLINT
+void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT
+void* __libc_realloc(void* memory, std::size_t size);            // NOLINT
+void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT
+
+void* malloc(std::size_t size) noexcept {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_realloc(memory, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+}
+
+namespace mrroc {
+namespace {
+
+using fakes::FakeTask;
+
+/// Counts the allocations from one step to the next.
+class AllocationObserver : public StepObserver {
+ public:
+  void on_step(const StepRecord& record) noexcept override {
+    const std::uint64_t now = allocations;
+    if (steps > 1) total += now - before;
+    if (!record.last) ++steps;
+    before = allocations;
+  }
+  std::uint64_t steps = 0;
+  std::uint64_t total = 0;  ///< from the second step on
+
+ private:
+  std::uint64_t before = 0;
+};
+
+/// Three robots, an interactive and a non-interactive sensor, an observer.
+struct Cell {
+  Cell() {
+    task.log.recording = false;
+    task.step_observer = &observer;
+  }
+  FakeTask task;
+  AllocationObserver observer;
+  std::unique_ptr<Robot> a = task.robot("a"), b = task.robot("b"), c = task.robot("c");
+  std::unique_ptr<Sensor> wrist = task.sensor("wrist"), gate = task.sensor("gate", false);
+};
+
+/// Runs several generators as one.
+class Together : public Generator {
+ public:
+  explicit Together(std::vector<Generator*> parts) : Generator("together"), parts_(std::move(parts)) {}
+  void start() override {
+    for (Generator* part : parts_) part->start();
+  }
+  void next_state() override {
+    for (Generator* part : parts_) part->next_state();
+  }
+
+ private:
+  std::vector<Generator*> parts_;
+};
+
+TEST(Allocation, TheCounterSeesAllocations) {
+  const std::uint64_t before = allocations;
+  std::vector<double> numbers(100);
+  EXPECT_GT(allocations, before);
+  ASSERT_EQ(numbers.size(), 100u);
+}
+
+TEST(Allocation, AStepOfMoveAllocatesNothing) {
+  Cell cell;
+  cell.wrist->set_period(2);
+  JointLine first(*cell.a, JointVector::Constant(6, 1.5), 0.5);
+  JointLine second(*cell.b, JointVector::Constant(6, -1.5), 0.3);
+  ToolVelocity third(*cell.c, {0.01, 0.01, 0}, {0, 0, 0.1});
+  Together generator({&first, &second, &third});
+  generator.until(Travelled{*cell.a, 100} || (OperatorTrigger{cell.task} && !ElapsedSteps{3}) ||
+                  When{"far", [&] { return cell.gate->value(0) > 1e9; }} || ElapsedSteps{200});
+  Move({*cell.a, *cell.b, *cell.c}, {*cell.wrist, *cell.gate}, generator);
+  EXPECT_EQ(cell.observer.steps, 200u);
+  EXPECT_EQ(cell.observer.total, 0u);
+}
+
+TEST(Allocation, AStepOfWaitAllocatesNothing) {
+  Cell cell;
+  Wait({*cell.a, *cell.b, *cell.c}, {*cell.wrist, *cell.gate}, Travelled{*cell.a, 1} || ElapsedSteps{200});
+  EXPECT_EQ(cell.observer.steps, 200u);
+  EXPECT_EQ(cell.observer.total, 0u);
+}
+
+TEST(Allocation, GeneratorsComputeTheNextStateWithoutAllocating) {
+  Cell cell;
+  Wait({*cell.a, *cell.b}, {}, ElapsedSteps{0});
+  JointLine line(*cell.a, JointVector::Constant(6, 1.5));
+  ToolVelocity velocity(*cell.b, {0.1, 0, 0}, {0, 0.2, 0});
+  line.start();
+  velocity.start();
+  const std::uint64_t before = allocations;
+  while (!line.terminal_condition()) {
+    line.next_state();
+    velocity.next_state();
+  }
+  EXPECT_EQ(allocations, before);
+}
+
+}  // namespace
+}  // namespace mrroc

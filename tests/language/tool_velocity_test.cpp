@@ -1,0 +1,165 @@
+#include "mrroc/generators/tool_velocity.hpp"
+
+#include <limits>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "language/fakes.hpp"
+#include "language/motion_recorder.hpp"
+#include "language/property.hpp"
+#include "mrroc/conditions/elapsed_steps.hpp"
+#include "mrroc/move.hpp"
+
+namespace mrroc {
+namespace {
+
+using Eigen::Vector3d;
+using fakes::check_property;
+using fakes::FakeTask;
+using fakes::MotionRecorder;
+
+constexpr int kCases = 500;
+
+int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
+
+Vector3d random_vector(double largest) {
+  return Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100)) * (0.01 * largest);
+}
+
+/// One robot whose tool stands at a random place and orientation, and a recorded ToolVelocity.
+struct Cell {
+  Cell() : arm(task.robot("arm", 4)) {
+    RobotState& state = task.robot_fake("arm").state;
+    state.desired_joints << random_vector(1), 0.01 * pick(-300, 300);
+    state.desired_pose = start = arm->model().direct(state.desired_joints);
+    const auto motion_steps = static_cast<std::uint16_t>(pick(1, 20));
+    arm->set_macrostep(motion_steps, motion_steps);
+    task.step_observer = &recorder;
+  }
+  void move(const Vector3d& linear, const Vector3d& angular, double acceleration, std::uint64_t steps) {
+    Move({*arm}, {}, ToolVelocity(*arm, linear, angular, acceleration).until(ElapsedSteps{steps}));
+  }
+  double dt() const { return arm->step_duration(); }
+
+  FakeTask task;
+  std::unique_ptr<Robot> arm;
+  Pose start;
+  MotionRecorder recorder;
+};
+
+/// A command's twist in axes of its own tool pose.
+Twist in_tool(const RobotCommand& command) {
+  const Eigen::Matrix3d back = command.pose.linear().transpose();
+  Twist twist;
+  twist << back * command.twist.head<3>(), back * command.twist.tail<3>();
+  return twist;
+}
+
+/// exp of a twist, computed from the 4 x 4 matrix of se(3) by Eigen's general matrix exponential.
+Eigen::Matrix4d exponential(const Twist& twist) {
+  Eigen::Matrix4d xi = Eigen::Matrix4d::Zero();
+  xi.block<3, 1>(0, 3) = twist.head<3>();
+  const Vector3d w = twist.tail<3>();
+  xi.block<3, 3>(0, 0) << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return xi.exp();
+}
+
+TEST(ToolVelocity, ALinearMotionIsAStraightLineWithoutTurning) {
+  check_property(kCases, [] {
+    Cell cell;
+    const Vector3d linear = random_vector(0.5);
+    const double acceleration = 0.01 * pick(1, 200);
+    cell.move(linear, Vector3d::Zero(), acceleration, static_cast<std::uint64_t>(pick(1, 60)));
+    const Vector3d direction = cell.start.linear() * linear.normalized();
+    double along = 0;
+    for (const RobotCommand& command : cell.recorder.commands) {
+      RC_ASSERT(command.kind == CommandKind::pose);
+      RC_ASSERT(command.pose.linear().isApprox(cell.start.linear(), 1e-12));
+      const Vector3d way = command.pose.translation() - cell.start.translation();
+      RC_ASSERT((way - way.dot(direction) * direction).norm() < 1e-12);
+      RC_ASSERT(way.dot(direction) >= along - 1e-12);
+      along = way.dot(direction);
+    }
+  });
+}
+
+TEST(ToolVelocity, TheSpeedRisesAtTheAccelerationAndStays) {
+  check_property(kCases, [] {
+    Cell cell;
+    Twist target;
+    target << random_vector(0.5), random_vector(1);
+    const double acceleration = 0.01 * pick(1, 200);
+    cell.move(target.head<3>(), target.tail<3>(), acceleration, static_cast<std::uint64_t>(pick(1, 60)));
+    const double whole = std::max(target.head<3>().norm(), target.tail<3>().norm());
+    std::size_t k = 0;
+    for (const RobotCommand& command : cell.recorder.commands) {
+      const double reached =
+          whole == 0 ? 1 : std::min(1.0, acceleration * static_cast<double>(++k) * cell.dt() / whole);
+      RC_ASSERT((in_tool(command) - reached * target).norm() < 1e-9);
+    }
+  });
+}
+
+TEST(ToolVelocity, EveryPoseFollowsFromTheTwistsAtTheEndsOfItsStep) {
+  check_property(kCases, [] {
+    Cell cell;
+    cell.move(random_vector(0.5), random_vector(2), 0.01 * pick(1, 200), static_cast<std::uint64_t>(pick(1, 60)));
+    Pose pose = cell.start;
+    Twist twist = Twist::Zero();
+    for (const RobotCommand& command : cell.recorder.commands) {
+      const Twist next = in_tool(command);
+      const Eigen::Matrix4d expected = pose.matrix() * exponential(0.5 * (twist + next) * cell.dt());
+      RC_ASSERT((command.pose.matrix() - expected).norm() < 1e-10);
+      RC_ASSERT((command.pose.linear() * command.pose.linear().transpose()).isIdentity(1e-12));
+      pose = command.pose;
+      twist = next;
+    }
+  });
+}
+
+TEST(ToolVelocity, FromAMotionUnderWayTheSpeedChangesAtTheAcceleration) {
+  check_property(kCases, [] {
+    Cell cell;
+    RobotState& state = cell.task.robot_fake("arm").state;
+    state.desired_velocity << random_vector(0.3), 0.01 * pick(-50, 50);
+    const double acceleration = 0.01 * pick(10, 200);
+    Twist before;
+    before << cell.start.linear().transpose() * state.desired_velocity.head<3>(), 0, 0, state.desired_velocity[3];
+    Twist target;
+    target << random_vector(0.5), 0, 0, 0.01 * pick(-100, 100);
+    cell.move(target.head<3>(), target.tail<3>(), acceleration, 200);
+    for (const RobotCommand& command : cell.recorder.commands) {
+      const Twist change = in_tool(command) - before;
+      RC_ASSERT(change.head<3>().norm() <= acceleration * cell.dt() + 1e-9);
+      RC_ASSERT(change.tail<3>().norm() <= acceleration * cell.dt() + 1e-9);
+      before = in_tool(command);
+    }
+  });
+}
+
+TEST(ToolVelocity, AfterAPauseItRisesFromRestAgain) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  MotionRecorder recorder;
+  task.step_observer = &recorder;
+  task.requests = {OperatorRequest::none, OperatorRequest::none, OperatorRequest::pause};
+  Move({*arm}, {}, ToolVelocity(*arm, Vector3d(0.1, 0, 0), Vector3d::Zero(), 1.0).until(ElapsedSteps{4}));
+  ASSERT_EQ(recorder.commands.size(), 4u);
+  EXPECT_NEAR(recorder.commands[1].twist[0], 0.04, 1e-12);
+  EXPECT_NEAR(recorder.commands[2].twist[0], 0.02, 1e-12);
+}
+
+TEST(ToolVelocity, RefusesWhatIsNoVelocity) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(ToolVelocity(*arm, Vector3d(0, kNan, 0)), NonFatalError);
+  EXPECT_THROW(ToolVelocity(*arm, Vector3d::Zero(), Vector3d(0, 0, kNan)), NonFatalError);
+  for (const double acceleration : {0.0, -1.0, kNan, std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(ToolVelocity(*arm, Vector3d::UnitX(), Vector3d::Zero(), acceleration), NonFatalError);
+  }
+  const auto other = task.robot("other");
+  EXPECT_THROW(Move({*other}, {}, ToolVelocity(*arm, Vector3d::UnitX()).until(ElapsedSteps{5})), NonFatalError);
+}
+
+}  // namespace
+}  // namespace mrroc

@@ -1,0 +1,103 @@
+// Cyclone allocates per message, with malloc; this side of it must not. It allocates with new alone.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <new>
+
+#include "links/robot_requester.hpp"
+#include "links/robot_responder.hpp"
+#include "links/sensor_requester.hpp"
+#include "links/sensor_responder.hpp"
+#include "links/status_publisher.hpp"
+#include "links/task_subordinate.hpp"
+#include "links/task_superior.hpp"
+#include "links/test_clock.hpp"
+#include "links/test_domain.hpp"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};  // of all threads: listeners have their own
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  allocations.fetch_add(1);
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace mrroc::links {
+namespace {
+
+std::size_t allocations_of(const std::function<void()>& action) {
+  action();  // whatever is done once
+  const std::size_t before = allocations.load();
+  for (int i = 0; i < 100; ++i) action();
+  return allocations.load() - before;
+}
+
+TEST(Allocation, TheCounterCounts) {
+  EXPECT_EQ(allocations_of([] { ::operator delete(::operator new(8)); }), 100U);
+}
+
+TEST(Allocation, NoneInAnExchangeWithARobot) {
+  TestDomain net;
+  TestClock clock;
+  RobotRequester ecp(net.domain, clock, "t/arm", "arm_edp");
+  RobotResponder edp(net.domain, clock, "t/arm", 1000);
+  ecp.connect(kPatience);
+  RobotCommand command;
+  command.joints = command.joint_velocity = JointVector::Zero(8);
+  RobotCommand received;
+  RobotState state;
+  state.joints = state.motors = JointVector::Zero(8);
+  std::uint64_t sequence = 0;
+  EXPECT_EQ(allocations_of([&] {
+              ecp.send(command);
+              edp.take(received, sequence);
+              edp.reply(state, sequence);
+              ecp.receive(state);
+            }),
+            0U);
+}
+
+TEST(Allocation, NoneInSensorTaskAndStatusLinks) {
+  TestDomain net;
+  TestClock clock;
+  SensorResponder vsp(net.domain, clock, "t/wrist", {"arm"}, true);
+  SensorRequester arm(net.domain, clock, "t/wrist", "arm", "wrist_vsp", {.published = true});
+  TaskSubordinate subordinate(net.domain, clock, "t/arm");
+  TaskSuperior superior(net.domain, clock, "t/arm", "arm");
+  StatusPublisher publisher(net.domain, "t");
+  arm.connect(kPatience);
+  superior.connect(kPatience);
+  SensorRequest request;
+  SensorReading reading;
+  SensorResponder::Ticket ticket;
+  TaskCommand command;
+  TaskStatus status;
+  std::uint64_t last_command = 0;
+  EXPECT_EQ(allocations_of([&] {
+              arm.request({});
+              vsp.take(request, ticket);
+              vsp.reply(reading, ticket);
+              arm.receive(reading);
+              vsp.publish(reading);
+              arm.latest(reading);
+              superior.send(TaskCommandKind::trigger);
+              subordinate.take(command);
+              subordinate.report(status);
+              superior.take(status, last_command);
+              publisher.publish({});
+            }),
+            0U);
+  EXPECT_GT(last_command, 0U);
+}
+
+}  // namespace
+}  // namespace mrroc::links

@@ -1,0 +1,198 @@
+#include "links/domain.hpp"
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "links/dds_log.hpp"
+#include "links/descriptors.hpp"
+#include "links/peer_process.hpp"
+#include "links/robot_requester.hpp"
+#include "links/status_collector.hpp"
+#include "links/test_clock.hpp"
+#include "links/test_domain.hpp"
+#include "mrroc/errors.hpp"
+
+namespace mrroc::links {
+namespace {
+
+std::string complaint(const DomainOptions& options) {
+  try {
+    Domain domain(options);
+  } catch (const SystemError& error) {
+    return error.detail();
+  }
+  return "none";
+}
+
+TEST(Domain, RefusesBadOptions) {
+  EXPECT_EQ(complaint({.id = 231}), "DDS domain 231: expected 0..230");
+  EXPECT_EQ(complaint({.id = -1}), "DDS domain -1: expected 0..230");
+  EXPECT_EQ(complaint({.id = 1, .hosts = {"lab<2>"}}), "host 'lab<2>': expected a host name or an address");
+  EXPECT_NE(complaint({.id = 1, .lease = -1}).find("expected 0..60 s"), std::string::npos);
+}
+
+TEST(Domain, SaysWhatDdsRefuses) {
+  TestDomain net;
+  EXPECT_NE(complaint({.id = net.number.id()}).find("creation of DDS domain"), std::string::npos)
+      << "there is one per process and number";
+}
+
+TEST(Domain, IgnoresTheEnvironment) {
+  ::setenv("CYCLONEDDS_URI", "<CycloneDDS><NoSuchElement/></CycloneDDS>", 1);
+  EXPECT_NO_THROW(TestDomain{});
+  ::unsetenv("CYCLONEDDS_URI");
+}
+
+TEST(Domain, HasABootNumberOfItsOwn) {
+  std::uint64_t first = 0;
+  {
+    TestDomain net;
+    first = net.domain.boot();
+  }
+  TestDomain net;
+  EXPECT_NE(net.domain.boot(), first);
+  EXPECT_TRUE(same_machine(net.domain.boot(), first));
+  EXPECT_FALSE(same_machine(net.domain.boot(), first ^ (1ULL << 32U)));
+}
+
+TEST(Domain, ConfigurationIsUnicastWithoutSharedMemory) {
+  const std::string local = dds_configuration({.id = 1});
+  for (const char* part : {"<NetworkInterface name=\"lo\"/>", "<AllowMulticast>false<", "<ParticipantIndex>auto<",
+                           "<Enable>false<", "<MaxAutoParticipantIndex>60<", "<LeaseDuration>1000ms<"}) {
+    EXPECT_NE(local.find(part), std::string::npos) << part << " in " << local;
+  }
+  const std::string remote = dds_configuration({.id = 1, .hosts = {"lab-pc-2", "10.0.0.3"}});
+  EXPECT_EQ(remote.find("\"lo\""), std::string::npos);
+  EXPECT_NE(remote.find(
+                "<Peers><Peer Address=\"127.0.0.1\"/><Peer Address=\"lab-pc-2\"/><Peer Address=\"10.0.0.3\"/></Peers>"),
+            std::string::npos);
+  EXPECT_NE(dds_configuration({.id = 1, .lease = 0}).find("<LeaseDuration>3600000ms<"), std::string::npos);
+}
+
+std::string device_of(int fd) {
+  char device[64] = {};
+  socklen_t size = sizeof device;
+  EXPECT_EQ(::getsockopt(fd, SOL_SOCKET, SO_BINDTODEVICE, device, &size), 0);
+  return device;
+}
+
+TEST(Domain, NoChildInheritsItsDescriptorsAndNobodyOutsideReachesThem) {
+  const auto before = open_descriptors();
+  TestDomain net;
+  int sockets = 0;
+  for (const int fd : open_descriptors()) {
+    if (before.contains(fd)) continue;
+    EXPECT_NE(::fcntl(fd, F_GETFD) & FD_CLOEXEC, 0) << fd;
+    if (!is_udp_socket(fd)) continue;
+    ++sockets;
+    EXPECT_EQ(device_of(fd), "lo");
+  }
+  EXPECT_GE(sockets, 2) << "it receives on two ports";
+}
+
+TEST(Domain, WithHostsNamedIsNotBoundToLoopback) {
+  FreeDomain number;
+  const auto before = open_descriptors();
+  const Domain domain({.id = number.id(), .hosts = {"127.0.0.1"}});
+  EXPECT_FALSE(domain.loopback_only());
+  int sockets = 0;
+  for (const int fd : open_descriptors()) {
+    if (before.contains(fd)) continue;
+    EXPECT_NE(::fcntl(fd, F_GETFD) & FD_CLOEXEC, 0) << fd;
+    if (!is_udp_socket(fd)) continue;
+    ++sockets;
+    EXPECT_EQ(device_of(fd), "");
+  }
+  EXPECT_GE(sockets, 2);
+}
+
+/// Ports on which this process's DDS listens.
+std::vector<in_port_t> ports_since(const std::set<int>& before) {
+  std::vector<in_port_t> ports;
+  for (const int fd : open_descriptors()) {
+    if (before.contains(fd) || !is_udp_socket(fd)) continue;
+    sockaddr_in address{};
+    socklen_t size = sizeof address;
+    if (::getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size) == 0) ports.push_back(address.sin_port);
+  }
+  return ports;
+}
+
+TEST(Domain, MalformedDatagramsAreCountedAndNotPrinted) {
+  const auto before = open_descriptors();
+  TestDomain net;
+  TestClock clock;
+  PeerProcess peer("respond", net.domain.id(), "t/arm");
+  RobotRequester link(net.domain, clock, "t/arm", "peer", 10000);
+  link.connect(kPatience);
+  const std::uint64_t messages = dds_log_count();
+  ::testing::internal::CaptureStderr();
+
+  const int sender = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  std::mt19937 random(20240607);
+  for (const in_port_t port : ports_since(before)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = port;
+    for (int n = 0; n < 500; ++n) {
+      // an RTPS 2.1 header, a data submessage, and then anything
+      std::string datagram("RTPS\x02\x01\x01\x10", 8);
+      for (int i = 0; i < 12; ++i) datagram.push_back(static_cast<char>(random()));
+      datagram.append("\x15\x05", 2);
+      const std::size_t size = 20 + random() % 100;
+      for (std::size_t i = 0; i < size; ++i) datagram.push_back(static_cast<char>(random()));
+      ::sendto(sender, datagram.data(), datagram.size(), 0, reinterpret_cast<const sockaddr*>(&address),
+               sizeof address);
+    }
+  }
+  ::close(sender);
+
+  EXPECT_TRUE(eventually([&] { return dds_log_count() > messages; }));
+  RobotState state;
+  link.send({});
+  EXPECT_NO_THROW(link.receive(state)) << "the link must live on";
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  const auto kept = dds_log_messages();
+  ASSERT_FALSE(kept.empty());
+  EXPECT_LE(kept.size(), 32U);
+  EXPECT_NE(kept.back(), "");
+}
+
+TEST(Domain, FortyOneProcessesOnOneMachineFindEachOther) {
+  TestDomain net;
+  StatusCollector collector(net.domain, "t");
+  std::vector<PeerProcess> peers;
+  for (int i = 0; i < 40; ++i) peers.push_back(PeerProcess("status", net.domain.id(), "t"));
+  const auto all_there = [&] {
+    collector.poll();
+    return collector.processes().size() == peers.size();
+  };
+  EXPECT_TRUE(eventually(all_there)) << collector.processes().size() << " of 40";
+  for (const auto& [name, process] : collector.processes()) {
+    EXPECT_EQ(name, "process" + std::to_string(process.status.pid));
+    EXPECT_TRUE(process.alive);
+  }
+}
+
+TEST(Domain, WithHostsNamedTheProcessesOfThisMachineFindEachOtherToo) {
+  // TEST-NET-1: a host that never answers
+  FreeDomain number;
+  Domain domain({.id = number.id(), .hosts = {"192.0.2.250"}, .lease = 20});
+  TestClock clock;
+  PeerProcess peer("remote", number.id(), "t/arm", 20, "192.0.2.250");
+  RobotRequester link(domain, clock, "t/arm", "peer", 10000);
+  ASSERT_NO_THROW(link.connect(kPatience));
+  RobotState state;
+  link.send({});
+  EXPECT_NO_THROW(link.receive(state));
+}
+
+}  // namespace
+}  // namespace mrroc::links

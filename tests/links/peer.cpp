@@ -1,0 +1,94 @@
+// The other process of the tests: links_peer ROLE DOMAIN PREFIX LEASE [CLOCK_FD | HOST]. It runs until it is killed or
+// its parent is gone.
+
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "clock/participant.hpp"
+#include "links/robot_responder.hpp"
+#include "links/status_publisher.hpp"
+#include "links/test_clock.hpp"
+
+namespace {
+
+using namespace mrroc;
+using namespace mrroc::links;
+
+/// Answers every command at once; the reply says how many commands were stale so far.
+void respond(clock::Clock& clock, RobotResponder& link) {
+  RobotCommand command;
+  std::uint64_t sequence = 0;
+  for (;;) {
+    while (link.take(command, sequence)) {
+      RobotState state;
+      state.tick = command.start_tick;
+      state.joints = command.joints;
+      state.late_commands = static_cast<std::uint32_t>(link.counters().stale);
+      link.reply(state, sequence);
+    }
+    if (clock.wait(kNever) == clock::Wake::interrupted) return;
+  }
+}
+
+/// Answers every command three ticks later, with the tick of the answer.
+void respond_in_lockstep(clock::Clock& clock, RobotResponder& link) {
+  Tick due = kNever;
+  RobotCommand command;
+  std::uint64_t sequence = 0;
+  while (clock.wait(due) != clock::Wake::interrupted) {
+    if (link.take(command, sequence)) due = clock.tick() + 3;
+    if (clock.tick() < due) continue;
+    RobotState state;
+    state.tick = clock.tick();
+    state.joints = command.joints;
+    link.reply(state, sequence);
+    due = kNever;
+  }
+}
+
+void publish(Domain& domain, const std::string& prefix) {
+  StatusPublisher publisher(domain, prefix);
+  ProcessStatus status;
+  status.process.assign("process" + std::to_string(::getpid()));
+  status.pid = ::getpid();
+  publisher.publish(status);
+  ::pause();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const std::string& role = arguments.at(0);
+  DomainOptions options;
+  options.id = std::stoi(arguments.at(1));
+  options.lease = std::stod(arguments.at(3));
+  const std::string& prefix = arguments.at(2);
+  if (role == "remote") options.hosts = {arguments.at(4)};
+  try {
+    if (role == "lockstep") {
+      const auto clock = clock::attach_clock(std::stoi(arguments.at(4)), "edp");
+      Domain domain(options);
+      RobotResponder link(domain, *clock, prefix);
+      if (clock->start()) respond_in_lockstep(*clock, link);
+      return 0;
+    }
+    Domain domain(options);
+    TestClock clock;
+    if (role == "status") {
+      publish(domain, prefix);
+    } else {
+      RobotResponder link(domain, clock, prefix);
+      respond(clock, link);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "links_peer %s: %s\n", role.c_str(), error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+constexpr int kRuns = 20;
+
+/// Hashes of runs in lockstep, the second half of them with two busy loops beside.
+std::set<std::string> hashes_of(const std::string& deployment, const std::filesystem::path& trace) {
+  std::set<std::string> hashes;
+  std::unique_ptr<Load> load;
+  for (int i = 0; i < kRuns; ++i) {
+    if (i == kRuns / 2) load = std::make_unique<Load>(2);
+    run_mrroc({"run", deployment, "--clock", "lockstep", "--quiet", "--trace", trace.string()}, 0);
+    hashes.insert(trace_hash(trace));
+  }
+  return hashes;
+}
+
+/// What the robot was commanded in each instruction, in order.
+std::map<std::string, std::vector<std::string>> commands_of(const std::filesystem::path& trace) {
+  std::map<std::string, std::vector<std::string>> commands;
+  std::ifstream file(trace);
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t instruction = line.find(" instruction=");
+    const std::size_t command = line.find(" command=");
+    if (instruction == std::string::npos || command == std::string::npos) continue;
+    const auto word = [&line](std::size_t at) { return line.substr(at + 1, line.find(' ', at + 1) - at - 1); };
+    commands[word(instruction)].push_back(word(command));
+  }
+  return commands;
+}
+
+TEST(Determinism, TwentyRunsOfPressGiveOneTraceUnderAnyLoad) {
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "press.trace";
+  EXPECT_EQ(hashes_of("tasks/press/press.toml", trace).size(), 1U);
+  std::ifstream file(trace);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(text.find("wait=\"gate closer than 0.1 m\""), std::string::npos);
+  EXPECT_NE(text.find("move=\"ToolVelocity\""), std::string::npos);
+  EXPECT_NE(text.find("process=arm"), std::string::npos);
+}
+
+TEST(Determinism, TwentyRunsOfPressMpGiveOneTraceUnderAnyLoad) {
+  const ScratchFolder folder;
+  EXPECT_EQ(hashes_of("tasks/press_mp/press_mp.toml", folder.path() / "press_mp.trace").size(), 1U);
+}
+
+TEST(Determinism, OneGeneratorCommandsTheSameInAnEcpAndInTheMp) {
+  const ScratchFolder folder;
+  const auto ecp = folder.path() / "ecp";
+  const auto mp = folder.path() / "mp";
+  run_mrroc({"run", "tasks/press/press.toml", "--quiet", "--trace", ecp.string()}, 0);
+  run_mrroc({"run", "tasks/press_mp/press_mp.toml", "--quiet", "--trace", mp.string()}, 0);
+  const auto commands = commands_of(ecp);
+  EXPECT_EQ(commands.size(), 6U);
+  EXPECT_EQ(commands, commands_of(mp));
+}
+
+}  // namespace
+}  // namespace mrroc::test

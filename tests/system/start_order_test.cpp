@@ -1,0 +1,21 @@
+#include <gtest/gtest.h>
+
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+TEST(StartOrder, FiftyLaunchesInRandomOrderWithRandomDelaysAllSucceed) {
+  const ScratchFolder folder;
+  const auto deployment = folder.write("quick.toml",
+                                       "[deployment]\nname = \"quick\"\n"
+                                       "[robots.left]\ntype = \"irb6\"\nhardware = \"loopback\"\n"
+                                       "[robots.right]\ntype = \"irb6\"\nhardware = \"loopback\"\n");
+  for (int seed = 1; seed <= 50; ++seed) {
+    run_mrroc({"run", deployment.string(), "--quiet", "--shuffle-start", std::to_string(seed)}, 0);
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::test

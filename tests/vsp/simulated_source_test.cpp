@@ -1,0 +1,95 @@
+#include "vsp/simulated_source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "config/scratch.hpp"
+#include "mrroc/errors.hpp"
+#include "sim/mapped_world.hpp"
+#include "vsp/fakes.hpp"
+#include "vsp/make_source.hpp"
+
+namespace mrroc::vsp {
+namespace {
+
+sim::HardwareReading hardware_reading(Tick tick, std::vector<double> values) {
+  sim::HardwareReading reading;
+  reading.tick = tick;
+  reading.count = static_cast<std::uint32_t>(values.size());
+  std::copy(values.begin(), values.end(), reading.values.begin());
+  return reading;
+}
+
+TEST(SimulatedSource, GivesTheNewestReadingOfItsSlotThroughSharedMemory) {
+  const sim::MappedWorld world = sim::MappedWorld::create();
+  const sim::MappedWorld mine = sim::MappedWorld::attach(world.fd());
+  SimulatedSource source(*mine, 3, 50);
+  world->readings[2].store(hardware_reading(7, {99}));
+  world->readings[3].store(hardware_reading(7, {1.5, -2.5}));
+  RawReading raw;
+  ASSERT_EQ(source.read(7, raw), SourceState::ready);
+  EXPECT_EQ(raw.tick, 7U);
+  ASSERT_EQ(raw.count, 2U);
+  EXPECT_EQ(raw.values[0], 1.5);
+  EXPECT_EQ(raw.values[1], -2.5);
+  world->readings[3].store(hardware_reading(8, {3.5, 0}));
+  ASSERT_EQ(source.read(7, raw), SourceState::ready);  // ahead of what was wanted: its own tick
+  EXPECT_EQ(raw.tick, 8U);
+  EXPECT_EQ(raw.values[0], 3.5);
+}
+
+TEST(SimulatedSource, IsNotReadyBeforeTheFirstReadingThenSilent) {
+  const auto world = std::make_unique<sim::WorldMemory>();
+  SimulatedSource source(*world, 0, 50);
+  RawReading raw;
+  EXPECT_EQ(source.read(0, raw), SourceState::not_ready);
+  EXPECT_EQ(source.read(50, raw), SourceState::not_ready);
+  EXPECT_EQ(source.read(51, raw), SourceState::silent);
+}
+
+TEST(SimulatedSource, IsSilentWhenReadingsStopAndReadyWhenTheyComeAgain) {
+  const auto world = std::make_unique<sim::WorldMemory>();
+  SimulatedSource source(*world, 0, 50);
+  RawReading raw;
+  world->readings[0].store(hardware_reading(100, {1}));
+  EXPECT_EQ(source.read(150, raw), SourceState::ready);
+  EXPECT_EQ(raw.tick, 100U);
+  EXPECT_EQ(source.read(151, raw), SourceState::silent);
+  world->readings[0].store(hardware_reading(151, {2}));
+  EXPECT_EQ(source.read(151, raw), SourceState::ready);
+}
+
+TEST(SimulatedSource, RefusesASlotThatTheWorldDoesNotHave) {
+  const auto world = std::make_unique<sim::WorldMemory>();
+  EXPECT_THROW(SimulatedSource(*world, sim::kMaxSensors, 50), SystemError);
+}
+
+TEST(MakeSource, ChoosesWhatTheDeploymentAsksFor) {
+  const auto world = std::make_unique<sim::WorldMemory>();
+  world->readings[1].store(hardware_reading(0, {4}));
+  config::SensorEntry entry;
+  entry.name = "gate";
+  FakeSensor sensor;
+  RawReading raw;
+
+  const auto simulated = make_source(entry, sensor, world.get(), 1, 0.002);
+  EXPECT_EQ(simulated->read(50, raw), SourceState::ready);
+  EXPECT_EQ(raw.values[0], 4);
+  EXPECT_EQ(simulated->read(51, raw), SourceState::silent);  // 0.1 s at 2 ms
+
+  const config::Scratch scratch;
+  entry.source = "replay";
+  entry.replay = scratch.write("played.txt", "# mrroc readings in\n0 5\n");
+  ASSERT_EQ(make_source(entry, sensor, nullptr, 0, 0.002)->read(0, raw), SourceState::ready);
+  EXPECT_EQ(raw.values[0], 5);
+}
+
+TEST(MakeSource, RefusesASimulatedSensorWithoutAWorld) {
+  config::SensorEntry entry;
+  entry.name = "gate";
+  EXPECT_THROW(make_source(entry, FakeSensor{}, nullptr, 0, 0.002), SystemError);
+}
+
+}  // namespace
+}  // namespace mrroc::vsp

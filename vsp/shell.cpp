@@ -1,0 +1,92 @@
+#include "vsp/shell.hpp"
+
+#include <optional>
+
+#include "links/sensor_responder.hpp"
+#include "mrroc/stopped.hpp"
+#include "process/process.hpp"
+#include "sim/mapped_world.hpp"
+#include "vsp/make_source.hpp"
+#include "vsp/sampler.hpp"
+
+namespace mrroc::vsp {
+
+namespace {
+
+std::size_t slot_of(const process::Process& process) {
+  const auto& sensors = process.deployment().sensors;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    if (sensors[i].name == process.name()) return i;
+  }
+  throw SystemError(ErrorCode::configuration, "the deployment has no sensor for the process " + process.name());
+}
+
+/// Every process with a task may use the sensor; those that do connect.
+std::vector<std::string> possible_clients(const config::Deployment& deployment) {
+  std::vector<std::string> names{"mp"};
+  for (const config::RobotEntry& robot : deployment.robots) names.push_back(robot.name);
+  return names;
+}
+
+class Shell : private ReadingSink {
+ public:
+  Shell(process::Process& process, const SensorFactory& factory)
+      : process_(process),
+        slot_(slot_of(process)),
+        entry_(process.deployment().sensors[slot_]),
+        sensor_(factory()),
+        source_(open_source()),
+        sampler_(*sensor_, *source_, publication_period(entry_, process.clock().period())),
+        responder_(process.domain(), process.clock(), process.topic(entry_.name),
+                   possible_clients(process.deployment()), !entry_.interactive) {}
+
+  void serve() {
+    process_.start();
+    clock::Clock& clock = process_.clock();
+    for (;;) {
+      if (clock.wait(sampler_.next_wake()) == clock::Wake::interrupted) throw Stopped{};
+      take_requests();
+      sampler_.on_tick(clock.tick(), *this);
+    }
+  }
+
+ private:
+  std::unique_ptr<Source> open_source() {
+    const double period = process_.clock().period();
+    sensor_->configure(entry_, period);
+    if (process_.arguments().world_fd >= 0) world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
+    return make_source(entry_, *sensor_, world_ ? &**world_ : nullptr, slot_, period);
+  }
+
+  void take_requests() {
+    SensorRequest request;
+    links::SensorResponder::Ticket ticket;
+    while (responder_.take(request, ticket)) {
+      const Caller caller{static_cast<std::uint32_t>(ticket.client), ticket.sequence};
+      sampler_.on_request(caller, request, process_.clock().tick(), *this);
+    }
+  }
+
+  void reply(const Caller& caller, const SensorReading& reading) override {
+    responder_.reply(reading, {caller.client, caller.sequence});
+  }
+  void publish(const SensorReading& reading) override { responder_.publish(reading); }
+
+  process::Process& process_;
+  std::size_t slot_;
+  const config::SensorEntry& entry_;
+  std::unique_ptr<VirtualSensor> sensor_;
+  std::optional<sim::MappedWorld> world_;
+  std::unique_ptr<Source> source_;
+  Sampler sampler_;
+  links::SensorResponder responder_;
+};
+
+}  // namespace
+
+int run(int argc, char** argv, const SensorFactory& factory) {
+  return process::run_process(argc, argv, links::ProcessRole::vsp,
+                              [&factory](process::Process& process) { Shell(process, factory).serve(); });
+}
+
+}  // namespace mrroc::vsp
