@@ -39,6 +39,8 @@ namespace {
 constexpr double kBar = 1.25;
 constexpr double kGoal = 1.10;
 constexpr double kTimeout = 10;     // s, of hand-shakes
+constexpr double kLease = 20;       // s, outlasts any stall of a busy machine
+constexpr Tick kPatience = 10000;   // ticks that a reply may be late, likewise
 constexpr double kPeakSpeed = 0.1;  // rad/s
 constexpr int kPriority = 60;
 
@@ -106,7 +108,7 @@ class EdpSide {
 
 int run_edp(int clock_fd, const Options& options) {
   prepare_process(options);
-  links::Domain domain({.id = options.domain});
+  links::Domain domain({.id = options.domain, .lease = kLease});
   const auto clock = clock::attach_clock(clock_fd, "edp");
   const links::BareEcho thread(domain, kBarePrefix, links::BareEcho::Where::thread);
   const links::BareEcho listener(domain, kListenerPrefix, links::BareEcho::Where::listener);
@@ -179,7 +181,7 @@ class EcpSide {
  public:
   EcpSide(links::Domain& domain, clock::Clock& clock, int steps)
       : steps_(steps),
-        link_(domain, clock, kPrefix, "edp"),
+        link_(domain, clock, kPrefix, "edp", kPatience),
         bare_(domain, kBarePrefix),
         listener_(domain, kListenerPrefix),
         task_(clock, link_),
@@ -238,7 +240,7 @@ void print_row(const char* name, const RoundTimes& times, const RoundTimes& yard
 
 int run_ecp(int clock_fd, const Options& options) {
   prepare_process(options);
-  links::Domain domain({.id = options.domain});
+  links::Domain domain({.id = options.domain, .lease = kLease});
   const auto clock = clock::attach_clock(clock_fd, "ecp");
   const auto ecp = std::make_unique<EcpSide>(domain, *clock, options.steps);
   if (!clock->start()) return 2;

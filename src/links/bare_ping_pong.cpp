@@ -12,7 +12,8 @@
 namespace mrroc::links {
 namespace {
 
-constexpr std::int64_t kRetry = 20'000'000;  // ns
+constexpr std::int64_t kRetry = 20'000'000;             // ns
+constexpr std::int64_t kSilence = 20 * clock::kSecond;  // no stall of a busy machine is so long
 
 Entity create_writer(const Domain& domain, const Entity& topic, const std::string& name) {
   return {dds_create_writer(domain.participant(), topic.get(), link_writer_qos(domain).get(), nullptr), "writer", name};
@@ -82,7 +83,7 @@ void BarePing::connect(double timeout) {
 }
 
 void BarePing::exchange() {
-  if (!impl_->exchange(clock::monotonic_ns() + clock::kSecond)) {
+  if (!impl_->exchange(clock::monotonic_ns() + kSilence)) {
     throw SystemError(ErrorCode::link_lost, "the bare ping-pong has lost its echo");
   }
 }

@@ -20,7 +20,7 @@ class BarePing {
 
   /// Exchanges until one has succeeded, for about `timeout` s. Throws SystemError (link_lost).
   void connect(double timeout);
-  /// Writes one command and waits for the state that answers it. Throws SystemError (link_lost) after a second.
+  /// Writes one command and waits for the state that answers it. Throws SystemError (link_lost) after 20 s.
   void exchange();
 
  private:

@@ -112,6 +112,9 @@ class CoupledModel : public PlanarArm {
     motors[1] += motors[0];
     return ErrorCode::none;
   }
+  JointMatrix transmission(const JointVector&) const noexcept override {
+    return (JointMatrix(2, 2) << kGear, 0, kGear, kGear).finished();
+  }
 };
 
 TEST(Planner, ChecksTheMotorsAtEveryTickOfTheStop) {
@@ -134,6 +137,42 @@ TEST(Planner, ChecksTheMotorsAtEveryTickOfTheStop) {
       EXPECT_NE(report.detail.view().find("motor position in a stop"), std::string_view::npos) << report.detail.view();
     }
   }
+}
+
+TEST(Planner, NoAcceptedMotionHasAStopWhoseMotorsLeaveTheirLimits) {
+  int accepted = 0, refused = 0;
+  EXPECT_TRUE(rc::check([&] {
+    CoupledModel model;
+    model.change().axes[0].acceleration_max = number(0.4, 5);
+    model.change().axes[1].acceleration_max = number(0.4, 5);
+    model.change().axes[1].motor_max = number(0.1, 15);
+    model.change().axes[1].motor_min = -number(0.1, 15);
+    Planner planner(model, kPeriod);
+    DesiredState to = DesiredState::resting_at(JointVector::Zero(2));
+    to.velocity << number(-0.6, 0.6), number(-0.6, 0.6);
+    DesiredState from = to;
+    from.position -= to.velocity * (50 * kPeriod);
+    RobotCommand command = joint_command(to.position, 50, 1);
+    command.joint_velocity = to.velocity;
+    Macrostep macrostep;
+    if (planner.plan(command, from, Pace::as_commanded, macrostep).code != ErrorCode::none) {
+      ++refused;
+      return;
+    }
+    ++accepted;
+    // a robot that starts outside a limit may move, but no farther out
+    JointVector start(2), motors(2);
+    model.joints_to_motors(from.position, start);
+    Stop stop(model.parameters(), kPeriod);
+    stop.plan(to);
+    for (std::uint32_t k = 0; k <= stop.ticks(); ++k) {
+      model.joints_to_motors(stop.at(k * kPeriod).position, motors);
+      RC_ASSERT(motors[1] <= std::max(model.parameters().axes[1].motor_max, start[1]) + 1e-6);
+      RC_ASSERT(motors[1] >= std::min(model.parameters().axes[1].motor_min, start[1]) - 1e-6);
+    }
+  }));
+  EXPECT_GT(accepted, 10);
+  EXPECT_GT(refused, 10);
 }
 
 TEST(Planner, ChecksTheMotorsToo) {
