@@ -10,12 +10,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numbers>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "clock/host.hpp"
 #include "clock/monotonic.hpp"
@@ -29,7 +29,7 @@
 #include "links/robot_responder.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
-#include "mrroc/task.hpp"
+#include "one_robot_task.hpp"
 #include "robots/irb6/irb6_model.hpp"
 #include "round_times.hpp"
 
@@ -38,10 +38,9 @@ namespace {
 
 constexpr double kBar = 1.25;
 constexpr double kGoal = 1.10;
-constexpr double kTimeout = 10;     // s, of hand-shakes
-constexpr double kLease = 20;       // s, outlasts any stall of a busy machine
-constexpr Tick kPatience = 10000;   // ticks that a reply may be late, likewise
-constexpr double kPeakSpeed = 0.1;  // rad/s
+constexpr double kTimeout = 10;    // s, of hand-shakes
+constexpr double kLease = 20;      // s, outlasts any stall of a busy machine
+constexpr Tick kPatience = 10000;  // ticks that a reply may be late, likewise
 constexpr int kPriority = 60;
 
 const std::string kPrefix = "roundtrip/irb6";
@@ -119,64 +118,6 @@ int run_edp(int clock_fd, const Options& options) {
 // ---- ECP
 // -------------------------------------------------------------------------------------------------------------
 
-class BenchTask : public Task {
- public:
-  BenchTask(clock::Clock& clock, RobotLink& link) : clock_(clock), link_(link) {}
-  const std::string& process_name() const noexcept override { return name_; }
-  std::string robot_name(const std::string& requested) const override { return requested; }
-  RobotLink& robot_link(const std::string&, const std::string&) override { return link_; }
-  SensorLink& sensor_link(const std::string& name, const std::string&, bool&) override {
-    throw NonFatalError(ErrorCode::invalid_argument, "sensor '" + name + "'");
-  }
-  double servo_period() const noexcept override { return clock_.period(); }
-  Tick tick() const noexcept override { return clock_.tick(); }
-  double wall_seconds() const noexcept override { return clock_.wall_seconds(); }
-  void sleep_until(Tick tick) override { clock_.wait(tick); }
-  OperatorRequest operator_request() noexcept override { return OperatorRequest::none; }
-  bool take_trigger() noexcept override { return false; }
-  StepObserver* observer() noexcept override { return nullptr; }
-
- private:
-  clock::Clock& clock_;
-  RobotLink& link_;
-  std::string name_ = "ecp";
-};
-
-/// All joints along a cycloid of `steps` steps, s = t/D - sin(2 pi t/D) / 2 pi: from rest to rest without a jump of the
-/// acceleration. Stamps every step.
-class Cycloid : public Generator {
- public:
-  Cycloid(Robot& robot, int steps, double direction, std::vector<std::int64_t>& stamps)
-      : Generator("cycloid"),
-        robot_(robot),
-        duration_(steps * robot.step_duration()),
-        // neighbours against each other: sums of the arms' angles drive the motors
-        distance_(JointVector{{1.0, 1.0, -1.0, 1.0, -1.0, 1.0}} * (direction * kPeakSpeed * duration_ / 2)),
-        stamps_(stamps) {}
-
-  void start() override { from_ = robot_.known_state().desired_joints; }
-
-  void next_state() override {
-    stamps_.push_back(clock::monotonic_ns());
-    ++step_;
-    const double phase = 2 * std::numbers::pi * std::min(1.0, step_ * robot_.step_duration() / duration_);
-    const double rate = 1 / duration_;
-    RobotCommand& command = robot_.command();
-    command.kind = CommandKind::joint;
-    command.joints = from_ + distance_ * ((phase - std::sin(phase)) / (2 * std::numbers::pi));
-    command.joint_velocity = distance_ * (rate * (1 - std::cos(phase)));
-    command.joint_acceleration = distance_ * (rate * rate * 2 * std::numbers::pi * std::sin(phase));
-  }
-
- private:
-  Robot& robot_;
-  double duration_;
-  JointVector distance_;
-  JointVector from_;
-  int step_ = 0;
-  std::vector<std::int64_t>& stamps_;
-};
-
 class EcpSide {
  public:
   EcpSide(links::Domain& domain, clock::Clock& clock, int steps)
@@ -227,7 +168,7 @@ class EcpSide {
   links::RobotRequester link_;
   links::BarePing bare_;
   links::BarePing listener_;
-  BenchTask task_;
+  OneRobotTask task_;
   Robot robot_;
   double direction_ = 1;
   std::vector<std::int64_t> stamps_;
