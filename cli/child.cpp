@@ -58,7 +58,8 @@ Child::Child(Child&& other) noexcept
       output_(other.output_),
       ended_(other.ended_),
       status_(other.status_),
-      unfinished_(std::move(other.unfinished_)) {
+      unfinished_(std::move(other.unfinished_)),
+      last_line_(std::move(other.last_line_)) {
   other.pid_ = -1;
   other.output_ = -1;
 }
@@ -76,14 +77,17 @@ bool Child::ended() noexcept {
   return ended_;
 }
 
-bool Child::succeeded() const noexcept { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
-
 std::string Child::how_it_ended() const {
   if (WIFSIGNALED(status_)) {
     const int number = WTERMSIG(status_);
     return "signal " + std::to_string(number) + " (" + strsignal(number) + ")";
   }
   return "exit code " + std::to_string(WEXITSTATUS(status_));
+}
+
+std::optional<int> Child::exit_code() const noexcept {
+  if (!ended_ || !WIFEXITED(status_)) return std::nullopt;
+  return WEXITSTATUS(status_);
 }
 
 void Child::signal(int number) noexcept {
@@ -107,6 +111,7 @@ std::vector<std::string> Child::read_lines() {
     lines.push_back(unfinished_);
     unfinished_.clear();
   }
+  if (!lines.empty()) last_line_ = lines.back();
   return lines;
 }
 

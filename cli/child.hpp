@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,14 @@ class Child {
   pid_t pid() const noexcept { return pid_; }
   int output_fd() const noexcept { return output_; }
 
-  /// True when it has ended; then `how_it_ended()` and `succeeded()` tell how. Never waits.
+  /// True when it has ended; then `how_it_ended()` and `exit_code()` tell how. Never waits.
   bool ended() noexcept;
-  bool succeeded() const noexcept;
   /// "exit code 3" or "signal 9 (Killed)".
   std::string how_it_ended() const;
+  /// Nothing when it lives or a signal has ended it.
+  std::optional<int> exit_code() const noexcept;
+  /// The last line that `read_lines` has given; of a process that gives up, the reason.
+  const std::string& last_line() const noexcept { return last_line_; }
   void signal(int number) noexcept;
   /// Whole lines that it has written since the last call; at its end also an unfinished one. Never waits.
   std::vector<std::string> read_lines();
@@ -40,6 +44,7 @@ class Child {
   bool ended_ = false;
   int status_ = 0;
   std::string unfinished_;
+  std::string last_line_;
 };
 
 }  // namespace mrroc::cli

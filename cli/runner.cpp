@@ -11,12 +11,14 @@
 #include "clock/realtime.hpp"
 #include "config/resources.hpp"
 #include "process/arguments.hpp"
+#include "process/process.hpp"
 
 namespace mrroc::cli {
 
 namespace {
 
 constexpr int kTurn = 20;             // ms between looks at the mail
+constexpr double kHandShake = 0.1;    // s of one try to reach the MP
 constexpr double kPatienceToEnd = 3;  // s that processes get to end by themselves
 
 clock::Mode mode_of(config::ClockMode mode) {
@@ -71,7 +73,8 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       domain_lock_(deployment_.domain),
       clock_(host_options(deployment_, plan_)),
       signals_(open_signals()),
-      crew_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }) {
+      crew_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
+      operator_clock_(clock_.operator_clock()) {
   if (deployment_.sim) world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
 }
 
@@ -81,11 +84,18 @@ Runner::~Runner() {
 }
 
 RunResult Runner::run() {
+  // before anything is started: a run whose trace is lost would be in vain
+  if (!options_.trace.empty()) create_trace(options_.trace);
+  if (!options_.snapshots.empty()) std::filesystem::create_directories(options_.snapshots);
   // lockstep is serial by nature: one CPU for all is several times faster than two (DESIGN 5)
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
-  start_processes();
-  if (!stopping_) pass_barrier();
-  if (!stopping_) supervise();
+  try {
+    start_processes();
+    if (!stopping_) pass_barrier();
+    if (!stopping_) supervise();
+  } catch (const std::exception& error) {
+    fail(process::exit_code(process::report_of(error).error_class), error.what());
+  }
   end_processes();
   result_.statuses = statuses_;
   if (!options_.trace.empty()) {
@@ -120,7 +130,6 @@ void Runner::start_processes() {
     crew_.start(process.name, process.program.string(), process::to_command_line(arguments));
   }
   // after the children: they would inherit the domain's sockets (dds.md, trap 5)
-  operator_clock_ = clock_.operator_clock();
   links::DomainOptions options;
   options.id = domain_lock_.domain();
   if (deployment_.clock != config::ClockMode::real) options.lease = 0;
@@ -140,13 +149,25 @@ void Runner::pass_barrier() {
       return;
     }
   }
-  mp_->connect(deployment_.start_timeout);
+  if (!connect_to_mp(deadline)) return;
   schedule_commands();
   const double now = operator_clock_->wall_seconds();
   for (const PlannedProcess& process : plan_) last_heard_[process.name] = now;
   result_.wall_seconds = now;
   task_started_ = true;
   clock_.start();
+}
+
+bool Runner::connect_to_mp(double deadline) {
+  for (;;) {
+    try {
+      mp_->connect(kHandShake);
+      return true;
+    } catch (const SystemError& error) {
+      if (error.code() != ErrorCode::link_lost || operator_clock_->wall_seconds() > deadline) throw;
+    }
+    if (!turn(0)) return false;
+  }
 }
 
 void Runner::schedule_commands() {
@@ -161,18 +182,17 @@ void Runner::schedule_commands() {
 }
 
 void Runner::supervise() {
-  while (turn(kTurn)) {
-    check_heartbeats();
-    check_clock();
-  }
+  while (turn(kTurn)) check_heartbeats();
 }
 
 bool Runner::turn(int milliseconds) {
   crew_.wait(milliseconds, signals_);
   read_signals();
   if (collector_ != nullptr) read_statuses();
-  if (task_started_) read_task_status();
+  // first the causes: what the task says about a death or a lost clock is but their consequence
   check_children();
+  check_clock();
+  if (task_started_) read_task_status();
   progress_.draw();
   return !stopping_;
 }
@@ -232,12 +252,18 @@ void Runner::check_children() {
   if (stopping_) return;
   const Child* child = crew_.first_ended();
   if (child == nullptr) return;
-  const auto status = statuses_.find(child->name());
-  const bool told = status != statuses_.end() && status->second.state == links::ProcessState::failed;
   std::string reason = "process " + child->name() + " died: " + child->how_it_ended();
-  if (told) reason += ": " + std::string{status->second.error.detail.view()};
+  if (child->exit_code() && !child->last_line().empty()) reason += ": " + child->last_line();
   clock_.participant_died(child->name());
-  fail(process::ExitCode::system, reason);
+  fail(code_of_death(*child), reason);
+}
+
+process::ExitCode Runner::code_of_death(const Child& child) const {
+  // a process that refuses its part of the deployment says how grave that is; later it would be missed by the others
+  const int code = child.exit_code().value_or(0);
+  const bool refused = !task_started_ && code >= static_cast<int>(process::ExitCode::task_failed) &&
+                       code <= static_cast<int>(process::ExitCode::hardware);
+  return refused ? static_cast<process::ExitCode>(code) : process::ExitCode::system;
 }
 
 void Runner::check_heartbeats() {
@@ -267,7 +293,7 @@ void Runner::fail(process::ExitCode code, std::string reason) {
 
 void Runner::end_processes() {
   const double start = result_.wall_seconds;
-  const double now = operator_clock_ ? operator_clock_->wall_seconds() : 0;
+  const double now = operator_clock_->wall_seconds();
   result_.wall_seconds = task_started_ ? now - start : 0;
   if (result_.ticks == 0 && task_started_) result_.ticks = clock_.tick();
   // first the signal: who is still being set up must know that it is asked to end before its clock refuses it

@@ -53,6 +53,8 @@ class Runner {
  private:
   void start_processes();
   void pass_barrier();
+  /// Shakes hands with the MP, and sees meanwhile who dies and what the operator wants; false when all is to end.
+  bool connect_to_mp(double deadline);
   /// The start at tick 0, and the deployment's events, at their ticks.
   void schedule_commands();
   /// To the MP. Main thread, or the clock's when a command has its tick.
@@ -66,6 +68,7 @@ class Runner {
   void read_statuses();
   void read_task_status();
   void check_children();
+  process::ExitCode code_of_death(const Child& child) const;
   void check_heartbeats();
   void check_clock();
   void interrupt_by_operator();

@@ -1,7 +1,9 @@
 #include "cli/trace.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -24,6 +26,11 @@ std::uint64_t tick_of(const std::string& text) {
 }
 
 }  // namespace
+
+void create_trace(const std::filesystem::path& trace) {
+  if (!std::ofstream(trace))
+    throw std::runtime_error("cannot write the trace " + trace.string() + ": " + std::strerror(errno));
+}
 
 void merge_traces(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& merged) {
   std::vector<std::filesystem::path> sorted = parts;

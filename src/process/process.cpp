@@ -20,10 +20,13 @@ std::atomic<clock::Clock*> interruptible{nullptr};
 std::atomic<bool> asked_to_end{false};
 std::atomic<bool> setting_up{true};
 
+constexpr unsigned kPatienceToEnd = 5;  // s; longer than the runner's, who is gone when it matters
+
 void on_signal(int) {
   // before the barrier nothing moves and nothing is to be put away: the process may just go, whatever it waits for
   if (setting_up) _exit(static_cast<int>(ExitCode::stopped));
   asked_to_end = true;
+  alarm(kPatienceToEnd);  // a task that never comes to its next wait must not outlive the run
   if (clock::Clock* clock = interruptible.load()) clock->interrupt();
 }
 

@@ -21,8 +21,9 @@ std::vector<std::string> run_to_end(Child& child) {
 TEST(Child, GivesItsOutputByLinesAndItsExitCode) {
   Child child("talker", "/bin/sh", {"-c", "echo one; echo two >&2; printf three; exit 7"});
   EXPECT_EQ(run_to_end(child), (std::vector<std::string>{"one", "two", "three"}));
-  EXPECT_FALSE(child.succeeded());
   EXPECT_EQ(child.how_it_ended(), "exit code 7");
+  EXPECT_EQ(child.exit_code(), 7);
+  EXPECT_EQ(child.last_line(), "three");
 }
 
 TEST(Child, TellsTheSignalThatEndedIt) {
@@ -30,6 +31,7 @@ TEST(Child, TellsTheSignalThatEndedIt) {
   child.signal(SIGKILL);
   run_to_end(child);
   EXPECT_EQ(child.how_it_ended(), "signal 9 (Killed)");
+  EXPECT_EQ(child.exit_code(), std::nullopt);
 }
 
 TEST(Child, AMissingProgramEndsWith127) {

@@ -58,7 +58,7 @@ TEST(Process, ARestartedPeerIsAnotherOne) {
 TEST(Process, WhatQueuedUpWhileAProcessStoodStillMovesNothing) {
   TestDomain net;
   TestClock clock;
-  PeerProcess peer("respond", net.domain.id(), "t/arm");
+  PeerProcess peer("cautious", net.domain.id(), "t/arm");
   Writer<RobotCommand> writer(net.domain, clock, "t/arm/command");
   Reader<RobotState> reader(net.domain, clock, "t/arm/state", {.depth = 4096});
   connect(writer, {&reader}, kPatience, "peer");

@@ -1,18 +1,19 @@
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <random>
 #include <set>
+#include <string>
 #include <thread>
+#include <tuple>
 
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
 namespace {
 
-constexpr int kTimes = 20;
+constexpr int kSystem = 4;
 
 std::set<std::string> shared_memory() {
   std::set<std::string> names;
@@ -20,70 +21,88 @@ std::set<std::string> shared_memory() {
   return names;
 }
 
-bool gone(pid_t pid) { return kill(pid, 0) != 0; }
-
-void expect_gone(const std::vector<pid_t>& pids) {
-  for (const pid_t pid : pids) {
-    for (int i = 0; i < 400 && !gone(pid); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    EXPECT_TRUE(gone(pid)) << "process " << pid << " is left behind";
-  }
+/// Waits until the run has started the process `name`.
+pid_t await_child(const MrrocRun& run, const std::string& name) {
+  pid_t pid = -1;
+  while ((pid = run.child(name)) < 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return pid;
 }
 
-class Kill : public testing::TestWithParam<const char*> {};
+/// Clock, how many times, and the process to kill.
+class Kill : public testing::TestWithParam<std::tuple<std::pair<const char*, int>, const char*>> {};
 
 TEST_P(Kill, AnyProcessIsNamedAndTheRestEnds) {
-  const std::string name = GetParam();
+  const auto [clock, times] = std::get<0>(GetParam());
+  const std::string name = std::get<1>(GetParam());
   const std::set<std::string> before = shared_memory();
-  std::mt19937 random(std::hash<std::string>{}(name) % 1000);
-  for (int i = 0; i < kTimes; ++i) {
-    MrrocRun run({"run", "tasks/press/press.toml", "--clock", "paced"});
-    pid_t victim = -1;
-    while ((victim = run.child(name)) < 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::mt19937 random(static_cast<unsigned>(name.front()));
+  for (int i = 0; i < times; ++i) {
+    MrrocRun run({"run", "tasks/press/press.toml", "--clock", clock});
+    const pid_t victim = await_child(run, name);
     // some die while the deployment is being set up, most in the middle of the task
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 700));
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 900));
     const std::vector<pid_t> pids = run.children();
     ASSERT_EQ(kill(victim, SIGKILL), 0);
-    EXPECT_EQ(run.wait(), 4) << run.out() << run.err();
-    EXPECT_NE(run.err().find("process " + name + " died: signal 9 (Killed)"), std::string::npos) << run.err();
-    expect_gone(pids);
+    EXPECT_EQ(run.wait(), kSystem) << run.out() << run.err();
+    EXPECT_NE(run.err().find("process " + name + " died: signal 9 (Killed)"), std::string::npos)
+        << run.out() << run.err();
+    EXPECT_EQ(run.out().find("does not end"), std::string::npos) << run.out();
+    EXPECT_TRUE(all_end(pids));
     if (HasFailure()) return;
   }
   EXPECT_EQ(shared_memory(), before);
 }
 
-INSTANTIATE_TEST_SUITE_P(Processes, Kill, testing::Values("mp", "arm", "arm_edp", "wrist", "gate", "sim"),
-                         [](const auto& test) { return std::string{test.param}; });
+const auto kProcesses = testing::Values("mp", "arm", "arm_edp", "wrist", "gate", "sim");
 
-TEST(KillRunner, NoProcessOutlivesIt) {
-  MrrocRun run({"run", "tasks/press/press.toml", "--clock", "paced"});
-  ASSERT_TRUE(run.wait_for_output("mp           running"));
+std::string name_of(const testing::TestParamInfo<Kill::ParamType>& test) {
+  return std::string{std::get<0>(test.param).first} + "_" + std::get<1>(test.param);
+}
+
+INSTANTIATE_TEST_SUITE_P(Simulated, Kill, testing::Combine(testing::Values(std::pair{"paced", 20}), kProcesses),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Real, Kill, testing::Combine(testing::Values(std::pair{"real", 5}), kProcesses), name_of);
+
+class KillRunner : public testing::TestWithParam<const char*> {};
+
+TEST_P(KillRunner, NoProcessOutlivesIt) {
+  const std::set<std::string> before = shared_memory();
+  MrrocRun run({"run", "tasks/press/press.toml", "--clock", GetParam()});
+  ASSERT_TRUE(run.wait_for_output("JointLine"));
   const std::vector<pid_t> pids = run.children();
   EXPECT_EQ(pids.size(), 6U);
   run.signal(SIGKILL);
   EXPECT_EQ(run.wait(), -SIGKILL);
-  expect_gone(pids);
+  EXPECT_TRUE(all_end(pids));
+  EXPECT_EQ(shared_memory(), before);
 }
 
-TEST(Silence, AStoppedProcessIsNamed) {
-  const ScratchFolder folder;
-  const std::string scene = std::string{MRROC_SOURCE_DIR} + "/tasks/press/press.xml";
-  const auto deployment = folder.write("silent.toml",
-                                       "[deployment]\nname = \"silent\"\nclock = \"paced\"\nheartbeat_timeout = 1.5\n"
-                                       "[robots.arm]\ntype = \"irb6\"\nprogram = \"press_ecp\"\nhardware = \"mujoco\"\n"
-                                       "position = [0.0, 0.0, 0.7]\n"
-                                       "[sensors.wrist]\ntype = \"force_torque\"\nrobot = \"arm\"\n"
-                                       "[sensors.gate]\ntype = \"ultrasonic\"\nmode = \"non-interactive\"\nrate = 50\n"
-                                       "[sim]\nscene = \"" +
-                                           scene + "\"\n");
-  MrrocRun run({"run", deployment.string()});
-  ASSERT_TRUE(run.wait_for_output("mp           running")) << run.out() << run.err();
-  const pid_t victim = run.child("wrist");
-  ASSERT_GT(victim, 0);
-  kill(victim, SIGSTOP);
-  EXPECT_EQ(run.wait(), 4);
-  EXPECT_NE(run.err().find("process wrist is silent"), std::string::npos) << run.err();
-  expect_gone({victim});
+TEST_P(KillRunner, NoProcessOutlivesItBeforeTheBarrier) {
+  for (int i = 0; i < 5; ++i) {
+    MrrocRun run({"run", "tasks/press/press.toml", "--clock", GetParam()});
+    await_child(run, "mp");
+    std::this_thread::sleep_for(std::chrono::milliseconds(10 * i));
+    const std::vector<pid_t> pids = run.children();
+    run.signal(SIGKILL);
+    EXPECT_EQ(run.wait(), -SIGKILL);
+    EXPECT_TRUE(all_end(pids));
+  }
 }
+
+TEST_P(KillRunner, NotEvenATaskThatNeverWaits) {
+  const ScratchFolder folder;
+  MrrocRun run({"run", folder.write("endless.toml", faulty_deployment("endless", GetParam())).string()});
+  ASSERT_TRUE(run.wait_for_output("elapsed")) << run.out() << run.err();
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // it never waits after this first instruction
+  const std::vector<pid_t> pids = run.children();
+  EXPECT_EQ(pids.size(), 3U);
+  run.signal(SIGKILL);
+  EXPECT_EQ(run.wait(), -SIGKILL);
+  EXPECT_TRUE(all_end(pids));
+}
+
+INSTANTIATE_TEST_SUITE_P(Clocks, KillRunner, testing::Values("paced", "real"),
+                         [](const auto& test) { return std::string{test.param}; });
 
 }  // namespace
 }  // namespace mrroc::test

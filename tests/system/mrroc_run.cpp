@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <sstream>
@@ -16,6 +17,7 @@ namespace mrroc::test {
 namespace {
 
 constexpr std::chrono::seconds kPatience{120};
+constexpr std::chrono::seconds kPatienceWithOrphans{10};
 constexpr std::chrono::milliseconds kPause{5};
 
 std::string read_file(const std::filesystem::path& path) {
@@ -29,6 +31,7 @@ std::filesystem::path new_folder() {
   return pattern;
 }
 
+/// The parent of a process that runs; -1 when there is none or it has ended and waits to be reaped.
 pid_t parent_of(pid_t pid) {
   const std::string stat = read_file("/proc/" + std::to_string(pid) + "/stat");
   const std::size_t end = stat.rfind(')');
@@ -123,6 +126,23 @@ pid_t MrrocRun::child(const std::string& name) const {
 std::string MrrocRun::out() const { return read_file(folder_ / "out"); }
 
 std::string MrrocRun::err() const { return read_file(folder_ / "err"); }
+
+bool all_end(const std::vector<pid_t>& pids) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatienceWithOrphans;
+  const auto lives = [](pid_t pid) { return parent_of(pid) >= 0; };
+  while (std::any_of(pids.begin(), pids.end(), lives)) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::sleep_for(kPause);
+  }
+  return true;
+}
+
+std::string faulty_deployment(const std::string& kind, const std::string& clock) {
+  return "[deployment]\nname = \"" + kind + "\"\nclock = \"" + clock +
+         "\"\nheartbeat_timeout = 1\n"
+         "[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n"
+         "program = \"" MRROC_BINARY_DIR "/tests/faulty_ecp\"\n";
+}
 
 std::string run_mrroc(const std::vector<std::string>& arguments, int expected) {
   MrrocRun run(arguments);

@@ -42,6 +42,13 @@ class MrrocRun {
   int status_ = 0;
 };
 
+/// Waits for the end of processes that are not this one's children; false when one is still there after 10 s.
+bool all_end(const std::vector<pid_t>& pids);
+
+/// TOML of a deployment of one irb6, "arm", with loopback drives, whose task does what `kind` says: see
+/// tests/system/programs/faulty.cpp. More lines may follow.
+std::string faulty_deployment(const std::string& kind, const std::string& clock = "lockstep");
+
 /// Runs to the end; checks that the exit code is `expected` and shows the output when it is not. Returns stdout and
 /// stderr.
 std::string run_mrroc(const std::vector<std::string>& arguments, int expected);

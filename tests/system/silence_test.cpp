@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <string>
+#include <tuple>
+
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+using namespace std::string_literals;
+
+constexpr int kSystem = 4;
+
+/// Clock and process.
+class Silence : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(Silence, AStoppedProcessIsNamedAndTheRestEnds) {
+  const auto [clock, name] = GetParam();
+  const ScratchFolder folder;
+  const auto deployment = folder.write("hold.toml", faulty_deployment("hold", clock));
+  MrrocRun run({"run", deployment.string()});
+  ASSERT_TRUE(run.wait_for_output("never")) << run.out() << run.err();
+  const std::vector<pid_t> pids = run.children();
+  ASSERT_EQ(kill(run.child(name), SIGSTOP), 0);
+  EXPECT_EQ(run.wait(), kSystem) << run.out() << run.err();
+  // in real time the link's lease may be over before the heartbeat's time-out
+  const bool named = run.err().find("process "s + name + " is silent for 1") != std::string::npos;
+  const bool missed = run.err().find(name + " is gone from topic"s) != std::string::npos;
+  EXPECT_TRUE(named || (missed && clock == "real"s)) << run.out() << run.err();
+  EXPECT_NE(run.out().find("process "s + name + " does not end, killing it"), std::string::npos) << run.out();
+  EXPECT_TRUE(all_end(pids));
+}
+
+INSTANTIATE_TEST_SUITE_P(Clocks, Silence,
+                         testing::Combine(testing::Values("lockstep", "paced", "real"),
+                                          testing::Values("mp", "arm", "arm_edp")),
+                         [](const auto& test) {
+                           return std::string{std::get<0>(test.param)} + "_" + std::get<1>(test.param);
+                         });
+
+TEST(ZeroTimeLoop, IsAnErrorThatNamesThoseInIt) {
+  const ScratchFolder folder;
+  const auto deployment = folder.write("zero_time.toml", faulty_deployment("zero_time"));
+  const std::string output = run_mrroc({"run", deployment.string()}, kSystem);
+  EXPECT_NE(output.find("clock lost: zero-time loop at tick "), std::string::npos) << output;
+  EXPECT_NE(output.find("between arm_edp, arm: 1000 deltas"), std::string::npos) << output;
+}
+
+}  // namespace
+}  // namespace mrroc::test
