@@ -118,7 +118,7 @@ void Runner::start_processes() {
   std::mt19937_64 random(options_.shuffle_seed.value_or(0));
   if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);
   for (const PlannedProcess& process : order) {
-    if (options_.shuffle_seed) turn(static_cast<int>(random() % 300));
+    if (options_.shuffle_seed && !turn(static_cast<int>(random() % 300))) return;
     process::Arguments arguments;
     arguments.deployment = deployment_.file;
     arguments.name = process.name;

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <new>
+#include <system_error>
 
 #include "clock/participant.hpp"
 #include "clock/realtime.hpp"
@@ -73,6 +75,14 @@ links::DomainOptions domain_options(int domain, bool simulated) {
   return options;
 }
 
+/// An exception that is no `Error`: the system's, or one that a task throws by itself.
+ErrorCode code_of_foreign(const std::exception& error) noexcept {
+  if (dynamic_cast<const config::ConfigurationError*>(&error) != nullptr) return ErrorCode::configuration;
+  const bool system = dynamic_cast<const std::system_error*>(&error) != nullptr ||
+                      dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  return system ? ErrorCode::resources : ErrorCode::task_failed;
+}
+
 bool serves(links::ProcessRole role) {
   return role == links::ProcessRole::edp || role == links::ProcessRole::vsp || role == links::ProcessRole::sim;
 }
@@ -114,8 +124,7 @@ ErrorReport report_of(const std::exception& error) noexcept {
     return report;
   }
   report.error_class = ErrorClass::system;
-  report.code = dynamic_cast<const config::ConfigurationError*>(&error) != nullptr ? ErrorCode::configuration
-                                                                                   : ErrorCode::resources;
+  report.code = code_of_foreign(error);
   report.detail.assign(error.what());
   return report;
 }

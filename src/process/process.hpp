@@ -49,7 +49,8 @@ class Process {
 /// `Stopped` is success for processes that serve (edp, vsp, sim) and ExitCode::stopped for tasks.
 int run_process(int argc, char** argv, links::ProcessRole role, const std::function<void(Process&)>& body);
 
-/// An exception as it travels in messages. Not `Error`: class system, with its `what()`.
+/// An exception as it travels in messages. Not `Error`: class system, code configuration, resources (of the operating
+/// system) or task_failed, with its `what()`.
 ErrorReport report_of(const std::exception& error) noexcept;
 
 }  // namespace mrroc::process

@@ -34,7 +34,7 @@ TEST_P(Clocks, TheSameBinariesComeToTheSameOutcome) {
   EXPECT_EQ(endings_of(other).size(), 6U);
   EXPECT_NE(output.find("press succeeded"), std::string::npos) << output;
   if (std::string{GetParam()} == "real") {
-    for (const char* word : {" ticks, ", " missed, ", " late commands", "wake-up p50 ", "p99 "}) {
+    for (const char* word : {" ticks, ", " missed, ", " late commands", "wake-up p50 ", " p99 ", " max "}) {
       EXPECT_NE(output.find(word), std::string::npos) << word << " is missing in\n" << output;
     }
   }

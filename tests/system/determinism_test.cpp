@@ -47,6 +47,29 @@ TEST(Determinism, TwentyRunsOfPressGiveOneTraceUnderAnyLoad) {
   EXPECT_NE(text.find("wait=\"gate closer than 0.1 m\""), std::string::npos);
   EXPECT_NE(text.find("move=\"ToolVelocity\""), std::string::npos);
   EXPECT_NE(text.find("process=arm"), std::string::npos);
+  EXPECT_EQ(text.find("process=mp"), std::string::npos);
+}
+
+TEST(Determinism, TheTraceDependsNeitherOnTheOutputNorOnTheOrderOfStart) {
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "press.trace";
+  const std::string deployment = "tasks/press/press.toml";
+  run_mrroc({"run", deployment, "--trace", trace.string()}, 0);
+  std::set<std::string> hashes{trace_hash(trace)};
+  for (int seed = 1; seed <= 5; ++seed) {
+    run_mrroc({"run", deployment, "--quiet", "--shuffle-start", std::to_string(seed), "--trace", trace.string()}, 0);
+    hashes.insert(trace_hash(trace));
+  }
+  EXPECT_EQ(hashes.size(), 1U);
+}
+
+TEST(Determinism, AnotherWorldGivesAnotherTrace) {
+  const ScratchFolder folder;
+  const auto press = folder.path() / "press";
+  const auto replay = folder.path() / "replay";
+  run_mrroc({"run", "tasks/press/press.toml", "--quiet", "--trace", press.string()}, 0);
+  run_mrroc({"run", "tasks/press_replay/press_replay.toml", "--quiet", "--trace", replay.string()}, 0);
+  EXPECT_NE(trace_hash(press), trace_hash(replay));
 }
 
 TEST(Determinism, TwentyRunsOfPressMpGiveOneTraceUnderAnyLoad) {

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
+#include <sstream>
+#include <thread>
+#include <tuple>
 
 #include "system/mrroc_run.hpp"
 
@@ -24,20 +28,34 @@ std::string event(int tick, const std::string& command) {
   return "\n[[events]]\ntick = " + std::to_string(tick) + "\ncommand = \"" + command + "\"\n";
 }
 
-std::size_t last_tick(const std::filesystem::path& trace) {
-  std::ifstream file(trace);
+/// What the trace says of the arm: the tick of a step and the measured joints.
+struct Step {
   std::size_t tick = 0;
+  std::vector<double> joints;
+};
+
+std::vector<Step> read_trace(const std::filesystem::path& trace) {
+  std::vector<Step> steps;
+  std::ifstream file(trace);
   for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("tick=")) tick = std::stoul(line.substr(5));
+    const std::string key = " joints=";
+    const std::size_t joints = line.find(key);
+    if (joints == std::string::npos) continue;
+    Step step{std::stoul(line.substr(std::string{"tick="}.size())), {}};
+    std::istringstream values(line.substr(joints + key.size(), line.find(' ', joints + 1) - joints - key.size()));
+    for (std::string value; std::getline(values, value, ',');) step.joints.push_back(std::stod(value));
+    steps.push_back(step);
   }
-  return tick;
+  return steps;
 }
 
 TEST(Operator, APauseHoldsTheRobotAndTheTaskGoesOnAfterwards) {
   const ScratchFolder folder;
   const auto trace = folder.path() / "trace";
   run_mrroc({"run", press_with(folder, "").string(), "--quiet", "--trace", trace.string()}, 0);
-  const std::size_t undisturbed = last_tick(trace);
+  const std::size_t undisturbed = read_trace(trace).back().tick;
+  const std::size_t pause = 1500;
+  const std::size_t resume = 2500;
   const auto paused = press_with(folder, event(1500, "pause") + event(2500, "resume"));
   std::set<std::string> hashes;
   for (int i = 0; i < 3; ++i) {
@@ -46,33 +64,117 @@ TEST(Operator, APauseHoldsTheRobotAndTheTaskGoesOnAfterwards) {
   }
   EXPECT_EQ(hashes.size(), 1U);
   // the motion is planned anew from where the robot has stopped: it takes the pause and some more
-  EXPECT_GE(last_tick(trace), undisturbed + 900);
+  const std::vector<Step> steps = read_trace(trace);
+  EXPECT_GE(steps.back().tick, undisturbed + (resume - pause) * 9 / 10);
+  const auto after = std::find_if(steps.begin(), steps.end(), [](const Step& step) { return step.tick > resume; });
+  ASSERT_TRUE(after != steps.begin() && after != steps.end());
+  const Step& before = *std::prev(after);
+  EXPECT_LT(before.tick, pause + 20) << "a step of the instruction while paused";
+  // what it moves is a braking from at most 0.4 rad/s with 1 rad/s^2
+  for (std::size_t i = 0; i < before.joints.size(); ++i) EXPECT_NEAR(before.joints[i], after->joints[i], 0.1) << i;
+}
+
+TEST(Operator, ATriggerIsWhatTheTaskWaitsFor) {
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "trace";
+  const auto file = folder.write("trigger.toml", faulty_deployment("trigger") + event(700, "trigger"));
+  run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, 0);
+  const std::size_t end = read_trace(trace).back().tick;
+  EXPECT_GE(end, 700U);
+  EXPECT_LE(end, 720U);
 }
 
 TEST(Operator, AStopEndsTheTaskWithItsOwnExitCode) {
   const ScratchFolder folder;
-  const std::string output = run_mrroc({"run", press_with(folder, event(1500, "stop")).string()}, kStopped);
-  EXPECT_NE(output.find("stopped by the operator"), std::string::npos) << output;
+  const auto stopped = press_with(folder, event(1500, "stop"));
+  const auto trace = folder.path() / "trace";
+  std::set<std::string> hashes;
+  for (int i = 0; i < 3; ++i) {
+    const std::string output = run_mrroc({"run", stopped.string(), "--trace", trace.string()}, kStopped);
+    EXPECT_NE(output.find("stopped by the operator"), std::string::npos) << output;
+    hashes.insert(trace_hash(trace));
+  }
+  EXPECT_EQ(hashes.size(), 1U);
+  EXPECT_LE(read_trace(trace).back().tick, 1520U);
 }
 
-TEST(Operator, CtrlCStopsTheTask) {
-  MrrocRun run({"run", "tasks/press/press.toml", "--clock", "paced"});
+TEST(Operator, AStopEndsAPause) {
+  const ScratchFolder folder;
+  run_mrroc({"run", press_with(folder, event(1500, "pause") + event(2000, "stop")).string(), "--quiet"}, kStopped);
+}
+
+TEST(Operator, AStopReachesATaskOfTheMp) {
+  std::ifstream original(std::string{MRROC_SOURCE_DIR} + "/tasks/press_mp/press_mp.toml");
+  std::string text{std::istreambuf_iterator<char>(original), {}};
+  const std::string scene = "../press/press.xml";
+  text.replace(text.find(scene), scene.size(), MRROC_SOURCE_DIR "/tasks/press/press.xml");
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "trace";
+  const auto file = folder.write("press_mp.toml", text + event(1500, "stop"));
+  run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, kStopped);
+  EXPECT_LE(read_trace(trace).back().tick, 1520U);
+}
+
+/// Clock and signal.
+class Signal : public testing::TestWithParam<std::tuple<const char*, int>> {};
+
+TEST_P(Signal, StopsTheTask) {
+  const auto [clock, number] = GetParam();
+  MrrocRun run({"run", "tasks/press/press.toml", "--clock", clock});
   ASSERT_TRUE(run.wait_for_output("JointLine")) << run.out() << run.err();
-  run.signal(SIGINT);
+  const std::vector<pid_t> pids = run.children();
+  run.signal(number);
   EXPECT_EQ(run.wait(), kStopped) << run.out() << run.err();
   EXPECT_NE(run.err().find("stopped by the operator"), std::string::npos) << run.err();
-  EXPECT_TRUE(run.children().empty());
+  EXPECT_EQ(run.out().find("does not end"), std::string::npos) << run.out();
+  EXPECT_EQ(run.out().find("ToolVelocity"), std::string::npos) << run.out();
+  EXPECT_TRUE(all_end(pids));
 }
+
+INSTANTIATE_TEST_SUITE_P(Clocks, Signal,
+                         testing::Combine(testing::Values("paced", "real"), testing::Values(SIGINT, SIGTERM)),
+                         [](const auto& test) {
+                           return std::string{std::get<0>(test.param)} + "_" +
+                                  (std::get<1>(test.param) == SIGINT ? "interrupt" : "terminate");
+                         });
 
 TEST(Operator, CtrlCTwiceEndsAtOnce) {
   MrrocRun run({"run", "tasks/press/press.toml", "--clock", "paced"});
   ASSERT_TRUE(run.wait_for_output("mp           running")) << run.out() << run.err();
+  const std::vector<pid_t> pids = run.children();
   const pid_t mp = run.child("mp");
   kill(mp, SIGSTOP);  // a task that does not react
   run.signal(SIGINT);
-  ASSERT_TRUE(run.wait_for_output("stopping"));
+  ASSERT_TRUE(run.wait_for_output("stopping (once more to end at once)"));
   run.signal(SIGINT);
   EXPECT_EQ(run.wait(), kStopped) << run.out() << run.err();
+  EXPECT_NE(run.err().find("ended by the operator"), std::string::npos) << run.err();
+  EXPECT_TRUE(all_end(pids));
+}
+
+TEST(Operator, CtrlCTwiceEndsATaskThatNeverWaits) {
+  const ScratchFolder folder;
+  MrrocRun run({"run", folder.write("endless.toml", faulty_deployment("endless")).string()});
+  ASSERT_TRUE(run.wait_for_output("elapsed")) << run.out() << run.err();
+  const std::vector<pid_t> pids = run.children();
+  run.signal(SIGINT);
+  ASSERT_TRUE(run.wait_for_output("stopping (once more to end at once)"));
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), kStopped) << run.out() << run.err();
+  EXPECT_NE(run.out().find("process arm does not end, killing it"), std::string::npos) << run.out();
+  EXPECT_TRUE(all_end(pids));
+}
+
+TEST(Operator, CtrlCBeforeTheBarrierEndsAtOnce) {
+  for (int seed = 1; seed <= 5; ++seed) {
+    MrrocRun run({"run", "tasks/press/press.toml", "--shuffle-start", std::to_string(seed)});
+    while (run.children().size() < static_cast<std::size_t>(seed)) std::this_thread::yield();
+    run.signal(SIGINT);
+    EXPECT_EQ(run.wait(), kStopped) << run.out() << run.err();
+    EXPECT_NE(run.err().find("ended by the operator"), std::string::npos) << run.err();
+    EXPECT_EQ(run.out().find("running"), std::string::npos) << run.out();
+    EXPECT_EQ(run.out().find("does not end"), std::string::npos) << run.out();
+  }
 }
 
 }  // namespace

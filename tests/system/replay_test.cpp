@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
@@ -15,6 +17,9 @@ TEST(Replay, LoopbackDrivesAndPlayedReadingsNeedNoSimulator) {
   EXPECT_EQ(output.find("sim "), std::string::npos) << output;
   run_mrroc({"run", kDeployment, "--quiet", "--trace", second.string()}, 0);
   EXPECT_EQ(trace_hash(first), trace_hash(second));
+  std::ifstream file(first);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(text.find("condition=\"wrist force above 10 N\":1"), std::string::npos) << "no contact was played";
 }
 
 TEST(Replay, TheSameRunsInRealTime) { run_mrroc({"run", kDeployment, "--quiet", "--clock", "real"}, 0); }

@@ -17,5 +17,14 @@ TEST(StartOrder, FiftyLaunchesInRandomOrderWithRandomDelaysAllSucceed) {
   }
 }
 
+TEST(StartOrder, TheSameInRealTimeWithATaskThatMoves) {
+  const ScratchFolder folder;
+  const auto deployment = folder.write("caught.toml", faulty_deployment("caught", "real"));
+  for (int seed = 1; seed <= 10; ++seed) {
+    run_mrroc({"run", deployment.string(), "--quiet", "--shuffle-start", std::to_string(seed)}, 0);
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
+  }
+}
+
 }  // namespace
 }  // namespace mrroc::test

@@ -7,45 +7,55 @@ namespace {
 
 constexpr int kTaskFailed = 1;
 constexpr int kUsage = 2;
-constexpr int kSystem = 4;
 
 void expect_text(const std::string& output, const std::string& text) {
   EXPECT_NE(output.find(text), std::string::npos) << "'" << text << "' is missing in\n" << output;
 }
 
-/// A deployment of one arm with loopback drives whose program does what the deployment's name says.
-std::string run_faulty(const std::string& kind, int expected) {
-  const ScratchFolder folder;
-  const auto file = folder.write(kind + ".toml", "[deployment]\nname = \"" + kind +
-                                                     "\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n"
-                                                     "program = \"" MRROC_BINARY_DIR "/tests/faulty_ecp\"\n");
-  return run_mrroc({"run", file.string()}, expected);
+void expect_nothing_moved(const std::string& output) { EXPECT_EQ(output.find("running"), std::string::npos) << output; }
+
+void expect_nothing_started(const std::string& output) {
+  EXPECT_EQ(output.find("starting"), std::string::npos) << output;
+  EXPECT_EQ(output.find("ready"), std::string::npos) << output;
+  expect_nothing_moved(output);
 }
 
 TEST(WrongInput, OfTheCommandLine) {
+  expect_text(run_mrroc({}, kUsage), "subcommand");
+  expect_text(run_mrroc({"rum", "tasks/press/press.toml"}, kUsage), "subcommand");
   expect_text(run_mrroc({"run"}, kUsage), "FILE is required");
   expect_text(run_mrroc({"run", "tasks/press/press.toml", "--clocks", "real"}, kUsage), "--clocks");
   expect_text(run_mrroc({"run", "tasks/press/press.toml", "--clock", "fast"}, kUsage), "fast");
+  expect_text(run_mrroc({"run", "tasks/press/press.toml", "--shuffle-start", "soon"}, kUsage), "--shuffle-start");
   expect_text(run_mrroc({"run", "no/such/file.toml"}, kUsage), "no/such/file.toml");
+  expect_text(run_mrroc({"run", "tasks/press"}, kUsage), "tasks/press");
+}
+
+TEST(WrongInput, AFileThatIsNoTrace) {
+  const ScratchFolder folder;
   expect_text(run_mrroc({"trace", "hash", "README.md"}, kUsage), "README.md:1: is no trace");
+  expect_text(run_mrroc({"trace", "hash", folder.write("empty", "").string()}, kUsage), "empty:1: is no trace");
   expect_text(run_mrroc({"trace", "hash", "no/such/trace"}, kUsage), "no/such/trace");
+  expect_text(run_mrroc({"trace", "hash", "tasks"}, kUsage), "tasks");
 }
 
 TEST(WrongInput, ADeploymentIsRefusedWithItsLineAndNothingIsStarted) {
   const ScratchFolder folder;
   const auto file = folder.write("wrong.toml", "[deployment]\nname = \"wrong\"\nclock = \"fast\"\n");
-  const std::string output = run_mrroc({"run", file.string()}, kUsage);
-  expect_text(output, "wrong.toml:3: deployment.clock: unknown value 'fast'");
-  EXPECT_EQ(output.find("ready"), std::string::npos) << output;
+  MrrocRun run({"run", file.string()});
+  EXPECT_EQ(run.wait(), kUsage);
+  expect_text(run.err(), "wrong.toml:3: deployment.clock: unknown value 'fast'");
+  expect_nothing_started(run.out());
   expect_text(run_mrroc({"run", "--check", file.string()}, kUsage), "wrong.toml:3: deployment.clock");
 }
 
 TEST(WrongInput, CheckStartsNothing) {
   const std::string output = run_mrroc({"run", "--check", "tasks/press/press.toml"}, 0);
   expect_text(output, "press: lockstep");
-  EXPECT_EQ(output.find("ready"), std::string::npos) << output;
+  expect_nothing_started(output);
 }
 
+/// A deployment that loads, with something that only its processes can find wrong.
 TEST(WrongInput, ASceneThatMuJoCoRejectsIsShownWithItsMessageAndLine) {
   const ScratchFolder folder;
   folder.write("scene.xml",
@@ -55,62 +65,78 @@ TEST(WrongInput, ASceneThatMuJoCoRejectsIsShownWithItsMessageAndLine) {
       folder.write("scene.toml",
                    "[deployment]\nname = \"scene\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"mujoco\"\n"
                    "[sim]\nscene = \"scene.xml\"\n");
-  const std::string output = run_mrroc({"run", file.string()}, kSystem);
-  expect_text(output, "process sim died");
-  expect_text(output, "scene.xml:4: MuJoCo: ");
-  expect_text(output, "cylindre");
-  EXPECT_EQ(output.find("running"), std::string::npos) << output;
+  for (const char* quiet : {"", "--quiet"}) {
+    std::vector<std::string> words{"run", file.string()};
+    if (*quiet != '\0') words.emplace_back(quiet);
+    MrrocRun run(words);
+    EXPECT_EQ(run.wait(), kUsage) << run.err();
+    expect_text(run.err(), "process sim died: exit code 2: ");
+    expect_text(run.err(), "scene.xml:4: MuJoCo: ");
+    expect_text(run.err(), "cylindre");
+    expect_nothing_moved(run.out());
+  }
+}
+
+TEST(WrongInput, AReplayFileIsRefusedWithItsLine) {
+  const ScratchFolder folder;
+  folder.write("gate.txt", "# mrroc readings range\n0 4\n100 near\n");
+  const auto file = folder.write("replay.toml",
+                                 "[deployment]\nname = \"replay\"\n[robots.arm]\ntype = \"irb6\"\nhardware = "
+                                 "\"loopback\"\n[sensors.gate]\ntype = \"ultrasonic\"\nsource = \"replay\"\nreplay = "
+                                 "\"gate.txt\"\n");
+  const std::string output = run_mrroc({"run", file.string()}, kUsage);
+  expect_text(output, "process gate died: exit code 2: ");
+  expect_text(output, "gate.txt:3: ");
+  expect_nothing_moved(output);
 }
 
 TEST(WrongInput, ADomainInUseIsSaid) {
   const ScratchFolder folder;
-  const auto file = folder.write("domain.toml",
-                                 "[deployment]\nname = \"domain\"\nclock = \"paced\"\ndomain = 117\n"
-                                 "[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n"
-                                 "program = \"" MRROC_BINARY_DIR "/bin/press_ecp\"\n");
-  MrrocRun first({"run", "tasks/press/press.toml", "--clock", "paced"});
-  ASSERT_TRUE(first.wait_for_output("running"));
-  run_mrroc({"run", "tasks/press_replay/press_replay.toml", "--quiet"}, 0);  // another domain: both run
-  const auto busy = folder.write("busy.toml",
-                                 "[deployment]\nname = \"busy\"\ndomain = 1\n"
-                                 "[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n");
-  expect_text(run_mrroc({"run", busy.string()}, kUsage), "DDS domain 1 is in use");
+  const std::string deployment = faulty_deployment("hold");
+  const std::string name = "[deployment]\n";
+  const auto file = folder.write("hold.toml", name + "domain = 97\n" + deployment.substr(name.size()));
+  MrrocRun first({"run", file.string()});
+  ASSERT_TRUE(first.wait_for_output("running")) << first.err();
+  const std::string output = run_mrroc({"run", file.string()}, kUsage);
+  expect_text(output, "DDS domain 97 is in use");
+  expect_nothing_started(output);
+  // a domain of its own: both run
+  run_mrroc({"run", folder.write("own.toml", faulty_deployment("caught")).string(), "--quiet"}, 0);
 }
 
-TEST(WrongInput, ATraceThatCannotBeWrittenIsSaid) {
-  expect_text(run_mrroc({"run", "tasks/press/press.toml", "--trace", "/no/such/folder/trace"}, kUsage),
-              "/no/such/folder/trace");
+TEST(WrongInput, ATraceThatCannotBeWrittenIsSaidBeforeAnythingStarts) {
+  const std::string output = run_mrroc({"run", "tasks/press/press.toml", "--trace", "/no/such/folder/trace"}, kUsage);
+  expect_text(output, "/no/such/folder/trace: No such file or directory");
+  expect_nothing_started(output);
+  expect_nothing_started(run_mrroc({"run", "tasks/press/press.toml", "--trace", "tasks"}, kUsage));
 }
 
-TEST(WrongInput, ASensorThatTheDeploymentDoesNotHave) {
-  const std::string output = run_faulty("sensor", kTaskFailed);
-  expect_text(output, "the deployment has no sensor 'ghost', it has: none");
+TEST(WrongInput, SnapshotsThatCannotBeWrittenAreSaidBeforeAnythingStarts) {
+  const std::string output = run_mrroc({"run", "tasks/press/press.toml", "--snapshots", "README.md/snapshots"}, kUsage);
+  expect_text(output, "README.md/snapshots");
+  expect_nothing_started(output);
 }
 
-TEST(WrongInput, ARobotOfAnotherTypeThanTheTaskExpects) {
+TEST(WrongInput, AnMpThatAsksForARobotThatTheDeploymentDoesNotHave) {
   const ScratchFolder folder;
   const auto file = folder.write("names.toml",
                                  "[deployment]\nname = \"names\"\n[mp]\nprogram = \"press_mp\"\n"
                                  "[robots.other]\ntype = \"irb6\"\nhardware = \"loopback\"\n");
-  expect_text(run_mrroc({"run", file.string()}, kSystem), "the deployment has no robot 'arm', it has: other");
+  const std::string output = run_mrroc({"run", file.string()}, kTaskFailed);
+  expect_text(output, "process mp died: exit code 1: ");
+  expect_text(output, "the deployment has no robot 'arm', it has: other");
+  expect_nothing_moved(output);
 }
 
-TEST(WrongInput, APoseOutOfTheWorkspace) {
-  expect_text(run_faulty("pose", kTaskFailed), "the pose is out of the workspace");
-  expect_text(run_faulty("commanded_pose", kTaskFailed), "the pose is out of the workspace");
-}
-
-TEST(WrongInput, NaNInACommand) { expect_text(run_faulty("nan", kTaskFailed), "not finite"); }
-
-TEST(WrongInput, MotionStepsAndReplyStepOutOfRange) {
-  expect_text(run_faulty("steps", kTaskFailed), "motion_steps N is out of range");
-  expect_text(run_faulty("reply", kTaskFailed), "reply_step v is out of range");
-}
-
-TEST(WrongInput, ANonFatalErrorIsTheTasksToCatch) { run_faulty("caught", 0); }
-
-TEST(WrongInput, ATaskThatCrashesIsNamed) {
-  expect_text(run_faulty("crash", kSystem), "process arm died: signal 6 (Aborted)");
+TEST(WrongInput, AnEcpThatAsksForASensorThatTheDeploymentDoesNotHave) {
+  const ScratchFolder folder;
+  const auto file = folder.write("sensors.toml",
+                                 "[deployment]\nname = \"sensors\"\n[robots.arm]\ntype = \"irb6\"\nhardware = "
+                                 "\"loopback\"\nprogram = \"press_ecp\"\n");
+  const std::string output = run_mrroc({"run", file.string()}, kTaskFailed);
+  expect_text(output, "process arm died: exit code 1: ");
+  expect_text(output, "the deployment has no sensor 'wrist', it has: none");
+  expect_nothing_moved(output);
 }
 
 }  // namespace
