@@ -39,7 +39,11 @@ bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& 
       if (entry == nullptr) {
         error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "one command runs and one waits already");
       } else {
-        *entry = {true, false, false, ++last_ticket_, number, command};
+        entry->used = true;
+        entry->replied = entry->late = false;
+        entry->ticket = ++last_ticket_;
+        entry->number = number;
+        entry->command = command;
         error = hand_over(*entry);
         if (error.error_class == ErrorClass::none) {
           ++counters_.accepted;

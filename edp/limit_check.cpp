@@ -10,28 +10,28 @@ namespace {
 
 constexpr double kRounding = 1e-9;     // relative, and absolute for positions
 constexpr std::uint32_t kSamples = 8;  // per macrostep, at least
+constexpr double kRatioGrowth = 4;     // no transmission ratio grows more than that during one stop
 
 bool bad(const ErrorReport& report) noexcept { return report.error_class != ErrorClass::none; }
 
 }  // namespace
 
 LimitCheck::LimitCheck(const RobotModel& model, double period)
-    : model_(model), period_(period), stop_(model.parameters(), period) {}
+    : model_(model), axes_(model.parameters().axes), period_(period), stop_(model.parameters(), period) {}
 
 ErrorReport LimitCheck::violation(ErrorCode code, int axis, double tick, const char* what, double value,
                                   double limit) const noexcept {
   return make_report(ErrorClass::non_fatal, code, "axis %d (%s), tick %.4g: %s %.6g, limit %.6g", axis + 1,
-                     model_.parameters().axes[static_cast<std::size_t>(axis)].name.c_str(), tick, what, value, limit);
+                     axes_[static_cast<std::size_t>(axis)].name.c_str(), tick, what, value, limit);
 }
 
 void LimitCheck::widen(const DesiredState& from) noexcept {
-  const auto& axes = model_.parameters().axes;
   const int count = model_.joint_count();
   JointVector motors;
   const bool known = model_.joints_to_motors(from.position, motors) == ErrorCode::none;
   position_min_.resize(count), position_max_.resize(count), motor_min_.resize(count), motor_max_.resize(count);
   for (int i = 0; i < count; ++i) {
-    const AxisParameters& axis = axes[static_cast<std::size_t>(i)];
+    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
     position_min_[i] = std::min(axis.position_min, from.position[i]) - kRounding;
     position_max_[i] = std::max(axis.position_max, from.position[i]) + kRounding;
     motor_min_[i] = (known ? std::min(axis.motor_min, motors[i]) : axis.motor_min) - kRounding;
@@ -41,7 +41,7 @@ void LimitCheck::widen(const DesiredState& from) noexcept {
 
 ErrorReport LimitCheck::check_state(const DesiredState& state, double tick) const noexcept {
   for (int i = 0; i < model_.joint_count(); ++i) {
-    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
     if (state.position[i] < position_min_[i])
       return violation(ErrorCode::joint_limit, i, tick, "position", state.position[i], axis.position_min);
     if (state.position[i] > position_max_[i])
@@ -55,15 +55,16 @@ ErrorReport LimitCheck::check_state(const DesiredState& state, double tick) cons
   return {};
 }
 
-ErrorReport LimitCheck::check_motors(const JointVector& joints, double tick, const char* where) const noexcept {
-  JointVector motors;
-  if (model_.joints_to_motors(joints, motors) != ErrorCode::none)
+ErrorReport LimitCheck::check_motors(const JointVector& joints, double tick, const char* where) noexcept {
+  if (model_.joints_to_motors(joints, motors_) != ErrorCode::none)
     return make_report(ErrorClass::non_fatal, ErrorCode::motor_limit, "tick %.4g: the transmission cannot reach %s",
                        tick, where);
   for (int i = 0; i < model_.joint_count(); ++i) {
-    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
-    if (motors[i] < motor_min_[i]) return violation(ErrorCode::motor_limit, i, tick, where, motors[i], axis.motor_min);
-    if (motors[i] > motor_max_[i]) return violation(ErrorCode::motor_limit, i, tick, where, motors[i], axis.motor_max);
+    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
+    if (motors_[i] < motor_min_[i])
+      return violation(ErrorCode::motor_limit, i, tick, where, motors_[i], axis.motor_min);
+    if (motors_[i] > motor_max_[i])
+      return violation(ErrorCode::motor_limit, i, tick, where, motors_[i], axis.motor_max);
   }
   return {};
 }
@@ -71,7 +72,7 @@ ErrorReport LimitCheck::check_motors(const JointVector& joints, double tick, con
 ErrorReport LimitCheck::check_stop(const DesiredState& state, double tick) noexcept {
   stop_.plan(state);
   for (int i = 0; i < model_.joint_count(); ++i) {
-    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
     const AxisStop& stop = stop_.axis(i);
     if (stop.lowest() < position_min_[i])
       return violation(ErrorCode::joint_limit, i, tick, "a stop would reach", stop.lowest(), axis.position_min);
@@ -84,8 +85,19 @@ ErrorReport LimitCheck::check_stop(const DesiredState& state, double tick) noexc
   return check_motors(stop_.end().position, tick, "motor position after a stop");
 }
 
-ErrorReport LimitCheck::check_motors_of_stop(const DesiredState& state, double tick) noexcept {
-  stop_.plan(state);
+bool LimitCheck::motors_stay_clear() const noexcept {
+  const JointMatrix ratio = model_.transmission(stop_.end().position);
+  for (int i = 0; i < model_.joint_count(); ++i) {
+    double way = 0;
+    for (int j = 0; j < model_.joint_count(); ++j)
+      way += std::abs(ratio(i, j)) * (stop_.axis(j).highest() - stop_.axis(j).lowest());
+    way *= kRatioGrowth;
+    if (!(motors_[i] - way > motor_min_[i] && motors_[i] + way < motor_max_[i])) return false;
+  }
+  return true;
+}
+
+ErrorReport LimitCheck::check_motors_of_stop(double tick) noexcept {
   for (std::uint32_t k = 1; k < stop_.ticks(); ++k)
     if (const ErrorReport report = check_motors(stop_.at(k * period_).position, tick + k, "motor position in a stop");
         bad(report))
@@ -100,13 +112,13 @@ ErrorReport LimitCheck::check_end(const Macrostep& path) noexcept {
   if (const ErrorReport report = check_motors(path.to.position, tick, "motor position"); bad(report)) return report;
   if (path.to.at_rest()) return {};
   if (const ErrorReport report = check_stop(path.to, tick); bad(report)) return report;
-  return check_motors_of_stop(path.to, tick);
+  return motors_stay_clear() ? ErrorReport{} : check_motors_of_stop(tick);
 }
 
 ErrorReport LimitCheck::check_between(const DesiredState& before, const DesiredState& after, double duration,
                                       double tick) const noexcept {
   for (int i = 0; i < model_.joint_count(); ++i) {
-    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
     const double velocity = (after.position[i] - before.position[i]) / duration;
     const double acceleration = (after.velocity[i] - before.velocity[i]) / duration;
     const double acceleration_max = axis.acceleration_max * kPathAccelerationFactor;
@@ -118,9 +130,22 @@ ErrorReport LimitCheck::check_between(const DesiredState& before, const DesiredS
   return {};
 }
 
+bool LimitCheck::stays_clear(const Macrostep& path) const noexcept {
+  const DesiredState bounds = path.path.bounds();
+  for (int i = 0; i < model_.joint_count(); ++i) {
+    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
+    if (!(path.from.position[i] - bounds.position[i] > position_min_[i] &&
+          path.from.position[i] + bounds.position[i] < position_max_[i] && bounds.velocity[i] < axis.velocity_max &&
+          bounds.acceleration[i] < axis.acceleration_max * kPathAccelerationFactor))
+      return false;
+  }
+  return true;
+}
+
 ErrorReport LimitCheck::check(const Macrostep& path) noexcept {
   if (const ErrorReport report = check_end(path); bad(report)) return report;
-  const std::uint32_t fraction = (kSamples + path.steps - 1) / path.steps;  // samples per tick
+  // samples per tick
+  const std::uint32_t fraction = stays_clear(path) ? 1 : (kSamples + path.steps - 1) / path.steps;
   const std::uint32_t samples = path.steps * fraction;
   const double interval = period_ / fraction;
   DesiredState previous = path.from;

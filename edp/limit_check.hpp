@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "edp/macrostep.hpp"
 #include "edp/stop.hpp"
 #include "mrroc/robot_model.hpp"
@@ -12,10 +14,11 @@ namespace mrroc::edp {
 inline constexpr double kPathAccelerationFactor = 1.5;
 
 /// Looks whether a path keeps the robot's limits at every servo tick: position, velocity and acceleration of the
-/// joints, position of the motors; the means of velocity and acceleration from tick to tick; and all that at least
-/// eight times per macrostep, so that a short one hides nothing between its ticks. From every tick a stop must be
-/// possible: it passes neither position nor velocity limit and rests inside the motor limits; from the last tick the
-/// motor limits are checked at every tick of the stop.
+/// joints, position of the motors; the means of velocity and acceleration from tick to tick; what concerns the joints
+/// at least eight times per macrostep, so that a short one hides nothing between its ticks, unless bounds of the path
+/// tell that it cannot. From every tick a stop must be possible: it passes neither position nor velocity limit and
+/// rests inside the motor limits; from the last tick the motor limits are checked at every tick of the stop, unless a
+/// bound tells that no motor comes near one.
 ///
 /// A robot that starts outside a position limit (brakes off, moved by hand) may move, but no farther out. Allocates
 /// nothing but in its constructor, never throws; the comms thread.
@@ -32,18 +35,26 @@ class LimitCheck {
 
  private:
   ErrorReport check_state(const DesiredState& state, double tick) const noexcept;
+  /// Between its ends; false: it has to be sampled.
+  bool stays_clear(const Macrostep& path) const noexcept;
   ErrorReport check_between(const DesiredState& before, const DesiredState& after, double duration,
                             double tick) const noexcept;
-  ErrorReport check_motors(const JointVector& joints, double tick, const char* where) const noexcept;
+  /// Leaves the motor positions of `joints` in `motors_`.
+  ErrorReport check_motors(const JointVector& joints, double tick, const char* where) noexcept;
+  /// Leaves the stop from `state` in `stop_` and the motor positions of its end in `motors_`.
   ErrorReport check_stop(const DesiredState& state, double tick) noexcept;
-  ErrorReport check_motors_of_stop(const DesiredState& state, double tick) noexcept;
+  /// Of the stop that `check_stop` has left; false: it has to be looked at.
+  bool motors_stay_clear() const noexcept;
+  ErrorReport check_motors_of_stop(double tick) noexcept;
   void widen(const DesiredState& from) noexcept;
   ErrorReport violation(ErrorCode code, int axis, double tick, const char* what, double value,
                         double limit) const noexcept;
 
   const RobotModel& model_;
+  const std::vector<AxisParameters>& axes_;
   double period_;
   Stop stop_;
+  JointVector motors_;
   JointVector position_min_, position_max_, motor_min_, motor_max_;
 };
 

@@ -247,8 +247,14 @@ bool Servo::publish(Tick tick) noexcept {
   hand_over_.snapshot.store(snapshot_);
 
   const bool news = outbox_count_ > 0;
-  for (std::size_t i = 0; i < outbox_count_; ++i)
-    hand_over_.reports.push({outbox_[i].outcome, outbox_[i].ticket, snapshot_});
+  for (std::size_t i = 0; i < outbox_count_; ++i) {
+    Report* const report = hand_over_.reports.free_place();
+    if (report == nullptr) break;
+    report->outcome = outbox_[i].outcome;
+    report->ticket = outbox_[i].ticket;
+    report->snapshot = snapshot_;
+    hand_over_.reports.push_free_place();
+  }
   outbox_count_ = 0;
   last_ = tick;
   ticked_ = true;

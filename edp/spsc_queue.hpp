@@ -13,12 +13,19 @@ class SpscQueue {
  public:
   /// False when full. Producer.
   bool push(const Value& value) noexcept {
-    const std::size_t tail = tail_.load(std::memory_order_relaxed);
-    if (tail - head_.load(std::memory_order_acquire) == Capacity) return false;
-    values_[tail % Capacity] = value;
-    tail_.store(tail + 1, std::memory_order_release);
+    Value* const place = free_place();
+    if (place == nullptr) return false;
+    *place = value;
+    push_free_place();
     return true;
   }
+
+  /// Where the next value is to be written, or null when full; `push_free_place` then makes it the newest. Producer.
+  Value* free_place() noexcept {
+    const std::size_t tail = tail_.load(std::memory_order_relaxed);
+    return tail - head_.load(std::memory_order_acquire) == Capacity ? nullptr : &values_[tail % Capacity];
+  }
+  void push_free_place() noexcept { tail_.store(tail_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
   /// The oldest value, or null; it stays valid until `pop`. Consumer.
   const Value* front() const noexcept {

@@ -1,6 +1,7 @@
 #include "links/reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <optional>
 
@@ -40,10 +41,14 @@ struct Reader<T>::Impl {
 
   static void on_data(dds_entity_t reader, void* arg) {
     Impl& self = *static_cast<Impl*>(arg);
-    dds_sample_info_t info;
-    void* samples[] = {&self.incoming.value};
-    while (dds_take(reader, samples, &info, 1, 1) == 1) {
-      if (info.valid_data) self.store();
+    std::array<dds_sample_info_t, 2> infos;
+    void* samples[] = {&self.incoming[0].value, &self.incoming[1].value};
+    // room for one more than there mostly is: when it stays empty nothing else is there
+    for (dds_return_t count = 2; count == 2;) {
+      count = dds_take(reader, samples, infos.data(), 2, 2);
+      for (dds_return_t i = 0; i < count; ++i) {
+        if (infos[static_cast<std::size_t>(i)].valid_data) self.store(self.incoming[static_cast<std::size_t>(i)]);
+      }
     }
   }
 
@@ -57,11 +62,11 @@ struct Reader<T>::Impl {
     static_cast<Impl*>(arg)->refused_policy.store(status.last_policy_id);
   }
 
-  void store() noexcept {
-    const mrroc_wire_Header& header = incoming.value.header;
+  void store(typename Ring::Entry& message) noexcept {
+    const mrroc_wire_Header& header = message.value.header;
     switch (header.kind) {
       case kData:
-        ring.push(incoming);
+        ring.push(message);
         if (receiver >= 0) {
           clock.arrived(receiver);
         } else {
@@ -145,7 +150,7 @@ struct Reader<T>::Impl {
   const ReaderOptions options;
   int receiver = -1;  // the clock's handle; -1: not counted
 
-  typename Ring::Entry incoming{};  // listener
+  std::array<typename Ring::Entry, 2> incoming{};  // listener
   Ring ring;
   std::atomic<std::uint32_t> alive{0};
   std::atomic<std::uint32_t> refused_policy{0};

@@ -50,10 +50,9 @@ void Requester<Request, Reply>::receive(Reply& reply) {
 template <class Request, class Reply>
 bool Requester<Request, Reply>::take_reply(Reply& reply) {
   Header header;
-  Reply candidate;
-  while (reader_.take(candidate, header)) {
+  while (reader_.take(candidate_, header)) {
     if (header.sequence == sequence_ && header.answers == boot_ && header.boot == reader_.ponged()) {
-      reply = candidate;
+      reply = candidate_;
       return true;
     }
     ++stale_replies_;

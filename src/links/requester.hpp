@@ -46,6 +46,7 @@ class Requester {
   const bool loopback_only_;
   Writer<Request> writer_;
   Reader<Reply> reader_;
+  Reply candidate_;
   std::uint64_t sequence_ = 0;  // of the last request
   Tick deadline_ = kNever;
   std::uint64_t stale_replies_ = 0;

@@ -112,6 +112,9 @@ class CoupledModel : public PlanarArm {
     motors[1] += motors[0];
     return ErrorCode::none;
   }
+  JointMatrix transmission(const JointVector&) const noexcept override {
+    return (JointMatrix(2, 2) << kGear, 0, kGear, kGear).finished();
+  }
 };
 
 TEST(Planner, ChecksTheMotorsAtEveryTickOfTheStop) {
@@ -136,6 +139,40 @@ TEST(Planner, ChecksTheMotorsAtEveryTickOfTheStop) {
   }
 }
 
+TEST(Planner, NoAcceptedMotionHasAStopWhoseMotorsLeaveTheirLimits) {
+  int accepted = 0, refused = 0;
+  EXPECT_TRUE(rc::check([&] {
+    CoupledModel model;
+    // mostly as above: the sum swings out and comes back
+    model.change().axes[1].acceleration_max = number(0.3, 1);
+    model.change().axes[1].motor_max = number(0.05, 3);
+    Planner planner(model, kPeriod);
+    DesiredState to = DesiredState::resting_at(JointVector::Zero(2));
+    to.velocity << number(0.2, 0.6), number(-0.6, 0);
+    DesiredState from = to;
+    from.position -= to.velocity * (50 * kPeriod);
+    RobotCommand command = joint_command(to.position, 50, 1);
+    command.joint_velocity = to.velocity;
+    Macrostep macrostep;
+    if (planner.plan(command, from, Pace::as_commanded, macrostep).code != ErrorCode::none) {
+      ++refused;
+      return;
+    }
+    ++accepted;
+    // a robot that starts outside a limit may move, but no farther out
+    JointVector start(2), motors(2);
+    model.joints_to_motors(from.position, start);
+    Stop stop(model.parameters(), kPeriod);
+    stop.plan(to);
+    for (std::uint32_t k = 0; k <= stop.ticks(); ++k) {
+      model.joints_to_motors(stop.at(k * kPeriod).position, motors);
+      RC_ASSERT(motors[1] <= std::max(model.parameters().axes[1].motor_max, start[1]) + 1e-6);
+    }
+  }));
+  EXPECT_GT(accepted, 10);
+  EXPECT_GT(refused, 10);
+}
+
 TEST(Planner, ChecksTheMotorsToo) {
   Planning<Slide> p;
   p.model.change().axes[0].motor_max = 100;  // the joint alone could go to 2
@@ -156,6 +193,8 @@ TEST(Planner, ARobotOutsideItsLimitsMayMoveInwardsOnly) {
 TEST(Planner, AStepOfOneTickIsNoLoophole) {
   Planning<Slide> p;
   EXPECT_EQ(p.plan(joint_command(one(0.2515), 1, 1)).code, ErrorCode::acceleration_limit);
+  EXPECT_EQ(p.plan(joint_command(one(0.25001), 1, 1)).code, ErrorCode::acceleration_limit);  // slow, but 14 m/s^2
+  EXPECT_EQ(p.plan(joint_command(one(0.250004), 1, 1)).code, ErrorCode::none);
   RobotCommand command = joint_command(one(0.2507), 1, 1);
   command.joint_velocity = one(0.7);  // a jump of the velocity
   EXPECT_EQ(p.plan(command).code, ErrorCode::acceleration_limit);

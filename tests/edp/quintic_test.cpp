@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
+
 #include "random_values.hpp"
 
 namespace mrroc::edp {
@@ -35,6 +37,40 @@ TEST(Quintic, ItsVelocityAndAccelerationAreTheDerivativesOfItsPosition) {
     RC_ASSERT(((after.position - before.position) / (2 * h) - here.velocity).norm() < 1e-4);
     RC_ASSERT(((after.velocity - before.velocity) / (2 * h) - here.acceleration).norm() < 1e-3);
   }));
+}
+
+TEST(Quintic, ItsBoundsHoldOnTheWholePath) {
+  EXPECT_TRUE(rc::check([] {
+    const DesiredState from = random_state(3), to = random_state(3);
+    const double duration = number(0.002, 5);
+    Quintic path;
+    path.plan(from, to, duration);
+    const DesiredState bounds = path.bounds();
+    for (int k = 0; k <= 100; ++k) {
+      const DesiredState state = path.at(duration * k / 100);
+      for (int i = 0; i < 3; ++i) {
+        RC_ASSERT(std::abs(state.position[i] - from.position[i]) <= bounds.position[i] + 1e-9);
+        RC_ASSERT(std::abs(state.velocity[i]) <= bounds.velocity[i] * (1 + 1e-9));
+        RC_ASSERT(std::abs(state.acceleration[i]) <= bounds.acceleration[i] * (1 + 1e-9));
+      }
+    }
+  }));
+}
+
+// else they would spare no samples
+TEST(Quintic, ItsBoundsAreTightOnAShortPieceOfASmoothMotion) {
+  const double duration = 0.002, velocity = 0.3, acceleration = 0.5;
+  DesiredState from = DesiredState::resting_at(JointVector::Constant(1, 1.0));
+  from.velocity[0] = velocity;
+  from.acceleration[0] = acceleration;
+  DesiredState to = from;
+  to.position[0] += duration * (velocity + duration * acceleration / 2);
+  to.velocity[0] += duration * acceleration;
+  Quintic path;
+  path.plan(from, to, duration);
+  EXPECT_NEAR(path.bounds().position[0], to.position[0] - from.position[0], 1e-9);
+  EXPECT_NEAR(path.bounds().velocity[0], to.velocity[0], 1e-6);
+  EXPECT_NEAR(path.bounds().acceleration[0], acceleration, 1e-3);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
 #include "mrroc/errors.hpp"
 #include "reference_dynamics.hpp"
@@ -51,6 +52,7 @@ TEST(DrivePhysics, OneJointMovesAsWithMujocosOwnArmatureAndDamping) {
     worst = std::max(worst, std::abs(data->qpos[0] - world.data().qpos[0]));
     at_limit = at_limit || data->nefc > 0;
   }
+  std::cout << "largest difference from MuJoCo's own armature: " << worst << " rad\n";
   EXPECT_LT(worst, 1e-12);
   EXPECT_TRUE(at_limit) << "the comparison was to include the joint's limit";
 }
@@ -84,6 +86,7 @@ TEST(DrivePhysics, CoupledInertiaAndDampingAgreeWithDenseMatrices) {
       worst = std::max(worst, std::abs(world.data().qvel[i] - reference.data().qvel[i]));
     }
   }
+  std::cout << "largest difference from dense matrices: " << worst << " rad or rad/s\n";
   EXPECT_LT(worst, 1e-9);
   EXPECT_GT(std::abs(reference.data().qpos[0] - 0.5), 0.1) << "nothing moved";
 }
@@ -112,6 +115,7 @@ double energy_error(double timestep) {
 
 TEST(DrivePhysics, EnergyOfAFreeArmWithCoupledRotorsIsKeptToFirstOrder) {
   const double coarse = energy_error(1e-3), fine = energy_error(1e-4);
+  std::cout << "energy error at 1 ms: " << coarse << " J, at 0.1 ms: " << fine << " J\n";
   EXPECT_LT(coarse, 0.05);  // J, of some 10 J that go to and fro
   EXPECT_NEAR(coarse / fine, 10.0, 1.5);
 }

@@ -1,0 +1,269 @@
+// What one step of Move costs between an ECP and an EDP, against a bare Cyclone DDS ping-pong of the same messages.
+//   link_roundtrip [--rounds n] [--steps n] [--realtime] [--domain n]
+//
+// Two processes. The asking one runs blocks of `steps` exchanges in turn: the bare ping-pong, answered by a thread that
+// a listener wakes (the yardstick); a real Move of an IRb-6, whose EDP side is all of an EDP but its grid: the servo is
+// ticked as soon as a command of N = 1, v = 1 has been accepted, so that nobody waits for the time of a tick; and the
+// bare ping-pong answered inside the listener, for reference. A step is what the ECP sees: from one next_state() to the
+// next. A round is one block of each; the figures are medians over the rounds of each round's quantiles and ratios.
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clock/host.hpp"
+#include "clock/monotonic.hpp"
+#include "clock/participant.hpp"
+#include "clock/realtime.hpp"
+#include "edp/effector.hpp"
+#include "edp/loopback_hardware.hpp"
+#include "edp/servo.hpp"
+#include "links/bare_ping_pong.hpp"
+#include "links/robot_requester.hpp"
+#include "links/robot_responder.hpp"
+#include "mrroc/conditions/elapsed_steps.hpp"
+#include "mrroc/move.hpp"
+#include "one_robot_task.hpp"
+#include "robots/irb6/irb6_model.hpp"
+#include "round_times.hpp"
+
+namespace mrroc {
+namespace {
+
+constexpr double kBar = 1.25;
+constexpr double kGoal = 1.10;
+constexpr double kTimeout = 10;    // s, of hand-shakes
+constexpr double kLease = 20;      // s, outlasts any stall of a busy machine
+constexpr Tick kPatience = 10000;  // ticks that a reply may be late, likewise
+constexpr int kPriority = 60;
+
+const std::string kPrefix = "roundtrip/irb6";
+const std::string kBarePrefix = "roundtrip/bare";
+const std::string kListenerPrefix = "roundtrip/listener";
+
+struct Options {
+  int rounds = 20;
+  int steps = 2000;
+  int domain = 77;
+  bool realtime = false;
+};
+
+std::unique_ptr<RobotModel> load_model() { return load_irb6(MRROC_SOURCE_DIR "/robots/irb6/irb6.toml"); }
+
+void prepare_process(const Options& options) {
+  if (!options.realtime) return;
+  const std::string warning = clock::request_realtime(kPriority);
+  if (!warning.empty()) std::fprintf(stderr, "%s\n", warning.c_str());
+}
+
+// ---- EDP
+// -------------------------------------------------------------------------------------------------------------
+
+class EdpSide {
+ public:
+  EdpSide(links::Domain& domain, clock::Clock& clock)
+      : clock_(clock),
+        hardware_(*model_, clock.period()),
+        servo_(*model_, hardware_, clock.period(), hand_over_),
+        effector_(*model_, clock.period(), hand_over_),
+        responder_(domain, clock, kPrefix) {}
+
+  void serve() {
+    effector_.enable(true);
+    servo_.tick(tick_);
+    if (!clock_.start()) return;
+    while (clock_.wait(kNever) != clock::Wake::interrupted) {
+      for (std::uint64_t sequence = 0; responder_.take(command_, sequence);) answer(sequence);
+    }
+  }
+
+ private:
+  void answer(std::uint64_t sequence) {
+    if (effector_.accept(command_, sequence, reply_)) {
+      responder_.reply(reply_.state, sequence);
+      return;
+    }
+    servo_.tick(++tick_);
+    while (effector_.poll(reply_)) responder_.reply(reply_.state, reply_.command);
+  }
+
+  clock::Clock& clock_;
+  std::unique_ptr<RobotModel> model_ = load_model();
+  edp::LoopbackHardware hardware_;
+  edp::HandOver hand_over_;
+  edp::Servo servo_;
+  edp::Effector effector_;
+  links::RobotResponder responder_;
+  Tick tick_ = 0;
+  RobotCommand command_;
+  edp::Reply reply_;
+};
+
+int run_edp(int clock_fd, const Options& options) {
+  prepare_process(options);
+  links::Domain domain({.id = options.domain, .lease = kLease});
+  const auto clock = clock::attach_clock(clock_fd, "edp");
+  const links::BareEcho thread(domain, kBarePrefix, links::BareEcho::Where::thread);
+  const links::BareEcho listener(domain, kListenerPrefix, links::BareEcho::Where::listener);
+  std::make_unique<EdpSide>(domain, *clock)->serve();
+  return 0;
+}
+
+// ---- ECP
+// -------------------------------------------------------------------------------------------------------------
+
+class EcpSide {
+ public:
+  EcpSide(links::Domain& domain, clock::Clock& clock, int steps)
+      : steps_(steps),
+        link_(domain, clock, kPrefix, "edp", kPatience),
+        bare_(domain, kBarePrefix),
+        listener_(domain, kListenerPrefix),
+        task_(clock, link_),
+        robot_(task_, "irb6", load_model()) {
+    robot_.set_macrostep(1, 1);
+    link_.connect(kTimeout);
+    bare_.connect(kTimeout);
+    listener_.connect(kTimeout);
+    stamps_.reserve(static_cast<std::size_t>(steps) + 2);
+  }
+
+  /// One block of each; the order turns round by round, so that nobody always comes after the same.
+  void run_round(bool forwards) {
+    if (forwards) ping(bare_, bare);
+    move();
+    if (!forwards) ping(bare_, bare);
+    ping(listener_, listener);
+  }
+
+  RoundTimes bare, moves, listener;
+
+ private:
+  void ping(links::BarePing& link, RoundTimes& times) {
+    stamps_.clear();
+    stamps_.push_back(clock::monotonic_ns());
+    for (int i = 0; i < steps_; ++i) {
+      link.exchange();
+      stamps_.push_back(clock::monotonic_ns());
+    }
+    times.add(stamps_);
+  }
+
+  void move() {
+    stamps_.clear();
+    direction_ = -direction_;
+    Cycloid cycloid(robot_, steps_, direction_, stamps_);
+    // one more: the end of a step is the next one's next_state()
+    Move({robot_}, {}, cycloid.until(ElapsedSteps{static_cast<std::uint64_t>(steps_) + 1}));
+    moves.add(stamps_);
+  }
+
+  const int steps_;
+  links::RobotRequester link_;
+  links::BarePing bare_;
+  links::BarePing listener_;
+  OneRobotTask task_;
+  Robot robot_;
+  double direction_ = 1;
+  std::vector<std::int64_t> stamps_;
+};
+
+void print_row(const char* name, const RoundTimes& times, const RoundTimes& yardstick) {
+  std::printf("%-28s %8.1f %8.1f   %8.2f %8.2f\n", name, quantile(times.p50, 0.5), quantile(times.p99, 0.5),
+              median_ratio(times.p50, yardstick.p50), median_ratio(times.p99, yardstick.p99));
+}
+
+int run_ecp(int clock_fd, const Options& options) {
+  prepare_process(options);
+  links::Domain domain({.id = options.domain, .lease = kLease});
+  const auto clock = clock::attach_clock(clock_fd, "ecp");
+  const auto ecp = std::make_unique<EcpSide>(domain, *clock, options.steps);
+  if (!clock->start()) return 2;
+  ecp->run_round(true);  // warm-up
+  ecp->bare = ecp->moves = ecp->listener = {};
+  for (int round = 0; round < options.rounds; ++round) ecp->run_round(round % 2 == 0);
+
+  std::printf("us, %d rounds of %d              p50      p99   p50 ratio p99 ratio\n", options.rounds, options.steps);
+  print_row("bare DDS, thread answers", ecp->bare, ecp->bare);
+  print_row("Move step", ecp->moves, ecp->bare);
+  print_row("bare DDS, listener answers", ecp->listener, ecp->bare);
+  const double ratio = median_ratio(ecp->moves.p50, ecp->bare.p50);
+  const bool pass = ratio <= kBar;
+  std::printf("Move step / bare DDS at p50: %.3f; bar %.2f: %s; goal %.2f: %s\n", ratio, kBar, pass ? "PASS" : "FAIL",
+              kGoal, ratio <= kGoal ? "PASS" : "FAIL");
+  return pass ? 0 : 1;
+}
+
+// ---- the deployment
+// --------------------------------------------------------------------------------------------------
+
+using Side = int (*)(int clock_fd, const Options& options);
+
+pid_t start(Side side, int clock_fd, const Options& options) {
+  const pid_t pid = ::fork();
+  if (pid != 0) return pid;
+  int code = 2;
+  try {
+    code = side(clock_fd, options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+  }
+  std::fflush(nullptr);
+  ::_exit(code);  // the clock's host is the parent's
+}
+
+int exit_code(pid_t pid) {
+  int status = 0;
+  ::waitpid(pid, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 2;
+}
+
+int run(const Options& options) {
+  clock::ClockHost host({.mode = clock::Mode::real, .participants = {"edp", "ecp"}});
+  const pid_t edp = start(&run_edp, host.fd(), options);
+  const pid_t ecp = start(&run_ecp, host.fd(), options);
+  if (host.wait_ready(2 * kTimeout).empty()) {
+    host.start();
+  } else {
+    host.end();
+  }
+  const int code = exit_code(ecp);
+  host.end();
+  return exit_code(edp) == 0 ? code : 2;
+}
+
+/// Exits when the arguments are not understood.
+Options parse(int count, char** arguments) {
+  Options options;
+  for (int i = 1; i < count; ++i) {
+    const std::string_view name = arguments[i];
+    const int value = i + 1 < count ? std::atoi(arguments[i + 1]) : 0;
+    if (name == "--realtime") {
+      options.realtime = true;
+      continue;
+    }
+    ++i;
+    if (name == "--rounds" && value > 0) {
+      options.rounds = value;
+    } else if (name == "--steps" && value >= 500) {
+      options.steps = value;
+    } else if (name == "--domain" && value > 0) {
+      options.domain = value;
+    } else {
+      std::fprintf(stderr, "usage: link_roundtrip [--rounds n] [--steps n, at least 500] [--domain n] [--realtime]\n");
+      std::exit(2);
+    }
+  }
+  return options;
+}
+
+}  // namespace
+}  // namespace mrroc
+
+int main(int count, char** arguments) { return mrroc::run(mrroc::parse(count, arguments)); }

@@ -1,0 +1,5 @@
+if(TARGET mrroc_edp)
+  mrroc_bench(link_roundtrip
+    SOURCES link_roundtrip.cpp
+    LINKS mrroc_bare_ping_pong mrroc_edp mrroc_robot_irb6)
+endif()
