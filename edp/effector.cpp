@@ -79,7 +79,7 @@ Effector::Outstanding* Effector::free_place() noexcept {
 
 ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   const RobotCommand& command = entry.command;
-  const bool moves = command.kind == CommandKind::joint || command.kind == CommandKind::pose;
+  const bool moves = command.kind != CommandKind::hold;
   if (untold_ && moves && !entry.late) {
     entry.late = true;
     ++counters_.late;

@@ -8,9 +8,10 @@
 namespace mrroc::edp {
 namespace {
 
-constexpr double kRounding = 1e-9;     // relative, and absolute for positions
-constexpr std::uint32_t kSamples = 8;  // per macrostep, at least
-constexpr double kRatioGrowth = 4;     // no transmission ratio grows more than that during one stop
+constexpr double kRounding = 1e-9;      // relative, and absolute for positions
+constexpr double kJerkRounding = 1e-4;  // in task space accelerations are differences of an inverse kinematics
+constexpr std::uint32_t kSamples = 8;   // per macrostep, at least
+constexpr double kRatioGrowth = 4;      // no transmission ratio grows more than that during one stop
 
 bool bad(const ErrorReport& report) noexcept { return report.error_class != ErrorClass::none; }
 
@@ -48,9 +49,9 @@ ErrorReport LimitCheck::check_state(const DesiredState& state, double tick) cons
       return violation(ErrorCode::joint_limit, i, tick, "position", state.position[i], axis.position_max);
     if (std::abs(state.velocity[i]) > axis.velocity_max * (1 + kRounding))
       return violation(ErrorCode::velocity_limit, i, tick, "velocity", state.velocity[i], axis.velocity_max);
-    const double acceleration_max = axis.acceleration_max * kPathAccelerationFactor;
-    if (std::abs(state.acceleration[i]) > acceleration_max * (1 + kRounding))
-      return violation(ErrorCode::acceleration_limit, i, tick, "acceleration", state.acceleration[i], acceleration_max);
+    if (std::abs(state.acceleration[i]) > axis.acceleration_max * (1 + kRounding))
+      return violation(ErrorCode::acceleration_limit, i, tick, "acceleration", state.acceleration[i],
+                       axis.acceleration_max);
   }
   return {};
 }
@@ -121,22 +122,26 @@ ErrorReport LimitCheck::check_between(const DesiredState& before, const DesiredS
     const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
     const double velocity = (after.position[i] - before.position[i]) / duration;
     const double acceleration = (after.velocity[i] - before.velocity[i]) / duration;
-    const double acceleration_max = axis.acceleration_max * kPathAccelerationFactor;
+    const double jerk = (after.acceleration[i] - before.acceleration[i]) / duration;
     if (std::abs(velocity) > axis.velocity_max * (1 + kRounding))
       return violation(ErrorCode::velocity_limit, i, tick, "mean velocity", velocity, axis.velocity_max);
-    if (std::abs(acceleration) > acceleration_max * (1 + kRounding))
-      return violation(ErrorCode::acceleration_limit, i, tick, "mean acceleration", acceleration, acceleration_max);
+    if (std::abs(acceleration) > axis.acceleration_max * (1 + kRounding))
+      return violation(ErrorCode::acceleration_limit, i, tick, "mean acceleration", acceleration,
+                       axis.acceleration_max);
+    if (std::abs(jerk) > axis.jerk_max * (1 + kJerkRounding))
+      return violation(ErrorCode::jerk_limit, i, tick, "mean jerk", jerk, axis.jerk_max);
   }
   return {};
 }
 
 bool LimitCheck::stays_clear(const Macrostep& path) const noexcept {
-  const DesiredState bounds = path.path.bounds();
+  if (path.path.space() != Path::Space::joints) return false;
+  const Quintic::Bounds bounds = path.path.quintic().bounds();
   for (int i = 0; i < model_.joint_count(); ++i) {
     const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
     if (!(path.from.position[i] - bounds.position[i] > position_min_[i] &&
           path.from.position[i] + bounds.position[i] < position_max_[i] && bounds.velocity[i] < axis.velocity_max &&
-          bounds.acceleration[i] < axis.acceleration_max * kPathAccelerationFactor))
+          bounds.acceleration[i] < axis.acceleration_max && bounds.jerk[i] < axis.jerk_max))
       return false;
   }
   return true;
@@ -151,7 +156,10 @@ ErrorReport LimitCheck::check(const Macrostep& path) noexcept {
   DesiredState previous = path.from;
   for (std::uint32_t sample = 1; sample <= samples; ++sample) {
     const double tick = static_cast<double>(sample) / fraction;
-    const DesiredState state = sample == samples ? path.to : path.path.at(tick * period_);
+    DesiredState state = path.to;
+    if (sample < samples)
+      if (const ErrorCode code = path.path.at(tick * period_, previous.position, state); code != ErrorCode::none)
+        return make_report(ErrorClass::non_fatal, code, "on the path, at tick %.4g", tick);
     if (const ErrorReport report = check_between(previous, state, interval, tick); bad(report)) return report;
     previous = state;
     if (sample == samples) break;  // check_end has seen it

@@ -9,12 +9,8 @@
 
 namespace mrroc::edp {
 
-/// How far a path may go beyond acceleration_max: the peak of the quintic that changes the velocity between two ends
-/// without acceleration (docs/decisions/acceleration-limit.md). Stops keep acceleration_max itself.
-inline constexpr double kPathAccelerationFactor = 1.5;
-
 /// Looks whether a path keeps the robot's limits at every servo tick: position, velocity and acceleration of the
-/// joints, position of the motors; the means of velocity and acceleration from tick to tick; what concerns the joints
+/// joints, position of the motors; the means of velocity, acceleration and jerk from tick to tick; what concerns joints
 /// at least eight times per macrostep, so that a short one hides nothing between its ticks, unless bounds of the path
 /// tell that it cannot. From every tick a stop must be possible: it passes neither position nor velocity limit and
 /// rests inside the motor limits; from the last tick the motor limits are checked at every tick of the stop, unless a
@@ -26,8 +22,9 @@ class LimitCheck {
  public:
   LimitCheck(const RobotModel& model, double period);
 
-  /// Class `none`, or the first violation: joint_limit, motor_limit, velocity_limit or acceleration_limit, with axis,
-  /// tick, value and limit. `path` is a macrostep of kind `path`.
+  /// Class `none`, or the first violation: joint_limit, motor_limit, velocity_limit, acceleration_limit or jerk_limit,
+  /// with axis, tick, value and limit; or why no joints belong to a point of the path. `path` is a macrostep of kind
+  /// `path`.
   ErrorReport check(const Macrostep& path) noexcept;
 
   /// The end state alone, seen from `from`: no longer duration can heal what is wrong with it.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "edp/desired_state.hpp"
-#include "edp/quintic.hpp"
+#include "edp/path.hpp"
 
 namespace mrroc::edp {
 
@@ -21,7 +21,7 @@ struct Macrostep {
   std::uint32_t reply_step = 1;  ///< v, 1..N+1
   DesiredState from;
   DesiredState to;
-  Quintic path;
+  Path path;
 };
 
 }  // namespace mrroc::edp

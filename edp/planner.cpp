@@ -1,31 +1,16 @@
 #include "edp/planner.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
-#include <cmath>
 
 #include "edp/error_report.hpp"
 
 namespace mrroc::edp {
 namespace {
 
-constexpr double kOrthogonality = 1e-6;  // of the rotation of a commanded pose
-constexpr double kTwistResidual = 1e-6;  // m/s, rad/s
 constexpr std::uint32_t kMaxStretchedSteps = 4 * kMaxMotionSteps;
+constexpr double kSameBranch = 1e-6;  // rad or m, between the end of a path and the joints of its goal
 
 bool bad(const ErrorReport& report) noexcept { return report.error_class != ErrorClass::none; }
-
-/// An empty vector stands for zero.
-ErrorReport check_vector(const JointVector& vector, const char* name, Eigen::Index count, bool may_be_empty) noexcept {
-  if (vector.size() != count && !(may_be_empty && vector.size() == 0))
-    return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "%s has %d values, the robot %d axes", name,
-                       static_cast<int>(vector.size()), static_cast<int>(count));
-  for (Eigen::Index i = 0; i < vector.size(); ++i)
-    if (!std::isfinite(vector[i]))
-      return make_report(ErrorClass::non_fatal, ErrorCode::not_finite, "%s of axis %d is %g", name,
-                         static_cast<int>(i) + 1, vector[i]);
-  return {};
-}
 
 }  // namespace
 
@@ -41,35 +26,22 @@ ErrorReport Planner::plan(const RobotCommand& command, const DesiredState& from,
   if (command.reply_step < 1 || command.reply_step > steps + 1)
     return make_report(ErrorClass::non_fatal, ErrorCode::invalid_reply_step, "v = %d, expected 1..N+1 = %d",
                        int{command.reply_step}, steps + 1);
-
-  ErrorReport report;
-  DesiredState to = DesiredState::resting_at(from.position);
-  switch (command.kind) {
-    case CommandKind::hold:
-      plan_stop(from, command.motion_steps, macrostep);
-      break;
-    case CommandKind::joint:
-      report = joint_target(command, from, to);
-      break;
-    case CommandKind::pose:
-      report = pose_target(command, from, to);
-      break;
-    default:
-      return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "kind %d is not a motion",
-                         static_cast<int>(command.kind));
-  }
-  if (bad(report)) return report;
-  if (command.kind != CommandKind::hold) {
+  if (command.kind == CommandKind::hold) {
+    plan_stop(from, command.motion_steps, macrostep);
+  } else {
+    if (const ErrorReport report = read_goal(command, from, kinematics_, steps * period_, period_, goal_); bad(report))
+      return report;
     macrostep.kind = Macrostep::Kind::path;
     macrostep.steps = command.motion_steps;
     macrostep.from = from;
-    macrostep.to = to;
-    report = plan_path(macrostep);
-    if (bad(report) && pace == Pace::stretched) report = stretch(report, macrostep);
+    ErrorReport report = plan_path(command.interpolation, macrostep);
+    if (bad(report) && pace == Pace::stretched && !goal_.wants_velocity)
+      report = stretch(command.interpolation, report, macrostep);
+    if (bad(report)) return report;
   }
   // v = N+1 means "after the macrostep", however long it has become
   macrostep.reply_step = command.reply_step > command.motion_steps ? macrostep.steps + 1 : command.reply_step;
-  return report;
+  return {};
 }
 
 void Planner::plan_stop(const DesiredState& from, std::uint32_t steps, Macrostep& macrostep) noexcept {
@@ -80,18 +52,61 @@ void Planner::plan_stop(const DesiredState& from, std::uint32_t steps, Macrostep
   macrostep.to = stop_.end();
 }
 
-ErrorReport Planner::plan_path(Macrostep& macrostep) noexcept {
-  macrostep.path.plan(macrostep.from, macrostep.to, macrostep.steps * period_);
+ErrorReport Planner::plan_path(Interpolation interpolation, Macrostep& macrostep) noexcept {
+  const double duration = macrostep.steps * period_;
+  Path& path = macrostep.path;
+  macrostep.to = goal_.joints;
+  if (goal_.wants_velocity) {
+    path.plan_velocity(kinematics_.model().parameters(), macrostep.from, goal_.joints.velocity);
+    path.at(duration, macrostep.from.position, macrostep.to);
+    return limits_.check(macrostep);
+  }
+  // a macrostep that ends in motion and does not say how goes on accelerating as it did on average
+  if (!goal_.acceleration_given && !(macrostep.to.velocity.array() == 0.0).all())
+    macrostep.to.acceleration = (macrostep.to.velocity - macrostep.from.velocity) / duration;
+  ErrorCode code = ErrorCode::none;
+  switch (interpolation) {
+    case Interpolation::joints:
+      path.plan_joints(macrostep.from, macrostep.to, duration);
+      break;
+    case Interpolation::motors:
+      code = path.plan_motors(kinematics_.model(), macrostep.from, macrostep.to, duration, period_);
+      break;
+    case Interpolation::task:
+      code = plan_task(duration, macrostep);
+      break;
+    default:
+      code = ErrorCode::invalid_argument;
+  }
+  if (code != ErrorCode::none)
+    return make_report(ErrorClass::non_fatal, code, "no path to the goal: the tool turns by more than %.3g rad",
+                       Path::kTurnMax);
   return limits_.check(macrostep);
 }
 
-ErrorReport Planner::stretch(ErrorReport report, Macrostep& macrostep) noexcept {
+ErrorCode Planner::plan_task(double duration, Macrostep& macrostep) noexcept {
+  MovingPose tool = goal_.tool;
+  if (!goal_.acceleration_given && !tool.twist.isZero(0))
+    tool.rate = (tool.twist - tool_motion(kinematics_, macrostep.from, Path::kDifference * period_).twist) / duration;
+  const ErrorCode code = macrostep.path.plan_task(kinematics_, macrostep.from, tool, duration, period_);
+  if (code != ErrorCode::none || macrostep.to.at_rest()) return code;
+  const JointVector joints = macrostep.to.position;
+  return macrostep.path.at(duration, joints, macrostep.to);
+}
+
+ErrorReport Planner::stretch(Interpolation interpolation, ErrorReport report, Macrostep& macrostep) noexcept {
   const std::uint32_t commanded = macrostep.steps;
   for (const bool at_rest : {false, true}) {
-    if (at_rest) macrostep.to = DesiredState::resting_at(macrostep.to.position);
+    if (at_rest) {
+      goal_.joints = DesiredState::resting_at(goal_.joints.position);
+      goal_.tool.twist.setZero();
+      goal_.tool.rate.setZero();
+    }
     macrostep.steps = commanded;
-    if (bad(limits_.check_end(macrostep))) continue;
-    while (bad(report = plan_path(macrostep))) {
+    while (bad(report = plan_path(interpolation, macrostep))) {
+      // what a longer duration cannot heal; the mean acceleration it can
+      const ErrorReport end = limits_.check_end(macrostep);
+      if (bad(end) && end.code != ErrorCode::acceleration_limit) break;
       // a longer run-up swings farther out, a longer way to rest does not
       if (!at_rest && (report.code == ErrorCode::joint_limit || report.code == ErrorCode::motor_limit)) break;
       if (macrostep.steps >= kMaxStretchedSteps) break;
@@ -100,51 +115,6 @@ ErrorReport Planner::stretch(ErrorReport report, Macrostep& macrostep) noexcept 
     if (!bad(report)) break;
   }
   return report;
-}
-
-ErrorReport Planner::joint_target(const RobotCommand& command, const DesiredState& from,
-                                  DesiredState& to) const noexcept {
-  const Eigen::Index count = kinematics_.model().joint_count();
-  if (const ErrorReport report = check_vector(command.joints, "joints", count, false); bad(report)) return report;
-  if (const ErrorReport report = check_vector(command.joint_velocity, "joint_velocity", count, true); bad(report))
-    return report;
-  if (const ErrorReport report = check_vector(command.joint_acceleration, "joint_acceleration", count, true);
-      bad(report))
-    return report;
-  to.position = command.joints;
-  if (command.relative) to.position += from.position;
-  if (command.joint_velocity.size() != 0) to.velocity = command.joint_velocity;
-  if (command.joint_acceleration.size() != 0) to.acceleration = command.joint_acceleration;
-  return {};
-}
-
-ErrorReport Planner::pose_target(const RobotCommand& command, const DesiredState& from,
-                                 DesiredState& to) const noexcept {
-  if (!command.pose.matrix().allFinite())
-    return make_report(ErrorClass::non_fatal, ErrorCode::not_finite, "a value of the pose");
-  if (!command.twist.allFinite())
-    return make_report(ErrorClass::non_fatal, ErrorCode::not_finite, "a value of the twist");
-  const Eigen::Matrix3d rotation = command.pose.linear();
-  if (!(rotation.transpose() * rotation).isIdentity(kOrthogonality) || rotation.determinant() < 0)
-    return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "the pose's orientation is not a rotation");
-
-  const Pose target = command.relative ? Pose(kinematics_.direct(from.position) * command.pose) : command.pose;
-  const ErrorCode code = kinematics_.inverse(target, from.position, to.position);
-  if (code != ErrorCode::none && code != ErrorCode::singular)
-    return make_report(ErrorClass::non_fatal, code, "position (%.4g, %.4g, %.4g)", target.translation().x(),
-                       target.translation().y(), target.translation().z());
-  if (to.position.size() != kinematics_.model().joint_count() || !to.position.allFinite())
-    return make_report(ErrorClass::non_fatal, ErrorCode::out_of_workspace, "the inverse kinematics has no solution");
-  if ((command.twist.array() == 0.0).all()) return {};
-
-  const Jacobian jacobian = kinematics_.jacobian(to.position);
-  const Eigen::CompleteOrthogonalDecomposition<Jacobian> decomposition(jacobian);
-  to.velocity = decomposition.solve(command.twist);
-  const double residual = (jacobian * to.velocity - command.twist).norm();
-  if (!(residual <= kTwistResidual * std::max(1.0, command.twist.norm())))
-    return make_report(ErrorClass::non_fatal, ErrorCode::singular,
-                       "the robot cannot move with the twist there: %.4g of it is out of reach", residual);
-  return {};
 }
 
 }  // namespace mrroc::edp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "edp/goal.hpp"
 #include "edp/limit_check.hpp"
 #include "edp/macrostep.hpp"
 #include "edp/stop.hpp"
@@ -16,9 +17,8 @@ enum class Pace {
 };
 
 /// Turns a command into a macrostep, or says why it cannot: everything is validated here, before acceptance. Increments
-/// (`relative`) are on the desired state `from`, for joints and for poses alike, so that they never add up an error. A
-/// twist becomes the joint velocity of least squares (least norm where the robot is redundant) through the Jacobian at
-/// the target.
+/// (`relative`) are on the desired state `from`, for joints, motors and poses alike, so that they never add up an
+/// error.
 ///
 /// Pace::stretched lets the duration grow, by a quarter at a time and to at most 4 kMaxMotionSteps, until the limits
 /// hold; when the run-up to an end velocity does not fit, the macrostep ends at rest instead.
@@ -37,15 +37,15 @@ class Planner {
   void plan_stop(const DesiredState& from, std::uint32_t steps, Macrostep& macrostep) noexcept;
 
  private:
-  ErrorReport joint_target(const RobotCommand& command, const DesiredState& from, DesiredState& to) const noexcept;
-  ErrorReport pose_target(const RobotCommand& command, const DesiredState& from, DesiredState& to) const noexcept;
-  ErrorReport stretch(ErrorReport report, Macrostep& macrostep) noexcept;
-  ErrorReport plan_path(Macrostep& macrostep) noexcept;
+  ErrorReport plan_path(Interpolation interpolation, Macrostep& macrostep) noexcept;
+  ErrorCode plan_task(double duration, Macrostep& macrostep) noexcept;
+  ErrorReport stretch(Interpolation interpolation, ErrorReport report, Macrostep& macrostep) noexcept;
 
   ToolKinematics kinematics_;
   double period_;
   Stop stop_;
   LimitCheck limits_;
+  Goal goal_;  ///< of the command being planned
 };
 
 }  // namespace mrroc::edp

@@ -34,14 +34,18 @@ class Quintic {
     return state;
   }
 
-  /// Bounds over the whole path, for every joint: |p - p0|, |v| and |a| are at most these, the sums of the magnitudes
-  /// of the terms. Tight for a short piece of a smooth motion.
-  DesiredState bounds() const noexcept {
+  /// The largest |p - p0|, |v|, |a| and |jerk| that can be, per joint.
+  struct Bounds {
+    JointVector position, velocity, acceleration, jerk;
+  };
+  /// Bounds over the whole path: the sums of the magnitudes of the terms. Tight for a short piece of a smooth motion.
+  Bounds bounds() const noexcept {
     const auto sum = [this](double k1, double k2, double k3, double k4, double k5) {
       return JointVector(k1 * c1_.cwiseAbs() + k2 * c2_.cwiseAbs() + k3 * c3_.cwiseAbs() + k4 * c4_.cwiseAbs() +
                          k5 * c5_.cwiseAbs());
     };
-    return {sum(1, 1, 1, 1, 1), sum(1, 2, 3, 4, 5) / duration_, sum(0, 2, 6, 12, 20) / (duration_ * duration_)};
+    return {sum(1, 1, 1, 1, 1), sum(1, 2, 3, 4, 5) / duration_, sum(0, 2, 6, 12, 20) / (duration_ * duration_),
+            sum(0, 0, 6, 24, 60) / (duration_ * duration_ * duration_)};
   }
 
  private:

@@ -132,7 +132,7 @@ void Servo::advance(Tick tick) noexcept {
         if (active_.kind == Macrostep::Kind::stop)
           desired_ = stop_.at(time);
         else if (step > 0)
-          desired_ = active_.path.at(time);
+          follow(time, tick);
         return;
       }
       desired_ = active_.to;
@@ -148,6 +148,15 @@ void Servo::advance(Tick tick) noexcept {
     braking_ = true;
     refuse_foreign();
   }
+}
+
+void Servo::follow(double time, Tick tick) noexcept {
+  DesiredState next;
+  const ErrorCode code = active_.path.at(time, desired_.position, next);
+  if (code == ErrorCode::none)
+    desired_ = next;
+  else  // the planner has been along this path: only a missed tick can bring it to another branch
+    latch(code, -1, 0, 0, tick);
 }
 
 bool Servo::start_next(Tick tick) noexcept {

@@ -58,6 +58,7 @@ class Servo {
   void obey_order() noexcept;
   void watch(Tick tick) noexcept;
   void advance(Tick tick) noexcept;
+  void follow(double time, Tick tick) noexcept;
   bool start_next(Tick tick) noexcept;
   void refuse_foreign() noexcept;
   void brake(Tick from) noexcept;

@@ -37,6 +37,7 @@ enum class ErrorCode : std::uint16_t {
   force_limit = 15,
   acceleration_limit = 16,
   not_enabled = 17,
+  jerk_limit = 18,
   following_error = 100,
   drive_fault = 101,
   sensor_hardware = 102,

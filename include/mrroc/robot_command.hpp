@@ -6,10 +6,21 @@ namespace mrroc {
 
 /// What a command asks of the effector.
 enum class CommandKind : std::uint8_t {
-  query = 0,  ///< GET: report the state at once, change nothing
-  hold = 1,   ///< e^{i+1} = e^i: come to rest (within the limits) and stay there for the macrostep
-  joint = 2,  ///< be at `joints`, moving with `joint_velocity`, at the end of the macrostep
-  pose = 3    ///< be at `pose`, moving with `twist`, at the end of the macrostep (path: joint interpolation)
+  query = 0,           ///< GET: report the state at once, change nothing
+  hold = 1,            ///< e^{i+1} = e^i: come to rest (within the limits) and stay there for the macrostep
+  joint = 2,           ///< be at `joints`, moving with `joint_velocity`, at the end of the macrostep
+  pose = 3,            ///< be at `pose`, moving with `twist`, at the end of the macrostep
+  motor = 4,           ///< as `joint`, but every value is of the motor shafts (rad)
+  joint_velocity = 5,  ///< change to `joint_velocity` as fast as the limits allow and keep it
+  twist = 6            ///< change to the joint velocities that give the tool `twist`, and keep them
+};
+
+/// The space in which the path to the end of the macrostep is smooth: a polynomial of degree five in time from the
+/// position, velocity and acceleration at its start to those at its end.
+enum class Interpolation : std::uint8_t {
+  joints = 0,
+  motors = 1,
+  task = 2  ///< of the tool's position and rotation vector: straight where the data are
 };
 
 /// e^{i+1} for one effector: one macrostep of N servo ticks (DESIGN 3; original's motion_steps / value_in_step_no).
@@ -19,19 +30,24 @@ enum class CommandKind : std::uint8_t {
 /// that of its tick 1, so a reply at v = N can still be followed without a gap. The reply leaves at its tick v; v = N +
 /// 1 is the first tick after the macrostep. A command whose end velocity is not zero expects a successor: if none
 /// arrives in time, the EDP brakes within the limits, holds, and counts a late command.
+///
+/// Position, velocity, acceleration and jerk of every joint keep the robot's limits at every tick of the path, or the
+/// command is refused.
 struct RobotCommand {
   CommandKind kind = CommandKind::query;
   /// `joints` / `pose` are increments on the *desired* state at the macrostep's start; a pose increment is in tool
-  /// axes: target = desired * pose.
+  /// axes: target = desired * pose. A relative `twist` command is in tool axes.
   bool relative = false;
-  std::uint16_t motion_steps = 10;  ///< N, 1..kMaxMotionSteps
-  std::uint16_t reply_step = 8;     ///< v, 1..N+1
-  Tick start_tick = 0;              ///< tick 0 of the macrostep; 0: as soon as possible
-  JointVector joints;               ///< rad or m
-  JointVector joint_velocity;       ///< rad/s or m/s at the end; empty: at rest
-  JointVector joint_acceleration;   ///< rad/s^2 or m/s^2 at the end; empty: zero
-  Pose pose = Pose::Identity();     ///< of the tool frame in the robot's base frame
-  Twist twist = Twist::Zero();      ///< of the tool frame's origin at the end, in base axes
+  Interpolation interpolation = Interpolation::joints;  ///< of `joint`, `motor` and `pose`
+  std::uint16_t motion_steps = 10;                      ///< N, 1..kMaxMotionSteps
+  std::uint16_t reply_step = 8;                         ///< v, 1..N+1
+  Tick start_tick = 0;                                  ///< tick 0 of the macrostep; 0: as soon as possible
+  JointVector joints;                                   ///< rad or m
+  JointVector joint_velocity;                           ///< rad/s or m/s at the end; empty: at rest
+  JointVector joint_acceleration;                       ///< rad/s^2 or m/s^2 at the end; empty: the macrostep's mean
+  Pose pose = Pose::Identity();                         ///< of the tool frame in the robot's base frame
+  Twist twist = Twist::Zero();                          ///< of the tool frame's origin at the end, in base axes
+  JointVector twist_rate;                               ///< d twist / dt at the end, 6 values; empty: the mean
 };
 
 inline constexpr std::uint16_t kMaxMotionSteps = 10000;

@@ -36,6 +36,8 @@ std::string_view describe(ErrorCode code) noexcept {
       return "the task failed";
     case ErrorCode::force_limit:
       return "a force limit is passed";
+    case ErrorCode::jerk_limit:
+      return "a joint would exceed its jerk limit";
     case ErrorCode::acceleration_limit:
       return "a joint acceleration limit would be passed";
     case ErrorCode::not_enabled:

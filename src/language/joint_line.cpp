@@ -21,6 +21,11 @@ struct JointLine::Plan {
 
 namespace {
 
+// of the robot's limits, see the header
+constexpr double kVelocityShare = 0.99;
+constexpr double kAccelerationShare = 0.9;
+constexpr double kJerkShare = 0.45;
+
 void check_speed(double speed) {
   if (!(speed > 0 && speed <= 1)) {
     throw NonFatalError(ErrorCode::invalid_argument,
@@ -92,9 +97,9 @@ void JointLine::start() {
     input.current_velocity[i] = state.desired_velocity[row];
     input.current_acceleration[i] = state.desired_acceleration[row];
     input.target_position[i] = target_[row];
-    input.max_velocity[i] = axes[i].velocity_max * speed_;
-    input.max_acceleration[i] = axes[i].acceleration_max * speed_ * speed_;
-    input.max_jerk[i] = axes[i].jerk_max * speed_ * speed_ * speed_;
+    input.max_velocity[i] = kVelocityShare * axes[i].velocity_max * speed_;
+    input.max_acceleration[i] = kAccelerationShare * axes[i].acceleration_max * speed_ * speed_;
+    input.max_jerk[i] = kJerkShare * axes[i].jerk_max * speed_ * speed_ * speed_;
   }
   const ruckig::Result result = plan_->ruckig.calculate(input, plan_->trajectory);
   if (result != ruckig::Result::Working && result != ruckig::Result::Finished) {

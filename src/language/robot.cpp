@@ -47,6 +47,7 @@ double Robot::step_duration() const noexcept { return motion_steps_ * task_->ser
 void Robot::reset_command(CommandKind kind) noexcept {
   command_.kind = kind;
   command_.relative = false;
+  command_.interpolation = Interpolation::joints;
   command_.motion_steps = motion_steps_;
   command_.reply_step = reply_step_;
   command_.start_tick = 0;
@@ -55,6 +56,7 @@ void Robot::reset_command(CommandKind kind) noexcept {
   command_.joint_acceleration.resize(0);
   command_.pose.setIdentity();
   command_.twist.setZero();
+  command_.twist_rate.resize(0);
 }
 
 }  // namespace mrroc

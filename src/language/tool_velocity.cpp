@@ -9,6 +9,8 @@ namespace mrroc {
 
 namespace {
 
+constexpr double kJerkRate = 10;  // 1/s: the jerk of a ramp is this times its acceleration
+
 /// exp of a twist (times seconds) in body axes: the displacement of a constant screw motion (Lynch and Park, Modern
 /// Robotics, eq. 3.88).
 Pose exponential(const Twist& displacement) {
@@ -52,22 +54,39 @@ void ToolVelocity::start() {
   const RobotState& state = robot_->known_state();
   reference_ = state.desired_pose;
   const Twist base = robot_->kinematics().jacobian(state.desired_joints) * state.desired_velocity;
-  twist_ = turned(reference_.linear().transpose(), base);
+  start_ = turned(reference_.linear().transpose(), base);
+  const Twist missing = target_ - start_;
+  const double change = std::max(missing.head<3>().norm(), missing.tail<3>().norm());
+  // the steepest slope of u^2 (3 - 2u) is 1.5, its second derivative at the ends is 6
+  ramp_ = std::max(1.5 * change / acceleration_, std::sqrt(6 * change / (kJerkRate * acceleration_)));
+  time_ = 0;
 }
 
 void ToolVelocity::next_state() {
-  const double dt = robot_->step_duration();
-  const Twist missing = target_ - twist_;
-  const double ramp_duration = std::max(missing.head<3>().norm(), missing.tail<3>().norm()) / acceleration_;
-  const Twist next = ramp_duration <= dt ? target_ : Twist(twist_ + missing * (dt / ramp_duration));
-  reference_ = reference_ * exponential(0.5 * (twist_ + next) * dt);
+  const double before = time_;
+  time_ += robot_->step_duration();
+  const Twist missing = target_ - start_;
+  const Twist way = start_ * (time_ - before) + missing * (blend_integral(time_) - blend_integral(before));
+  reference_ = reference_ * exponential(way);
   // products of rotations drift off the orthonormal matrices
   reference_.linear() = Eigen::Quaterniond(reference_.linear()).normalized().toRotationMatrix();
-  twist_ = next;
+
+  const double u = ramp_ > 0 ? std::min(time_ / ramp_, 1.0) : 1.0;
+  const Twist twist = start_ + missing * (u * u * (3 - 2 * u));
+  Twist rate = u < 1 ? Twist(missing * (6 * u * (1 - u) / ramp_)) : Twist::Zero();
+  // the tool's axes turn: seen from the base its velocity changes by w x v in addition
+  rate.head<3>() += twist.tail<3>().cross(twist.head<3>());
   RobotCommand& command = robot_->command();
   command.kind = CommandKind::pose;
   command.pose = reference_;
-  command.twist = turned(reference_.linear(), twist_);
+  command.twist = turned(reference_.linear(), twist);
+  command.twist_rate = turned(reference_.linear(), rate);
+}
+
+double ToolVelocity::blend_integral(double t) const noexcept {
+  if (t >= ramp_) return t - 0.5 * ramp_;
+  const double u = t / ramp_;
+  return ramp_ * u * u * u * (1 - 0.5 * u);
 }
 
 }  // namespace mrroc

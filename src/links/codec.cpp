@@ -73,6 +73,7 @@ void decode_error(const mrroc_wire_Fault& wire, ErrorReport& error) noexcept {
 void encode(const RobotCommand& message, mrroc_wire_RobotCommand& wire) noexcept {
   wire.command_kind = static_cast<std::uint8_t>(message.kind);
   wire.relative = message.relative ? 1 : 0;
+  wire.interpolation = static_cast<std::uint8_t>(message.interpolation);
   wire.motion_steps = message.motion_steps;
   wire.reply_step = message.reply_step;
   wire.start_tick = message.start_tick;
@@ -81,13 +82,16 @@ void encode(const RobotCommand& message, mrroc_wire_RobotCommand& wire) noexcept
   encode_axes(message.joint_acceleration, wire.joint_acceleration);
   encode_frame(message.pose, wire.pose);
   Eigen::Map<Twist>{wire.twist} = message.twist;
+  encode_axes(message.twist_rate, wire.twist_rate);
 }
 
 bool decode(const mrroc_wire_RobotCommand& wire, RobotCommand& message) noexcept {
-  if (!in_range(wire.command_kind, CommandKind::pose) || !is_boolean(wire.relative)) return false;
-  if (!valid_axes(wire.joints, wire.joint_velocity, wire.joint_acceleration)) return false;
+  if (!in_range(wire.command_kind, CommandKind::twist) || !is_boolean(wire.relative)) return false;
+  if (!in_range(wire.interpolation, Interpolation::task)) return false;
+  if (!valid_axes(wire.joints, wire.joint_velocity, wire.joint_acceleration, wire.twist_rate)) return false;
   message.kind = static_cast<CommandKind>(wire.command_kind);
   message.relative = wire.relative != 0;
+  message.interpolation = static_cast<Interpolation>(wire.interpolation);
   message.motion_steps = wire.motion_steps;
   message.reply_step = wire.reply_step;
   message.start_tick = wire.start_tick;
@@ -96,6 +100,7 @@ bool decode(const mrroc_wire_RobotCommand& wire, RobotCommand& message) noexcept
   decode_axes(wire.joint_acceleration, message.joint_acceleration);
   decode_frame(wire.pose, message.pose);
   message.twist = Eigen::Map<const Twist>{wire.twist};
+  decode_axes(wire.twist_rate, message.twist_rate);
   return true;
 }
 

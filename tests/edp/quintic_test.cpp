@@ -45,14 +45,18 @@ TEST(Quintic, ItsBoundsHoldOnTheWholePath) {
     const double duration = number(0.002, 5);
     Quintic path;
     path.plan(from, to, duration);
-    const DesiredState bounds = path.bounds();
+    const Quintic::Bounds bounds = path.bounds();
+    JointVector before = path.at(0).acceleration;
     for (int k = 0; k <= 100; ++k) {
       const DesiredState state = path.at(duration * k / 100);
       for (int i = 0; i < 3; ++i) {
         RC_ASSERT(std::abs(state.position[i] - from.position[i]) <= bounds.position[i] + 1e-9);
         RC_ASSERT(std::abs(state.velocity[i]) <= bounds.velocity[i] * (1 + 1e-9));
         RC_ASSERT(std::abs(state.acceleration[i]) <= bounds.acceleration[i] * (1 + 1e-9));
+        const double change = std::abs(state.acceleration[i] - before[i]);
+        RC_ASSERT(change <= bounds.jerk[i] * duration / 100 * (1 + 1e-9) + 1e-9 * bounds.acceleration[i]);
       }
+      before = state.acceleration;
     }
   }));
 }
@@ -71,6 +75,7 @@ TEST(Quintic, ItsBoundsAreTightOnAShortPieceOfASmoothMotion) {
   EXPECT_NEAR(path.bounds().position[0], to.position[0] - from.position[0], 1e-9);
   EXPECT_NEAR(path.bounds().velocity[0], to.velocity[0], 1e-6);
   EXPECT_NEAR(path.bounds().acceleration[0], acceleration, 1e-3);
+  EXPECT_LT(path.bounds().jerk[0], 1);
 }
 
 }  // namespace

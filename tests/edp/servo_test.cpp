@@ -131,7 +131,7 @@ TEST(Servo, ASetPointBeyondALimitStopsTheRobot) {
   wild.steps = wild.reply_step = 10;
   wild.from = rig.seen().desired;
   wild.to = DesiredState::resting_at(one(1.9));
-  wild.path.plan(wild.from, wild.to, 10 * kPeriod);
+  wild.path.plan_joints(wild.from, wild.to, 10 * kPeriod);
   rig.hand_over.macrosteps.push(wild);
   double previous = rig.seen().desired.position[0];
   for (int i = 0; i < 200; ++i) {

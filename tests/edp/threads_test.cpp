@@ -52,6 +52,7 @@ TEST(HandOver, TwoThreadsLoseNoCommandAndNeverTearASetPoint) {
     if (number % 5 != 0) {
       command.relative = true;
       command.joint_velocity = one(number % 2 == 0 ? 0.1 : -0.1);
+      command.joint_acceleration = one(0);
     }
     Reply reply;
     if (effector.accept(command, number, reply)) {

@@ -10,6 +10,12 @@ namespace mrroc {
 /// Straight line in joint space, time-optimal under the robot's velocity, acceleration and jerk limits scaled by
 /// `speed` (Ruckig, phase-synchronised: all joints start and end together). It starts from the desired state, moving or
 /// not, and ends at rest. The motion ends by itself when the last macrostep has been commanded.
+///
+/// The EDP joins the points of a macrostep's ends by polynomials of degree five. Their jerk is the least-squares fit of
+/// the trajectory's by a parabola, at most 2.18 times the trajectory's (the fit's Lebesgue constant), and their
+/// velocity and acceleration overshoot a little. So the line is planned with 0.99 of the velocity limits, 0.9 of the
+/// acceleration limits and 0.45 of the jerk limits. With macrosteps longer than such a ramp of the acceleration the EDP
+/// may still refuse a point.
 class JointLine : public Generator {
  public:
   /// To joint positions (rad or m). `speed` in (0, 1] scales velocity by `speed`, acceleration by speed^2, jerk by

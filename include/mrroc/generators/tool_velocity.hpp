@@ -6,9 +6,10 @@
 namespace mrroc {
 
 /// Moves the tool at a constant velocity given in tool axes, until a condition of `.until(...)` holds: it has no end of
-/// its own. The twist goes linearly from the desired one at the start (rest or not) to the given one, at `acceleration`
-/// (m/s^2, and rad/s^2 for the angular part alike). The pose follows T(t + dt) = T(t) exp(xi dt), xi the mean of the
-/// twists in tool axes at the two ends of the step.
+/// its own. The twist goes smoothly from the desired one at the start (rest or not) to the given one,
+///   xi(u) = xi0 + (xi1 - xi0) u^2 (3 - 2u),  u = t / D,
+/// in tool axes, with D such that its rate reaches `acceleration` (m/s^2, and rad/s^2 for the angular part alike) and
+/// the rate's own rate 10 / s times that. The pose follows T(t + dt) = T(t) exp(integral of xi over dt).
 class ToolVelocity : public Generator {
  public:
   /// `linear` (m/s) and `angular` (rad/s) in tool axes. Throws NonFatalError(not_finite, invalid_argument).
@@ -19,11 +20,16 @@ class ToolVelocity : public Generator {
   void next_state() override;
 
  private:
+  /// Integral of the blend u^2 (3 - 2u) from 0 to `t` s.
+  double blend_integral(double t) const noexcept;
+
   Robot* robot_;
   Twist target_;  // in tool axes
   double acceleration_;
-  Pose reference_ = Pose::Identity();  // desired at the end of the macrostep commanded last
-  Twist twist_ = Twist::Zero();        // there, in tool axes
+  double ramp_ = 0;                    // D, s
+  double time_ = 0;                    // since the start, at the end of the macrostep commanded last
+  Pose reference_ = Pose::Identity();  // desired there
+  Twist start_ = Twist::Zero();        // xi0
 };
 
 }  // namespace mrroc

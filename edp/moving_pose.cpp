@@ -1,0 +1,59 @@
+#include "edp/moving_pose.hpp"
+
+#include <Eigen/QR>
+#include <cmath>
+
+namespace mrroc::edp {
+namespace {
+
+/// dJ/dt dq/dt.
+Twist jacobian_rate_times_velocity(const ToolKinematics& kinematics, const JointVector& joints,
+                                   const JointVector& velocity, double dt) noexcept {
+  const JointVector step = velocity * dt;
+  return (kinematics.jacobian(joints + step) - kinematics.jacobian(joints - step)) * velocity / (2 * dt);
+}
+
+}  // namespace
+
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept {
+  const double angle = vector.norm();
+  if (angle < 1e-150) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
+}
+
+Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept {
+  const Eigen::Quaterniond q(rotation);
+  const double sine = q.vec().norm();  // of half the angle
+  const double angle = 2 * std::atan2(sine, std::abs(q.w()));
+  const double factor = sine < 1e-150 ? 2 : angle / sine;
+  return std::copysign(factor, q.w()) * q.vec();
+}
+
+Pose MovingPose::after(double t) const noexcept {
+  Pose later = Pose::Identity();
+  later.translation() = pose.translation() + twist.head<3>() * t + rate.head<3>() * (0.5 * t * t);
+  later.linear() = rotation_of(twist.tail<3>() * t + rate.tail<3>() * (0.5 * t * t)) * pose.linear();
+  return later;
+}
+
+MovingPose tool_motion(const ToolKinematics& kinematics, const DesiredState& joints, double dt) noexcept {
+  MovingPose tool;
+  tool.pose = kinematics.direct(joints.position);
+  if (joints.at_rest()) return tool;
+  const Jacobian jacobian = kinematics.jacobian(joints.position);
+  tool.twist = jacobian * joints.velocity;
+  tool.rate =
+      jacobian * joints.acceleration + jacobian_rate_times_velocity(kinematics, joints.position, joints.velocity, dt);
+  return tool;
+}
+
+double joint_motion(const ToolKinematics& kinematics, const JointVector& joints, const MovingPose& tool, double dt,
+                    JointVector& velocity, JointVector& acceleration) noexcept {
+  const Jacobian jacobian = kinematics.jacobian(joints);
+  const Eigen::CompleteOrthogonalDecomposition<Jacobian> decomposition(jacobian);
+  velocity = decomposition.solve(tool.twist);
+  acceleration = decomposition.solve(tool.rate - jacobian_rate_times_velocity(kinematics, joints, velocity, dt));
+  return (jacobian * velocity - tool.twist).norm();
+}
+
+}  // namespace mrroc::edp

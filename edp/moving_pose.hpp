@@ -1,0 +1,32 @@
+#pragma once
+
+#include "edp/desired_state.hpp"
+#include "mrroc/tool_kinematics.hpp"
+
+namespace mrroc::edp {
+
+/// exp of a rotation vector: the turn by its norm about its direction.
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept;
+/// The rotation vector of `rotation`, of norm 0..pi.
+Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept;
+
+/// A frame that moves: where it is, its twist and the twist's rate, all in base axes.
+struct MovingPose {
+  Pose pose = Pose::Identity();
+  Twist twist = Twist::Zero();
+  Twist rate = Twist::Zero();
+
+  /// Where it is `t` seconds later at this rate, to second order: p + v t + a t^2/2, exp(w t + alpha t^2/2) R.
+  Pose after(double t) const noexcept;
+};
+
+/// The tool's motion that belongs to a motion of the joints: twist = J dq/dt, rate = J d2q/dt2 + dJ/dt dq/dt, dJ/dt the
+/// central difference of J over +-`dt` s along dq/dt.
+MovingPose tool_motion(const ToolKinematics& kinematics, const DesiredState& joints, double dt) noexcept;
+
+/// The joints' velocity and acceleration that give the tool this motion at `joints` (least squares, of least norm where
+/// the robot is redundant). Returns what of the twist is out of reach, as the norm of the residual.
+double joint_motion(const ToolKinematics& kinematics, const JointVector& joints, const MovingPose& tool, double dt,
+                    JointVector& velocity, JointVector& acceleration) noexcept;
+
+}  // namespace mrroc::edp
