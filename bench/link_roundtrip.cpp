@@ -70,8 +70,8 @@ class EdpSide {
   EdpSide(links::Domain& domain, clock::Clock& clock)
       : clock_(clock),
         hardware_(*models_.front(), clock.period()),
-        servo_(*models_.front(), hardware_, clock.period(), hand_over_),
-        effector_(*models_.front(), clock.period(), hand_over_),
+        servo_(model_set_, hardware_, clock.period(), hand_over_),
+        effector_(model_set_, clock.period(), hand_over_),
         responder_(domain, clock, kPrefix) {}
 
   void serve() {
@@ -95,6 +95,7 @@ class EdpSide {
 
   clock::Clock& clock_;
   RobotModels models_ = load_models();
+  edp::ModelSet model_set_{models_};
   edp::LoopbackHardware hardware_;
   edp::HandOver hand_over_;
   edp::Servo servo_;

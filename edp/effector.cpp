@@ -6,8 +6,19 @@
 
 namespace mrroc::edp {
 
-Effector::Effector(const RobotModel& model, double period, HandOver& hand_over)
-    : model_(model), kinematics_(model), hand_over_(hand_over), planner_(model, period) {}
+namespace {
+
+/// Of the robot itself; unknown kinds are refused as such.
+bool is_change(CommandKind kind) noexcept { return kind >= CommandKind::set_tool; }
+
+bool is_motion(CommandKind kind) noexcept {
+  return kind != CommandKind::query && kind != CommandKind::hold && !is_change(kind);
+}
+
+}  // namespace
+
+Effector::Effector(const ModelSet& models, double period, HandOver& hand_over)
+    : models_(models), hand_over_(hand_over), planner_(models.at(0), period), tool_(models.at(0).default_tool()) {}
 
 void Effector::enable(bool on) noexcept {
   hand_over_.order.store(on ? DriveOrder::enable : DriveOrder::disable, std::memory_order_release);
@@ -17,6 +28,7 @@ void Effector::refresh() noexcept {
   const bool first = snapshot_ == nullptr;
   snapshot_ = hand_over_.snapshot.load();
   if (snapshot_ == nullptr) return;
+  if (snapshot_->model != model_) use_model();
   if (first || snapshot_->epoch != epoch_) {
     epoch_ = snapshot_->epoch;
     end_ = snapshot_->end;
@@ -27,13 +39,29 @@ void Effector::refresh() noexcept {
     if (entry.used && entry.replied && entry.ticket <= snapshot_->finished) entry.used = false;
 }
 
+/// The servo has changed to another model.
+void Effector::use_model() noexcept {
+  model_ = snapshot_->model;
+  planner_.use(ToolKinematics(models_.at(model_), tool_));
+}
+
 bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& reply) noexcept {
   refresh();
   ErrorReport error;
   if (snapshot_ == nullptr) {
     error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "the servo has not ticked yet");
+  } else if (command.kind == CommandKind::recover) {
+    recovery_ = {true, number, snapshot_->orders};
+    hand_over_.order.store(DriveOrder::recover, std::memory_order_release);
+    return false;
   } else if (command.kind != CommandKind::query) {
     error = refusal(command);
+    if (error.error_class == ErrorClass::none && command.kind == CommandKind::set_tool) {
+      tool_ = command.pose;
+      planner_.use(ToolKinematics(models_.at(model_), tool_));
+      answer(number, {}, reply);
+      return true;
+    }
     Outstanding* entry = free_place();
     if (error.error_class == ErrorClass::none) {
       if (entry == nullptr) {
@@ -58,17 +86,48 @@ bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& 
 }
 
 ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
-  if (snapshot_->fault.code != ErrorCode::none) return make_report(snapshot_->fault, model_.parameters());
+  if (snapshot_->fault.code != ErrorCode::none) return make_report(snapshot_->fault, models_.parameters());
   if (!snapshot_->enabled)
     return make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "at tick %llu",
                        static_cast<unsigned long long>(snapshot_->tick));
-  if (!snapshot_->synchronised && command.kind != CommandKind::hold)
-    return make_report(ErrorClass::non_fatal, ErrorCode::not_synchronised, "it may only hold");
+  if (is_change(command.kind)) return refusal_of_change(command);
+  if (!snapshot_->synchronised && command.kind != CommandKind::hold &&
+      !(command.kind == CommandKind::motor && command.relative && command.interpolation != Interpolation::task))
+    return make_report(ErrorClass::non_fatal, ErrorCode::not_synchronised,
+                       "only relative motor motion, hold and synchronise");
   if (command.start_tick > snapshot_->tick + kMaxMotionSteps)
     return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "start_tick %llu, expected at most %llu",
                        static_cast<unsigned long long>(command.start_tick),
                        static_cast<unsigned long long>(snapshot_->tick + kMaxMotionSteps));
   return {};
+}
+
+ErrorReport Effector::refusal_of_change(const RobotCommand& command) const noexcept {
+  if (!end_.at_rest()) return make_report(ErrorClass::non_fatal, ErrorCode::busy, "only at rest");
+  switch (command.kind) {
+    case CommandKind::set_tool:
+      if (!is_rigid(command.pose))
+        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "the tool is not a rigid frame");
+      return {};
+    case CommandKind::use_model:
+      if (!snapshot_->synchronised)
+        return make_report(ErrorClass::non_fatal, ErrorCode::not_synchronised, "no model before");
+      if (command.model >= models_.size())
+        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "model %d, expected 0..%d",
+                           int{command.model}, static_cast<int>(models_.size()) - 1);
+      return {};
+    case CommandKind::synchronise:
+      if (snapshot_->synchronised)
+        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "already synchronised");
+      for (const AxisParameters& axis : models_.parameters().axes)
+        if (axis.synchro_coarse == 0)
+          return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
+                             "axis %s has no synchronisation switch", axis.name.c_str());
+      return {};
+    default:
+      return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "kind %d is unknown",
+                         static_cast<int>(command.kind));
+  }
 }
 
 Effector::Outstanding* Effector::free_place() noexcept {
@@ -79,7 +138,7 @@ Effector::Outstanding* Effector::free_place() noexcept {
 
 ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   const RobotCommand& command = entry.command;
-  const bool moves = command.kind != CommandKind::hold;
+  const bool moves = is_motion(command.kind);
   if (untold_ && moves && !entry.late) {
     entry.late = true;
     ++counters_.late;
@@ -96,9 +155,16 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
     from = stop_.to;
     at += stop_.steps;
   }
-  const Pace pace = entry.late ? Pace::stretched : Pace::as_commanded;
-  const ErrorReport error = planner_.plan(command, from, pace, macrostep_);
-  if (error.error_class != ErrorClass::none) return error;
+  if (is_change(command.kind)) {
+    macrostep_.kind = command.kind == CommandKind::use_model ? Macrostep::Kind::model : Macrostep::Kind::synchronise;
+    macrostep_.model = command.model;
+    macrostep_.steps = macrostep_.reply_step = 1;
+    macrostep_.from = macrostep_.to = from;
+  } else {
+    const Pace pace = entry.late ? Pace::stretched : Pace::as_commanded;
+    const ErrorReport error = planner_.plan(command, from, pace, macrostep_);
+    if (error.error_class != ErrorClass::none) return error;
+  }
   if (moves && macrostep_.steps > command.motion_steps) ++counters_.stretched;
   macrostep_.ticket = entry.ticket;
   macrostep_.epoch = epoch_;
@@ -110,7 +176,16 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   return {};
 }
 
+bool Effector::poll_recovery(Reply& reply) noexcept {
+  refresh();
+  if (!recovery_.under_way || snapshot_ == nullptr || snapshot_->orders == recovery_.orders) return false;
+  recovery_.under_way = false;
+  answer(recovery_.number, {}, reply);  // a fault that came back is in it
+  return true;
+}
+
 bool Effector::poll(Reply& reply) noexcept {
+  if (recovery_.under_way && poll_recovery(reply)) return true;
   while (const Report* report = hand_over_.reports.front()) {
     refresh();  // after the report was seen, so that the snapshot is at least as new
     Outstanding* entry = nullptr;
@@ -173,19 +248,19 @@ void Effector::fill(const Snapshot& snapshot, const DesiredState& end, Tick end_
   state.joint_velocity = snapshot.velocity;
   state.motors = snapshot.motors;
   state.current = snapshot.current;
-  state.pose = kinematics_.direct(snapshot.joints);
+  state.pose = planner_.kinematics().direct(snapshot.joints);
   state.desired_tick = end_tick;
   state.desired_joints = end.position;
   state.desired_velocity = end.velocity;
   state.desired_acceleration = end.acceleration;
-  state.desired_pose = kinematics_.direct(end.position);
-  state.model = 0;
-  state.tool = kinematics_.tool();
+  state.desired_pose = planner_.kinematics().direct(end.position);
+  state.model = model_;
+  state.tool = tool_;
   state.synchronised = snapshot.synchronised;
   state.enabled = snapshot.enabled;
   state.late_commands = counters_.late;
   state.error =
-      snapshot.fault.code == ErrorCode::none ? ErrorReport{} : make_report(snapshot.fault, model_.parameters());
+      snapshot.fault.code == ErrorCode::none ? ErrorReport{} : make_report(snapshot.fault, models_.parameters());
 }
 
 }  // namespace mrroc::edp

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "edp/hand_over.hpp"
+#include "edp/model_set.hpp"
 #include "edp/planner.hpp"
 #include "mrroc/robot_command.hpp"
 #include "mrroc/robot_state.hpp"
@@ -28,13 +29,18 @@ struct Reply {
 /// the limits demand it. A reply that reports the stop ends this: what comes after it knows.
 ///
 /// After a fault or `enable(false)` motions are refused, and every reply carries a latched fault as a hardware error,
-/// until `enable(true)`.
+/// until `enable(true)` or a `recover` command. A robot that is not synchronised takes relative motor motion, hold and
+/// `synchronise`; its joints are then the shafts.
+///
+/// `set_tool` is answered at once, `use_model` when the servo has changed, `synchronise` when it is done, `recover`
+/// when the drives are on or the fault has come back. The first three want a motion that ends at rest, and come after
+/// it.
 ///
 /// One thread (any, but always the same one); allocates nothing but in the constructor, never throws, never waits.
 class Effector {
  public:
-  /// `period` in s. Throws SystemError when an axis has no acceleration or jerk limit.
-  Effector(const RobotModel& model, double period, HandOver& hand_over);
+  /// `period` in s. `models` must outlive it. Throws SystemError when an axis has no acceleration or jerk limit.
+  Effector(const ModelSet& models, double period, HandOver& hand_over);
 
   /// Takes command number `number` (the caller's, for the reply). True: `reply` is the answer; false: `poll` will give
   /// it. Call `poll` until false before; in lockstep, both after the servo's tick.
@@ -69,16 +75,28 @@ class Effector {
 
   void refresh() noexcept;
   ErrorReport refusal(const RobotCommand& command) const noexcept;
+  ErrorReport refusal_of_change(const RobotCommand& command) const noexcept;
+  void use_model() noexcept;
+  bool poll_recovery(Reply& reply) noexcept;
   Outstanding* free_place() noexcept;
   ErrorReport hand_over(Outstanding& entry) noexcept;
   void fill(const Snapshot& snapshot, const DesiredState& end, Tick end_tick, RobotState& state) const noexcept;
   void fill_present(RobotState& state) const noexcept;
   void answer(std::uint64_t number, const ErrorReport& error, Reply& reply) noexcept;
 
-  const RobotModel& model_;
-  ToolKinematics kinematics_;
+  /// A `recover` command that has no answer yet.
+  struct Recovery {
+    bool under_way = false;
+    std::uint64_t number = 0;
+    std::uint32_t orders = 0;  ///< the snapshot's count before it
+  };
+
+  const ModelSet& models_;
   HandOver& hand_over_;
   Planner planner_;
+  std::uint8_t model_ = 0;  ///< that the planner uses
+  Pose tool_;
+  Recovery recovery_;
   const Snapshot* snapshot_ = nullptr;  ///< the newest; null before the servo's first tick
   std::uint32_t epoch_ = 0;
   DesiredState end_;     ///< of all that has been accepted

@@ -9,7 +9,6 @@
 namespace mrroc::edp {
 namespace {
 
-constexpr double kOrthogonality = 1e-6;  // of the rotation of a commanded pose
 constexpr double kTwistResidual = 1e-6;  // m/s, rad/s
 
 bool bad(const ErrorReport& report) noexcept { return report.error_class != ErrorClass::none; }
@@ -94,9 +93,7 @@ ErrorReport twist_to_joints(const ToolKinematics& kinematics, double period, Goa
 ErrorReport read_pose(const RobotCommand& command, const DesiredState& from, const ToolKinematics& kinematics,
                       Goal& goal) noexcept {
   if (!command.pose.matrix().allFinite()) return refuse(ErrorCode::not_finite, "a value of the pose");
-  const Eigen::Matrix3d rotation = command.pose.linear();
-  if (!(rotation.transpose() * rotation).isIdentity(kOrthogonality) || rotation.determinant() < 0)
-    return refuse(ErrorCode::invalid_argument, "the pose's orientation is not a rotation");
+  if (!is_rigid(command.pose)) return refuse(ErrorCode::invalid_argument, "the pose's orientation is not a rotation");
   goal.tool.pose = command.relative ? Pose(kinematics.direct(from.position) * command.pose) : command.pose;
   goal.joints = DesiredState::resting_at(from.position);
   const ErrorCode code = kinematics.inverse(goal.tool.pose, from.position, goal.joints.position);

@@ -8,7 +8,12 @@
 namespace mrroc::edp {
 
 /// What the operator's side asks of the drives.
-enum class DriveOrder : std::uint8_t { none, enable, disable };
+enum class DriveOrder : std::uint8_t {
+  none,
+  enable,
+  disable,
+  recover  ///< clear what the drives have latched, then enable
+};
 
 /// What became of one ticket; exactly one per accepted command, unless it is `refused` and handed over anew.
 struct Report {

@@ -1,16 +1,28 @@
 #pragma once
 
+#include <array>
+
 #include "mrroc/errors.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::edp {
 
+/// What one axis's switches and encoder index say in one tick.
+struct AxisSwitches {
+  bool synchro = false;
+  bool lower_limit = false;
+  bool upper_limit = false;
+  bool zero_pulse = false;   ///< one has passed since the last reading
+  double zero_position = 0;  ///< where, rad of the shaft as the encoder counts
+};
+
 /// What the drives report in one tick.
 struct HardwareInput {
   JointVector motors;                 ///< shaft positions, rad, as the encoders resolve them
   JointVector current;                ///< measured currents, A
-  bool synchronised = false;          ///< positions are absolute
+  bool synchronised = false;          ///< positions are absolute; else they count from where the power came on
   ErrorCode fault = ErrorCode::none;  ///< drive_fault, hardware_silent, ... ; `none` when all is well
+  std::array<AxisSwitches, kMaxJoints> switches{};
 };
 
 /// The drives of one robot: CAN drives, the simulated world, or a plant model. `read` and `write` run in the servo
@@ -22,10 +34,14 @@ class Hardware {
   virtual void open() = 0;
   /// Power to the drives; the drives hold their position (brakes) while disabled.
   virtual void enable(bool on) noexcept = 0;
+  /// Clears faults that the drives have latched. Servo thread.
+  virtual void reset_fault() noexcept {}
   /// Positions at tick `tick`. Servo thread.
   virtual void read(Tick tick, HardwareInput& input) noexcept = 0;
   /// Currents (A) for the coming period, within current_max. Servo thread.
   virtual void write(Tick tick, const JointVector& current) noexcept = 0;
+  /// From now on every shaft position is greater by `shift` (rad), and absolute. Servo thread.
+  virtual void set_origin(const JointVector& shift) noexcept = 0;
 };
 
 }  // namespace mrroc::edp

@@ -18,21 +18,26 @@ bool bad(const ErrorReport& report) noexcept { return report.error_class != Erro
 }  // namespace
 
 LimitCheck::LimitCheck(const RobotModel& model, double period)
-    : model_(model), axes_(model.parameters().axes), period_(period), stop_(model.parameters(), period) {}
+    : model_(&model), period_(period), stop_(model.parameters(), period) {}
+
+void LimitCheck::use(const RobotModel& model) noexcept {
+  model_ = &model;
+  stop_.use(model.parameters());
+}
 
 ErrorReport LimitCheck::violation(ErrorCode code, int axis, double tick, const char* what, double value,
                                   double limit) const noexcept {
   return make_report(ErrorClass::non_fatal, code, "axis %d (%s), tick %.4g: %s %.6g, limit %.6g", axis + 1,
-                     axes_[static_cast<std::size_t>(axis)].name.c_str(), tick, what, value, limit);
+                     axes()[static_cast<std::size_t>(axis)].name.c_str(), tick, what, value, limit);
 }
 
 void LimitCheck::widen(const DesiredState& from) noexcept {
-  const int count = model_.joint_count();
+  const int count = model_->joint_count();
   JointVector motors;
-  const bool known = model_.joints_to_motors(from.position, motors) == ErrorCode::none;
+  const bool known = model_->joints_to_motors(from.position, motors) == ErrorCode::none;
   position_min_.resize(count), position_max_.resize(count), motor_min_.resize(count), motor_max_.resize(count);
   for (int i = 0; i < count; ++i) {
-    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
+    const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
     position_min_[i] = std::min(axis.position_min, from.position[i]) - kRounding;
     position_max_[i] = std::max(axis.position_max, from.position[i]) + kRounding;
     motor_min_[i] = (known ? std::min(axis.motor_min, motors[i]) : axis.motor_min) - kRounding;
@@ -41,8 +46,8 @@ void LimitCheck::widen(const DesiredState& from) noexcept {
 }
 
 ErrorReport LimitCheck::check_state(const DesiredState& state, double tick) const noexcept {
-  for (int i = 0; i < model_.joint_count(); ++i) {
-    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
     if (state.position[i] < position_min_[i])
       return violation(ErrorCode::joint_limit, i, tick, "position", state.position[i], axis.position_min);
     if (state.position[i] > position_max_[i])
@@ -57,11 +62,11 @@ ErrorReport LimitCheck::check_state(const DesiredState& state, double tick) cons
 }
 
 ErrorReport LimitCheck::check_motors(const JointVector& joints, double tick, const char* where) noexcept {
-  if (model_.joints_to_motors(joints, motors_) != ErrorCode::none)
+  if (model_->joints_to_motors(joints, motors_) != ErrorCode::none)
     return make_report(ErrorClass::non_fatal, ErrorCode::motor_limit, "tick %.4g: the transmission cannot reach %s",
                        tick, where);
-  for (int i = 0; i < model_.joint_count(); ++i) {
-    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
     if (motors_[i] < motor_min_[i])
       return violation(ErrorCode::motor_limit, i, tick, where, motors_[i], axis.motor_min);
     if (motors_[i] > motor_max_[i])
@@ -72,8 +77,8 @@ ErrorReport LimitCheck::check_motors(const JointVector& joints, double tick, con
 
 ErrorReport LimitCheck::check_stop(const DesiredState& state, double tick) noexcept {
   stop_.plan(state);
-  for (int i = 0; i < model_.joint_count(); ++i) {
-    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
     const AxisStop& stop = stop_.axis(i);
     if (stop.lowest() < position_min_[i])
       return violation(ErrorCode::joint_limit, i, tick, "a stop would reach", stop.lowest(), axis.position_min);
@@ -87,10 +92,10 @@ ErrorReport LimitCheck::check_stop(const DesiredState& state, double tick) noexc
 }
 
 bool LimitCheck::motors_stay_clear() const noexcept {
-  const JointMatrix ratio = model_.transmission(stop_.end().position);
-  for (int i = 0; i < model_.joint_count(); ++i) {
+  const JointMatrix ratio = model_->transmission(stop_.end().position);
+  for (int i = 0; i < model_->joint_count(); ++i) {
     double way = 0;
-    for (int j = 0; j < model_.joint_count(); ++j)
+    for (int j = 0; j < model_->joint_count(); ++j)
       way += std::abs(ratio(i, j)) * (stop_.axis(j).highest() - stop_.axis(j).lowest());
     way *= kRatioGrowth;
     if (!(motors_[i] - way > motor_min_[i] && motors_[i] + way < motor_max_[i])) return false;
@@ -118,8 +123,8 @@ ErrorReport LimitCheck::check_end(const Macrostep& path) noexcept {
 
 ErrorReport LimitCheck::check_between(const DesiredState& before, const DesiredState& after, double duration,
                                       double tick) const noexcept {
-  for (int i = 0; i < model_.joint_count(); ++i) {
-    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
     const double velocity = (after.position[i] - before.position[i]) / duration;
     const double acceleration = (after.velocity[i] - before.velocity[i]) / duration;
     const double jerk = (after.acceleration[i] - before.acceleration[i]) / duration;
@@ -137,8 +142,8 @@ ErrorReport LimitCheck::check_between(const DesiredState& before, const DesiredS
 bool LimitCheck::stays_clear(const Macrostep& path) const noexcept {
   if (path.path.space() != Path::Space::joints) return false;
   const Quintic::Bounds bounds = path.path.quintic().bounds();
-  for (int i = 0; i < model_.joint_count(); ++i) {
-    const AxisParameters& axis = axes_[static_cast<std::size_t>(i)];
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
     if (!(path.from.position[i] - bounds.position[i] > position_min_[i] &&
           path.from.position[i] + bounds.position[i] < position_max_[i] && bounds.velocity[i] < axis.velocity_max &&
           bounds.acceleration[i] < axis.acceleration_max && bounds.jerk[i] < axis.jerk_max))

@@ -21,6 +21,8 @@ namespace mrroc::edp {
 class LimitCheck {
  public:
   LimitCheck(const RobotModel& model, double period);
+  /// From now on of this model of the same robot; it must outlive this object.
+  void use(const RobotModel& model) noexcept;
 
   /// Class `none`, or the first violation: joint_limit, motor_limit, velocity_limit, acceleration_limit or jerk_limit,
   /// with axis, tick, value and limit; or why no joints belong to a point of the path. `path` is a macrostep of kind
@@ -47,8 +49,9 @@ class LimitCheck {
   ErrorReport violation(ErrorCode code, int axis, double tick, const char* what, double value,
                         double limit) const noexcept;
 
-  const RobotModel& model_;
-  const std::vector<AxisParameters>& axes_;
+  const std::vector<AxisParameters>& axes() const noexcept { return model_->parameters().axes; }
+
+  const RobotModel* model_;
   double period_;
   Stop stop_;
   JointVector motors_;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "mrroc/errors.hpp"
 
 namespace mrroc::edp {
 
-LoopbackHardware::LoopbackHardware(const RobotModel& model, double period) : period_(period) {
+LoopbackHardware::LoopbackHardware(const RobotModel& model, double period, bool synchronised)
+    : encoders_(model.parameters(), synchronised), period_(period) {
   JointVector home;
   if (model.joints_to_motors(model.parameters().home, home) != ErrorCode::none)
     throw SystemError(ErrorCode::configuration, "robot " + model.parameters().type + ": home is out of reach");
@@ -20,7 +20,6 @@ LoopbackHardware::LoopbackHardware(const RobotModel& model, double period) : per
     motor.time_constant = axis.rotor_inertia / axis.viscous_friction;
     motor.decay = std::exp(-period / motor.time_constant);
     motor.final_per_ampere = axis.torque_constant / axis.viscous_friction;
-    motor.increment = 2.0 * std::numbers::pi / axis.encoder_increments;
     motor.current_max = axis.current_max;
     motor.angle = home[static_cast<Eigen::Index>(motors_.size())];
     motors_.push_back(motor);
@@ -34,7 +33,7 @@ void LoopbackHardware::enable(bool on) noexcept {
 
 void LoopbackHardware::read(Tick tick, HardwareInput& input) noexcept {
   const auto count = static_cast<Eigen::Index>(motors_.size());
-  input.motors.resize(count);
+  shafts_.resize(count);
   input.current.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     Motor& motor = motors_[static_cast<std::size_t>(i)];
@@ -44,11 +43,11 @@ void LoopbackHardware::read(Tick tick, HardwareInput& input) noexcept {
       motor.angle += final_velocity * period_ + excess * (1.0 - motor.decay) * motor.time_constant;
       motor.velocity = final_velocity + excess * motor.decay;
     }
-    input.motors[i] = std::round(motor.angle / motor.increment) * motor.increment;
+    shafts_[i] = motor.angle;
     input.current[i] = motor.current;
   }
   last_ = tick;
-  input.synchronised = true;
+  encoders_.read(shafts_, input);
   input.fault = ErrorCode::none;
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "edp/hardware.hpp"
+#include "edp/encoders.hpp"
 #include "mrroc/robot_model.hpp"
 
 namespace mrroc::edp {
@@ -10,32 +10,34 @@ namespace mrroc::edp {
 /// Drives that are a plant model of their own: per motor, with J the rotor's inertia, b the viscous friction and k_t
 /// the torque constant, J dw/dt = k_t i - b w. Within one servo period the current is constant and the solution exact:
 ///   w' = w_e + (w - w_e) g,  angle' = angle + w_e T + (w - w_e) (1 - g) J/b,  w_e = k_t i / b,  g = exp(-b T / J).
-/// The encoders resolve a shaft revolution into encoder_increments. The robot starts at `home`, synchronised; disabled,
-/// the brakes hold it where it is. It lags and overshoots as a drive does: measured is never simply commanded.
+/// Positions are what `Encoders` make of the shafts. The robot starts at `home`; disabled, the brakes hold it where it
+/// is. It lags and overshoots as a drive does: measured is never simply commanded.
 ///
 /// Loads couple nothing here: use the simulator for gravity and contact. Deterministic.
 class LoopbackHardware : public Hardware {
  public:
   /// `period` in s. Throws SystemError when an axis has no inertia, friction or encoder, or `home` cannot be reached.
-  LoopbackHardware(const RobotModel& model, double period);
+  LoopbackHardware(const RobotModel& model, double period, bool synchronised = true);
 
   void open() override {}
   void enable(bool on) noexcept override;
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
+  void set_origin(const JointVector& shift) noexcept override { encoders_.set_origin(shift); }
 
  private:
   struct Motor {
     double decay;             ///< g
     double final_per_ampere;  ///< k_t / b
     double time_constant;     ///< J / b
-    double increment;         ///< of the encoder, rad
     double current_max;
     double angle = 0;
     double velocity = 0;
     double current = 0;
   };
   std::vector<Motor> motors_;
+  JointVector shafts_;
+  Encoders encoders_;
   double period_;
   Tick last_ = 0;
   bool enabled_ = false;

@@ -10,8 +10,10 @@ namespace mrroc::edp {
 /// `to`.
 struct Macrostep {
   enum class Kind : std::uint8_t {
-    path,  ///< along `path`
-    stop   ///< the robot's Stop from `from`, then rest
+    path,        ///< along `path`
+    stop,        ///< the robot's Stop from `from`, then rest
+    model,       ///< at rest: from its start on the servo uses model `model`
+    synchronise  ///< as long as it takes; then with the robot's first model
   };
   Kind kind = Kind::path;
   std::uint64_t ticket = 0;      ///< names the command in reports; 0: nobody asked for it, no reply
@@ -22,6 +24,7 @@ struct Macrostep {
   DesiredState from;
   DesiredState to;
   Path path;
+  std::uint8_t model = 0;  ///< place in the ModelSet
 };
 
 }  // namespace mrroc::edp

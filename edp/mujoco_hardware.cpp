@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace mrroc::edp {
 
@@ -14,18 +13,18 @@ Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 }  // namespace
 
-MujocoHardware::MujocoHardware(const RobotModel& model, sim::WorldMemory& memory, std::size_t slot, Timing timing)
-    : model_(model), memory_(memory), slot_(slot), timing_(timing) {
+MujocoHardware::MujocoHardware(const RobotModel& model, sim::WorldMemory& memory, std::size_t slot, Timing timing,
+                               bool synchronised)
+    : model_(model), memory_(memory), slot_(slot), timing_(timing), encoders_(model.parameters(), synchronised) {
   const int count = model.joint_count();
   joints_ = model.parameters().home;
-  velocity_ = current_ = motors_ = JointVector::Zero(count);
+  velocity_ = current_ = shafts_ = JointVector::Zero(count);
 }
 
 void MujocoHardware::read(Tick tick, HardwareInput& input) noexcept {
   sim::JointMeasurement measurement;
   const bool present = memory_.measurements[slot_].load(measurement);
   const bool fresh = timing_ == Timing::lockstep ? measurement.tick == tick : measurement.tick + kSilence >= tick;
-  input.synchronised = true;
   input.fault = present && fresh ? ErrorCode::none : ErrorCode::hardware_silent;
   if (input.fault == ErrorCode::none) {
     for (Eigen::Index i = 0; i < joints_.size(); ++i) {
@@ -33,17 +32,12 @@ void MujocoHardware::read(Tick tick, HardwareInput& input) noexcept {
       velocity_[i] = measurement.velocity[static_cast<std::size_t>(i)];
     }
     JointVector shafts;
-    if (model_.joints_to_motors(joints_, shafts) == ErrorCode::none) {
-      const auto& axes = model_.parameters().axes;
-      for (std::size_t i = 0; i < axes.size(); ++i) {
-        const double increment = 2.0 * std::numbers::pi / axes[i].encoder_increments;
-        motors_[index(i)] = std::round(shafts[index(i)] / increment) * increment;
-      }
-    } else {
+    if (model_.joints_to_motors(joints_, shafts) == ErrorCode::none)
+      shafts_ = shafts;
+    else
       input.fault = ErrorCode::drive_fault;
-    }
   }
-  input.motors = motors_;
+  encoders_.read(shafts_, input);
   input.current = current_;
 }
 

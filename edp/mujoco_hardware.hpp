@@ -1,6 +1,6 @@
 #pragma once
 
-#include "edp/hardware.hpp"
+#include "edp/encoders.hpp"
 #include "mrroc/robot_model.hpp"
 #include "sim/world_memory.hpp"
 
@@ -15,8 +15,8 @@ namespace mrroc::edp {
 /// from J dw/dt = k_t i - b w - (torque to the gears) at w = G dq/dt. dG/dt is the central difference of G along dq/dt.
 /// B is up to 158^2 times a rotor: more than the links themselves, so it may not be left out.
 ///
-/// Encoders: shaft positions rounded to increments of 2 pi / encoder_increments; synchronised from the start. Currents
-/// follow the regulator at once, cut at current_max. Disabled, the brakes hold.
+/// Positions are what `Encoders` make of the shafts. Currents follow the regulator at once, cut at current_max.
+/// Disabled, the brakes hold.
 class MujocoHardware : public Hardware {
  public:
   /// How old a measurement may be before the world counts as silent.
@@ -27,7 +27,8 @@ class MujocoHardware : public Hardware {
   static constexpr Tick kSilence = 50;
 
   /// Robot slot `slot` of `memory`; both references must outlive this object.
-  MujocoHardware(const RobotModel& model, sim::WorldMemory& memory, std::size_t slot, Timing timing);
+  MujocoHardware(const RobotModel& model, sim::WorldMemory& memory, std::size_t slot, Timing timing,
+                 bool synchronised = true);
 
   /// The world is there before the first tick: the start-up barrier waits for it.
   void open() override {}
@@ -37,14 +38,16 @@ class MujocoHardware : public Hardware {
   /// `drive_fault`: the joints are where the transmission cannot reach.
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
+  void set_origin(const JointVector& shift) noexcept override { encoders_.set_origin(shift); }
 
  private:
   const RobotModel& model_;
   sim::WorldMemory& memory_;
   std::size_t slot_;
   Timing timing_;
+  Encoders encoders_;
   bool enabled_ = false;
-  JointVector motors_, current_;   ///< as last reported, as last commanded
+  JointVector shafts_, current_;   ///< as last known, as last commanded
   JointVector joints_, velocity_;  ///< as last measured
 };
 

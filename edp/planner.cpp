@@ -17,6 +17,12 @@ bool bad(const ErrorReport& report) noexcept { return report.error_class != Erro
 Planner::Planner(const RobotModel& model, double period)
     : kinematics_(model), period_(period), stop_(model.parameters(), period), limits_(model, period) {}
 
+void Planner::use(const ToolKinematics& kinematics) noexcept {
+  kinematics_ = kinematics;
+  stop_.use(kinematics.model().parameters());
+  limits_.use(kinematics.model());
+}
+
 ErrorReport Planner::plan(const RobotCommand& command, const DesiredState& from, Pace pace,
                           Macrostep& macrostep) noexcept {
   const int steps = command.motion_steps;

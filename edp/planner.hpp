@@ -28,6 +28,9 @@ class Planner {
  public:
   /// Throws SystemError when an axis has no acceleration or jerk limit.
   Planner(const RobotModel& model, double period);
+  /// From now on with this model and tool of the same robot; the model must outlive this object.
+  void use(const ToolKinematics& kinematics) noexcept;
+  const ToolKinematics& kinematics() const noexcept { return kinematics_; }
 
   /// Fills kind, steps, reply_step, from, to and path of `macrostep`; the rest is the caller's. Class `none`, or a
   /// non-fatal error, which leaves `macrostep` undefined. Not for queries.

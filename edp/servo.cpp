@@ -10,16 +10,48 @@ constexpr double kRounding = 1e-6;  // the planner has checked the limits; this 
 
 }  // namespace
 
-Servo::Servo(const RobotModel& model, Hardware& hardware, double period, HandOver& hand_over)
-    : model_(model), hardware_(hardware), period_(period), hand_over_(hand_over), stop_(model.parameters(), period) {
-  const int count = model.joint_count();
-  for (const AxisParameters& axis : model.parameters().axes) regulators_.emplace_back(axis);
+Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver& hand_over)
+    : models_(models),
+      model_(&models.at(0)),
+      hardware_(hardware),
+      period_(period),
+      hand_over_(hand_over),
+      stop_(models.parameters(), period),
+      synchroniser_(models.parameters(), models.at(ModelSet::kShafts).parameters(), period) {
+  const int count = model_->joint_count();
+  for (const AxisParameters& axis : models.parameters().axes) regulators_.emplace_back(axis);
   const JointVector zero = JointVector::Zero(count);
   joints_ = velocity_ = measured_motors_ = measured_increment_ = current_ = zero;
   desired_motors_ = previous_position_ = previous_motors_ = position_min_ = position_max_ = zero;
   input_.motors = input_.current = zero;
   desired_ = DesiredState::resting_at(zero);
   counters_.following_error = zero;
+}
+
+/// The robot rests: the same shafts, seen as joints of another model. False: they are no joints of that model.
+bool Servo::use(std::uint8_t index) noexcept {
+  const RobotModel& model = models_.at(index);
+  JointVector joints, desired;
+  if (model.motors_to_joints(measured_motors_, joints) != ErrorCode::none) return false;
+  if (model.motors_to_joints(desired_motors_, desired) != ErrorCode::none) return false;
+  model_ = &model;
+  model_index_ = index;
+  stop_.use(model.parameters());
+  joints_ = joints;
+  velocity_.setZero();
+  desired_ = DesiredState::resting_at(desired);
+  previous_position_ = desired;
+  widen_limits();
+  ++epoch_;
+  return true;
+}
+
+void Servo::widen_limits() noexcept {
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];
+    position_min_[i] = std::min(axis.position_min, joints_[i]) - kRounding;
+    position_max_[i] = std::max(axis.position_max, joints_[i]) + kRounding;
+  }
 }
 
 bool Servo::tick(Tick tick) noexcept {
@@ -30,13 +62,14 @@ bool Servo::tick(Tick tick) noexcept {
     previous_position_ = desired_.position;
     previous_motors_ = desired_motors_;
     const DesiredState before = desired_;
+    const RobotModel* const model = model_;
     advance(tick);
     if (!keeps_limits(tick)) {
-      desired_ = before;
+      if (model_ == model) desired_ = before;
       boundary_ = last_;
       stop_and_switch_off();
       advance(tick);
-      model_.joints_to_motors(desired_.position, desired_motors_);
+      model_->joints_to_motors(desired_.position, desired_motors_);
     }
     regulate();
     if (stopping_ && !running_) {
@@ -56,16 +89,21 @@ bool Servo::tick(Tick tick) noexcept {
 void Servo::measure(Tick tick) noexcept {
   elapsed_ = ticked_ ? tick - last_ : 1;
   hardware_.read(tick, input_);
+  if (!ticked_) {
+    last_ = tick == 0 ? 0 : tick - 1;
+    measured_motors_ = desired_motors_ = input_.motors;
+    if (!use(input_.synchronised ? 0 : ModelSet::kShafts)) latch(ErrorCode::motor_limit, -1, 0, 0, tick);
+  } else if (!input_.synchronised && model_index_ != ModelSet::kShafts) {
+    latch(ErrorCode::drive_fault, -1, 0, 0, tick);  // the drives have lost their positions
+  }
   JointVector joints = joints_;
-  if (model_.motors_to_joints(input_.motors, joints) != ErrorCode::none) {
+  if (model_->motors_to_joints(input_.motors, joints) != ErrorCode::none) {
     joints = joints_;
     latch(ErrorCode::motor_limit, -1, 0, 0, tick);
   }
   if (ticked_) {
     measured_increment_ = input_.motors - measured_motors_;
     velocity_ = (joints - joints_) / (period_ * static_cast<double>(elapsed_));
-  } else {
-    last_ = tick == 0 ? 0 : tick - 1;
   }
   measured_motors_ = input_.motors;
   joints_ = joints;
@@ -79,38 +117,44 @@ void Servo::switch_off() noexcept {
 
 void Servo::obey_order() noexcept {
   DriveOrder order = hand_over_.order.load(std::memory_order_acquire);
+  if (order == DriveOrder::none) return;
   if (order == DriveOrder::disable) {
     switch_off();
-  } else if (order == DriveOrder::enable) {
+  } else {
     if (stopping_) return;  // first comes the end of the stop; the order waits
-    if (!enabled_) {
-      fault_ = {};
-      ++epoch_;
-      braking_ = false;
-      desired_ = DesiredState::resting_at(joints_);
-      desired_motors_ = measured_motors_;
-      boundary_ = last_;
-      for (int i = 0; i < model_.joint_count(); ++i) {
-        const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
-        position_min_[i] = std::min(axis.position_min, joints_[i]) - kRounding;
-        position_max_[i] = std::max(axis.position_max, joints_[i]) + kRounding;
-        regulators_[static_cast<std::size_t>(i)].reset();
-      }
-      measured_increment_.setZero();
-      enabled_ = true;
-      hardware_.enable(true);
+    if (order == DriveOrder::recover && !enabled_ && !reset_) {
+      hardware_.reset_fault();
+      reset_ = true;
+      return;  // the next reading tells whether the fault has gone
     }
+    if (!enabled_ && (order == DriveOrder::enable || input_.fault == ErrorCode::none)) switch_on();
+    reset_ = false;
   }
+  ++orders_;
   // a newer order stays for the next tick
   hand_over_.order.compare_exchange_strong(order, DriveOrder::none, std::memory_order_acq_rel);
+}
+
+void Servo::switch_on() noexcept {
+  fault_ = {};
+  ++epoch_;
+  braking_ = false;
+  desired_ = DesiredState::resting_at(joints_);
+  desired_motors_ = measured_motors_;
+  boundary_ = last_;
+  widen_limits();
+  for (Regulator& regulator : regulators_) regulator.reset();
+  measured_increment_.setZero();
+  enabled_ = true;
+  hardware_.enable(true);
 }
 
 void Servo::watch(Tick tick) noexcept {
   if (input_.fault != ErrorCode::none) latch(input_.fault, -1, 0, 0, tick);
   if (enabled_ && !stopping_) {
-    for (int i = 0; i < model_.joint_count(); ++i) {
+    for (int i = 0; i < model_->joint_count(); ++i) {
       const double error = std::abs(desired_motors_[i] - measured_motors_[i]);
-      const double limit = model_.parameters().axes[static_cast<std::size_t>(i)].following_error_max;
+      const double limit = model_->parameters().axes[static_cast<std::size_t>(i)].following_error_max;
       counters_.following_error[i] = std::max(counters_.following_error[i], error);
       if (!(error <= limit)) latch(ErrorCode::following_error, i, error, limit, tick);
     }
@@ -127,15 +171,20 @@ void Servo::advance(Tick tick) noexcept {
   for (;;) {
     if (running_) {
       const Tick step = tick - active_.start;
-      if (step < active_.steps) {
+      if (active_.kind == Macrostep::Kind::synchronise) {
+        if (!synchronise(tick)) return;
+      } else if (step < active_.steps) {
         const double time = static_cast<double>(step) * period_;
         if (active_.kind == Macrostep::Kind::stop)
           desired_ = stop_.at(time);
-        else if (step > 0)
+        else if (active_.kind == Macrostep::Kind::path && step > 0)
           follow(time, tick);
         return;
       }
-      desired_ = active_.to;
+      if (active_.kind == Macrostep::Kind::model)
+        change_model();
+      else if (active_.kind != Macrostep::Kind::synchronise)
+        desired_ = active_.to;
       running_ = false;
       boundary_ = active_.start + active_.steps;
       if (active_.ticket != 0) finished_ = active_.ticket;
@@ -159,6 +208,31 @@ void Servo::follow(double time, Tick tick) noexcept {
     latch(code, -1, 0, 0, tick);
 }
 
+/// One tick of the synchronisation; true: it is over.
+bool Servo::synchronise(Tick tick) noexcept {
+  const Synchroniser::Status status = synchroniser_.step(input_, desired_);
+  if (status == Synchroniser::Status::running) return false;
+  if (status == Synchroniser::Status::failed) {
+    latch(ErrorCode::synchronisation_failed, synchroniser_.axis(), 0, 0, tick);
+    return false;  // the fault stops the robot
+  }
+  const JointVector& shift = synchroniser_.shift();
+  hardware_.set_origin(shift);
+  input_.synchronised = true;
+  measured_motors_ += shift;
+  desired_motors_ += shift;
+  previous_motors_ += shift;
+  if (!use(0)) latch(ErrorCode::motor_limit, -1, 0, 0, tick);
+  active_.steps = static_cast<std::uint32_t>(tick - active_.start);
+  for (std::size_t i = 0; i < pending_count_; ++i)
+    if (pending_[i].ticket == active_.ticket) pending_[i].due = tick;
+  return true;
+}
+
+void Servo::change_model() noexcept {
+  if (!use(active_.model)) latch(ErrorCode::motor_limit, -1, 0, 0, last_);
+}
+
 bool Servo::start_next(Tick tick) noexcept {
   const Macrostep* next = hand_over_.macrosteps.front();
   if (next == nullptr || next->epoch != epoch_ || stopping_ || next->start > tick) return false;
@@ -168,8 +242,10 @@ bool Servo::start_next(Tick tick) noexcept {
   // a moving predecessor ended at `start`, be it in a missed tick; a resting robot begins now
   active_.start = std::max({active_.start, boundary_, last_});
   if (active_.kind == Macrostep::Kind::stop) stop_.plan(desired_);
+  if (active_.kind == Macrostep::Kind::synchronise) synchroniser_.start(desired_.position);
   if (active_.ticket != 0 && pending_count_ < pending_.size())
-    pending_[pending_count_++] = {active_.ticket, active_.start + active_.reply_step};
+    pending_[pending_count_++] = {
+        active_.ticket, active_.kind == Macrostep::Kind::synchronise ? kNever : active_.start + active_.reply_step};
   return true;
 }
 
@@ -205,13 +281,13 @@ void Servo::stop_and_switch_off() noexcept {
 }
 
 bool Servo::keeps_limits(Tick tick) noexcept {
-  if (model_.joints_to_motors(desired_.position, desired_motors_) != ErrorCode::none) {
+  if (model_->joints_to_motors(desired_.position, desired_motors_) != ErrorCode::none) {
     latch(ErrorCode::motor_limit, -1, 0, 0, tick);
     return stopping_;
   }
   if (stopping_) return true;  // nothing better than the stop is left
-  for (int i = 0; i < model_.joint_count(); ++i) {
-    const AxisParameters& axis = model_.parameters().axes[static_cast<std::size_t>(i)];
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];
     const double position = desired_.position[i];
     const double velocity = (position - previous_position_[i]) / (period_ * static_cast<double>(elapsed_));
     if (!(position >= position_min_[i])) latch(ErrorCode::joint_limit, i, position, axis.position_min, tick);
@@ -223,12 +299,13 @@ bool Servo::keeps_limits(Tick tick) noexcept {
 }
 
 void Servo::regulate() noexcept {
-  for (int i = 0; i < model_.joint_count(); ++i)
+  for (int i = 0; i < model_->joint_count(); ++i)
     current_[i] =
         regulators_[static_cast<std::size_t>(i)].step(desired_motors_[i] - previous_motors_[i], measured_increment_[i]);
 }
 
 bool Servo::publish(Tick tick) noexcept {
+  const bool obeyed = snapshot_.orders != orders_;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < pending_count_; ++i) {
     if (pending_[i].due <= tick && outbox_count_ < outbox_.size())
@@ -246,6 +323,8 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.synchronised = input_.synchronised;
   snapshot_.enabled = enabled_ && !stopping_;
   snapshot_.fault = fault_;
+  snapshot_.model = model_index_;
+  snapshot_.orders = orders_;
   snapshot_.epoch = epoch_;
   snapshot_.braking = braking_;
   snapshot_.desired = desired_;
@@ -255,7 +334,7 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.counters = counters_;
   hand_over_.snapshot.store(snapshot_);
 
-  const bool news = outbox_count_ > 0;
+  const bool news = outbox_count_ > 0 || obeyed;
   for (std::size_t i = 0; i < outbox_count_; ++i) {
     Report* const report = hand_over_.reports.free_place();
     if (report == nullptr) break;

@@ -5,9 +5,10 @@
 
 #include "edp/hand_over.hpp"
 #include "edp/hardware.hpp"
+#include "edp/model_set.hpp"
 #include "edp/regulator.hpp"
 #include "edp/stop.hpp"
-#include "mrroc/robot_model.hpp"
+#include "edp/synchroniser.hpp"
 
 namespace mrroc::edp {
 
@@ -23,14 +24,18 @@ namespace mrroc::edp {
 /// and clears a latched fault. `disable`, a fault of the hardware, a following error beyond the axis's limit, or a
 /// set-point beyond a limit stop the robot and then switch the drives off (stop category 1).
 ///
-/// The servo's plan has an epoch: it is left (braking, stopping, switching on) by counting it up, and a macrostep
-/// planned for an older epoch is refused, because it would continue a motion that is no more.
+/// Joints are those of the model in use: the shafts themselves until the hardware is synchronised, the robot's first
+/// model then, another one when a macrostep says so.
+///
+/// The servo's plan has an epoch: it is left (braking, stopping, switching on, another model) by counting it up, and a
+/// macrostep planned for an older epoch is refused, because it would continue a motion that is no more.
 ///
 /// `tick` allocates nothing, takes no lock, does not log, never throws; the constructor allocates.
 class Servo {
  public:
-  /// `period` in s. Throws SystemError when an axis has no acceleration or jerk limit.
-  Servo(const RobotModel& model, Hardware& hardware, double period, HandOver& hand_over);
+  /// `period` in s. `models` and `hardware` must outlive it. Throws SystemError when an axis has no acceleration or
+  /// jerk limit.
+  Servo(const ModelSet& models, Hardware& hardware, double period, HandOver& hand_over);
 
   /// Executes tick `tick`, greater than the last one; a gap counts as missed ticks. True: reports have been put out,
   /// the comms side should look.
@@ -54,11 +59,16 @@ class Servo {
     Tick due;
   };
 
+  bool use(std::uint8_t model) noexcept;
+  void widen_limits() noexcept;
   void measure(Tick tick) noexcept;
+  void switch_on() noexcept;
   void obey_order() noexcept;
   void watch(Tick tick) noexcept;
   void advance(Tick tick) noexcept;
   void follow(double time, Tick tick) noexcept;
+  bool synchronise(Tick tick) noexcept;
+  void change_model() noexcept;
   bool start_next(Tick tick) noexcept;
   void refuse_foreign() noexcept;
   void brake(Tick from) noexcept;
@@ -68,11 +78,14 @@ class Servo {
   void regulate() noexcept;
   bool publish(Tick tick) noexcept;
 
-  const RobotModel& model_;
+  const ModelSet& models_;
+  const RobotModel* model_;
+  std::uint8_t model_index_ = 0;
   Hardware& hardware_;
   double period_;
   HandOver& hand_over_;
   Stop stop_;
+  Synchroniser synchroniser_;
   std::vector<Regulator> regulators_;
 
   // measured
@@ -94,6 +107,8 @@ class Servo {
   bool braking_ = false;
 
   // drives
+  std::uint32_t orders_ = 0;  ///< obeyed
+  bool reset_ = false;        ///< a recovery has cleared the drives' faults and waits for the next reading
   bool enabled_ = false;
   bool stopping_ = false;  ///< the drives go off at the end of the stop
   Fault fault_;

@@ -36,9 +36,10 @@ class Shell {
       : process_(process),
         place_(place_of(process)),
         models_(factory()),
+        model_set_(models_),
         hardware_(open_hardware()),
-        servo_(*models_.front(), *hardware_, process.clock().period(), hand_over_),
-        effector_(*models_.front(), process.clock().period(), hand_over_),
+        servo_(model_set_, *hardware_, process.clock().period(), hand_over_),
+        effector_(model_set_, process.clock().period(), hand_over_),
         responder_(process.domain(), process.clock(), process.topic(place_.entry.name)) {}
 
   void serve() {
@@ -59,9 +60,11 @@ class Shell {
       world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
       const auto timing =
           process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::free_running;
-      hardware = std::make_unique<MujocoHardware>(*models_.front(), **world_, place_.index, timing);
+      hardware =
+          std::make_unique<MujocoHardware>(*models_.front(), **world_, place_.index, timing, place_.entry.synchronised);
     } else {
-      hardware = std::make_unique<LoopbackHardware>(*models_.front(), process_.clock().period());
+      hardware =
+          std::make_unique<LoopbackHardware>(*models_.front(), process_.clock().period(), place_.entry.synchronised);
     }
     hardware->open();
     return hardware;
@@ -131,6 +134,7 @@ class Shell {
   process::Process& process_;
   Place place_;
   RobotModels models_;
+  ModelSet model_set_;
   std::optional<sim::MappedWorld> world_;
   std::unique_ptr<Hardware> hardware_;
   HandOver hand_over_;

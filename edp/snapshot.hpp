@@ -22,6 +22,8 @@ struct Snapshot {
   bool synchronised = false;
   bool enabled = false;  ///< drives on and not about to be switched off
   Fault fault;
+  std::uint8_t model = 0;      ///< in use: place in the ModelSet
+  std::uint32_t orders = 0;    ///< how many DriveOrders have been obeyed
   std::uint32_t epoch = 0;     ///< counts the times the servo left the accepted plan (braked, was switched on or off)
   bool braking = false;        ///< the epoch began by braking for want of a successor
   DesiredState desired;        ///< set-point of `tick`

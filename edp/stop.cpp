@@ -9,13 +9,17 @@ namespace mrroc::edp {
 
 Stop::Stop(const RobotParameters& parameters, double period)
     : count_(static_cast<int>(parameters.axes.size())), period_(period) {
-  for (std::size_t i = 0; i < parameters.axes.size(); ++i) {
-    const AxisParameters& axis = parameters.axes[i];
+  for (const AxisParameters& axis : parameters.axes) {
     if (!(axis.acceleration_max > 0) || !(axis.jerk_max > 0))
       throw SystemError(ErrorCode::configuration,
                         "axis " + axis.name + ": acceleration_max and jerk_max must be above 0 for the robot to stop");
-    limits_[i] = {axis.acceleration_max, axis.jerk_max};
   }
+  use(parameters);
+}
+
+void Stop::use(const RobotParameters& parameters) noexcept {
+  for (std::size_t i = 0; i < parameters.axes.size(); ++i)
+    limits_[i] = {parameters.axes[i].acceleration_max, parameters.axes[i].jerk_max};
 }
 
 void Stop::plan(const DesiredState& from) noexcept {

@@ -16,6 +16,8 @@ class Stop {
  public:
   /// Throws SystemError when an axis has no acceleration or jerk limit.
   Stop(const RobotParameters& parameters, double period);
+  /// From now on with the limits of `parameters`, which a Stop has been made of before.
+  void use(const RobotParameters& parameters) noexcept;
 
   void plan(const DesiredState& from) noexcept;
   /// State t seconds after the start; from the end on exactly at rest.

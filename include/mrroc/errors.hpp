@@ -42,6 +42,7 @@ enum class ErrorCode : std::uint16_t {
   drive_fault = 101,
   sensor_hardware = 102,
   hardware_silent = 103,
+  synchronisation_failed = 104,
   process_died = 200,
   process_silent = 201,
   link_lost = 202,

@@ -46,6 +46,17 @@ class Robot {
   /// Seconds from one state to the next: N * servo period.
   double step_duration() const noexcept;
 
+  // ---- changes of the robot itself: one exchange each, outside any Move. They throw what the robot refuses them with:
+  // NonFatalError (invalid_argument, busy while it moves, not_synchronised), HardwareError (a fault that stays).
+  /// The tool frame, in the flange frame, that poses and twists mean from now on.
+  void set_tool(const Pose& tool);
+  /// The kinematic model from now on, by name. Throws NonFatalError(invalid_argument) with the names there are.
+  void use_model(std::string_view name);
+  /// Finds the absolute positions of the motors: switch, zero pulse, axis by axis. Returns when that is done.
+  void synchronise();
+  /// After a HardwareError: clears the fault and switches the drives on. The robot stands where it is measured to be.
+  void recover();
+
   // ---- the exchange, used by Move and Wait
   // -----------------------------------------------------------------------------
   /// Makes the command a plain `kind` with this robot's macrostep.
@@ -54,6 +65,8 @@ class Robot {
   void receive() { link_->receive(state_); }
 
  private:
+  void change();
+
   Task* task_;
   std::string name_;
   RobotModels models_;

@@ -12,7 +12,12 @@ enum class CommandKind : std::uint8_t {
   pose = 3,            ///< be at `pose`, moving with `twist`, at the end of the macrostep
   motor = 4,           ///< as `joint`, but every value is of the motor shafts (rad)
   joint_velocity = 5,  ///< change to `joint_velocity` as fast as the limits allow and keep it
-  twist = 6            ///< change to the joint velocities that give the tool `twist`, and keep them
+  twist = 6,           ///< change to the joint velocities that give the tool `twist`, and keep them
+  // one exchange each, of a robot at rest (Robot::set_tool, use_model, synchronise, recover)
+  set_tool = 7,     ///< `pose` is the tool frame in the flange frame from now on
+  use_model = 8,    ///< the kinematic model `model` from now on
+  synchronise = 9,  ///< find the absolute positions of the motors
+  recover = 10      ///< clear a fault and switch the drives on, at the measured position
 };
 
 /// The space in which the path to the end of the macrostep is smooth: a polynomial of degree five in time from the
@@ -48,6 +53,7 @@ struct RobotCommand {
   Pose pose = Pose::Identity();                         ///< of the tool frame in the robot's base frame
   Twist twist = Twist::Zero();                          ///< of the tool frame's origin at the end, in base axes
   JointVector twist_rate;                               ///< d twist / dt at the end, 6 values; empty: the mean
+  std::uint8_t model = 0;                               ///< of `use_model`: its place in the robot's list
 };
 
 inline constexpr std::uint16_t kMaxMotionSteps = 10000;

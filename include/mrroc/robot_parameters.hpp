@@ -21,6 +21,8 @@ struct AxisParameters {
   double motor_min = 0;
   double motor_max = 0;
   double motor_synchro = 0;          ///< shaft position at synchronisation, rad
+  double synchro_coarse = 0;         ///< shaft speed towards the synchronisation switch, rad/s, with sign; 0: no switch
+  double synchro_fine = 0;           ///< off the switch and to the zero pulse, rad/s, with the same sign
   double encoder_increments = 4000;  ///< per shaft revolution
   double current_max = 0;            ///< A
   double following_error_max = 0;    ///< rad of the shaft
@@ -41,7 +43,8 @@ struct AxisParameters {
 struct RobotParameters {
   std::string type;
   std::vector<AxisParameters> axes;
-  JointVector home;  ///< joint position in which the simulated robot starts
+  JointVector home;                ///< joint position in which the simulated robot starts
+  std::vector<int> synchro_order;  ///< the axes in the order of their synchronisation; empty: as they are
 };
 
 }  // namespace mrroc

@@ -28,7 +28,9 @@ struct RobotState {
   JointVector desired_velocity;
   JointVector desired_acceleration;
   Pose desired_pose = Pose::Identity();
-  std::uint8_t model = 0;        ///< kinematic model in use: its place in the robot's list
+  /// Kinematic model in use: its place in the robot's list; 255: none, the robot is not synchronised. Its joints are
+  /// then the motor shafts, counted from where the power came on, and poses mean nothing.
+  std::uint8_t model = 0;
   Pose tool = Pose::Identity();  ///< tool frame in use, in the flange frame
   bool synchronised = false;
   bool enabled = false;

@@ -21,6 +21,7 @@ struct RobotEntry {
   std::string type;                   ///< folder robots/<type>
   std::string program = "mrroc_ecp";  ///< of its ECP; the stock ECP when left out; absolute path after loading
   std::string hardware;               ///< mujoco | loopback
+  bool synchronised = true;           ///< simulated drives know their absolute positions from the start
   std::string host;                   ///< empty: this machine
   Pose base =
       Pose::Identity();  ///< in the world: `position = [x, y, z]` (m), `rotation = [r, p, y]` (rad, fixed axes x y z)

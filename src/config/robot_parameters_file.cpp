@@ -43,6 +43,14 @@ AxisParameters read_axis(const Table& table) {
   axis.motor_min = table.number("motor_min");
   axis.motor_max = above(table, "motor_max", axis.motor_min, "motor_min");
   axis.motor_synchro = table.number("motor_synchro", {axis.motor_min, axis.motor_max});
+  axis.synchro_coarse = table.number_or("synchro_coarse", 0);
+  axis.synchro_fine = table.number_or("synchro_fine", 0);
+  if (axis.synchro_coarse * axis.synchro_fine < 0 || (axis.synchro_coarse == 0) != (axis.synchro_fine == 0)) {
+    table.fail("synchro_fine", number_text(axis.synchro_fine) + " does not go the way of synchro_coarse",
+               axis.synchro_coarse == 0  ? "0"
+               : axis.synchro_coarse > 0 ? "a number above 0"
+                                         : "a number below 0");
+  }
   axis.encoder_increments = positive_or(table, "encoder_increments", axis.encoder_increments);
   axis.current_max = positive(table, "current_max");
   axis.following_error_max = positive(table, "following_error_max");
@@ -68,6 +76,23 @@ void check_name_is_new(const std::vector<AxisParameters>& axes, const Table& tab
   }
 }
 
+/// Every axis once, by name; empty when the key is left out.
+std::vector<int> read_synchro_order(const Table& file, const std::vector<AxisParameters>& axes) {
+  std::vector<int> order;
+  if (!file.has("synchro_order")) return order;
+  const std::string expected = "the names of all " + std::to_string(axes.size()) + " axes, each once";
+  for (const std::string& name : file.texts("synchro_order")) {
+    const auto axis = std::find_if(axes.begin(), axes.end(), [&name](const auto& a) { return a.name == name; });
+    const auto index = static_cast<int>(axis - axes.begin());
+    if (axis == axes.end() || std::find(order.begin(), order.end(), index) != order.end()) {
+      file.fail("synchro_order", in_quotes(name) + (axis == axes.end() ? " is no axis" : " comes twice"), expected);
+    }
+    order.push_back(index);
+  }
+  if (order.size() != axes.size()) file.fail("synchro_order", std::to_string(order.size()) + " axes", expected);
+  return order;
+}
+
 }  // namespace
 
 RobotParameters read_robot_parameters(const Table& file) {
@@ -81,6 +106,7 @@ RobotParameters read_robot_parameters(const Table& file) {
     parameters.axes.push_back(read_axis(table));
     check_name_is_new(parameters.axes, table);
   }
+  parameters.synchro_order = read_synchro_order(file, parameters.axes);
   const auto home = file.numbers("home", tables.size());
   parameters.home.resize(static_cast<Eigen::Index>(home.size()));
   for (std::size_t i = 0; i < home.size(); ++i) {

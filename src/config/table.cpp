@@ -189,6 +189,19 @@ bool Table::boolean_or(std::string_view key, bool fallback) const {
   return node->as_boolean()->get();
 }
 
+std::vector<std::string> Table::texts(std::string_view key) const {
+  const std::string expected = "an array of texts";
+  const std::string full_key = join(node_->path, key);
+  const auto& node = node_->require(key, expected);
+  if (!node.is_array()) node_->fail(node, full_key, found(node), expected);
+  std::vector<std::string> values;
+  for (const auto& element : *node.as_array()) {
+    if (!element.is_string()) node_->fail(element, full_key, found(element), expected);
+    values.push_back(element.as_string()->get());
+  }
+  return values;
+}
+
 std::vector<double> Table::numbers(std::string_view key, std::size_t size, Range range) const {
   const std::string expected = "an array of " + (size == 0 ? "" : std::to_string(size) + " ") + "numbers";
   const std::string full_key = join(node_->path, key);

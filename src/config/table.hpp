@@ -46,6 +46,8 @@ class Table {
   std::int64_t integer(std::string_view key, std::int64_t min, std::int64_t max) const;
   std::int64_t integer_or(std::string_view key, std::int64_t fallback, std::int64_t min, std::int64_t max) const;
   bool boolean_or(std::string_view key, bool fallback) const;
+  /// An array of texts of any length.
+  std::vector<std::string> texts(std::string_view key) const;
   /// An array of numbers; `size` 0: any length.
   std::vector<double> numbers(std::string_view key, std::size_t size = 0, Range range = {}) const;
   std::optional<std::vector<double>> optional_numbers(std::string_view key, std::size_t size = 0,

@@ -50,6 +50,8 @@ std::string_view describe(ErrorCode code) noexcept {
       return "the sensor hardware malfunctions";
     case ErrorCode::hardware_silent:
       return "the hardware does not answer";
+    case ErrorCode::synchronisation_failed:
+      return "the synchronisation switch or the zero pulse was not found";
     case ErrorCode::process_died:
       return "a process died";
     case ErrorCode::process_silent:

@@ -44,6 +44,45 @@ const RobotState& Robot::known_state() const {
 
 double Robot::step_duration() const noexcept { return motion_steps_ * task_->servo_period(); }
 
+void Robot::set_tool(const Pose& tool) {
+  reset_command(CommandKind::set_tool);
+  command_.pose = tool;
+  change();
+}
+
+void Robot::use_model(std::string_view name) {
+  std::string names;
+  for (std::size_t i = 0; i < models_.size(); ++i) {
+    if (models_[i]->name() == name) {
+      reset_command(CommandKind::use_model);
+      command_.model = static_cast<std::uint8_t>(i);
+      return change();
+    }
+    names.append(i == 0 ? "" : ", ").append(models_[i]->name());
+  }
+  throw NonFatalError(ErrorCode::invalid_argument, "model '" + std::string(name) + "', expected one of: " + names,
+                      {task_->process_name(), name_, 0, 0});
+}
+
+void Robot::synchronise() {
+  reset_command(CommandKind::synchronise);
+  change();
+}
+
+void Robot::recover() {
+  reset_command(CommandKind::recover);
+  change();
+}
+
+void Robot::change() {
+  send();
+  receive();
+  const ErrorReport& error = state_.error;
+  if (error.error_class == ErrorClass::none) return;
+  throw_error(error.error_class, error.code, std::string{error.detail.view()},
+              {task_->process_name(), name_, 0, state_.tick});
+}
+
 void Robot::reset_command(CommandKind kind) noexcept {
   command_.kind = kind;
   command_.relative = false;
@@ -57,6 +96,7 @@ void Robot::reset_command(CommandKind kind) noexcept {
   command_.pose.setIdentity();
   command_.twist.setZero();
   command_.twist_rate.resize(0);
+  command_.model = 0;
 }
 
 }  // namespace mrroc

@@ -83,10 +83,11 @@ void encode(const RobotCommand& message, mrroc_wire_RobotCommand& wire) noexcept
   encode_frame(message.pose, wire.pose);
   Eigen::Map<Twist>{wire.twist} = message.twist;
   encode_axes(message.twist_rate, wire.twist_rate);
+  wire.model = message.model;
 }
 
 bool decode(const mrroc_wire_RobotCommand& wire, RobotCommand& message) noexcept {
-  if (!in_range(wire.command_kind, CommandKind::twist) || !is_boolean(wire.relative)) return false;
+  if (!in_range(wire.command_kind, CommandKind::recover) || !is_boolean(wire.relative)) return false;
   if (!in_range(wire.interpolation, Interpolation::task)) return false;
   if (!valid_axes(wire.joints, wire.joint_velocity, wire.joint_acceleration, wire.twist_rate)) return false;
   message.kind = static_cast<CommandKind>(wire.command_kind);
@@ -101,6 +102,7 @@ bool decode(const mrroc_wire_RobotCommand& wire, RobotCommand& message) noexcept
   decode_frame(wire.pose, message.pose);
   message.twist = Eigen::Map<const Twist>{wire.twist};
   decode_axes(wire.twist_rate, message.twist_rate);
+  message.model = wire.model;
   return true;
 }
 

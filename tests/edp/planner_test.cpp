@@ -137,7 +137,7 @@ TEST(Planner, NoAcceptedMotionHasAStopWhoseMotorsLeaveTheirLimits) {
     CoupledModel model;
     // mostly as above: the sum swings out and comes back
     model.change().axes[1].acceleration_max = number(0.3, 1);
-    model.change().axes[1].motor_max = number(0.05, 3);
+    model.change().axes[1].motor_max = number(0.05, 1);
     Planner planner(model, kPeriod);
     DesiredState to = DesiredState::resting_at(JointVector::Zero(2));
     to.velocity << number(0.2, 0.6), number(-0.6, 0);

@@ -21,22 +21,37 @@ class FaultyHardware : public LoopbackHardware {
   }
   void read(Tick tick, HardwareInput& input) noexcept override {
     LoopbackHardware::read(tick, input);
+    if (travel_.size() == 0)
+      travel_ = JointVector::Zero(input.motors.size());
+    else if (input.synchronised == was_synchronised_)  // else the counting has changed, in one tick of rest
+      travel_ += input.motors - last_;
+    last_ = input.motors;
+    was_synchronised_ = input.synchronised;
+    if (blind)
+      for (AxisSwitches& switches : input.switches) switches.synchro = false;
     if (jammed.size() == 0 && jam) jammed = input.motors;
     if (jam) input.motors = jammed;
-    input.synchronised = synchronised;
-    input.fault = fault;
+    if (positions_lost) input.synchronised = false;
+    if (input.fault == ErrorCode::none) input.fault = fault;
   }
   bool powered = false;
   bool jam = false;
-  bool synchronised = true;
+  bool blind = false;  ///< the synchronisation switches are dead
+  /// Of the shafts since the start, whatever they count from.
+  const JointVector& travelled() const { return travel_; }
+  bool positions_lost = false;
   ErrorCode fault = ErrorCode::none;
   JointVector jammed;
+
+ private:
+  JointVector last_, travel_;
+  bool was_synchronised_ = false;
 };
 
 /// One robot in lockstep: the servo's tick, then the comms side, as the participant of a deployment runs them.
 template <class Model>
 struct Rig {
-  explicit Rig(bool on = true) {
+  explicit Rig(bool on = true, bool synchronised = true) : hardware(model, kPeriod, synchronised) {
     effector.enable(on);
     tick();
   }
@@ -60,10 +75,11 @@ struct Rig {
   const Snapshot& seen() const { return servo.snapshot(); }
 
   Model model;
-  FaultyHardware hardware{model, kPeriod};
+  FaultyHardware hardware;
   HandOver hand_over;
-  Servo servo{model, hardware, kPeriod, hand_over};
-  Effector effector{model, kPeriod, hand_over};
+  ModelSet models{model};
+  Servo servo{models, hardware, kPeriod, hand_over};
+  Effector effector{models, kPeriod, hand_over};
   Tick now = 0;  ///< the tick to be executed next
   std::uint64_t number = 0;
   Reply answer;

@@ -33,15 +33,12 @@ TEST(Servo, SwitchingOnMakesTheMeasuredPositionTheDesiredOne) {
   EXPECT_EQ(rig.seen().joints[0], measured);  // no jump, not even of one encoder increment
 }
 
-TEST(Servo, AnUnsynchronisedRobotOnlyHolds) {
+TEST(Servo, DrivesThatLoseTheirPositionsStopTheRobot) {
   Rig<Slide> rig;
-  rig.hardware.synchronised = false;
-  rig.tick();
-  ASSERT_TRUE(rig.send(joint_command(one(0.3), 1000, 1)));
-  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::not_synchronised);
-  RobotCommand hold;
-  hold.kind = CommandKind::hold;
-  EXPECT_FALSE(rig.send(hold));
+  rig.hardware.positions_lost = true;
+  rig.run(100);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::drive_fault);
+  EXPECT_FALSE(rig.hardware.powered);
 }
 
 TEST(Servo, TooLargeAFollowingErrorStopsTheRobotAndSwitchesTheDrivesOff) {

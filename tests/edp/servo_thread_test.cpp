@@ -39,8 +39,9 @@ TEST(ServoThread, TicksTheServoWakesTheCommsSideAndEndsWithTheRobotAtRestAndTheD
   GridClock clock;
   FaultyHardware hardware(model, clock.period());
   HandOver hand_over;
-  Servo servo(model, hardware, clock.period(), hand_over);
-  Effector effector(model, clock.period(), hand_over);
+  const ModelSet models(model);
+  Servo servo(models, hardware, clock.period(), hand_over);
+  Effector effector(models, clock.period(), hand_over);
   effector.enable(true);
   {
     ServoThread thread(servo, clock);

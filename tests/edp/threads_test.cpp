@@ -16,8 +16,9 @@ TEST(HandOver, TwoThreadsLoseNoCommandAndNeverTearASetPoint) {
   const Slide model;
   FaultyHardware hardware(model, kPeriod);
   HandOver hand_over;
-  Servo servo(model, hardware, kPeriod, hand_over);
-  Effector effector(model, kPeriod, hand_over);
+  const ModelSet models(model);
+  Servo servo(models, hardware, kPeriod, hand_over);
+  Effector effector(models, kPeriod, hand_over);
   effector.enable(true);
 
   std::atomic<bool> done{false};

@@ -62,7 +62,8 @@ struct Edp {
   std::shared_ptr<const RobotModel> model;
   edp::MujocoHardware hardware;
   edp::HandOver hand_over;
-  edp::Servo servo{*model, hardware, kPeriod, hand_over};
+  edp::ModelSet models{*model};
+  edp::Servo servo{models, hardware, kPeriod, hand_over};
   edp::Effector effector{*model, kPeriod, hand_over};
   std::uint64_t number = 0;
   RobotState last;

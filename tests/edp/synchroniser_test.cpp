@@ -1,0 +1,154 @@
+#include "edp/synchroniser.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "random_values.hpp"
+#include "rig.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+constexpr double kIncrement = 2 * std::numbers::pi / 4000;
+
+/// A gantry with switches; the axes synchronise from the last to the first.
+class Switched : public Gantry {
+ public:
+  Switched() {
+    for (AxisParameters& axis : parameters_.axes) {
+      axis.motor_min = -100;
+      axis.motor_max = 100;
+      axis.motor_synchro = -15.9;
+      axis.synchro_coarse = -15;
+      axis.synchro_fine = -3.5;
+    }
+    parameters_.axes[1].synchro_coarse = 15;  // from the other side
+    parameters_.axes[1].synchro_fine = 3.5;
+    parameters_.synchro_order = {3, 2, 1, 0};
+  }
+};
+
+/// Starts where the case says; `home` is where the simulated robot stands.
+class Placed : public Switched {
+ public:
+  Placed() { parameters_.home = where(); }
+  static JointVector& where() {
+    static JointVector home = JointVector::Zero(4);
+    return home;
+  }
+};
+
+RobotCommand command_of(CommandKind kind) {
+  RobotCommand command;
+  command.kind = kind;
+  return command;
+}
+
+TEST(Synchronisation, FindsTheAbsolutePositionsFromAnywhereWithinTheLimits) {
+  EXPECT_TRUE(rc::check([] {
+    Placed::where() = random_vector(4, 0.99);
+    Rig<Placed> rig(true, false);
+    RC_ASSERT(!rig.seen().synchronised);
+    RC_ASSERT(rig.seen().joints.isZero(0));  // it counts from where the power came on
+    RC_ASSERT(!rig.send(command_of(CommandKind::synchronise)));
+    DesiredState previous = rig.seen().desired;
+    const auto& limits = rig.models.at(ModelSet::kShafts).parameters().axes;
+    int moving = 0;
+    while (rig.replies.empty() && rig.now < 200'000) {
+      rig.tick();
+      const DesiredState& desired = rig.seen().desired;
+      if (rig.seen().synchronised) break;
+      int axes = 0;
+      for (int i = 0; i < 4; ++i) {
+        const AxisParameters& axis = limits[static_cast<std::size_t>(i)];
+        axes += desired.velocity[i] != 0;
+        RC_ASSERT(std::abs(desired.velocity[i]) <= 15 * (1 + 1e-9));
+        RC_ASSERT(std::abs(desired.acceleration[i]) <= axis.acceleration_max * (1 + 1e-9));
+        RC_ASSERT(std::abs(desired.acceleration[i] - previous.acceleration[i]) <= axis.jerk_max * kPeriod * (1 + 1e-6));
+        const double way = desired.position[i] - previous.position[i];
+        RC_ASSERT(std::abs(way - 0.5 * kPeriod * (desired.velocity[i] + previous.velocity[i])) < 1e-3);
+      }
+      RC_ASSERT(axes <= 1);  // one after the other
+      moving += axes;
+      previous = desired;
+    }
+    RC_ASSERT(moving > 0);
+    RC_ASSERT(rig.replies.size() == 1u);
+    RC_ASSERT(rig.replies[0].state.error.error_class == ErrorClass::none);
+    RC_ASSERT(rig.replies[0].state.synchronised);
+    rig.run(200);
+    // the true shafts, which nobody outside the plant knows
+    for (int i = 0; i < 4; ++i) {
+      const double home = GearedModel::kGear * Placed::where()[i];
+      RC_ASSERT(std::abs(rig.hardware.travelled()[i] + home - rig.seen().motors[i]) < 2 * kIncrement);
+      RC_ASSERT(std::abs(rig.seen().joints[i] - rig.seen().motors[i] / GearedModel::kGear) < 1e-12);
+    }
+    RC_ASSERT(rig.seen().fault.code == ErrorCode::none);
+    RC_ASSERT(!rig.send(joint_command(JointVector::Zero(4), 3000, 3000)));
+    rig.run(3200);
+    RC_ASSERT((rig.seen().joints).norm() < 1e-3);
+  }));
+}
+
+TEST(Synchronisation, BeforeItOnlySlowRelativeMotorMotion) {
+  Rig<Switched> rig(true, false);
+  RobotCommand motor = joint_command(JointVector::Constant(4, 1.0), 500, 500);
+  motor.kind = CommandKind::motor;
+  ASSERT_TRUE(rig.send(motor));
+  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::not_synchronised);
+  for (const CommandKind kind : {CommandKind::joint, CommandKind::pose, CommandKind::joint_velocity, CommandKind::twist,
+                                 CommandKind::use_model}) {
+    RobotCommand command = motor;
+    command.kind = kind;
+    command.relative = true;
+    ASSERT_TRUE(rig.send(command));
+    EXPECT_EQ(rig.answer.state.error.code, ErrorCode::not_synchronised);
+  }
+  motor.relative = true;
+  ASSERT_FALSE(rig.send(motor));
+  rig.run(600);
+  EXPECT_NEAR(rig.seen().motors[2], 1.0, 2 * kIncrement);
+  motor.motion_steps = motor.reply_step = 50;
+  ASSERT_TRUE(rig.send(motor));
+  EXPECT_NE(rig.answer.state.error.code, ErrorCode::none);  // too fast: 37 rad/s
+}
+
+TEST(Synchronisation, ASwitchThatNeverClosesIsAHardwareError) {
+  Rig<Switched> rig(true, false);
+  rig.hardware.blind = true;
+  ASSERT_FALSE(rig.send(command_of(CommandKind::synchronise)));
+  while (rig.replies.empty() && rig.now < 100'000) rig.tick();
+  ASSERT_EQ(rig.replies.size(), 1u);
+  const ErrorReport& error = rig.replies[0].state.error;
+  EXPECT_EQ(error.error_class, ErrorClass::hardware);
+  EXPECT_EQ(error.code, ErrorCode::synchronisation_failed);
+  EXPECT_EQ(rig.seen().fault.axis, 3);
+  rig.run(500);
+  EXPECT_FALSE(rig.hardware.powered);
+  // mended: it can be tried again
+  rig.hardware.blind = false;
+  rig.replies.clear();
+  ASSERT_FALSE(rig.send(command_of(CommandKind::recover)));
+  rig.run(5);
+  ASSERT_EQ(rig.replies.size(), 1u);
+  EXPECT_EQ(rig.replies[0].state.error.error_class, ErrorClass::none);
+  rig.replies.clear();
+  ASSERT_FALSE(rig.send(command_of(CommandKind::synchronise)));
+  while (rig.replies.empty() && rig.now < 300'000) rig.tick();
+  EXPECT_TRUE(rig.seen().synchronised);
+}
+
+TEST(Synchronisation, IsRefusedTwiceAndWithoutSwitches) {
+  Rig<Switched> rig;
+  ASSERT_TRUE(rig.send(command_of(CommandKind::synchronise)));
+  EXPECT_EQ(rig.answer.state.error.detail.view(), "already synchronised");
+  Rig<Gantry> bare(true, false);
+  ASSERT_TRUE(bare.send(command_of(CommandKind::synchronise)));
+  EXPECT_EQ(bare.answer.state.error.detail.view(), "axis x has no synchronisation switch");
+}
+
+}  // namespace
+}  // namespace mrroc::edp
