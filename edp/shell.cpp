@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "edp/describe.hpp"
 #include "edp/effector.hpp"
 #include "edp/loopback_hardware.hpp"
 #include "edp/mujoco_hardware.hpp"
@@ -148,6 +149,7 @@ class Shell {
 }  // namespace
 
 int run(int argc, char** argv, const ModelFactory& factory) {
+  if (argc > 1 && describes(argv[1])) return describe(argc, argv, factory());
   return process::run_process(argc, argv, links::ProcessRole::edp, [&factory](process::Process& process) {
     // on the heap: the hand-over's queues are larger than a stack should be
     std::make_unique<Shell>(process, factory)->serve();
