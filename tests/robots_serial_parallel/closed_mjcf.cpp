@@ -88,4 +88,21 @@ Jacobian ClosedMjcf::tool_jacobian() const {
   return result - twist_by_passive * by_passive.partialPivLu().solve(by_driven);
 }
 
+JointVector ClosedMjcf::holding_forces() {
+  mj_fwdVelocity(model.get(), data.get());
+  const Dense rows(data->efc_J, kEquations, model->nv);
+  Matrix6 by_passive, by_driven;
+  Eigen::Matrix<double, 6, 1> weight_on_passive, weight_on_driven;
+  for (int i = 0; i < 6; ++i) {
+    const auto each = static_cast<std::size_t>(i);
+    by_passive.col(i) = rows.col(passive_[each]);
+    by_driven.col(i) = rows.col(driven_[each]);
+    weight_on_passive[i] = data->qfrc_bias[passive_[each]];
+    weight_on_driven[i] = data->qfrc_bias[driven_[each]];
+  }
+  // the loops' forces carry what weighs on joints without a drive
+  const Eigen::Matrix<double, 6, 1> loops = by_passive.transpose().partialPivLu().solve(weight_on_passive);
+  return weight_on_driven - by_driven.transpose() * loops;
+}
+
 }  // namespace mrroc

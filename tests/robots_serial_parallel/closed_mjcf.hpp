@@ -29,6 +29,8 @@ class ClosedMjcf {
   Pose site(const char* name) const;
   /// d twist of the site "tool" / d driven joints, the loops kept closed; after `close`.
   Jacobian tool_jacobian() const;
+  /// Forces (N) and torques (N m) of the driven joints that carry the weight of all parts; after `close`.
+  JointVector holding_forces();
 
  private:
   int dof(const char* joint) const;

@@ -70,6 +70,31 @@ TEST(SerialParallelMjcf, ArmatureAndDampingAreTheDrivesSeenFromTheJoints) {
   }
 }
 
+TEST(SerialParallelMjcf, DrivesCarryTheMachineInEveryPostureAlsoAtFullSpeed) {
+  ClosedMjcf mjcf;
+  std::mt19937_64 random(kSeed);
+  const JointVector gears = geometry().gears.cwiseAbs();
+  const JointVector friction = per_axis(&AxisParameters::viscous_friction).cwiseProduct(gears);
+  JointVector worst = JointVector::Zero(6);
+  for (int i = 0; i < 5000; ++i) {
+    mjcf.reset();
+    ASSERT_TRUE(mjcf.close(random_posture(random)));
+    worst = worst.cwiseMax(mjcf.holding_forces().cwiseAbs());
+  }
+  const JointVector amperes_per_force = gears.cwiseProduct(per_axis(&AxisParameters::torque_constant)).cwiseInverse();
+  const JointVector holding = worst.cwiseProduct(amperes_per_force);
+  const JointVector moving = holding + friction.cwiseProduct(per_axis(&AxisParameters::velocity_max))
+                                           .cwiseQuotient(per_axis(&AxisParameters::torque_constant));
+  std::printf("seed %llu, worst of 5000: legs %.0f %.0f %.0f N, wrist %.1f %.1f %.1f N m\n",
+              static_cast<unsigned long long>(kSeed), worst[0], worst[1], worst[2], worst[3], worst[4], worst[5]);
+  std::printf("current: %.2f %.2f %.2f %.2f %.2f %.2f A; at full speed %.2f %.2f %.2f %.2f %.2f %.2f A\n", holding[0],
+              holding[1], holding[2], holding[3], holding[4], holding[5], moving[0], moving[1], moving[2], moving[3],
+              moving[4], moving[5]);
+  EXPECT_GT(worst.head<3>().maxCoeff(), 20) << "the machine weighs something";
+  EXPECT_LT(holding.cwiseQuotient(per_axis(&AxisParameters::current_max)).maxCoeff(), 0.3);
+  EXPECT_LT(moving.cwiseQuotient(per_axis(&AxisParameters::current_max)).maxCoeff(), 0.7);
+}
+
 /// Whether the posture's tool is above the bed, beside the posts: what no joint limit knows.
 bool clear_of_the_portal(const Pose& tip) {
   const Eigen::Vector3d p = tip.translation();

@@ -1,119 +1,7 @@
-// The machine in the simulated world with its whole EDP core around it: effector, servo, driver.
-#include <gtest/gtest.h>
-
-#include <memory>
-
-#include "edp/effector.hpp"
-#include "edp/mujoco_hardware.hpp"
-#include "edp/servo.hpp"
-#include "fixture.hpp"
-#include "mrroc/robots/serial_parallel.hpp"
-#include "sim/simulation.hpp"
+#include "world_fixture.hpp"
 
 namespace mrroc {
 namespace {
-
-constexpr double kPeriod = 0.002;
-
-config::Deployment one_machine() {
-  config::Deployment deployment;
-  deployment.file = std::filesystem::path(MRROC_SOURCE_DIR) / "tests/robots_serial_parallel/test.toml";
-  deployment.sim.emplace();
-  deployment.sim->scene = deployment.file.parent_path() / "scene.xml";
-  config::RobotEntry robot;
-  robot.name = "machine";
-  robot.type = "serial_parallel";
-  robot.hardware = "mujoco";
-  robot.base.translation().z() = 0.6;
-  deployment.robots.push_back(robot);
-  return deployment;
-}
-
-class SerialParallelWorld : public testing::Test {
- protected:
-  SerialParallelWorld() : simulation(one_machine(), *memory) {
-    simulation.publish_initial();
-    residual();
-    effector.enable(true);
-    tick();
-  }
-
-  void tick() {
-    servo.tick(now);
-    edp::Reply reply;
-    while (effector.poll(reply)) last = reply.state;
-  }
-  void run(Tick ticks) {
-    for (Tick i = 0; i < ticks; ++i) {
-      simulation.step(++now);
-      tick();
-      worst_residual = std::max(worst_residual, residual());
-      ASSERT_EQ(contacts(), 0) << "tick " << now;
-    }
-  }
-  /// A joint move of `ticks` and the second after it.
-  void go(const JointVector& joints, std::uint16_t ticks) {
-    edp::Reply refusal;
-    RobotCommand command;
-    command.kind = CommandKind::joint;
-    command.joints = joints;
-    command.motion_steps = ticks;
-    command.reply_step = ticks;
-    ASSERT_FALSE(effector.accept(command, ++number, refusal)) << refusal.state.error.detail.view();
-    run(ticks + 500U);
-    ASSERT_TRUE(servo.snapshot().enabled) << static_cast<int>(servo.snapshot().fault.code);
-  }
-  /// Largest distance between the two ends of a loop, m.
-  double residual() {
-    const mjData& data = simulation.world().data();
-    return Eigen::Map<const Eigen::Matrix<double, 6, 1>>(data.efc_pos).cwiseAbs().maxCoeff();
-  }
-  /// Contacts of the machine's moving parts.
-  int contacts() {
-    const mjModel& model = simulation.world().model();
-    const mjData& data = simulation.world().data();
-    int count = 0;
-    for (int i = 0; i < data.ncon; ++i) {
-      for (const int geom : {data.contact[i].geom1, data.contact[i].geom2}) {
-        count += model.body_weldid[model.geom_bodyid[geom]] != 0 ? 1 : 0;
-      }
-    }
-    return count;
-  }
-  Pose tool_in_world() {
-    const mjModel& model = simulation.world().model();
-    const mjData& data = simulation.world().data();
-    const int site = mj_name2id(&model, mjOBJ_SITE, "machine/tool");
-    Pose pose = Pose::Identity();
-    pose.translation() = Eigen::Map<const Eigen::Vector3d>(data.site_xpos + 3 * site);
-    pose.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data.site_xmat + 9 * site);
-    return pose;
-  }
-  /// Where the simulated tool is, seen from where the model has it at the measured joints.
-  double model_error() {
-    Pose expected = machine().flange(servo.snapshot().joints) * machine().default_tool();
-    expected.translation().z() += 0.6;
-    return pose_difference(tool_in_world(), expected);
-  }
-  JointVector down_at(double x, double y, double z) const {
-    JointVector joints;
-    EXPECT_EQ(machine().inverse(SerialParallel::tool_down(x, y, z) * machine().default_tool().inverse(),
-                                machine().parameters().home, joints),
-              ErrorCode::none);
-    return joints;
-  }
-
-  std::unique_ptr<sim::WorldMemory> memory = std::make_unique<sim::WorldMemory>();
-  sim::Simulation simulation;
-  edp::MujocoHardware hardware{machine(), *memory, 0, edp::MujocoHardware::Timing::lockstep};
-  edp::HandOver hand_over;
-  edp::Servo servo{machine(), hardware, kPeriod, hand_over};
-  edp::Effector effector{machine(), kPeriod, hand_over};
-  std::uint64_t number = 0;
-  Tick now = 0;
-  RobotState last;
-  double worst_residual = 0;
-};
 
 TEST_F(SerialParallelWorld, StartsAtHomeWithItsLoopsClosed) {
   EXPECT_LT(residual(), 1e-12);
@@ -157,6 +45,47 @@ TEST_F(SerialParallelWorld, GoesWhereItIsSentWithItsLoopsClosed) {
               worst_model_error);
   EXPECT_LT(worst_residual, 1e-5);
   EXPECT_LT(worst_model_error, 1e-5);
+}
+
+// what engraving is made of: a stream of poses with their twists, each in time for the one before
+TEST_F(SerialParallelWorld, DrawsAStraightLineAcrossTheBoard) {
+  constexpr int kSteps = 250, kTicks = 10;
+  const Eigen::Vector3d from(-0.03, -0.09, -0.55), way(0.16, 0.18, 0);
+  go(down_at(from.x(), from.y(), from.z()), 2500);
+  if (HasFatalFailure()) return;
+  const auto command_of = [&](int step) {
+    const double phase = M_PI * step / kSteps;
+    const Eigen::Vector3d point = from + way * (1 - std::cos(phase)) / 2;
+    RobotCommand command;
+    command.kind = CommandKind::pose;
+    command.motion_steps = command.reply_step = kTicks;
+    command.pose = SerialParallel::tool_down(point.x(), point.y(), point.z());
+    command.twist.head<3>() = way * std::sin(phase) / 2 * M_PI / (kSteps * kTicks * kPeriod);
+    if (step == kSteps) command.twist.setZero();
+    return command;
+  };
+  double off_the_line = 0, off_upright = 0;
+  for (int step = 1; step <= kSteps; ++step) {
+    edp::Reply refusal;
+    ASSERT_FALSE(effector.accept(command_of(step), ++number, refusal)) << refusal.state.error.detail.view();
+    for (int i = 0; i < (step == 1 ? kTicks / 2 : kTicks); ++i) {
+      run(1);
+      const Pose tool = tool_in_world();
+      const Eigen::Vector3d since = tool.translation() - Eigen::Vector3d(0, 0, 0.6) - from;
+      off_the_line = std::max(off_the_line, (since - way * way.dot(since) / way.squaredNorm()).norm());
+      off_upright = std::max(off_upright, (tool.linear().col(2) + Eigen::Vector3d::UnitZ()).norm());
+    }
+  }
+  run(100);
+  ASSERT_EQ(last.error.error_class, ErrorClass::none) << last.error.detail.view();
+  const Eigen::Vector3d end = tool_in_world().translation() - Eigen::Vector3d(0, 0, 0.6);
+  std::printf(
+      "a line of %.2f m in %.1f s: tip within %.1e m, spindle within %.1e rad; its end within %.1e m; loops %.1e m\n",
+      way.norm(), kSteps * kTicks * kPeriod, off_the_line, off_upright, (end - from - way).norm(), worst_residual);
+  EXPECT_LT(off_the_line, 2e-4);
+  EXPECT_LT(off_upright, 3e-3);
+  EXPECT_LT((end - from - way).norm(), 2e-5);
+  EXPECT_LT(worst_residual, 1e-5);
 }
 
 TEST_F(SerialParallelWorld, BrakesHoldItWhereItStands) {
