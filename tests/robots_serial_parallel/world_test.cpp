@@ -88,6 +88,21 @@ TEST_F(SerialParallelWorld, DrawsAStraightLineAcrossTheBoard) {
   EXPECT_LT(worst_residual, 1e-5);
 }
 
+TEST_F(SerialParallelWorld, JointsPastAPassiveLimitAreRefusedBeforeAnythingMoves) {
+  RobotCommand command;
+  command.kind = CommandKind::joint;
+  command.joints = machine().parameters().home;
+  command.joints[0] -= 0.035;
+  command.joints[2] += 0.035;  // each leg within its limits, both together lean too far
+  command.motion_steps = command.reply_step = 5000;
+  edp::Reply refusal;
+  ASSERT_TRUE(effector.accept(command, ++number, refusal));
+  EXPECT_EQ(refusal.state.error.error_class, ErrorClass::non_fatal) << refusal.state.error.detail.view();
+  EXPECT_EQ(refusal.state.error.code, ErrorCode::motor_limit) << refusal.state.error.detail.view();
+  run(10);
+  EXPECT_TRUE(servo.snapshot().enabled);
+}
+
 TEST_F(SerialParallelWorld, BrakesHoldItWhereItStands) {
   run(100);
   effector.enable(false);
