@@ -1,0 +1,62 @@
+#include "robots/serial_parallel/serial_parallel_model.hpp"
+
+#include <string>
+#include <utility>
+
+#include "config/robot_parameters_file.hpp"
+#include "robots/serial_parallel/geometry_file.hpp"
+
+namespace mrroc {
+namespace {
+
+constexpr int kAxes = 6;
+
+JointVector synchro_motors(const RobotParameters& parameters) {
+  JointVector positions(kAxes);
+  for (int i = 0; i < kAxes; ++i) positions[i] = parameters.axes.at(static_cast<std::size_t>(i)).motor_synchro;
+  return positions;
+}
+
+}  // namespace
+
+SerialParallelModel::SerialParallelModel(RobotParameters parameters, const serial_parallel::Geometry& geometry)
+    : parameters_(std::move(parameters)),
+      kinematics_(geometry),
+      gears_(geometry.gears),
+      synchro_motors_(synchro_motors(parameters_)),
+      synchro_joints_(geometry.synchro),
+      tool_(geometry.tool) {}
+
+ErrorCode SerialParallelModel::motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept {
+  const JointVector found = synchro_joints_ + (motors - synchro_motors_).cwiseQuotient(gears_);
+  if (!found.allFinite()) return ErrorCode::motor_limit;
+  joints = found;
+  return ErrorCode::none;
+}
+
+ErrorCode SerialParallelModel::joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept {
+  const JointVector found = synchro_motors_ + (joints - synchro_joints_).cwiseProduct(gears_);
+  if (!found.allFinite() || !kinematics_.reaches(joints, kOvershoot)) return ErrorCode::joint_limit;
+  motors = found;
+  return ErrorCode::none;
+}
+
+RobotModels load_serial_parallel(const std::filesystem::path& file) {
+  const auto table = config::Table::load(file);
+  auto parameters = config::read_robot_parameters(table);
+  if (parameters.axes.size() != kAxes) {
+    table.fail("axes", std::to_string(parameters.axes.size()) + " axes", std::to_string(kAxes) + " axes");
+  }
+  const auto geometry = serial_parallel::read_geometry(table.table("geometry"));
+  if (!serial_parallel::Kinematics(geometry).reaches(parameters.home, 0)) {
+    table.fail("home", "the legs do not close within the passive limits", "joints that the tripod can take");
+  }
+  table.finish();
+  return {std::make_shared<SerialParallelModel>(std::move(parameters), geometry)};
+}
+
+RobotModels load_serial_parallel() {
+  return load_serial_parallel(config::robot_file("serial_parallel", "serial_parallel.toml"));
+}
+
+}  // namespace mrroc

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+
+#include "mrroc/robot_model.hpp"
+#include "robots/serial_parallel/kinematics.hpp"
+
+namespace mrroc {
+
+/// A tripod with a wrist that hangs in a portal and carries a milling spindle. Joints: leg_a, leg_b, leg_c (m),
+/// wrist_turn, wrist_bend, wrist_roll (rad); the base frame is on the common axis of legs A and C, z up
+/// (kinematics.hpp). Each motor drives one joint: motor = gear (joint - synchro position) with the file's gears.
+///
+/// Joints with a passive joint more than `kOvershoot` beyond its limit have no motors (`joint_limit`): so no path leads
+/// through them, while a robot that stands at a limit may swing over it. `inverse` grants nothing. Garbage gets an
+/// error, never a NaN: outputs of a failed call are left as they were.
+class SerialParallelModel final : public RobotModel {
+ public:
+  /// `parameters` of six axes; `geometry` valid as `serial_parallel::read_geometry` checks it.
+  SerialParallelModel(RobotParameters parameters, const serial_parallel::Geometry& geometry);
+
+  static constexpr double kOvershoot = 0.0175;  ///< rad
+
+  const RobotParameters& parameters() const noexcept override { return parameters_; }
+  ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept override;
+  ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept override;
+  JointMatrix transmission(const JointVector&) const noexcept override { return gears_.asDiagonal(); }
+  Pose default_tool() const noexcept override { return tool_; }
+  Pose flange(const JointVector& joints) const noexcept override { return kinematics_.flange(joints); }
+  ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override {
+    return kinematics_.inverse(flange, near, joints);
+  }
+  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
+    return kinematics_.jacobian(joints, offset);
+  }
+
+ private:
+  RobotParameters parameters_;
+  serial_parallel::Kinematics kinematics_;
+  JointVector gears_;
+  JointVector synchro_motors_;
+  JointVector synchro_joints_;
+  Pose tool_;
+};
+
+/// Reads a parameter file of this robot. Throws ConfigurationError. Configuration time only.
+RobotModels load_serial_parallel(const std::filesystem::path& file);
+
+/// The same of the installed robots/serial_parallel/serial_parallel.toml.
+RobotModels load_serial_parallel();
+
+}  // namespace mrroc

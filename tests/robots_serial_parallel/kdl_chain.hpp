@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <kdl/chain.hpp>
+#include <string>
+
+namespace mrroc {
+
+/// The chain of a URDF from its root link to `tip`, without masses.
+KDL::Chain kdl_chain(const std::filesystem::path& urdf, const std::string& tip);
+
+}  // namespace mrroc
