@@ -107,8 +107,9 @@ class SerialParallelWorld : public testing::Test {
   sim::Simulation simulation;
   edp::MujocoHardware hardware{machine(), *memory, 0, edp::MujocoHardware::Timing::lockstep};
   edp::HandOver hand_over;
-  edp::Servo servo{machine(), hardware, kPeriod, hand_over};
-  edp::Effector effector{machine(), kPeriod, hand_over};
+  edp::ModelSet models{machine()};
+  edp::Servo servo{models, hardware, kPeriod, hand_over};
+  edp::Effector effector{models, kPeriod, hand_over};
   std::uint64_t number = 0;
   Tick now = 0;
   RobotState last;
