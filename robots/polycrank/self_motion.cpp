@@ -36,7 +36,7 @@ SelfMotion::SelfMotion(const PlanarPair& shoulder, const PlanarPair& elbow, cons
 }
 
 Cranks SelfMotion::nearest(const Cranks& near) const noexcept {
-  Cranks q = posture_;
+  Cranks q = start(near);
   double longest = kLongestStep, last_step = 0, last_distance = 0;
   for (int i = 0; i < kSteps; ++i) {
     const Cranks curve = direction(q);
@@ -58,6 +58,14 @@ Cranks SelfMotion::nearest(const Cranks& near) const noexcept {
     }
   }
   return q;
+}
+
+Cranks SelfMotion::start(const Cranks& near) const noexcept {
+  Cranks straight = near;
+  straight.head<3>().array() += (posture_ - near).head<3>().mean();
+  straight.tail<3>().array() += (posture_ - near).tail<3>().mean();
+  const bool better = come_back(straight) && (straight - near).squaredNorm() < (posture_ - near).squaredNorm();
+  return better ? straight : posture_;
 }
 
 Cranks SelfMotion::direction(const Cranks& q) const noexcept {

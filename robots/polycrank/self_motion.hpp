@@ -24,6 +24,7 @@ class SelfMotion {
   Cranks nearest(const Cranks& near) const noexcept;
 
  private:
+  Cranks start(const Cranks& near) const noexcept;
   Cranks direction(const Cranks& q) const noexcept;
   bool come_back(Cranks& q) const noexcept;
   Eigen::Vector3d reach(const Cranks& q) const noexcept;
