@@ -30,9 +30,10 @@ KDL::Joint joint(const urdf::Joint& j) {
     case urdf::Joint::FIXED:
       return KDL::Joint(j.name, KDL::Joint::None);
     case urdf::Joint::REVOLUTE:
+    case urdf::Joint::CONTINUOUS:
       return KDL::Joint(j.name, origin.p, origin.M * vector(j.axis), KDL::Joint::RotAxis);
     default:
-      throw std::runtime_error("joint " + j.name + " is neither fixed nor revolute");
+      throw std::runtime_error("joint " + j.name + " is neither fixed nor revolute nor continuous");
   }
 }
 
