@@ -18,17 +18,21 @@ ErrorReport line(const Eigen::Vector3d& velocity, const JointVector& start, Join
   Macrostep macrostep;
   DesiredState state = DesiredState::resting_at(start);
   Pose pose = kinematics.direct(start);
-  double before = 0;
+  const Eigen::Vector3d from = pose.translation();
   for (int i = 1; i <= 100; ++i) {
-    const double ramp = std::min(i / 25.0, 1.0);
+    // the speed rises as u^2 (3 - 2u), u = t / D, within a quarter of the way
+    constexpr double kRamp = 25 * kSteps * kPeriod;
+    const double t = i * kSteps * kPeriod, u = std::min(t / kRamp, 1.0);
+    const double way = u < 1 ? kRamp * u * u * u * (1 - u / 2) : t - kRamp / 2;
     RobotCommand command;
     command.kind = CommandKind::pose;
     command.motion_steps = kSteps;
     command.reply_step = kSteps;
-    pose.translation() += velocity * (before + ramp) / 2 * kSteps * kPeriod;
-    before = ramp;
+    pose.translation() = from + velocity * way;
     command.pose = pose;
-    command.twist << velocity * ramp, Eigen::Vector3d::Zero();
+    command.twist << velocity * (u * u * (3 - 2 * u)), Eigen::Vector3d::Zero();
+    command.twist_rate = JointVector::Zero(6);
+    command.twist_rate.head<3>() = velocity * (6 * u * (1 - u) / kRamp);
     const ErrorReport report = planner.plan(command, state, Pace::as_commanded, macrostep);
     if (report.error_class != ErrorClass::none) return report;
     state = macrostep.to;
