@@ -20,8 +20,8 @@ ErrorReport line(const Eigen::Vector3d& velocity, const JointVector& start, Join
   Pose pose = kinematics.direct(start);
   const Eigen::Vector3d from = pose.translation();
   for (int i = 1; i <= 100; ++i) {
-    // the speed rises as u^2 (3 - 2u), u = t / D, within a quarter of the way
-    constexpr double kRamp = 25 * kSteps * kPeriod;
+    // the speed rises as u^2 (3 - 2u), u = t / D, within a third of the time
+    constexpr double kRamp = 35 * kSteps * kPeriod;
     const double t = i * kSteps * kPeriod, u = std::min(t / kRamp, 1.0);
     const double way = u < 1 ? kRamp * u * u * u * (1 - u / 2) : t - kRamp / 2;
     RobotCommand command;
