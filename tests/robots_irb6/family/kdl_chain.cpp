@@ -1,4 +1,4 @@
-#include "robots_irb6/kdl_chain.hpp"
+#include "robots_irb6/family/kdl_chain.hpp"
 
 #include <urdf_parser/urdf_parser.h>
 
@@ -31,8 +31,10 @@ KDL::Joint joint(const urdf::Joint& j) {
       return KDL::Joint(j.name, KDL::Joint::None);
     case urdf::Joint::REVOLUTE:
       return KDL::Joint(j.name, origin.p, origin.M * vector(j.axis), KDL::Joint::RotAxis);
+    case urdf::Joint::PRISMATIC:
+      return KDL::Joint(j.name, origin.p, origin.M * vector(j.axis), KDL::Joint::TransAxis);
     default:
-      throw std::runtime_error("joint " + j.name + " is neither fixed nor revolute");
+      throw std::runtime_error("joint " + j.name + " is neither fixed, revolute nor prismatic");
   }
 }
 
