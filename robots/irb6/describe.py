@@ -27,10 +27,12 @@ def main():
         links = arm.chain(robot)
         for file, text in ((folder / f"{name}.urdf", urdf.text(robot, links)),
                            (folder / f"{name}.xml", mjcf.text(robot, links))):
-            if arguments.check and (not file.exists() or file.read_text() != text):
+            if file.exists() and file.read_text() == text:
+                continue
+            if arguments.check:
                 print(f"{file} is not what {name}.toml says: run robots/irb6/describe.py {folder}")
                 stale = True
-            elif not arguments.check:
+            else:
                 file.write_text(text)
     return 1 if stale else 0
 
