@@ -35,6 +35,7 @@ class Irb6TrackModel final : public RobotModel {
   Pose default_tool() const noexcept override { return tool_; }
   Pose flange(const JointVector& joints) const noexcept override;
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override;
+  int kept_joint() const noexcept override { return keeps_ == Keeps::track ? 0 : 1; }
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override;
 
  private:

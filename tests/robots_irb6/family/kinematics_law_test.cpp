@@ -55,6 +55,32 @@ TEST(KinematicsLaw, JacobianIsTheDerivativeOfThePose) {
   }));
 }
 
+// what an EDP does with a twist: the joint that the inverse keeps must not be moved by it, or positions and velocities
+// of one path contradict each other
+TEST(KinematicsLaw, TheInverseFollowsATwistWithTheKeptJointStill) {
+  EXPECT_TRUE(rc::check([] {
+    constexpr double kStep = 1e-6;
+    const RobotModel& model = any_model();
+    const JointVector joints = any_posture();
+    Jacobian jacobian = model.jacobian(joints, Eigen::Vector3d::Zero());
+    const int kept = model.kept_joint();
+    if (kept >= 0) jacobian.col(kept).setZero();
+    const Eigen::JacobiSVD<Jacobian> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    RC_PRE(svd.singularValues()[std::min<Eigen::Index>(6, joints.size()) - 1] > 0.02);
+    JointVector speed = JointVector::Zero(joints.size());
+    for (int i = 0; i < speed.size(); ++i) speed[i] = i == kept ? 0 : any_between(-1, 1);
+    const Twist twist = jacobian * speed;
+    Pose pose = model.flange(joints);
+    pose.translation() += kStep * twist.head<3>();
+    const Eigen::Vector3d turn = kStep * twist.tail<3>();
+    pose.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose.linear();
+    JointVector found;
+    // five axes follow a twist of theirs only to first order
+    if (model.inverse(pose, joints, found) != ErrorCode::none) RC_DISCARD("left the workspace");
+    RC_ASSERT(((found - joints) / kStep - JointVector(svd.solve(twist))).cwiseAbs().maxCoeff() < 2e-2);
+  }));
+}
+
 TEST(KinematicsLaw, GarbageGivesACodeOrFiniteNumbers) {
   EXPECT_TRUE(rc::check([] {
     const ToolKinematics kinematics(any_model());
