@@ -30,7 +30,8 @@ def text(robot, links):
     for depth in reversed(range(len(links))):
         lines.append("    " + "  " * depth + "</body>")
     lines += ["  </worldbody>", "", "  <contact>",
-              "    <!-- links near one another overlap by design; MuJoCo filters parent and child only, and not those of the base -->"]
+              "    <!-- links near one another overlap by design; MuJoCo filters parent and child only, and not those of the",
+              "         base -->"]
     lines += [f'    <exclude body1="{a}" body2="{b}"/>' for a, b in _touching(links)]
     lines += ["  </contact>", "", "  <actuator>", "    <!-- torque at the joint, N m; force, N, where it slides -->"]
     joints = [link.joint.name for link in links if link.joint]

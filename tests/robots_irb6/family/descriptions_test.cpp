@@ -148,33 +148,5 @@ TEST(Descriptions, ArmatureAndDampingAreTheDrivesSeenFromTheJointsAtHome) {
   }
 }
 
-TEST(Descriptions, TheArmDoesNotTouchItselfOrItsPost) {
-  Mjcf mjcf(robot_file("xml"));
-  std::vector<JointVector> postures{robot().parameters().home};
-  JointVector synchro;
-  ASSERT_EQ(robot().motors_to_joints(per_axis(&AxisParameters::motor_synchro), synchro), ErrorCode::none);
-  postures.push_back(synchro);
-  std::mt19937_64 random(kSeed);
-  for (int i = 0; i < 2000; ++i) postures.push_back(random_posture(random));
-  for (const JointVector& posture : postures) {
-    mjcf.set_joints(posture);
-    mj_forward(mjcf.model.get(), mjcf.data.get());
-    ASSERT_EQ(mjcf.data->ncon, 0) << posture.transpose() << ": "
-                                  << mj_id2name(mjcf.model.get(), mjOBJ_GEOM, mjcf.data->contact[0].geom1) << " and "
-                                  << mj_id2name(mjcf.model.get(), mjOBJ_GEOM, mjcf.data->contact[0].geom2);
-  }
-}
-
-TEST(Descriptions, TheWristSiteIsOnTheBodyThatCarriesTheTool) {
-  Mjcf mjcf(robot_file("xml"));
-  const int wrist = mj_name2id(mjcf.model.get(), mjOBJ_SITE, "wrist"),
-            tool = mj_name2id(mjcf.model.get(), mjOBJ_SITE, "tool");
-  const int body = mj_name2id(mjcf.model.get(), mjOBJ_BODY, "tool");
-  ASSERT_GE(body, 0);
-  EXPECT_EQ(mjcf.model->site_bodyid[wrist], body);
-  EXPECT_EQ(mjcf.model->site_bodyid[tool], body);
-  EXPECT_EQ(mjcf.model->body_jntnum[body], 0) << "welded, so that the sensor measures all of it";
-}
-
 }  // namespace
 }  // namespace mrroc
