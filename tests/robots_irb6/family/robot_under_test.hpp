@@ -1,35 +1,37 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <random>
+#include <string>
 
-#include "config/table.hpp"
 #include "mrroc/tool_kinematics.hpp"
-#include "robots/irb6/geometry_file.hpp"
-#include "robots/irb6/irb6_model.hpp"
 
 namespace mrroc {
 
-inline std::filesystem::path irb6_source(const std::string& name) {
-  return std::filesystem::path(MRROC_SOURCE_DIR) / "robots/irb6" / name;
+/// The robot of the family that a test executable is about.
+struct RobotUnderTest {
+  std::string name;
+  RobotModels models;
+};
+
+/// Defined once in every test executable.
+const RobotUnderTest& robot_under_test();
+
+/// Its default model, alone and with the default tool.
+inline const RobotModel& robot() { return *robot_under_test().models.front(); }
+inline ToolKinematics arm() { return ToolKinematics(robot()); }
+
+/// robots/<name>/<name>.<extension> of the source tree.
+inline std::filesystem::path robot_file(const std::string& name, const std::string& extension) {
+  return std::filesystem::path(MRROC_SOURCE_DIR) / "robots" / name / (name + "." + extension);
 }
-
-inline const RobotModel& irb6_model() {
-  static const RobotModels models = load_irb6(irb6_source("irb6.toml"));
-  return *models.front();
-}
-
-/// The same with the default tool.
-inline ToolKinematics irb6_kinematics() { return ToolKinematics(irb6_model()); }
-
-inline irb6::Geometry irb6_geometry() {
-  return irb6::read_geometry(config::Table::load(irb6_source("irb6.toml")).table("geometry"));
+inline std::filesystem::path robot_file(const std::string& extension) {
+  return robot_file(robot_under_test().name, extension);
 }
 
 /// One value per axis, from a member of AxisParameters.
 inline JointVector per_axis(double AxisParameters::*member) {
-  const auto& axes = irb6_model().parameters().axes;
+  const auto& axes = robot().parameters().axes;
   JointVector values(static_cast<Eigen::Index>(axes.size()));
   for (std::size_t i = 0; i < axes.size(); ++i) values[static_cast<Eigen::Index>(i)] = axes[i].*member;
   return values;
@@ -38,15 +40,15 @@ inline JointVector per_axis(double AxisParameters::*member) {
 /// Evenly distributed within the joint limits, without regard to the transmission.
 inline JointVector random_joints(std::mt19937_64& random) {
   const JointVector low = per_axis(&AxisParameters::position_min), high = per_axis(&AxisParameters::position_max);
-  JointVector joints(6);
-  for (int i = 0; i < 6; ++i) joints[i] = std::uniform_real_distribution<double>(low[i], high[i])(random);
+  JointVector joints(robot().joint_count());
+  for (int i = 0; i < joints.size(); ++i) joints[i] = std::uniform_real_distribution<double>(low[i], high[i])(random);
   return joints;
 }
 
 /// Whether the robot can stand there: joint limits are taken as given, motor limits are looked at.
 inline bool within_motor_limits(const JointVector& joints) {
   JointVector motors;
-  if (irb6_model().joints_to_motors(joints, motors) != ErrorCode::none) return false;
+  if (robot().joints_to_motors(joints, motors) != ErrorCode::none) return false;
   return (motors.array() >= per_axis(&AxisParameters::motor_min).array()).all() &&
          (motors.array() <= per_axis(&AxisParameters::motor_max).array()).all();
 }

@@ -2,7 +2,7 @@
 
 #include <rapidcheck.h>
 
-#include "irb6_fixture.hpp"
+#include "robots_irb6/family/robot_under_test.hpp"
 
 namespace mrroc {
 
@@ -16,6 +16,12 @@ inline double any_between(double low, double high) {
 inline JointVector any_posture() {
   std::mt19937_64 random(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1 << 30)));
   return random_posture(random);
+}
+
+/// One of the robot's models.
+inline const RobotModel& any_model() {
+  const RobotModels& models = robot_under_test().models;
+  return *models[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(models.size())))];
 }
 
 /// Numbers of every size, infinities and NaN among them.
@@ -39,8 +45,8 @@ inline double any_garbage() {
 }
 
 inline JointVector any_garbage_joints() {
-  JointVector joints(6);
-  for (int i = 0; i < 6; ++i) joints[i] = any_garbage();
+  JointVector joints(robot().joint_count());
+  for (int i = 0; i < joints.size(); ++i) joints[i] = any_garbage();
   return joints;
 }
 

@@ -1,4 +1,4 @@
-#include "robots_irb6/kdl_chain.hpp"
+#include "robots_irb6/family/kdl_chain.hpp"
 
 #include <urdf_parser/urdf_parser.h>
 
@@ -32,8 +32,10 @@ KDL::Joint joint(const urdf::Joint& j) {
     case urdf::Joint::REVOLUTE:
     case urdf::Joint::CONTINUOUS:
       return KDL::Joint(j.name, origin.p, origin.M * vector(j.axis), KDL::Joint::RotAxis);
+    case urdf::Joint::PRISMATIC:
+      return KDL::Joint(j.name, origin.p, origin.M * vector(j.axis), KDL::Joint::TransAxis);
     default:
-      throw std::runtime_error("joint " + j.name + " is neither fixed nor revolute nor continuous");
+      throw std::runtime_error("joint " + j.name + " is neither fixed, revolute, continuous nor prismatic");
   }
 }
 

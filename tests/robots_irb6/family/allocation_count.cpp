@@ -1,4 +1,4 @@
-#include "robots_irb6/allocation_count.hpp"
+#include "robots_irb6/family/allocation_count.hpp"
 
 #include <atomic>
 #include <cstdlib>

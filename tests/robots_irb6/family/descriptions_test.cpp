@@ -6,9 +6,9 @@
 #include <kdl/chainjnttojacsolver.hpp>
 #include <kdl/frames_io.hpp>
 
-#include "irb6_fixture.hpp"
-#include "robots_irb6/kdl_chain.hpp"
-#include "robots_irb6/mjcf.hpp"
+#include "robots_irb6/family/kdl_chain.hpp"
+#include "robots_irb6/family/mjcf.hpp"
+#include "robots_irb6/family/robot_under_test.hpp"
 
 namespace mrroc {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kSeed = 20060104;
 
 KDL::JntArray kdl_joints(const JointVector& joints) {
-  KDL::JntArray array(6);
+  KDL::JntArray array(static_cast<unsigned>(joints.size()));
   array.data = joints;
   return array;
 }
@@ -28,28 +28,28 @@ Pose pose_of(const KDL::Frame& frame) {
   return pose;
 }
 
-TEST(Irb6Descriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
-  const KDL::Chain chain = kdl_chain(irb6_source("irb6.urdf"), "tool_frame");
-  ASSERT_EQ(chain.getNrOfJoints(), 6u);
+TEST(Descriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
+  const KDL::Chain chain = kdl_chain(robot_file("urdf"), "tool_frame");
+  const int axes = robot().joint_count();
+  ASSERT_EQ(chain.getNrOfJoints(), static_cast<unsigned>(axes));
   KDL::ChainFkSolverPos_recursive forward(chain);
   KDL::ChainJntToJacSolver jacobian_solver(chain);
-  Mjcf mjcf(irb6_source("irb6.xml"));
-  ASSERT_EQ(mjcf.model->nq, 6);
+  Mjcf mjcf(robot_file("xml"));
+  ASSERT_EQ(mjcf.model->nq, axes);
   std::mt19937_64 random(kSeed);
   double worst_kdl = 0, worst_mujoco = 0, worst_jacobian = 0;
   for (int i = 0; i < 10000; ++i) {
     const JointVector joints = random_joints(random);
-    const Pose pose = irb6_kinematics().direct(joints);
+    const Pose pose = arm().direct(joints);
     KDL::Frame frame;
     ASSERT_GE(forward.JntToCart(kdl_joints(joints), frame), 0);
-    KDL::Jacobian jacobian(6);
+    KDL::Jacobian jacobian(chain.getNrOfJoints());
     ASSERT_GE(jacobian_solver.JntToJac(kdl_joints(joints), jacobian), 0);
     mjcf.set_joints(joints);
     mj_kinematics(mjcf.model.get(), mjcf.data.get());
     worst_kdl = std::max(worst_kdl, pose_difference(pose, pose_of(frame)));
     worst_mujoco = std::max(worst_mujoco, pose_difference(pose, mjcf.site("tool")));
-    worst_jacobian =
-        std::max(worst_jacobian, (irb6_kinematics().jacobian(joints) - jacobian.data).cwiseAbs().maxCoeff());
+    worst_jacobian = std::max(worst_jacobian, (arm().jacobian(joints) - jacobian.data).cwiseAbs().maxCoeff());
   }
   std::printf("seed %llu, worst of 10000 poses: URDF by KDL %.1e, MJCF %.1e m or rad, Jacobian %.1e\n",
               static_cast<unsigned long long>(kSeed), worst_kdl, worst_mujoco, worst_jacobian);
@@ -58,23 +58,51 @@ TEST(Irb6Descriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
   EXPECT_LT(worst_jacobian, 1e-9);
 }
 
-TEST(Irb6Descriptions, UrdfAndMjcfHaveTheSameMasses) {
-  const KDL::Chain chain = kdl_chain(irb6_source("irb6.urdf"), "tool_frame");
+TEST(Descriptions, InverseOfKdlsPoseReturnsToTheJoints) {
+  const KDL::Chain chain = kdl_chain(robot_file("urdf"), "tool_frame");
+  KDL::ChainFkSolverPos_recursive forward(chain);
+  std::mt19937_64 random(kSeed);
+  double worst = 0;
+  int singular = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const JointVector joints = random_posture(random);
+    KDL::Frame frame;
+    ASSERT_GE(forward.JntToCart(kdl_joints(joints), frame), 0);
+    for (const auto& model : robot_under_test().models) {
+      if (pose_difference(model->flange(joints), robot().flange(joints)) > 1e-9) continue;  // another geometry
+      JointVector back;
+      const ErrorCode code = model->inverse(pose_of(frame) * robot().default_tool().inverse(), joints, back);
+      if (code == ErrorCode::singular) {
+        ++singular;
+        continue;
+      }
+      ASSERT_EQ(code, ErrorCode::none) << model->name() << " " << joints.transpose();
+      worst = std::max(worst, (back - joints).cwiseAbs().maxCoeff());
+    }
+  }
+  std::printf("seed %llu, worst of 10000 postures: inverse %.1e, singular %d times\n",
+              static_cast<unsigned long long>(kSeed), worst, singular);
+  EXPECT_LT(worst, 1e-9);
+  EXPECT_LT(singular, 10);
+}
+
+TEST(Descriptions, UrdfAndMjcfHaveTheSameMasses) {
+  const KDL::Chain chain = kdl_chain(robot_file("urdf"), "tool_frame");
   KDL::ChainDynParam dynamics(chain, KDL::Vector(0, 0, -9.81));
-  Mjcf mjcf(irb6_source("irb6.xml"));
+  Mjcf mjcf(robot_file("xml"));
   ASSERT_EQ(mjcf.model->opt.gravity[2], -9.81);
   std::mt19937_64 random(kSeed);
   double worst_gravity = 0, worst_mass = 0;
   for (int i = 0; i < 1000; ++i) {
     const JointVector joints = random_joints(random);
-    KDL::JntArray gravity(6);
-    KDL::JntSpaceInertiaMatrix mass(6);
+    KDL::JntArray gravity(chain.getNrOfJoints());
+    KDL::JntSpaceInertiaMatrix mass(chain.getNrOfJoints());
     ASSERT_GE(dynamics.JntToGravity(kdl_joints(joints), gravity), 0);
     ASSERT_GE(dynamics.JntToMass(kdl_joints(joints), mass), 0);
     mjcf.set_joints(joints);
     mj_forward(mjcf.model.get(), mjcf.data.get());
     JointMatrix bare = mjcf.mass_matrix();
-    for (int axis = 0; axis < 6; ++axis) {
+    for (int axis = 0; axis < robot().joint_count(); ++axis) {
       worst_gravity =
           std::max(worst_gravity, std::abs(gravity(static_cast<unsigned>(axis)) - mjcf.data->qfrc_bias[axis]));
       bare(axis, axis) -= mjcf.model->dof_armature[axis];
@@ -86,14 +114,14 @@ TEST(Irb6Descriptions, UrdfAndMjcfHaveTheSameMasses) {
   EXPECT_LT(worst_mass, 1e-9);
 }
 
-TEST(Irb6Descriptions, AxesHaveTheNamesAndLimitsOfTheParameterFile) {
-  const Mjcf mjcf(irb6_source("irb6.xml"));
-  const auto urdf = urdf::parseURDFFile(irb6_source("irb6.urdf").string());
+TEST(Descriptions, AxesHaveTheNamesAndLimitsOfTheParameterFile) {
+  const Mjcf mjcf(robot_file("xml"));
+  const auto urdf = urdf::parseURDFFile(robot_file("urdf").string());
   ASSERT_TRUE(urdf);
-  const auto& axes = irb6_model().parameters().axes;
-  ASSERT_EQ(mjcf.model->njnt, 6);
-  ASSERT_EQ(mjcf.model->nu, 6);
-  for (int i = 0; i < 6; ++i) {
+  const auto& axes = robot().parameters().axes;
+  ASSERT_EQ(mjcf.model->njnt, robot().joint_count());
+  ASSERT_EQ(mjcf.model->nu, robot().joint_count());
+  for (int i = 0; i < robot().joint_count(); ++i) {
     const AxisParameters& axis = axes[static_cast<std::size_t>(i)];
     EXPECT_EQ(mj_id2name(mjcf.model.get(), mjOBJ_JOINT, i), axis.name);
     EXPECT_EQ(mj_id2name(mjcf.model.get(), mjOBJ_ACTUATOR, i), axis.name);
@@ -109,51 +137,15 @@ TEST(Irb6Descriptions, AxesHaveTheNamesAndLimitsOfTheParameterFile) {
   }
 }
 
-TEST(Irb6Descriptions, ArmatureAndDampingAreTheDrivesSeenFromTheJointsAtHome) {
-  const Mjcf mjcf(irb6_source("irb6.xml"));
-  const JointMatrix g = irb6_model().transmission(irb6_model().parameters().home);
+TEST(Descriptions, ArmatureAndDampingAreTheDrivesSeenFromTheJointsAtHome) {
+  const Mjcf mjcf(robot_file("xml"));
+  const JointMatrix g = robot().transmission(robot().parameters().home);
   const JointMatrix inertia = g.transpose() * per_axis(&AxisParameters::rotor_inertia).asDiagonal() * g;
   const JointMatrix friction = g.transpose() * per_axis(&AxisParameters::viscous_friction).asDiagonal() * g;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < robot().joint_count(); ++i) {
     EXPECT_NEAR(mjcf.model->dof_armature[i] / inertia(i, i), 1, 0.001) << i;
     EXPECT_NEAR(mjcf.model->dof_damping[i] / friction(i, i), 1, 0.005) << i;
   }
-}
-
-TEST(Irb6Descriptions, TheArmDoesNotTouchItselfOrItsPost) {
-  Mjcf mjcf(irb6_source("irb6.xml"));
-  std::vector<JointVector> postures{irb6_model().parameters().home};
-  JointVector synchro;
-  ASSERT_EQ(irb6_model().motors_to_joints(per_axis(&AxisParameters::motor_synchro), synchro), ErrorCode::none);
-  postures.push_back(synchro);
-  std::mt19937_64 random(kSeed);
-  for (int i = 0; i < 2000; ++i) postures.push_back(random_posture(random));
-  for (const JointVector& posture : postures) {
-    mjcf.set_joints(posture);
-    mj_forward(mjcf.model.get(), mjcf.data.get());
-    ASSERT_EQ(mjcf.data->ncon, 0) << posture.transpose() << ": "
-                                  << mj_id2name(mjcf.model.get(), mjOBJ_GEOM, mjcf.data->contact[0].geom1) << " and "
-                                  << mj_id2name(mjcf.model.get(), mjOBJ_GEOM, mjcf.data->contact[0].geom2);
-  }
-}
-
-TEST(Irb6Descriptions, ThePostStandsOnTheFloorBelowTheBaseFrame) {
-  Mjcf mjcf(irb6_source("irb6.xml"));
-  mj_kinematics(mjcf.model.get(), mjcf.data.get());
-  const int foot = mj_name2id(mjcf.model.get(), mjOBJ_GEOM, "foot");
-  ASSERT_GE(foot, 0);
-  EXPECT_NEAR(mjcf.data->geom_xpos[3 * foot + 2] - mjcf.model->geom_size[3 * foot + 2], -0.7, 1e-12);
-}
-
-TEST(Irb6Descriptions, TheWristSiteIsOnTheBodyThatCarriesTheTool) {
-  Mjcf mjcf(irb6_source("irb6.xml"));
-  const int wrist = mj_name2id(mjcf.model.get(), mjOBJ_SITE, "wrist"),
-            tool = mj_name2id(mjcf.model.get(), mjOBJ_SITE, "tool");
-  const int body = mj_name2id(mjcf.model.get(), mjOBJ_BODY, "tool");
-  ASSERT_GE(body, 0);
-  EXPECT_EQ(mjcf.model->site_bodyid[wrist], body);
-  EXPECT_EQ(mjcf.model->site_bodyid[tool], body);
-  EXPECT_EQ(mjcf.model->body_jntnum[body], 0) << "welded, so that the sensor measures all of it";
 }
 
 }  // namespace
