@@ -58,6 +58,7 @@ DrivenJoints::DrivenJoints(mjModel& model, const std::string& robot, const std::
   }
   disable_actuators(model);
   find_addresses(model);
+  find_travel_sensors(model);
 }
 
 void DrivenJoints::disable_actuators(mjModel& model) const {
@@ -81,6 +82,16 @@ void DrivenJoints::find_addresses(const mjModel& model) {
         if (dof != joints_[j].dof) continue;
         addresses_[i * kMaxJoints + j] = addresses_[j * kMaxJoints + i] = address;
       }
+    }
+  }
+}
+
+void DrivenJoints::find_travel_sensors(const mjModel& model) {
+  for (int sensor = 0; sensor < model.nsensor; ++sensor) {
+    if (model.sensor_type[sensor] != mjSENS_JOINTPOS) continue;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const bool its_own = model.jnt_dofadr[model.sensor_objid[sensor]] == joints_[i].dof;
+      if (joints_[i].endless && its_own) travel_sensors_.push_back({model.sensor_adr[sensor], i});
     }
   }
 }
@@ -173,6 +184,10 @@ void DrivenJoints::finish(mjData& data) noexcept {
       data.qpos[joint.position] = 0;
     }
   }
+}
+
+void DrivenJoints::add_travel(mjData& data) const noexcept {
+  for (const TravelSensor& sensor : travel_sensors_) data.sensordata[sensor.address] += joints_[sensor.joint].travel;
 }
 
 void DrivenJoints::measure(const mjData& data, JointMeasurement& measurement) const noexcept {

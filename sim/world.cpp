@@ -75,6 +75,7 @@ void World::evaluate_motion() {
   mj_checkVel(model_.get(), data_.get());
   mj_fwdPosition(model_.get(), data_.get());
   mj_sensorPos(model_.get(), data_.get());
+  for (const DrivenJoints& robot : robots_) robot.add_travel(*data_);
   mj_fwdVelocity(model_.get(), data_.get());
   mj_sensorVel(model_.get(), data_.get());
 }

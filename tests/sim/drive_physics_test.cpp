@@ -183,7 +183,8 @@ TEST(DrivePhysics, AnEndlessBeltCarriesAPartAndStaysUnderIt) {
   const std::string conveyor =
       "<mujoco><compiler angle='radian'/><worldbody><body name='belt'><joint name='belt' type='slide' axis='1 0 0'/>"
       "<geom type='box' size='1 0.2 0.05' mass='20' friction='1'/></body></worldbody>"
-      "<custom><tuple name='endless'><element objtype='joint' objname='belt'/></tuple></custom></mujoco>";
+      "<custom><tuple name='endless'><element objtype='joint' objname='belt'/></tuple></custom>"
+      "<sensor><jointpos name='position' joint='belt'/><jointvel name='velocity' joint='belt'/></sensor></mujoco>";
   const std::string scene =
       "<mujoco><compiler angle='radian'/><worldbody><body name='part' pos='-0.8 0 0.1'><freejoint/>"
       "<geom type='box' size='.05 .05 .05' mass='0.5'/></body></worldbody></mujoco>";
@@ -205,6 +206,8 @@ TEST(DrivePhysics, AnEndlessBeltCarriesAPartAndStaysUnderIt) {
   const int belt = mj_name2id(&world.model(), mjOBJ_BODY, "conveyor/belt");
   EXPECT_EQ(world.data().xpos[3 * belt], 0.0);
   EXPECT_NEAR(world.data().xpos[3 * part], -0.8 + (measurement.position[0] - 3.0), 0.01);
+  EXPECT_EQ(world.data().sensordata[0], measurement.position[0]) << "an encoder counts the travel";
+  EXPECT_EQ(world.data().sensordata[1], measurement.velocity[0]);
 }
 
 }  // namespace
