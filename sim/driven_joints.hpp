@@ -36,8 +36,9 @@ class DrivenJoints {
 
   const std::string& robot() const noexcept { return robot_; }
   std::size_t count() const noexcept { return count_; }
-  /// Puts the joints at `position`, at rest; brakes on.
-  void place(mjData& data, const JointVector& position) noexcept;
+  /// Puts the joints at `position`, at rest; brakes on. Joints that an equality makes follow one of them are put where
+  /// it wants them.
+  void place(const mjModel& model, mjData& data, const JointVector& position) noexcept;
 
   /// Index of the first joint that has a number in `drive` that is not finite; -1: none.
   int find_not_finite(const JointDrive& drive) const noexcept;

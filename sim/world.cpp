@@ -31,7 +31,7 @@ World::World(const Composition& composition, double period, double timestep)
 
 std::size_t World::attach(const std::string& robot, const std::vector<std::string>& joints, const JointVector& home) {
   robots_.emplace_back(*model_, robot, joints);
-  robots_.back().place(*data_, home);
+  robots_.back().place(*model_, *data_, home);
   return robots_.size() - 1;
 }
 

@@ -178,6 +178,22 @@ TEST(DrivePhysics, BrakesHoldAnArmThatIsPushedAndLetGoAgain) {
   EXPECT_NE(world.data().qpos[0], stopped);
 }
 
+TEST(DrivePhysics, AJointThatFollowsADrivenOneStartsWhereItsEqualityWantsIt) {
+  const Scratch scratch;
+  const std::string gripper =
+      "<mujoco><compiler angle='radian'/><worldbody>"
+      "<body name='l'><joint name='l' type='slide' ref='0.1'/><geom size='.01'/></body>"
+      "<body name='r' pos='1 0 0'><joint name='r' type='slide' ref='-0.2'/><geom size='.01'/></body></worldbody>"
+      "<equality><joint joint1='r' joint2='l' polycoef='0.01 -0.5 2 0 0'/></equality></mujoco>";
+  World world(compose_texts(scratch, kEmptyScene, {{"g", gripper}}), 0.001, 0.001);
+  world.attach("g", {"l"}, values({0.4}));
+  world.start();
+  const double expected = -0.2 + 0.01 - 0.5 * 0.3 + 2 * 0.3 * 0.3;
+  EXPECT_NEAR(world.data().qpos[1], expected, 1e-15);
+  ASSERT_EQ(world.data().nefc, 1);
+  EXPECT_NEAR(world.data().efc_pos[0], 0, 1e-15) << "MuJoCo sees another equality";
+}
+
 TEST(DrivePhysics, AnEndlessBeltCarriesAPartAndStaysUnderIt) {
   const Scratch scratch;
   const std::string conveyor =
