@@ -54,7 +54,7 @@ struct Options {
   bool realtime = false;
 };
 
-std::unique_ptr<RobotModel> load_model() { return load_irb6(MRROC_SOURCE_DIR "/robots/irb6/irb6.toml"); }
+RobotModels load_models() { return load_irb6(MRROC_SOURCE_DIR "/robots/irb6/irb6.toml"); }
 
 void prepare_process(const Options& options) {
   if (!options.realtime) return;
@@ -69,9 +69,9 @@ class EdpSide {
  public:
   EdpSide(links::Domain& domain, clock::Clock& clock)
       : clock_(clock),
-        hardware_(*model_, clock.period()),
-        servo_(*model_, hardware_, clock.period(), hand_over_),
-        effector_(*model_, clock.period(), hand_over_),
+        hardware_(*models_.front(), clock.period()),
+        servo_(*models_.front(), hardware_, clock.period(), hand_over_),
+        effector_(*models_.front(), clock.period(), hand_over_),
         responder_(domain, clock, kPrefix) {}
 
   void serve() {
@@ -94,7 +94,7 @@ class EdpSide {
   }
 
   clock::Clock& clock_;
-  std::unique_ptr<RobotModel> model_ = load_model();
+  RobotModels models_ = load_models();
   edp::LoopbackHardware hardware_;
   edp::HandOver hand_over_;
   edp::Servo servo_;
@@ -126,7 +126,7 @@ class EcpSide {
         bare_(domain, kBarePrefix),
         listener_(domain, kListenerPrefix),
         task_(clock, link_),
-        robot_(task_, "irb6", load_model()) {
+        robot_(task_, "irb6", load_models()) {
     robot_.set_macrostep(1, 1);
     link_.connect(kTimeout);
     bare_.connect(kTimeout);

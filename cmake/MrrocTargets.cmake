@@ -25,10 +25,11 @@ function(mrroc_data kind name)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/share/mrroc/${kind}/${name} SYMBOLIC)
 endfunction()
 
-# mrroc_add_robot(NAME SOURCES ... [LINKS ...] [EDP edp_main.cpp]): a robot's folder. The library mrroc_robot_NAME (model and
-# typed class, public headers in include/), its data files in share/mrroc/robots/NAME, and with EDP its driver process NAME_edp.
+# mrroc_add_robot(NAME SOURCES ... [LINKS ...] [EDP edp_main.cpp] [DEMO demo.cpp]): a robot's folder. The library mrroc_robot_NAME (model and
+# typed class, public headers in include/), its data files in share/mrroc/robots/NAME, with EDP its driver process NAME_edp, and
+# with DEMO the ECP program NAME_demo that NAME's demo.toml runs.
 function(mrroc_add_robot name)
-  cmake_parse_arguments(ARG "" "EDP" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "EDP;DEMO" "SOURCES;LINKS" ${ARGN})
   mrroc_library(mrroc_robot_${name} SOURCES ${ARG_SOURCES} LINKS mrroc_language mrroc_config ${ARG_LINKS})
   target_include_directories(mrroc_robot_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
   mrroc_data(robots ${name})
@@ -37,6 +38,10 @@ function(mrroc_add_robot name)
     cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${PROJECT_SOURCE_DIR}]]
       CALL mrroc_add_edp_ [[${name}]] [[${CMAKE_CURRENT_SOURCE_DIR}/${ARG_EDP}]])")
   endif()
+  if(ARG_DEMO)
+    cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${PROJECT_SOURCE_DIR}]]
+      CALL mrroc_add_demo_ [[${name}]] [[${CMAKE_CURRENT_SOURCE_DIR}/${ARG_DEMO}]])")
+  endif()
 endfunction()
 
 # mrroc_add_edp_(NAME SOURCE): of mrroc_add_robot; nothing in a build without EDPs.
@@ -44,6 +49,14 @@ function(mrroc_add_edp_ name source)
   if(TARGET mrroc_edp_shell)
     add_executable(${name}_edp ${source})
     target_link_libraries(${name}_edp PRIVATE mrroc_flags mrroc_robot_${name} mrroc_edp_shell)
+  endif()
+endfunction()
+
+# mrroc_add_demo_(NAME SOURCE): of mrroc_add_robot; nothing in a build without ECPs.
+function(mrroc_add_demo_ name source)
+  if(TARGET mrroc_ecp_shell)
+    mrroc_add_task(${name}_demo ECP ${source} ROBOTS ${name})
+    set_target_properties(${name}_demo_ecp PROPERTIES OUTPUT_NAME ${name}_demo)
   endif()
 endfunction()
 

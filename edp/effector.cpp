@@ -7,7 +7,7 @@
 namespace mrroc::edp {
 
 Effector::Effector(const RobotModel& model, double period, HandOver& hand_over)
-    : model_(model), hand_over_(hand_over), planner_(model, period) {}
+    : model_(model), kinematics_(model), hand_over_(hand_over), planner_(model, period) {}
 
 void Effector::enable(bool on) noexcept {
   hand_over_.order.store(on ? DriveOrder::enable : DriveOrder::disable, std::memory_order_release);
@@ -173,12 +173,14 @@ void Effector::fill(const Snapshot& snapshot, const DesiredState& end, Tick end_
   state.joint_velocity = snapshot.velocity;
   state.motors = snapshot.motors;
   state.current = snapshot.current;
-  state.pose = model_.direct(snapshot.joints);
+  state.pose = kinematics_.direct(snapshot.joints);
   state.desired_tick = end_tick;
   state.desired_joints = end.position;
   state.desired_velocity = end.velocity;
   state.desired_acceleration = end.acceleration;
-  state.desired_pose = model_.direct(end.position);
+  state.desired_pose = kinematics_.direct(end.position);
+  state.model = 0;
+  state.tool = kinematics_.tool();
   state.synchronised = snapshot.synchronised;
   state.enabled = snapshot.enabled;
   state.late_commands = counters_.late;

@@ -5,8 +5,8 @@
 #include "edp/hand_over.hpp"
 #include "edp/planner.hpp"
 #include "mrroc/robot_command.hpp"
-#include "mrroc/robot_model.hpp"
 #include "mrroc/robot_state.hpp"
+#include "mrroc/tool_kinematics.hpp"
 
 namespace mrroc::edp {
 
@@ -76,6 +76,7 @@ class Effector {
   void answer(std::uint64_t number, const ErrorReport& error, Reply& reply) noexcept;
 
   const RobotModel& model_;
+  ToolKinematics kinematics_;
   HandOver& hand_over_;
   Planner planner_;
   const Snapshot* snapshot_ = nullptr;  ///< the newest; null before the servo's first tick

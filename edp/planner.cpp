@@ -30,7 +30,7 @@ ErrorReport check_vector(const JointVector& vector, const char* name, Eigen::Ind
 }  // namespace
 
 Planner::Planner(const RobotModel& model, double period)
-    : model_(model), period_(period), stop_(model.parameters(), period), limits_(model, period) {}
+    : kinematics_(model), period_(period), stop_(model.parameters(), period), limits_(model, period) {}
 
 ErrorReport Planner::plan(const RobotCommand& command, const DesiredState& from, Pace pace,
                           Macrostep& macrostep) noexcept {
@@ -104,7 +104,7 @@ ErrorReport Planner::stretch(ErrorReport report, Macrostep& macrostep) noexcept 
 
 ErrorReport Planner::joint_target(const RobotCommand& command, const DesiredState& from,
                                   DesiredState& to) const noexcept {
-  const Eigen::Index count = model_.joint_count();
+  const Eigen::Index count = kinematics_.model().joint_count();
   if (const ErrorReport report = check_vector(command.joints, "joints", count, false); bad(report)) return report;
   if (const ErrorReport report = check_vector(command.joint_velocity, "joint_velocity", count, true); bad(report))
     return report;
@@ -128,16 +128,16 @@ ErrorReport Planner::pose_target(const RobotCommand& command, const DesiredState
   if (!(rotation.transpose() * rotation).isIdentity(kOrthogonality) || rotation.determinant() < 0)
     return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "the pose's orientation is not a rotation");
 
-  const Pose target = command.relative ? Pose(model_.direct(from.position) * command.pose) : command.pose;
-  const ErrorCode code = model_.inverse(target, from.position, to.position);
+  const Pose target = command.relative ? Pose(kinematics_.direct(from.position) * command.pose) : command.pose;
+  const ErrorCode code = kinematics_.inverse(target, from.position, to.position);
   if (code != ErrorCode::none && code != ErrorCode::singular)
     return make_report(ErrorClass::non_fatal, code, "position (%.4g, %.4g, %.4g)", target.translation().x(),
                        target.translation().y(), target.translation().z());
-  if (to.position.size() != model_.joint_count() || !to.position.allFinite())
+  if (to.position.size() != kinematics_.model().joint_count() || !to.position.allFinite())
     return make_report(ErrorClass::non_fatal, ErrorCode::out_of_workspace, "the inverse kinematics has no solution");
   if ((command.twist.array() == 0.0).all()) return {};
 
-  const Jacobian jacobian = model_.jacobian(to.position);
+  const Jacobian jacobian = kinematics_.jacobian(to.position);
   const Eigen::CompleteOrthogonalDecomposition<Jacobian> decomposition(jacobian);
   to.velocity = decomposition.solve(command.twist);
   const double residual = (jacobian * to.velocity - command.twist).norm();

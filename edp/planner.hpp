@@ -4,8 +4,8 @@
 #include "edp/macrostep.hpp"
 #include "edp/stop.hpp"
 #include "mrroc/robot_command.hpp"
-#include "mrroc/robot_model.hpp"
 #include "mrroc/robot_state.hpp"
+#include "mrroc/tool_kinematics.hpp"
 
 namespace mrroc::edp {
 
@@ -42,7 +42,7 @@ class Planner {
   ErrorReport stretch(ErrorReport report, Macrostep& macrostep) noexcept;
   ErrorReport plan_path(Macrostep& macrostep) noexcept;
 
-  const RobotModel& model_;
+  ToolKinematics kinematics_;
   double period_;
   Stop stop_;
   LimitCheck limits_;

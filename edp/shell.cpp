@@ -35,10 +35,10 @@ class Shell {
   Shell(process::Process& process, const ModelFactory& factory)
       : process_(process),
         place_(place_of(process)),
-        model_(factory()),
+        models_(factory()),
         hardware_(open_hardware()),
-        servo_(*model_, *hardware_, process.clock().period(), hand_over_),
-        effector_(*model_, process.clock().period(), hand_over_),
+        servo_(*models_.front(), *hardware_, process.clock().period(), hand_over_),
+        effector_(*models_.front(), process.clock().period(), hand_over_),
         responder_(process.domain(), process.clock(), process.topic(place_.entry.name)) {}
 
   void serve() {
@@ -59,9 +59,9 @@ class Shell {
       world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
       const auto timing =
           process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::free_running;
-      hardware = std::make_unique<MujocoHardware>(*model_, **world_, place_.index, timing);
+      hardware = std::make_unique<MujocoHardware>(*models_.front(), **world_, place_.index, timing);
     } else {
-      hardware = std::make_unique<LoopbackHardware>(*model_, process_.clock().period());
+      hardware = std::make_unique<LoopbackHardware>(*models_.front(), process_.clock().period());
     }
     hardware->open();
     return hardware;
@@ -130,7 +130,7 @@ class Shell {
 
   process::Process& process_;
   Place place_;
-  std::unique_ptr<RobotModel> model_;
+  RobotModels models_;
   std::optional<sim::MappedWorld> world_;
   std::unique_ptr<Hardware> hardware_;
   HandOver hand_over_;

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
 #include "mrroc/robot_model.hpp"
 
 namespace mrroc::edp {
 
-using ModelFactory = std::function<std::unique_ptr<RobotModel>()>;
+using ModelFactory = std::function<RobotModels()>;
 
 /// main() of an EDP: the process that owns one robot. It opens the hardware that the deployment names, passes the
 /// start-up barrier, switches the drives on, and from then on executes the commands of its ECP. Under simulated time
@@ -17,8 +16,8 @@ int run(int argc, char** argv, const ModelFactory& factory);
 
 }  // namespace mrroc::edp
 
-/// Makes an EDP out of a function that loads a robot's model.
-#define MRROC_EDP(load_model)                                        \
-  int main(int argc, char** argv) {                                  \
-    return mrroc::edp::run(argc, argv, [] { return load_model(); }); \
+/// Makes an EDP out of a function that loads a robot's models.
+#define MRROC_EDP(load_models)                                        \
+  int main(int argc, char** argv) {                                   \
+    return mrroc::edp::run(argc, argv, [] { return load_models(); }); \
   }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mrroc/robot_link.hpp"
-#include "mrroc/robot_model.hpp"
+#include "mrroc/tool_kinematics.hpp"
 
 namespace mrroc {
 
@@ -15,17 +15,19 @@ class Task;
 /// A robot of a given type is a class derived from this one (`Irb6`). Task's thread only.
 class Robot {
  public:
-  /// `name`: as in the deployment; empty in an ECP: its own robot. Throws NonFatalError when the deployment has no such
-  /// robot of the model's type.
-  Robot(Task& task, const std::string& name, std::shared_ptr<const RobotModel> model);
+  /// `name`: as in the deployment; empty in an ECP: its own robot. `models`: at least one. Throws NonFatalError when
+  /// the deployment has no such robot of the model's type.
+  Robot(Task& task, const std::string& name, RobotModels models);
   virtual ~Robot() = default;
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
   const std::string& name() const noexcept { return name_; }
   Task& task() const noexcept { return *task_; }
-  const RobotModel& model() const noexcept { return *model_; }
-  const RobotParameters& parameters() const noexcept { return model_->parameters(); }
+  const RobotModels& models() const noexcept { return models_; }
+  const RobotParameters& parameters() const noexcept { return models_.front()->parameters(); }
+  /// The model and the tool that the robot uses, as its state tells; before the first state the first model's own tool.
+  ToolKinematics kinematics() const noexcept;
 
   /// e^i, as of the last step of a Move or Wait.
   const RobotState& state() const noexcept { return state_; }
@@ -54,7 +56,7 @@ class Robot {
  private:
   Task* task_;
   std::string name_;
-  std::shared_ptr<const RobotModel> model_;
+  RobotModels models_;
   RobotLink* link_;
   RobotState state_;
   RobotCommand command_;

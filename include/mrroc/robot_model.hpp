@@ -1,17 +1,25 @@
 #pragma once
 
+#include <memory>
+#include <string_view>
+#include <vector>
+
 #include "mrroc/errors.hpp"
 #include "mrroc/robot_parameters.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc {
 
-/// Geometry of one robot type: motor <-> joint <-> tool pose. Every method is const, allocates nothing, never throws
-/// and may be called from any thread, the servo thread included. Poses are of the tool frame in the robot's base frame.
+/// One kinematic model of a robot: motor <-> joint <-> flange pose. Every method is const, allocates nothing, never
+/// throws and may be called from any thread, the servo thread included. Poses are of the flange in the robot's base
+/// frame; `ToolKinematics` adds the tool.
 class RobotModel {
  public:
   virtual ~RobotModel() = default;
 
+  /// Among the models of its robot, e.g. "calibrated": what deployments and task programs call it.
+  virtual std::string_view name() const noexcept { return "nominal"; }
+  /// Axes, limits, gains: the same for every model of a robot.
   virtual const RobotParameters& parameters() const noexcept = 0;
   int joint_count() const noexcept { return static_cast<int>(parameters().axes.size()); }
 
@@ -22,13 +30,19 @@ class RobotModel {
   /// G(q) = d motors / d joints, rad/rad or rad/m; motor velocities are G dq/dt, joint torques G^T (motor torques).
   virtual JointMatrix transmission(const JointVector& joints) const noexcept = 0;
 
-  /// Tool pose of `joints`.
-  virtual Pose direct(const JointVector& joints) const noexcept = 0;
-  /// Joints of `pose` on the branch nearest to `near`. `none`, `out_of_workspace`, or `singular` (then `joints` still
-  /// holds a solution, with the free angle kept from `near`). Joint limits are not looked at.
-  virtual ErrorCode inverse(const Pose& pose, const JointVector& near, JointVector& joints) const noexcept = 0;
-  /// Geometric Jacobian of the tool frame's origin in base axes.
-  virtual Jacobian jacobian(const JointVector& joints) const noexcept = 0;
+  /// The tool that the robot wears unless a task says otherwise: its frame in the flange frame.
+  virtual Pose default_tool() const noexcept { return Pose::Identity(); }
+  /// Flange pose of `joints`.
+  virtual Pose flange(const JointVector& joints) const noexcept = 0;
+  /// Joints of a flange pose on the branch nearest to `near`; inverse(flange(q), q) is q. `none`, `out_of_workspace`,
+  /// or `singular` (then `joints` still holds a solution, with the free angle kept from `near`). Joint limits are not
+  /// looked at.
+  virtual ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept = 0;
+  /// Geometric Jacobian, in base axes, of a point fixed to the flange: `offset` in flange axes, m.
+  virtual Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept = 0;
 };
+
+/// All models of one robot; the first is the one it starts with. Their parameters are the same.
+using RobotModels = std::vector<std::shared_ptr<const RobotModel>>;
 
 }  // namespace mrroc

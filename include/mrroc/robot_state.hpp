@@ -28,6 +28,8 @@ struct RobotState {
   JointVector desired_velocity;
   JointVector desired_acceleration;
   Pose desired_pose = Pose::Identity();
+  std::uint8_t model = 0;        ///< kinematic model in use: its place in the robot's list
+  Pose tool = Pose::Identity();  ///< tool frame in use, in the flange frame
   bool synchronised = false;
   bool enabled = false;
   std::uint32_t late_commands = 0;  ///< commands that came after the robot had begun to brake, since start

@@ -23,8 +23,7 @@ Irb6Model::Irb6Model(RobotParameters parameters, const irb6::Geometry& geometry)
     : parameters_(std::move(parameters)),
       transmission_(geometry, synchro_positions(parameters_)),
       kinematics_(geometry),
-      tool_(geometry.tool),
-      tool_inverse_(geometry.tool.inverse()) {}
+      tool_(geometry.tool) {}
 
 ErrorCode Irb6Model::motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept {
   return transmission_.motors_to_joints(motors, joints);
@@ -36,17 +35,7 @@ ErrorCode Irb6Model::joints_to_motors(const JointVector& joints, JointVector& mo
 
 JointMatrix Irb6Model::transmission(const JointVector& joints) const noexcept { return transmission_.matrix(joints); }
 
-Pose Irb6Model::direct(const JointVector& joints) const noexcept { return kinematics_.flange(joints) * tool_; }
-
-ErrorCode Irb6Model::inverse(const Pose& pose, const JointVector& near, JointVector& joints) const noexcept {
-  return kinematics_.inverse(pose * tool_inverse_, near, joints);
-}
-
-Jacobian Irb6Model::jacobian(const JointVector& joints) const noexcept {
-  return kinematics_.jacobian(joints, tool_.translation());
-}
-
-std::unique_ptr<RobotModel> load_irb6(const std::filesystem::path& file) {
+RobotModels load_irb6(const std::filesystem::path& file) {
   const auto table = config::Table::load(file);
   auto parameters = config::read_robot_parameters(table);
   if (parameters.axes.size() != kAxes) {
@@ -54,9 +43,9 @@ std::unique_ptr<RobotModel> load_irb6(const std::filesystem::path& file) {
   }
   const auto geometry = irb6::read_geometry(table.table("geometry"));
   table.finish();
-  return std::make_unique<Irb6Model>(std::move(parameters), geometry);
+  return {std::make_shared<Irb6Model>(std::move(parameters), geometry)};
 }
 
-std::unique_ptr<RobotModel> load_irb6() { return load_irb6(config::robot_file("irb6", "irb6.toml")); }
+RobotModels load_irb6() { return load_irb6(config::robot_file("irb6", "irb6.toml")); }
 
 }  // namespace mrroc

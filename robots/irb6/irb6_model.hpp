@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 
 #include "mrroc/robot_model.hpp"
 #include "robots/irb6/kinematics.hpp"
@@ -22,22 +21,26 @@ class Irb6Model final : public RobotModel {
   ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept override;
   ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept override;
   JointMatrix transmission(const JointVector& joints) const noexcept override;
-  Pose direct(const JointVector& joints) const noexcept override;
-  ErrorCode inverse(const Pose& pose, const JointVector& near, JointVector& joints) const noexcept override;
-  Jacobian jacobian(const JointVector& joints) const noexcept override;
+  Pose default_tool() const noexcept override { return tool_; }
+  Pose flange(const JointVector& joints) const noexcept override { return kinematics_.flange(joints); }
+  ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override {
+    return kinematics_.inverse(flange, near, joints);
+  }
+  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
+    return kinematics_.jacobian(joints, offset);
+  }
 
  private:
   RobotParameters parameters_;
   irb6::Transmission transmission_;
   irb6::Kinematics kinematics_;
   Pose tool_;
-  Pose tool_inverse_;
 };
 
 /// Reads a parameter file of the IRb-6. Throws ConfigurationError. Configuration time only.
-std::unique_ptr<RobotModel> load_irb6(const std::filesystem::path& file);
+RobotModels load_irb6(const std::filesystem::path& file);
 
 /// The same of the installed robots/irb6/irb6.toml.
-std::unique_ptr<RobotModel> load_irb6();
+RobotModels load_irb6();
 
 }  // namespace mrroc

@@ -71,7 +71,7 @@ void JointLine::start() {
   const ErrorOrigin origin{robot_->task().process_name(), robot_->name(), 0, state.tick};
   if (to_pose_) {
     JointVector joints = state.desired_joints;
-    const ErrorCode code = robot_->model().inverse(target_pose_, state.desired_joints, joints);
+    const ErrorCode code = robot_->kinematics().inverse(target_pose_, state.desired_joints, joints);
     if (code != ErrorCode::none) {
       const Eigen::Vector3d p = target_pose_.translation();
       throw NonFatalError(code,

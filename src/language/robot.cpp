@@ -4,11 +4,16 @@
 
 namespace mrroc {
 
-Robot::Robot(Task& task, const std::string& name, std::shared_ptr<const RobotModel> model)
+Robot::Robot(Task& task, const std::string& name, RobotModels models)
     : task_(&task),
       name_(task.robot_name(name)),
-      model_(std::move(model)),
-      link_(&task.robot_link(name_, model_->parameters().type)) {}
+      models_(std::move(models)),
+      link_(&task.robot_link(name_, parameters().type)) {}
+
+ToolKinematics Robot::kinematics() const noexcept {
+  const bool known = state_.desired_joints.size() != 0 && state_.model < models_.size();
+  return known ? ToolKinematics(*models_[state_.model], state_.tool) : ToolKinematics(*models_.front());
+}
 
 void Robot::set_macrostep(std::uint16_t motion_steps, std::uint16_t reply_step) {
   if (motion_steps < 1 || motion_steps > kMaxMotionSteps) {

@@ -51,7 +51,7 @@ ToolVelocity::ToolVelocity(Robot& robot, const Eigen::Vector3d& linear, const Ei
 void ToolVelocity::start() {
   const RobotState& state = robot_->known_state();
   reference_ = state.desired_pose;
-  const Twist base = robot_->model().jacobian(state.desired_joints) * state.desired_velocity;
+  const Twist base = robot_->kinematics().jacobian(state.desired_joints) * state.desired_velocity;
   twist_ = turned(reference_.linear().transpose(), base);
 }
 

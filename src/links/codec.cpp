@@ -111,6 +111,8 @@ void encode(const RobotState& message, mrroc_wire_RobotState& wire) noexcept {
   encode_axes(message.desired_velocity, wire.desired_velocity);
   encode_axes(message.desired_acceleration, wire.desired_acceleration);
   encode_frame(message.desired_pose, wire.desired_pose);
+  wire.model = message.model;
+  encode_frame(message.tool, wire.tool);
   wire.synchronised = message.synchronised ? 1 : 0;
   wire.enabled = message.enabled ? 1 : 0;
   wire.late_commands = message.late_commands;
@@ -132,6 +134,8 @@ bool decode(const mrroc_wire_RobotState& wire, RobotState& message) noexcept {
   decode_axes(wire.desired_velocity, message.desired_velocity);
   decode_axes(wire.desired_acceleration, message.desired_acceleration);
   decode_frame(wire.desired_pose, message.desired_pose);
+  message.model = wire.model;
+  decode_frame(wire.tool, message.tool);
   message.synchronised = wire.synchronised != 0;
   message.enabled = wire.enabled != 0;
   message.late_commands = wire.late_commands;

@@ -256,7 +256,7 @@ TEST(Effector, AThousandRelativeStepsForthAndBackReturnExactly) {
       command.relative = true;
       if (as_pose) {
         command.kind = CommandKind::pose;
-        command.pose = rig.model.direct(increment);
+        command.pose = rig.model.flange(increment);
         if (i >= 1000) command.pose = command.pose.inverse();
       }
       ASSERT_FALSE(rig.send(command)) << rig.answer.state.error.detail.view();

@@ -215,9 +215,9 @@ TEST(Planner, RelativeIsRelativeToDesiredForJointsAndForPoses) {
     RC_ASSERT((p.macrostep.to.position - from.position - command.joints).norm() < 1e-15);
 
     command.kind = CommandKind::pose;
-    command.pose = p.model.direct(command.joints);
+    command.pose = p.model.flange(command.joints);
     RC_ASSERT(p.plan(command, from).code == ErrorCode::none);
-    RC_ASSERT(p.model.direct(p.macrostep.to.position).isApprox(p.model.direct(from.position) * command.pose, 1e-12));
+    RC_ASSERT(p.model.flange(p.macrostep.to.position).isApprox(p.model.flange(from.position) * command.pose, 1e-12));
   }));
 }
 
@@ -229,7 +229,7 @@ TEST(Planner, ATwistBecomesTheJointVelocityThatHasIt) {
     RobotCommand command;
     command.kind = CommandKind::pose;
     command.motion_steps = 1000;
-    command.pose = p.model.direct(near);
+    command.pose = p.model.flange(near);
     command.twist = p.model.jacobian(near) * velocity;
     const ErrorReport report = p.plan(command, DesiredState::resting_at(near));
     RC_ASSERT(report.code == ErrorCode::none);

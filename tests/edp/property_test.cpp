@@ -124,8 +124,8 @@ class Driver {
     if (chance(0.3)) command.joint_acceleration = vector(1);
     command.joints = command.relative ? increment : JointVector(state.desired_joints + increment);
     if (command.kind == CommandKind::pose) {
-      const Pose target = rig_.model.direct(state.desired_joints + increment);
-      command.pose = command.relative ? Pose(rig_.model.direct(state.desired_joints).inverse() * target) : target;
+      const Pose target = rig_.model.flange(state.desired_joints + increment);
+      command.pose = command.relative ? Pose(rig_.model.flange(state.desired_joints).inverse() * target) : target;
       command.twist << velocity.head<3>(), 0, 0, velocity[3];
     }
     if (chance(0.1)) spoil(command);

@@ -63,12 +63,12 @@ class Slide : public GearedModel {
     parameters_.axes = {test_axis("x")};
     parameters_.home = JointVector::Constant(1, 0.25);
   }
-  Pose direct(const JointVector& joints) const noexcept override { return Pose(Eigen::Translation3d(joints[0], 0, 0)); }
+  Pose flange(const JointVector& joints) const noexcept override { return Pose(Eigen::Translation3d(joints[0], 0, 0)); }
   ErrorCode inverse(const Pose& pose, const JointVector&, JointVector& joints) const noexcept override {
     joints = JointVector::Constant(1, pose.translation().x());
-    return direct(joints).isApprox(pose, 1e-9) ? ErrorCode::none : ErrorCode::out_of_workspace;
+    return flange(joints).isApprox(pose, 1e-9) ? ErrorCode::none : ErrorCode::out_of_workspace;
   }
-  Jacobian jacobian(const JointVector&) const noexcept override {
+  Jacobian jacobian(const JointVector&, const Eigen::Vector3d&) const noexcept override {
     Jacobian jacobian = Jacobian::Zero(6, 1);
     jacobian(0, 0) = 1;
     return jacobian;
@@ -83,16 +83,16 @@ class Gantry : public GearedModel {
     parameters_.axes = {test_axis("x"), test_axis("y"), test_axis("z"), test_axis("yaw")};
     parameters_.home = JointVector::Zero(4);
   }
-  Pose direct(const JointVector& joints) const noexcept override {
+  Pose flange(const JointVector& joints) const noexcept override {
     return Eigen::Translation3d(joints[0], joints[1], joints[2]) *
            Pose(Eigen::AngleAxisd(joints[3], Eigen::Vector3d::UnitZ()));
   }
   ErrorCode inverse(const Pose& pose, const JointVector&, JointVector& joints) const noexcept override {
     joints.resize(4);
     joints << pose.translation(), std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
-    return direct(joints).isApprox(pose, 1e-9) ? ErrorCode::none : ErrorCode::out_of_workspace;
+    return flange(joints).isApprox(pose, 1e-9) ? ErrorCode::none : ErrorCode::out_of_workspace;
   }
-  Jacobian jacobian(const JointVector&) const noexcept override {
+  Jacobian jacobian(const JointVector&, const Eigen::Vector3d&) const noexcept override {
     Jacobian jacobian = Jacobian::Zero(6, 4);
     jacobian.topLeftCorner<3, 3>().setIdentity();
     jacobian(5, 3) = 1;
@@ -108,7 +108,7 @@ class PlanarArm : public GearedModel {
     parameters_.axes = {test_axis("shoulder"), test_axis("elbow")};
     parameters_.home = (JointVector(2) << 0.3, 0.9).finished();
   }
-  Pose direct(const JointVector& joints) const noexcept override {
+  Pose flange(const JointVector& joints) const noexcept override {
     const double a = joints[0], b = joints[0] + joints[1];
     return Eigen::Translation3d(kUpper * std::cos(a) + kFore * std::cos(b), kUpper * std::sin(a) + kFore * std::sin(b),
                                 0) *
@@ -121,9 +121,9 @@ class PlanarArm : public GearedModel {
     const double elbow = std::copysign(std::acos(cosine), near[1]);
     joints.resize(2);
     joints << std::atan2(y, x) - std::atan2(kFore * std::sin(elbow), kUpper + kFore * std::cos(elbow)), elbow;
-    return direct(joints).isApprox(pose, 1e-9) ? ErrorCode::none : ErrorCode::out_of_workspace;
+    return flange(joints).isApprox(pose, 1e-9) ? ErrorCode::none : ErrorCode::out_of_workspace;
   }
-  Jacobian jacobian(const JointVector& joints) const noexcept override {
+  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d&) const noexcept override {
     const double a = joints[0], b = joints[0] + joints[1];
     Jacobian jacobian = Jacobian::Zero(6, 2);
     jacobian(0, 0) = -kUpper * std::sin(a) - kFore * std::sin(b);

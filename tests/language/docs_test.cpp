@@ -20,7 +20,7 @@ namespace {
 // [own robot and sensor]
 class Gantry : public Robot {
  public:
-  Gantry(Task& task, const std::string& name) : Robot(task, name, std::make_shared<fakes::FakeModel>(4)) {}
+  Gantry(Task& task, const std::string& name) : Robot(task, name, {std::make_shared<fakes::FakeModel>(4)}) {}
 };
 
 class Range : public Sensor {

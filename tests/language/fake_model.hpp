@@ -38,7 +38,7 @@ class FakeModel : public RobotModel {
   JointMatrix transmission(const JointVector& joints) const noexcept override {
     return 100 * JointMatrix::Identity(joints.size(), joints.size());
   }
-  Pose direct(const JointVector& joints) const noexcept override {
+  Pose flange(const JointVector& joints) const noexcept override {
     Pose pose = Pose::Identity();
     for (Eigen::Index i = 0; i < std::min<Eigen::Index>(3, joints.size()); ++i) pose.translation()[i] = joints[i];
     if (joints.size() > 3) pose.linear() = Eigen::AngleAxisd(joints[3], Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -52,9 +52,9 @@ class FakeModel : public RobotModel {
       if (i >= joints.size() && pose.translation()[i] != 0) return ErrorCode::out_of_workspace;
     }
     if (joints.size() > 3) joints[3] = std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
-    return direct(joints).isApprox(pose, 1e-9) ? ErrorCode::none : ErrorCode::out_of_workspace;
+    return flange(joints).isApprox(pose, 1e-9) ? ErrorCode::none : ErrorCode::out_of_workspace;
   }
-  Jacobian jacobian(const JointVector& joints) const noexcept override {
+  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d&) const noexcept override {
     Jacobian jacobian = Jacobian::Zero(6, joints.size());
     for (Eigen::Index i = 0; i < std::min<Eigen::Index>(3, joints.size()); ++i) jacobian(i, i) = 1;
     if (joints.size() > 3) jacobian(5, 3) = 1;

@@ -70,7 +70,7 @@ class FakeRobotLink : public RobotLink {
       state.desired_joints = command_.joints;
       if (command_.joint_velocity.size() > 0) state.desired_velocity = command_.joint_velocity;
       if (command_.joint_acceleration.size() > 0) state.desired_acceleration = command_.joint_acceleration;
-      state.desired_pose = model->direct(state.desired_joints);
+      state.desired_pose = model->flange(state.desired_joints);
     } else if (command_.kind == CommandKind::pose) {
       state.desired_pose = command_.pose;
       model->inverse(command_.pose, state.desired_joints, state.desired_joints);

@@ -33,7 +33,7 @@ double random_speed() { return 0.01 * pick(5, 100); }
 struct Cell {
   Cell() : axes(pick(1, kMaxJoints)), arm(task.robot("arm", axes)), home(random_joints(axes)) {
     task.robot_fake("arm").state.desired_joints = home;
-    task.robot_fake("arm").state.desired_pose = arm->model().direct(home);
+    task.robot_fake("arm").state.desired_pose = arm->kinematics().direct(home);
     const auto motion_steps = static_cast<std::uint16_t>(pick(1, 40));
     arm->set_macrostep(motion_steps, static_cast<std::uint16_t>(pick(1, motion_steps)));
     task.step_observer = &recorder;

@@ -30,7 +30,7 @@ struct Cell {
   Cell() : arm(task.robot("arm", 4)) {
     RobotState& state = task.robot_fake("arm").state;
     state.desired_joints << random_vector(1), 0.01 * pick(-300, 300);
-    state.desired_pose = start = arm->model().direct(state.desired_joints);
+    state.desired_pose = start = arm->kinematics().direct(state.desired_joints);
     const auto motion_steps = static_cast<std::uint16_t>(pick(1, 20));
     arm->set_macrostep(motion_steps, motion_steps);
     task.step_observer = &recorder;

@@ -39,7 +39,7 @@ TEST(Irb6Descriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
   double worst_kdl = 0, worst_mujoco = 0, worst_jacobian = 0;
   for (int i = 0; i < 10000; ++i) {
     const JointVector joints = random_joints(random);
-    const Pose pose = irb6_model().direct(joints);
+    const Pose pose = irb6_kinematics().direct(joints);
     KDL::Frame frame;
     ASSERT_GE(forward.JntToCart(kdl_joints(joints), frame), 0);
     KDL::Jacobian jacobian(6);
@@ -48,7 +48,8 @@ TEST(Irb6Descriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
     mj_kinematics(mjcf.model.get(), mjcf.data.get());
     worst_kdl = std::max(worst_kdl, pose_difference(pose, pose_of(frame)));
     worst_mujoco = std::max(worst_mujoco, pose_difference(pose, mjcf.site("tool")));
-    worst_jacobian = std::max(worst_jacobian, (irb6_model().jacobian(joints) - jacobian.data).cwiseAbs().maxCoeff());
+    worst_jacobian =
+        std::max(worst_jacobian, (irb6_kinematics().jacobian(joints) - jacobian.data).cwiseAbs().maxCoeff());
   }
   std::printf("seed %llu, worst of 10000 poses: URDF by KDL %.1e, MJCF %.1e m or rad, Jacobian %.1e\n",
               static_cast<unsigned long long>(kSeed), worst_kdl, worst_mujoco, worst_jacobian);

@@ -10,7 +10,7 @@ namespace mrroc {
 namespace {
 
 /// Loads irb6.toml with `from` replaced by `to`.
-std::unique_ptr<RobotModel> load_with(const std::string& from, const std::string& to) {
+std::shared_ptr<const RobotModel> load_with(const std::string& from, const std::string& to) {
   std::stringstream text;
   text << std::ifstream(irb6_source("irb6.toml")).rdbuf();
   std::string changed = text.str();
@@ -19,7 +19,7 @@ std::unique_ptr<RobotModel> load_with(const std::string& from, const std::string
   changed.replace(at, from.size(), to);
   const auto file = std::filesystem::temp_directory_path() / ("irb6_" + std::to_string(::getpid()) + ".toml");
   std::ofstream(file) << changed;
-  return load_irb6(file);
+  return load_irb6(file).front();
 }
 
 std::string error_with(const std::string& from, const std::string& to) {
@@ -44,7 +44,7 @@ TEST(Irb6GeometryFile, MistakesNameTheirKey) {
 }
 
 TEST(Irb6GeometryFile, TheInstalledFileLoads) {
-  const auto model = load_irb6();
+  const auto model = load_irb6().front();
   EXPECT_EQ(model->parameters().type, "irb6");
   EXPECT_EQ(model->joint_count(), 6);
   EXPECT_EQ(model->parameters().axes[3].name, "wrist_pitch");
@@ -53,7 +53,7 @@ TEST(Irb6GeometryFile, TheInstalledFileLoads) {
 TEST(Irb6GeometryFile, ToolRotationIsAboutFixedAxes) {
   const auto turned = load_with("tool_rotation = [0.0, 0.0, 0.0]", "tool_rotation = [1.5707963267948966, 0.0, 0.3]");
   const JointVector home = irb6_model().parameters().home;
-  const Pose change = irb6_model().direct(home).inverse() * turned->direct(home);
+  const Pose change = irb6_kinematics().direct(home).inverse() * ToolKinematics(*turned).direct(home);
   EXPECT_LT(change.translation().norm(), 1e-12);
   EXPECT_LT((change.linear() * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
   EXPECT_LT((change.linear() * Eigen::Vector3d::UnitX() - Eigen::Vector3d(std::cos(0.3), std::sin(0.3), 0)).norm(),

@@ -43,16 +43,15 @@ TEST(Irb6Golden, MotorsJointsAndPosesAgreeWithTheOriginal) {
   const auto rows = golden_rows();
   ASSERT_EQ(rows.size(), 500u);
   const RobotModel& model = irb6_model();
-  const Pose tool = irb6_geometry().tool;
   double worst_motor = 0, worst_joint = 0, worst_pose = 0, worst_inverse = 0;
   for (const GoldenRow& row : rows) {
     JointVector motors, joints, inverse;
     ASSERT_EQ(model.joints_to_motors(row.joints, motors), ErrorCode::none);
     ASSERT_EQ(model.motors_to_joints(row.motors, joints), ErrorCode::none);
-    ASSERT_EQ(model.inverse(row.flange * tool, row.joints, inverse), ErrorCode::none);
+    ASSERT_EQ(model.inverse(row.flange, row.joints, inverse), ErrorCode::none);
     worst_motor = std::max(worst_motor, (motors - row.motors).cwiseAbs().maxCoeff());
     worst_joint = std::max(worst_joint, (joints - row.joints).cwiseAbs().maxCoeff());
-    worst_pose = std::max(worst_pose, pose_difference(model.direct(row.joints), row.flange * tool));
+    worst_pose = std::max(worst_pose, pose_difference(model.flange(row.joints), row.flange));
     worst_inverse = std::max(worst_inverse, (inverse - row.joints).cwiseAbs().maxCoeff());
   }
   std::printf("worst of 500: motors %.1e rad, joints %.1e rad, pose %.1e m or rad, inverse %.1e rad\n", worst_motor,
@@ -69,7 +68,7 @@ TEST(Irb6Golden, SynchronisedArmStandsUprightWithItsForearmLevel) {
   JointVector expected(6);
   expected << 0, -M_PI / 2, 0, 0, 0, 0;
   EXPECT_LT((joints - expected).cwiseAbs().maxCoeff(), 1e-6);  // the original's lengths are rounded to 0.1 um
-  const Pose flange = irb6_model().direct(expected) * irb6_geometry().tool.inverse();
+  const Pose flange = irb6_model().flange(expected);
   Pose upright = Pose::Identity();
   upright.linear() << 0, 1, 0, 0, 0, 1, 1, 0, 0;
   upright.translation() << 0.86, 0, 0.455;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "config/table.hpp"
+#include "mrroc/tool_kinematics.hpp"
 #include "robots/irb6/geometry_file.hpp"
 #include "robots/irb6/irb6_model.hpp"
 
@@ -15,9 +16,12 @@ inline std::filesystem::path irb6_source(const std::string& name) {
 }
 
 inline const RobotModel& irb6_model() {
-  static const std::unique_ptr<RobotModel> model = load_irb6(irb6_source("irb6.toml"));
-  return *model;
+  static const RobotModels models = load_irb6(irb6_source("irb6.toml"));
+  return *models.front();
 }
+
+/// The same with the default tool.
+inline ToolKinematics irb6_kinematics() { return ToolKinematics(irb6_model()); }
 
 inline irb6::Geometry irb6_geometry() {
   return irb6::read_geometry(config::Table::load(irb6_source("irb6.toml")).table("geometry"));

@@ -67,17 +67,17 @@ TEST(Irb6Limits, HomePointsTheToolDownAtShoulderHeight) {
   Pose expected = Pose::Identity();
   expected.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();
   expected.translation() << 0.75, 0, 0;
-  EXPECT_LT(pose_difference(irb6_model().direct(irb6_model().parameters().home), expected), 1e-8);
+  EXPECT_LT(pose_difference(irb6_kinematics().direct(irb6_model().parameters().home), expected), 1e-8);
 }
 
 TEST(Irb6Limits, TheToolComesDownAndGoesUpAtHomeWithoutLeavingThem) {
   const JointVector low = per_axis(&AxisParameters::position_min), high = per_axis(&AxisParameters::position_max);
   const auto reached = [&](double direction) {
     JointVector joints = irb6_model().parameters().home;
-    Pose pose = irb6_model().direct(joints);
+    Pose pose = irb6_kinematics().direct(joints);
     for (;;) {
       pose.translation().z() += direction * 0.001;
-      if (irb6_model().inverse(pose, joints, joints) != ErrorCode::none) break;
+      if (irb6_kinematics().inverse(pose, joints, joints) != ErrorCode::none) break;
       if ((joints.array() < low.array()).any() || (joints.array() > high.array()).any()) break;
       if (!within_motor_limits(joints)) break;
     }

@@ -50,11 +50,11 @@ class BentModel : public RobotModel {
     rate << -20 * std::sin(q[0]) * v[0], 0, 0, 30 * v[1];
     return rate;
   }
-  Pose direct(const JointVector&) const noexcept override { return Pose::Identity(); }
+  Pose flange(const JointVector&) const noexcept override { return Pose::Identity(); }
   ErrorCode inverse(const Pose&, const JointVector&, JointVector&) const noexcept override {
     return ErrorCode::out_of_workspace;
   }
-  Jacobian jacobian(const JointVector&) const noexcept override { return Jacobian::Zero(6, 2); }
+  Jacobian jacobian(const JointVector&, const Eigen::Vector3d&) const noexcept override { return Jacobian::Zero(6, 2); }
 
  private:
   RobotParameters parameters_;

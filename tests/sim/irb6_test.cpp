@@ -40,7 +40,7 @@ config::Deployment two_irb6() {
 /// One robot's EDP core on slot `slot`.
 struct Edp {
   Edp(WorldMemory& memory, std::size_t slot)
-      : model(load_irb6()), hardware(*model, memory, slot, edp::MujocoHardware::Timing::lockstep) {}
+      : model(load_irb6().front()), hardware(*model, memory, slot, edp::MujocoHardware::Timing::lockstep) {}
 
   void tick(Tick now) {
     servo.tick(now);
@@ -59,7 +59,7 @@ struct Edp {
     return !refused;
   }
 
-  std::unique_ptr<RobotModel> model;
+  std::shared_ptr<const RobotModel> model;
   edp::MujocoHardware hardware;
   edp::HandOver hand_over;
   edp::Servo servo{*model, hardware, kPeriod, hand_over};

@@ -39,7 +39,7 @@ class Faulty : public ecp::Task {
     const std::map<std::string, std::function<void()>> kinds{
         {"sensor", [this] { ForceTorque(*this, "ghost"); }},
         {"sensor_type", [this] { ForceTorque(*this, "gate"); }},
-        {"robot_type", [this] { Robot(*this, "", std::make_shared<fakes::FakeModel>(6)); }},
+        {"robot_type", [this] { Robot(*this, "", {std::make_shared<fakes::FakeModel>(6)}); }},
         {"macrostep", [this] { arm.set_macrostep(0, 1); }},
         {"target",
          [this] {
