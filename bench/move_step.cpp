@@ -111,7 +111,7 @@ class Advance : public Generator {
 struct Bench {
   Bench(int robot_count, int sensor_count) : task(robot_count, sensor_count) {
     for (int i = 0; i < robot_count; ++i) {
-      robots.push_back(std::make_unique<Robot>(task, std::to_string(i), task.model));
+      robots.push_back(std::make_unique<Robot>(task, std::to_string(i), RobotModels{task.model}));
       robot_list.push_back(robots.back().get());
     }
     for (int i = 0; i < sensor_count; ++i) {

@@ -230,7 +230,7 @@ TEST(Planner, ATwistBecomesTheJointVelocityThatHasIt) {
     command.kind = CommandKind::pose;
     command.motion_steps = 1000;
     command.pose = p.model.flange(near);
-    command.twist = p.model.jacobian(near) * velocity;
+    command.twist = p.model.jacobian(near, Eigen::Vector3d::Zero()) * velocity;
     const ErrorReport report = p.plan(command, DesiredState::resting_at(near));
     RC_ASSERT(report.code == ErrorCode::none);
     RC_ASSERT((p.macrostep.to.velocity - velocity).norm() < 1e-9);

@@ -154,7 +154,7 @@ class FakeTask : public Task {
   /// A Robot on the link of that name, added when it is not there yet.
   std::unique_ptr<Robot> robot(const std::string& name, int axes = 6) {
     if (!robots_.contains(name)) add_robot(name, axes);
-    return std::make_unique<Robot>(*this, name, robots_.at(name)->model);
+    return std::make_unique<Robot>(*this, name, RobotModels{robots_.at(name)->model});
   }
   std::unique_ptr<Sensor> sensor(const std::string& name, bool interactive = true) {
     if (!sensors_.contains(name)) add_sensor(name, interactive);

@@ -48,7 +48,7 @@ TEST(Irb6Class, TakesItsProcessesRobotAndTheInstalledModel) {
   EXPECT_EQ(arm.name(), "arm");
   EXPECT_EQ(arm.parameters().type, "irb6");
   const JointVector home = arm.parameters().home;
-  EXPECT_EQ(arm.model().direct(home).matrix(), irb6_kinematics().direct(home).matrix());
+  EXPECT_EQ(arm.kinematics().direct(home).matrix(), irb6_kinematics().direct(home).matrix());
   arm.command().joints = home;
   arm.send();
   arm.receive();
