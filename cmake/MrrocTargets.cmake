@@ -25,11 +25,11 @@ function(mrroc_data kind name)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/share/mrroc/${kind}/${name} SYMBOLIC)
 endfunction()
 
-# mrroc_add_robot(NAME SOURCES ... [LINKS ...] [EDP edp_main.cpp] [DEMO demo.cpp]): a robot's folder. The library mrroc_robot_NAME (model and
-# typed class, public headers in include/), its data files in share/mrroc/robots/NAME, with EDP its driver process NAME_edp, and
-# with DEMO the ECP program NAME_demo that NAME's demo.toml runs.
+# mrroc_add_robot(NAME SOURCES ... [LINKS ...] [EDP edp_main.cpp] [DEMO demo.cpp [SENSORS type ...]]): a robot's folder. The library
+# mrroc_robot_NAME (model and typed class, public headers in include/), its data files in share/mrroc/robots/NAME, with EDP its driver
+# process NAME_edp, and with DEMO the ECP program NAME_demo that NAME's demo.toml runs, linked with the sensors that it uses.
 function(mrroc_add_robot name)
-  cmake_parse_arguments(ARG "" "EDP;DEMO" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "EDP;DEMO" "SOURCES;LINKS;SENSORS" ${ARGN})
   mrroc_library(mrroc_robot_${name} SOURCES ${ARG_SOURCES} LINKS mrroc_language mrroc_config ${ARG_LINKS})
   target_include_directories(mrroc_robot_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
   mrroc_data(robots ${name})
@@ -40,7 +40,7 @@ function(mrroc_add_robot name)
   endif()
   if(ARG_DEMO)
     cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${PROJECT_SOURCE_DIR}]]
-      CALL mrroc_add_demo_ [[${name}]] [[${CMAKE_CURRENT_SOURCE_DIR}/${ARG_DEMO}]])")
+      CALL mrroc_add_demo_ [[${name}]] [[${CMAKE_CURRENT_SOURCE_DIR}/${ARG_DEMO}]] [[${ARG_SENSORS}]])")
   endif()
 endfunction()
 
@@ -52,10 +52,10 @@ function(mrroc_add_edp_ name source)
   endif()
 endfunction()
 
-# mrroc_add_demo_(NAME SOURCE): of mrroc_add_robot; nothing in a build without ECPs.
-function(mrroc_add_demo_ name source)
+# mrroc_add_demo_(NAME SOURCE SENSORS): of mrroc_add_robot; nothing in a build without ECPs.
+function(mrroc_add_demo_ name source sensors)
   if(TARGET mrroc_ecp_shell)
-    mrroc_add_task(${name}_demo ECP ${source} ROBOTS ${name})
+    mrroc_add_task(${name}_demo ECP ${source} ROBOTS ${name} SENSORS ${sensors})
     set_target_properties(${name}_demo_ecp PROPERTIES OUTPUT_NAME ${name}_demo)
   endif()
 endfunction()
