@@ -46,8 +46,9 @@ class SimulatedEdp {
   std::shared_ptr<const RobotModel> model_;
   edp::MujocoHardware hardware_;
   edp::HandOver hand_over_;
-  edp::Servo servo_{*model_, hardware_, kPeriod, hand_over_};
-  edp::Effector effector_{*model_, kPeriod, hand_over_};
+  edp::ModelSet models_{*model_};
+  edp::Servo servo_{models_, hardware_, kPeriod, hand_over_};
+  edp::Effector effector_{models_, kPeriod, hand_over_};
   edp::Reply reply_;
   std::uint64_t number_ = 0;
 };

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <iostream>
 
-#include "robots_irb6/family/mjcf.hpp"
+#include "robots_common/mjcf.hpp"
 #include "robots_irb6/family/robot_under_test.hpp"
 
 namespace mrroc {

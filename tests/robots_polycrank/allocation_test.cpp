@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "robots_irb6/allocation_count.hpp"
+#include "robots_common/allocation_count.hpp"
 #include "robots_polycrank/polycrank_fixture.hpp"
 
 namespace mrroc {

@@ -6,8 +6,8 @@
 #include <kdl/chainjnttojacsolver.hpp>
 #include <kdl/frames_io.hpp>
 
-#include "robots_irb6/kdl_chain.hpp"
-#include "robots_irb6/mjcf.hpp"
+#include "robots_common/kdl_chain.hpp"
+#include "robots_common/mjcf.hpp"
 #include "robots_polycrank/polycrank_fixture.hpp"
 
 namespace mrroc {

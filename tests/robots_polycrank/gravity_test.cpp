@@ -3,8 +3,8 @@
 #include <Eigen/Cholesky>
 #include <vector>
 
-#include "robots_irb6/mjcf.hpp"
-#include "robots_irb6/servo.hpp"
+#include "robots_common/mjcf.hpp"
+#include "robots_common/servo.hpp"
 #include "robots_polycrank/polycrank_fixture.hpp"
 
 namespace mrroc {

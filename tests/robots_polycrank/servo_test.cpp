@@ -1,4 +1,4 @@
-#include "robots_irb6/servo.hpp"
+#include "robots_common/servo.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "robots_irb6/family/allocation_count.hpp"
+#include "robots_common/allocation_count.hpp"
 #include "robots_irb6/family/robot_under_test.hpp"
 
 namespace mrroc {

@@ -6,8 +6,8 @@
 #include <kdl/chainjnttojacsolver.hpp>
 #include <kdl/frames_io.hpp>
 
-#include "robots_irb6/family/kdl_chain.hpp"
-#include "robots_irb6/family/mjcf.hpp"
+#include "robots_common/kdl_chain.hpp"
+#include "robots_common/mjcf.hpp"
 #include "robots_irb6/family/robot_under_test.hpp"
 
 namespace mrroc {

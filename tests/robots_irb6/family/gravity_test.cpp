@@ -4,9 +4,9 @@
 #include <iostream>
 #include <vector>
 
-#include "robots_irb6/family/mjcf.hpp"
+#include "robots_common/mjcf.hpp"
+#include "robots_common/servo.hpp"
 #include "robots_irb6/family/robot_under_test.hpp"
-#include "robots_irb6/family/servo.hpp"
 
 namespace mrroc {
 namespace {

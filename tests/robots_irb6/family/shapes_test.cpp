@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "config/table.hpp"
-#include "robots_irb6/family/mjcf.hpp"
+#include "robots_common/mjcf.hpp"
 #include "robots_irb6/family/robot_under_test.hpp"
 
 namespace mrroc {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "robots_irb6/family/servo.hpp"
+#include "robots_common/servo.hpp"
 
 namespace mrroc {
 

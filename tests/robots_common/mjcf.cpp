@@ -1,4 +1,4 @@
-#include "robots_irb6/family/mjcf.hpp"
+#include "robots_common/mjcf.hpp"
 
 #include <array>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "robots_serial_parallel/allocation_count.hpp"
+#include "robots_common/allocation_count.hpp"
 
 #include <atomic>
 #include <cstdlib>
