@@ -73,8 +73,11 @@ class Faulty : public ecp::Task {
         {"endless", [] {
            // a computation without end; the thread sanitizer sees signals only where the program calls the system's
            // library
-           volatile int number = 0;
-           for (char text[16];;) std::snprintf(text, sizeof text, "%d", number = number + 1);
+           volatile char digit = '0';
+           for (char text[16];;) {
+             std::snprintf(text, sizeof text, "%c", digit);
+             digit = text[0];
+           }
          }}};
     const std::string& kind = process().deployment().name;
     Wait({arm}, {}, ElapsedSteps{1});
