@@ -37,26 +37,24 @@ INSTANTIATE_TEST_SUITE_P(Robots, Demo, testing::ValuesIn(robots_with_a_demo()),
                          [](const auto& test) { return test.param; });
 
 /// tests/system/programs/unsynchronised.cpp on an IRb-6 whose drives do not know where they are.
-std::string unsynchronised_deployment(const std::string& hardware) {
-  std::string text = "[deployment]\nname = \"unsynchronised\"\nclock = \"lockstep\"\n\n[robots.arm]\ntype = \"irb6\"\n";
-  text.append("program = \"" MRROC_BINARY_DIR "/tests/unsynchronised_ecp\"\nhardware = \"").append(hardware);
-  text.append("\"\nposition = [0.0, 0.0, 0.7]\nsynchronised = false\n");
-  if (hardware == "mujoco") text.append("\n[sim]\nscene = \"" MRROC_SOURCE_DIR "/tests/system/programs/empty.xml\"\n");
-  return text;
-}
+constexpr const char* kUnsynchronised = R"([deployment]
+name = "unsynchronised"
+clock = "lockstep"
 
-class Synchronisation : public testing::TestWithParam<const char*> {};
+[robots.arm]
+type = "irb6"
+program = ")" MRROC_BINARY_DIR R"(/tests/unsynchronised_ecp"
+hardware = "loopback"
+synchronised = false
+)";
 
-TEST_P(Synchronisation, ATaskFindsThePositionsChangesToolAndModelAndWorks) {
+TEST(Synchronisation, ATaskFindsThePositionsChangesToolAndModelAndWorks) {
   const ScratchFolder folder;
-  const auto deployment = folder.write("unsynchronised.toml", unsynchronised_deployment(GetParam()));
+  const auto deployment = folder.write("unsynchronised.toml", kUnsynchronised);
   const std::string output = run_mrroc({"run", deployment.string(), "--quiet"}, 0);
   EXPECT_NE(output.find("before: not synchronised"), std::string::npos) << output;
   EXPECT_NE(output.find("after: synchronised"), std::string::npos) << output;
 }
-
-INSTANTIATE_TEST_SUITE_P(Drives, Synchronisation, testing::Values("loopback", "mujoco"),
-                         [](const auto& test) { return std::string{test.param}; });
 
 }  // namespace
 }  // namespace mrroc::test

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Refused, WrongTask,
                                          Fault{"infinite", kTask, "a value is not finite: joints of axis 3"},      //
                                          Fault{"limit", kTask, "a joint position limit would be passed: axis 3"},  //
                                          Fault{"fast", kTask, "a joint velocity limit would be passed: axis 3"},   //
-                                         Fault{"axes", kTask, "joints has 5 values, the robot 6 axes"},            //
+                                         Fault{"axes", kTask, "joints has 5 values, expected 6"},                  //
                                          Fault{"steps", kTask, "motion_steps N is out of range"},
                                          Fault{"many_steps", kTask, "motion_steps N is out of range"},
                                          Fault{"reply", kTask, "reply_step v is out of range"}),

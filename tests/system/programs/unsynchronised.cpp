@@ -27,9 +27,9 @@ class Unsynchronised : public ecp::Task {
     }
     arm.synchronise();
     require(arm.state().synchronised, "it is not synchronised");
-    // every motor stands near its synchronisation position
+    // every motor has stopped soon after its synchronisation position, the tool roll from 25 rad/s
     for (std::size_t i = 0; i < 6; ++i)
-      require(std::abs(arm.state().motors[static_cast<Eigen::Index>(i)] - arm.parameters().axes[i].motor_synchro) < 3,
+      require(std::abs(arm.state().motors[static_cast<Eigen::Index>(i)] - arm.parameters().axes[i].motor_synchro) < 6,
               "a motor is far from its synchronisation position");
     Move({arm}, {}, JointLine(arm, arm.parameters().home));
     require((arm.state().joints - arm.parameters().home).cwiseAbs().maxCoeff() < 1e-2, "it did not go home");
