@@ -16,9 +16,9 @@ install(FILES ${package}/mrrocConfig.cmake ${package}/MrrocTargets.cmake ${packa
   DESTINATION lib/cmake/mrroc)
 
 # headers as they are included: "mrroc/move.hpp", "config/table.hpp", "robots/irb6/irb6_model.hpp"
-file(GLOB public_headers include src */include robots/*/include sensors/*/include)
-list(TRANSFORM public_headers APPEND /)
-install(DIRECTORY ${public_headers} DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
+file(GLOB type_headers robots/*/include sensors/*/include)
+list(TRANSFORM type_headers APPEND /)
+install(DIRECTORY include/ src/ mp/include/ ecp/include/ ${type_headers} DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY edp vsp sim robots sensors DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp" PATTERN include EXCLUDE)
 
 install(DIRECTORY tasks DESTINATION share/mrroc
