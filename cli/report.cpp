@@ -18,6 +18,11 @@ void print_servo(const links::ProcessStatus& status, bool real) {
   fmt::print("\n");
 }
 
+void print_skew(const links::ProcessStatus& status) {
+  fmt::print("  {:<10} {} steps of several robots, skew {} ticks\n", status.process.view(),
+             status.counters.common_steps, status.counters.skew_ticks);
+}
+
 }  // namespace
 
 void print_report(const config::Deployment& deployment, const RunResult& result) {
@@ -29,6 +34,7 @@ void print_report(const config::Deployment& deployment, const RunResult& result)
   }
   fmt::print("\n");
   for (const auto& [name, status] : result.statuses) {
+    if (status.counters.common_steps > 0) print_skew(status);
     if (status.role == links::ProcessRole::edp) print_servo(status, deployment.clock == config::ClockMode::real);
   }
 }

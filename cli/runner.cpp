@@ -80,6 +80,7 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
 
 Runner::~Runner() {
   clock_.end();
+  clock_.join();  // its events use the links to the MP
   if (signals_ >= 0) close(signals_);
 }
 

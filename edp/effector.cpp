@@ -204,6 +204,7 @@ bool Effector::poll(Reply& reply) noexcept {
     } else if (entry != nullptr) {
       const Snapshot& then = report->snapshot;
       reply.command = entry->number;
+      if (outcome == Report::Outcome::reply) macrostep_start_ = report->start;
       fill(then, then.end, then.end_tick, reply.state);
       if (outcome == Report::Outcome::aborted && then.fault.code == ErrorCode::none)
         reply.state.error = make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "the drives were switched off");
@@ -249,6 +250,7 @@ void Effector::fill(const Snapshot& snapshot, const DesiredState& end, Tick end_
   state.motors = snapshot.motors;
   state.current = snapshot.current;
   state.pose = planner_.kinematics().direct(snapshot.joints);
+  state.macrostep_start = macrostep_start_;
   state.desired_tick = end_tick;
   state.desired_joints = end.position;
   state.desired_velocity = end.velocity;

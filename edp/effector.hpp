@@ -104,7 +104,8 @@ class Effector {
   bool untold_ = false;  ///< the robot has braked and no reply has said so yet
   std::array<Outstanding, 2> outstanding_{};
   std::uint64_t last_ticket_ = 0;
-  Macrostep stop_;  ///< scratch: too large for a small stack
+  Tick macrostep_start_ = 0;  ///< of the last one that was answered
+  Macrostep stop_;            ///< scratch: too large for a small stack
   Macrostep macrostep_;
   CommandCounters counters_;
 };

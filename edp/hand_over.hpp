@@ -24,6 +24,7 @@ struct Report {
   };
   Outcome outcome = Outcome::reply;
   std::uint64_t ticket = 0;
+  Tick start = 0;     ///< of the macrostep; 0 unless `reply`
   Snapshot snapshot;  ///< of the tick in which it happened
 };
 

@@ -245,7 +245,10 @@ bool Servo::start_next(Tick tick) noexcept {
   if (active_.kind == Macrostep::Kind::synchronise) synchroniser_.start(desired_.position);
   if (active_.ticket != 0 && pending_count_ < pending_.size())
     pending_[pending_count_++] = {
-        active_.ticket, active_.kind == Macrostep::Kind::synchronise ? kNever : active_.start + active_.reply_step};
+        active_.ticket,
+        active_.kind == Macrostep::Kind::synchronise ? kNever : active_.start + active_.reply_step,
+        active_.start,
+    };
   return true;
 }
 
@@ -309,7 +312,7 @@ bool Servo::publish(Tick tick) noexcept {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < pending_count_; ++i) {
     if (pending_[i].due <= tick && outbox_count_ < outbox_.size())
-      outbox_[outbox_count_++] = {Report::Outcome::reply, pending_[i].ticket};
+      outbox_[outbox_count_++] = {Report::Outcome::reply, pending_[i].ticket, pending_[i].start};
     else
       pending_[kept++] = pending_[i];
   }
@@ -340,6 +343,7 @@ bool Servo::publish(Tick tick) noexcept {
     if (report == nullptr) break;
     report->outcome = outbox_[i].outcome;
     report->ticket = outbox_[i].ticket;
+    report->start = outbox_[i].start;
     report->snapshot = snapshot_;
     hand_over_.reports.push_free_place();
   }

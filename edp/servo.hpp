@@ -53,10 +53,12 @@ class Servo {
   struct Outcome {
     Report::Outcome outcome;
     std::uint64_t ticket;
+    Tick start = 0;
   };
   struct PendingReply {
     std::uint64_t ticket;
     Tick due;
+    Tick start;
   };
 
   bool use(std::uint8_t model) noexcept;

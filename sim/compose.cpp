@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <iomanip>
 #include <iterator>
-#include <sstream>
 
 #include "config/table.hpp"
 #include "sim/mjcf_part.hpp"
+#include "sim/placement.hpp"
 
 namespace mrroc::sim {
 
@@ -52,14 +51,6 @@ Element element(std::string name, std::vector<std::pair<std::string, std::string
   return {std::move(name), std::move(attributes), std::move(children), origin};
 }
 
-std::string numbers(std::initializer_list<double> values) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out << std::setprecision(17);
-  for (const double value : values) out << (out.tellp() > 0 ? " " : "") << value;
-  return out.str();
-}
-
 /// Puts a direct child of the world under default class `name` unless it has one.
 void give_class(Element& top, const std::string& name) {
   constexpr std::array<std::string_view, 4> kWithClass{"camera", "geom", "light", "site"};
@@ -67,18 +58,6 @@ void give_class(Element& top, const std::string& name) {
   if (!is_body && std::find(kWithClass.begin(), kWithClass.end(), top.name) == kWithClass.end()) return;
   const std::string key = is_body ? "childclass" : "class";
   top.set(key, top.value_or(key, name));
-}
-
-/// The robot's worldbody as a body at its base pose.
-Element based(const RobotPart& robot, const MjcfPart& part) {
-  const Eigen::Vector3d p = robot.base.translation();
-  const Eigen::Quaterniond q(robot.base.linear());
-  return element("body",
-                 {{"name", robot.name},
-                  {"pos", numbers({p.x(), p.y(), p.z()})},
-                  {"quat", numbers({q.w(), q.x(), q.y(), q.z()})},
-                  {"childclass", part.main_class}},
-                 part.origin, part.world);
 }
 
 /// Declares the wrist's sensor unless the robot's MJCF has done so.
@@ -140,16 +119,20 @@ Composition compose(const std::filesystem::path& scene_file, const std::vector<R
   std::vector<Element> sections = scene.sections;
   std::vector<Element> world = scene.world;
   for (Element& top : world) give_class(top, scene.main_class);
+  std::vector<MjcfPart> parts;
   for (const RobotPart& robot : robots) {
-    MjcfPart part = read_part(robot.mjcf, robot.name + "/");
-    check_same_compiler(scene, part);
-    defaults.children.push_back(part.defaults);
-    world.push_back(based(robot, part));
+    parts.push_back(read_part(robot.mjcf, robot.name + "/"));
+    check_same_compiler(scene, parts.back());
+  }
+  std::ranges::move(place_robots(robots, parts), std::back_inserter(world));
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    MjcfPart& part = parts[i];
+    defaults.children.push_back(std::move(part.defaults));
     std::erase_if(part.sections, [](const Element& section) {
       return section.name == "option" || section.name == "size" || section.name == "visual" ||
              section.name == "statistic";
     });
-    if (robot.force_torque) add_force_torque(robot, part, sections);
+    if (robots[i].force_torque) add_force_torque(robots[i], part, sections);
     std::move(part.sections.begin(), part.sections.end(), std::back_inserter(sections));
   }
   add_scenery(scene, sections, world);

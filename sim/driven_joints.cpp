@@ -34,6 +34,18 @@ bool is_endless(const mjModel& model, const std::string& robot, int joint) {
   return false;
 }
 
+/// Solves the joint equalities y - y0 = polynomial(x - x0) in which x is the joint at `leader` of qpos.
+void place_followers(const mjModel& model, mjData& data, int leader) {
+  for (int i = 0; i < model.neq; ++i) {
+    if (model.eq_type[i] != mjEQ_JOINT || model.eq_obj2id[i] < 0) continue;
+    if (model.jnt_qposadr[model.eq_obj2id[i]] != leader) continue;
+    const int follower = model.jnt_qposadr[model.eq_obj1id[i]];
+    const mjtNum* a = model.eq_data + mjNEQDATA * i;
+    const double x = data.qpos[leader] - model.qpos0[leader];
+    data.qpos[follower] = model.qpos0[follower] + a[0] + x * (a[1] + x * (a[2] + x * (a[3] + x * a[4])));
+  }
+}
+
 }  // namespace
 
 DrivenJoints::DrivenJoints(mjModel& model, const std::string& robot, const std::vector<std::string>& names)
@@ -58,6 +70,7 @@ DrivenJoints::DrivenJoints(mjModel& model, const std::string& robot, const std::
   }
   disable_actuators(model);
   find_addresses(model);
+  find_travel_sensors(model);
 }
 
 void DrivenJoints::disable_actuators(mjModel& model) const {
@@ -85,7 +98,17 @@ void DrivenJoints::find_addresses(const mjModel& model) {
   }
 }
 
-void DrivenJoints::place(mjData& data, const JointVector& position) noexcept {
+void DrivenJoints::find_travel_sensors(const mjModel& model) {
+  for (int sensor = 0; sensor < model.nsensor; ++sensor) {
+    if (model.sensor_type[sensor] != mjSENS_JOINTPOS) continue;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const bool its_own = model.jnt_dofadr[model.sensor_objid[sensor]] == joints_[i].dof;
+      if (joints_[i].endless && its_own) travel_sensors_.push_back({model.sensor_adr[sensor], i});
+    }
+  }
+}
+
+void DrivenJoints::place(const mjModel& model, mjData& data, const JointVector& position) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     Joint& joint = joints_[i];
     const double value = position[static_cast<Eigen::Index>(i)];
@@ -93,6 +116,7 @@ void DrivenJoints::place(mjData& data, const JointVector& position) noexcept {
     joint.held = joint.endless ? 0 : value;
     data.qpos[joint.position] = joint.held;
     data.qvel[joint.dof] = 0;
+    place_followers(model, data, joint.position);
   }
   braked_ = true;
 }
@@ -173,6 +197,10 @@ void DrivenJoints::finish(mjData& data) noexcept {
       data.qpos[joint.position] = 0;
     }
   }
+}
+
+void DrivenJoints::add_travel(mjData& data) const noexcept {
+  for (const TravelSensor& sensor : travel_sensors_) data.sensordata[sensor.address] += joints_[sensor.joint].travel;
 }
 
 void DrivenJoints::measure(const mjData& data, JointMeasurement& measurement) const noexcept {

@@ -24,7 +24,8 @@ namespace mrroc::sim {
 /// step.
 ///
 /// A joint in the robot's MJCF tuple "endless" (a conveyor's belt) is put back to zero after every step while its
-/// travel is counted, so that the belt's geometry stays in place under the parts that it carries.
+/// travel is counted, so that the belt's geometry stays in place under the parts that it carries. MJCF sensors
+/// `jointpos` of it read the travel.
 ///
 /// The simulation's thread; only the constructor allocates or throws.
 class DrivenJoints {
@@ -35,8 +36,9 @@ class DrivenJoints {
 
   const std::string& robot() const noexcept { return robot_; }
   std::size_t count() const noexcept { return count_; }
-  /// Puts the joints at `position`, at rest; brakes on.
-  void place(mjData& data, const JointVector& position) noexcept;
+  /// Puts the joints at `position`, at rest; brakes on. Joints that an equality makes follow one of them are put where
+  /// it wants them.
+  void place(const mjModel& model, mjData& data, const JointVector& position) noexcept;
 
   /// Index of the first joint that has a number in `drive` that is not finite; -1: none.
   int find_not_finite(const JointDrive& drive) const noexcept;
@@ -58,6 +60,8 @@ class DrivenJoints {
   void add_damping(mjData& data, double h) const noexcept;
   /// After the integration: holds braked joints, rolls endless ones back.
   void finish(mjData& data) noexcept;
+  /// After mj_sensorPos: what it has stored for endless joints becomes their travel.
+  void add_travel(mjData& data) const noexcept;
 
   void measure(const mjData& data, JointMeasurement& measurement) const noexcept;
 
@@ -69,16 +73,22 @@ class DrivenJoints {
     double travel = 0;  ///< of an endless joint
     double held = 0;    ///< position where the brakes engaged
   };
+  struct TravelSensor {
+    int address;  ///< in sensordata
+    std::size_t joint;
+  };
   double entry(const std::array<double, kMaxJoints * kMaxJoints>& matrix, std::size_t i, std::size_t j) const noexcept {
     return matrix[i * kMaxJoints + j];
   }
   void find_addresses(const mjModel& model);
+  void find_travel_sensors(const mjModel& model);
   void disable_actuators(mjModel& model) const;
 
   std::string robot_;
   std::size_t count_ = 0;
   std::array<Joint, kMaxJoints> joints_{};
   std::array<int, kMaxJoints * kMaxJoints> addresses_{};  ///< (i, j) in MuJoCo's sparse M; -1: not on one chain
+  std::vector<TravelSensor> travel_sensors_;
   JointDrive drive_{};
   bool braked_ = true;
 };

@@ -33,7 +33,8 @@ Composition compose(const config::Deployment& deployment) {
         std::any_of(deployment.sensors.begin(), deployment.sensors.end(), [&](const config::SensorEntry& sensor) {
           return in_world(sensor) && sensor.type == "force_torque" && sensor.robot == robot.name;
         });
-    parts.push_back({robot.name, config::robot_file(robot.type, robot.type + ".xml"), robot.base, force_torque});
+    parts.push_back(
+        {robot.name, config::robot_file(robot.type, robot.type + ".xml"), robot.base, force_torque, robot.mount});
   }
   return compose(sim_entry(deployment).scene, parts);
 }

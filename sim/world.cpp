@@ -31,7 +31,7 @@ World::World(const Composition& composition, double period, double timestep)
 
 std::size_t World::attach(const std::string& robot, const std::vector<std::string>& joints, const JointVector& home) {
   robots_.emplace_back(*model_, robot, joints);
-  robots_.back().place(*data_, home);
+  robots_.back().place(*model_, *data_, home);
   return robots_.size() - 1;
 }
 
@@ -75,6 +75,7 @@ void World::evaluate_motion() {
   mj_checkVel(model_.get(), data_.get());
   mj_fwdPosition(model_.get(), data_.get());
   mj_sensorPos(model_.get(), data_.get());
+  for (const DrivenJoints& robot : robots_) robot.add_travel(*data_);
   mj_fwdVelocity(model_.get(), data_.get());
   mj_sensorVel(model_.get(), data_.get());
 }

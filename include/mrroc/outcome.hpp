@@ -26,6 +26,8 @@ struct Outcome {
   /// First and last tick of the states that were seen.
   Tick start_tick = 0;
   Tick end_tick = 0;
+  /// Worst skew of the robots: ticks between the first and the last start of a macrostep that was theirs together.
+  Tick skew = 0;
   double duration = 0;       ///< s, from the ticks
   double wall_duration = 0;  ///< s, measured
   /// The whole condition that held, for its lifetime; null unless `ending` is `condition`.

@@ -38,6 +38,9 @@ class RobotModel {
   /// or `singular` (then `joints` still holds a solution, with the free angle kept from `near`). Joint limits are not
   /// looked at.
   virtual ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept = 0;
+  /// The joint that `inverse` keeps from `near` where a pose leaves one free; -1: none. A motion of the tool does not
+  /// move it: joint velocities that follow a twist are those of the Jacobian without its column.
+  virtual int kept_joint() const noexcept { return -1; }
   /// Geometric Jacobian, in base axes, of a point fixed to the flange: `offset` in flange axes, m.
   virtual Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept = 0;
 };

@@ -11,7 +11,7 @@ namespace mrroc {
 /// robots/<name>/<name>.toml. Units: rad or m at the joint, rad at the motor shaft.
 struct AxisParameters {
   std::string name;
-  // joint limits: hold at every tick, for every source of set-points
+  // joint limits: hold at every tick, for every source of set-points; infinite positions: the axis turns without end
   double position_min = 0;
   double position_max = 0;
   double velocity_max = 0;

@@ -23,6 +23,7 @@ struct RobotState {
   JointVector motors;            ///< measured shaft positions, rad
   JointVector current;           ///< drive current, A
   Pose pose = Pose::Identity();  ///< direct kinematics of `joints`
+  Tick macrostep_start = 0;      ///< tick 0 of the macrostep that this answers; of a query, the last one's
   Tick desired_tick = 0;
   JointVector desired_joints;
   JointVector desired_velocity;

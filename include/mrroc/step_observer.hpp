@@ -18,6 +18,7 @@ struct StepRecord {
   std::uint64_t step = 0;             ///< i - i0
   Tick tick = 0;                      ///< of the newest state or reading
   bool last = false;                  ///< the instruction ends here: no command is sent
+  Tick skew = 0;                      ///< of the robots, worst so far in this instruction: Outcome::skew
   std::span<Robot* const> robots;
   std::span<Sensor* const> sensors;
   std::span<const Condition* const> conditions;  ///< leaves; each has its value. None at the operator's end-motion

@@ -14,17 +14,20 @@ struct ScrewGeometry {
   double synchro_length = 0;  ///< length at synchronisation, m
 };
 
-/// `[geometry]` of irb6.toml. Lengths in m, gears in rad of the motor per rad of what it drives.
+/// Geometry of an arm of the IRb-6's family: `[geometry]` of its file, or one of its `[models]`. Lengths in m, gears in
+/// rad of the motor per rad of what it drives. An arm has six axes, or five: then it has no tool roll.
 struct Geometry {
   double lower_arm = 0;  ///< shoulder to elbow
   double upper_arm = 0;  ///< elbow to wrist pitch axis
-  double wrist = 0;      ///< wrist pitch axis to the crossing of the two roll axes
+  double wrist = 0;      ///< wrist pitch axis to the flange frame's origin
   double column_gear = 0;
   ScrewGeometry lower_arm_screw;
   ScrewGeometry upper_arm_screw;
   double wrist_pitch_gear = 0;
   double wrist_roll_gear = 0;
   double tool_roll_gear = 0;
+  /// Motor positions, rad: of the screws at their synchro_length, of the others at an angle of 0; one per axis.
+  JointVector zero;
   Pose tool = Pose::Identity();  ///< tool frame in the flange frame
 };
 

@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
+
+#include "config/robot_parameters_file.hpp"
 
 namespace mrroc::irb6 {
 namespace {
 
 constexpr config::Range kLength{0.001, 10};
+constexpr config::Range kAngle{-2 * std::numbers::pi, 2 * std::numbers::pi};
 
 double gear(const config::Table& table, std::string_view key) {
   const double value = table.number(key);
@@ -15,9 +17,7 @@ double gear(const config::Table& table, std::string_view key) {
   return value;
 }
 
-ScrewGeometry read_screw(const config::Table& table) {
-  ScrewGeometry screw;
-  screw.gear = gear(table, "gear");
+void read_linkage(const config::Table& table, ScrewGeometry& screw) {
   screw.squares = table.number("squares", {1e-6, 100});
   screw.cosine = table.number("cosine");
   screw.sine = table.number("sine");
@@ -28,12 +28,24 @@ ScrewGeometry read_screw(const config::Table& table) {
                "a number above hypot(cosine, sine) = " + std::to_string(swing) + " that is above 0");
   }
   table.finish();
+}
+
+ScrewGeometry read_screw(const config::Table& table) {
+  ScrewGeometry screw;
+  screw.gear = gear(table, "gear");
+  read_linkage(table, screw);
   return screw;
+}
+
+void read_lengths(const config::Table& table, Geometry& geometry) {
+  geometry.lower_arm = table.number("lower_arm", kLength);
+  geometry.upper_arm = table.number("upper_arm", kLength);
+  geometry.wrist = table.number("wrist", kLength);
 }
 
 Pose read_tool(const config::Table& table) {
   const auto translation = table.numbers("tool_translation", 3, {-10, 10});
-  const auto rotation = table.numbers("tool_rotation", 3, {-2 * std::numbers::pi, 2 * std::numbers::pi});
+  const auto rotation = table.numbers("tool_rotation", 3, kAngle);
   Pose tool = Pose::Identity();
   tool.translation() << translation[0], translation[1], translation[2];
   tool.linear() = (Eigen::AngleAxisd(rotation[2], Eigen::Vector3d::UnitZ()) *
@@ -43,22 +55,67 @@ Pose read_tool(const config::Table& table) {
   return tool;
 }
 
-}  // namespace
-
-Geometry read_geometry(const config::Table& table) {
+Geometry read_nominal(const config::Table& table, const JointVector& synchro) {
   Geometry geometry;
-  geometry.lower_arm = table.number("lower_arm", kLength);
-  geometry.upper_arm = table.number("upper_arm", kLength);
-  geometry.wrist = table.number("wrist", kLength);
+  read_lengths(table, geometry);
   geometry.tool = read_tool(table);
   geometry.column_gear = gear(table, "column_gear");
   geometry.wrist_pitch_gear = gear(table, "wrist_pitch_gear");
   geometry.wrist_roll_gear = gear(table, "wrist_roll_gear");
-  geometry.tool_roll_gear = gear(table, "tool_roll_gear");
+  if (synchro.size() == 6) geometry.tool_roll_gear = gear(table, "tool_roll_gear");
   geometry.lower_arm_screw = read_screw(table.table("lower_arm_screw"));
   geometry.upper_arm_screw = read_screw(table.table("upper_arm_screw"));
+  geometry.zero = synchro;
   table.finish();
   return geometry;
+}
+
+Geometry read_variant(const config::Table& table, const Geometry& nominal) {
+  Geometry geometry = nominal;
+  read_lengths(table, geometry);
+  read_linkage(table.table("lower_arm_screw"), geometry.lower_arm_screw);
+  read_linkage(table.table("upper_arm_screw"), geometry.upper_arm_screw);
+  const auto synchro = table.numbers("synchro", static_cast<std::size_t>(nominal.zero.size()));
+  geometry.zero = Eigen::Map<const Eigen::VectorXd>(synchro.data(), nominal.zero.size());
+  // an axis that is not at angle 0 there has its zero that much further back
+  geometry.zero[0] -= geometry.column_gear * table.number("column_offset", kAngle);
+  geometry.zero[4] -= geometry.wrist_roll_gear * table.number("wrist_roll_offset", kAngle);
+  if (geometry.zero.size() == 6) {
+    geometry.zero[5] -= geometry.tool_roll_gear * table.number("tool_roll_offset", kAngle);
+  }
+  table.finish();
+  return geometry;
+}
+
+}  // namespace
+
+RobotParameters read_parameters(const config::Table& file, int count) {
+  auto parameters = config::read_robot_parameters(file);
+  if (parameters.axes.size() != static_cast<std::size_t>(count)) {
+    file.fail("axes", std::to_string(parameters.axes.size()) + " axes", std::to_string(count) + " axes");
+  }
+  return parameters;
+}
+
+std::vector<NamedGeometry> read_models(const config::Table& file, const RobotParameters& parameters, int column) {
+  const auto axes = static_cast<Eigen::Index>(parameters.axes.size());
+  JointVector synchro(axes - column);
+  for (Eigen::Index i = column; i < axes; ++i) {
+    synchro[i - column] = parameters.axes[static_cast<std::size_t>(i)].motor_synchro;
+  }
+  const Geometry nominal = read_nominal(file.table("geometry"), synchro);
+  std::vector<NamedGeometry> models{{"nominal", nominal}};
+  if (const auto variants = file.optional_table("models")) {
+    for (const std::string& name : variants->table_names()) {
+      if (name == "nominal" || name.size() > kNameLength) {
+        variants->fail(name, "\"" + name + "\" is no name for another model",
+                       "at most " + std::to_string(kNameLength) + " characters, not \"nominal\"");
+      }
+      models.push_back({name, read_variant(variants->table(name), nominal)});
+    }
+  }
+  file.optional_table("description");  // the URDF and the MJCF are written from it, by describe.py
+  return models;
 }
 
 }  // namespace mrroc::irb6

@@ -1,12 +1,27 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "config/table.hpp"
+#include "mrroc/robot_parameters.hpp"
 #include "robots/irb6/geometry.hpp"
 
 namespace mrroc::irb6 {
 
-/// Reads `[geometry]` of irb6.toml, given as its table. Throws ConfigurationError, also for a screw whose length would
-/// be zero at some angle and for gears of zero.
-Geometry read_geometry(const config::Table& table);
+/// One kinematic model of an arm, by the name that deployments and task programs use.
+struct NamedGeometry {
+  std::string name;
+  Geometry geometry;
+};
+
+/// Reads axes and home of a parameter file of the family. Throws ConfigurationError, also when it has not `count` axes.
+RobotParameters read_parameters(const config::Table& file, int count);
+
+/// Reads the arm's kinematic models: `[geometry]` as "nominal", with the axes' motor_synchro as zeros, then each
+/// `[models.<name>]`: lengths and screws of its own, `synchro` (motor positions, rad) and the angles `*_offset` (rad)
+/// in which its column and rolls are there; gears and tool are the nominal ones. The arm's axes are those from `column`
+/// on. Throws ConfigurationError, also for a screw whose length would be zero at some angle and for gears of zero.
+std::vector<NamedGeometry> read_models(const config::Table& file, const RobotParameters& parameters, int column = 0);
 
 }  // namespace mrroc::irb6

@@ -8,11 +8,12 @@
 
 namespace mrroc::irb6 {
 
-/// Motor <-> arm angle through a ball screw: m(t) = gear (length(t) - synchro_length) + synchro. The arm moves between
+/// Motor <-> arm angle through a ball screw: m(t) = gear (length(t) - synchro_length) + zero. The arm moves between
 /// the two dead centres of the linkage, where dm/dt = 0; outside them an angle has no motor position of its own.
 class Screw {
  public:
-  Screw(const ScrewGeometry& geometry, double synchro) noexcept;
+  /// `zero`: motor position at synchro_length, rad.
+  Screw(const ScrewGeometry& geometry, double zero) noexcept;
 
   /// Between the dead centres, within (-pi, pi].
   bool reaches(double angle) const noexcept;
@@ -26,16 +27,16 @@ class Screw {
   double length(double angle) const noexcept;
 
   ScrewGeometry geometry_;
-  double synchro_;
+  double zero_;
 };
 
 /// Motors (rad at the shaft) <-> joints (rad). Motors 2, 3 and 4 drive the absolute angles of the arms through the
 /// parallelogram and the rods: t2 = q2, t3 = q2 + q3 + pi/2, t4 = t3 + q4. The wrist roll turns along with motor 4:
-/// m5 = gear q5 + synchro + (m4 - synchro of motor 4). Any thread; never allocates or throws.
+/// m5 = gear q5 + zero + (m4 - zero of motor 4). Without tool roll it is that of the arm with five axes. Any thread;
+/// never allocates or throws.
 class Transmission {
  public:
-  /// `synchro`: motor positions at synchronisation, six values, rad.
-  Transmission(const Geometry& geometry, const JointVector& synchro) noexcept;
+  explicit Transmission(const Geometry& geometry) noexcept;
 
   /// `none`, or `motor_limit` when no joints belong to `motors` (then `joints` is left as it was).
   ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept;
@@ -45,13 +46,15 @@ class Transmission {
   JointMatrix matrix(const JointVector& joints) const noexcept;
 
  private:
+  bool has_tool_roll() const noexcept { return zero_.size() == 6; }
+
   Screw lower_arm_;
   Screw upper_arm_;
   double column_gear_;
   double wrist_pitch_gear_;
   double wrist_roll_gear_;
   double tool_roll_gear_;
-  JointVector synchro_;
+  JointVector zero_;
 };
 
 }  // namespace mrroc::irb6

@@ -32,6 +32,10 @@ ClockHost::ClockHost(HostOptions options)
 
 ClockHost::~ClockHost() {
   end();
+  join();
+}
+
+void ClockHost::join() {
   if (thread_.joinable()) thread_.join();
 }
 

@@ -56,6 +56,8 @@ class ClockHost {
   /// Every wait in every process returns `interrupted` from now on. The first of the two decides.
   void fail(std::string_view text);
   void end();
+  /// After `end`: waits for the host's thread, so that no event runs any more. Not from an event. The owner's thread.
+  void join();
 
   State state() const noexcept { return memory_->state.load(); }
   /// Why it failed; empty when it has not.

@@ -5,6 +5,7 @@
 
 #include "config/device_name.hpp"
 #include "config/message_text.hpp"
+#include "config/mounts.hpp"
 #include "config/named_file.hpp"
 #include "config/robot_entry.hpp"
 #include "config/sensor_entry.hpp"
@@ -139,6 +140,7 @@ Deployment load_deployment(const std::filesystem::path& file) {
   read_devices(root, "robots", kMostRobots, [&deployment](const Table& table, const std::string& name) {
     deployment.robots.push_back(read_robot(table, name, deployment));
   });
+  check_mounts(root, deployment);
   read_devices(root, "sensors", kMostSensors, [&deployment](const Table& table, const std::string& name) {
     refuse_name_of_robot(table, name, deployment);
     deployment.sensors.push_back(read_sensor(table, name, deployment));

@@ -23,8 +23,10 @@ struct RobotEntry {
   std::string hardware;               ///< mujoco | loopback
   bool synchronised = true;           ///< simulated drives know their absolute positions from the start
   std::string host;                   ///< empty: this machine
-  Pose base =
-      Pose::Identity();  ///< in the world: `position = [x, y, z]` (m), `rotation = [r, p, y]` (rad, fixed axes x y z)
+  std::string mount;                  ///< robot that carries it; empty: it stands in the world
+  /// In the world, or in the frame of the carrier's site `tool`: `position = [x, y, z]` (m), `rotation = [r, p, y]`
+  /// (rad, fixed axes x y z).
+  Pose base = Pose::Identity();
   std::string edp_program;  ///< the type's `<type>_edp`, absolute path
 };
 
@@ -55,7 +57,7 @@ struct Event {
 };
 
 /// A deployment file, validated as a whole: names are unique and at most 31 characters of letters, digits and `_`,
-/// every type is installed, every program exists, every file named exists.
+/// every type is installed, every program exists, every file named exists, what is mounted is carried by a robot.
 struct Deployment {
   std::filesystem::path file;  ///< absolute
   std::string name;

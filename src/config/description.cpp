@@ -24,7 +24,8 @@ std::string clock_name(ClockMode clock) {
 }
 
 std::string describe(const RobotEntry& robot) {
-  return robot.type + " on " + robot.hardware + ": ECP " + robot.program + ", EDP " + robot.edp_program;
+  const std::string mount = robot.mount.empty() ? "" : " carried by " + robot.mount;
+  return robot.type + mount + " on " + robot.hardware + ": ECP " + robot.program + ", EDP " + robot.edp_program;
 }
 
 std::string describe(const SensorEntry& sensor) {

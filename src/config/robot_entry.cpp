@@ -52,12 +52,13 @@ Pose read_base(const Table& table) {
 }  // namespace
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
-  table.only({"type", "program", "hardware", "host", "position", "rotation", "synchronised"});
+  table.only({"type", "program", "hardware", "host", "mount", "position", "rotation", "synchronised"});
   RobotEntry robot;
   robot.name = name;
   robot.type = table.choice("type", robot_types());
   robot.hardware = read_hardware(table, deployment);
   robot.host = read_host(table);
+  robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
   robot.synchronised = table.boolean_or("synchronised", true);
   robot.program = require_program(table, "program", table.optional_text("program").value_or(robot.program));

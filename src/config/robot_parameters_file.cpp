@@ -22,7 +22,7 @@ double positive_or(const Table& table, std::string_view key, double fallback) {
 
 /// `max_key`, which must lie above the value of `min_key`.
 double above(const Table& table, std::string_view max_key, double min, const std::string& min_key) {
-  const double max = table.number(max_key);
+  const double max = table.limit(max_key);
   if (!(max > min)) {
     table.fail(max_key, number_text(max) + " is not above " + min_key, "a number above " + number_text(min));
   }
@@ -35,12 +35,12 @@ AxisParameters read_axis(const Table& table) {
   if (axis.name.empty() || axis.name.size() > kNameLength) {
     table.fail("name", in_quotes(axis.name) + " is no name", "1 to " + std::to_string(kNameLength) + " characters");
   }
-  axis.position_min = table.number("position_min");
+  axis.position_min = table.limit("position_min");
   axis.position_max = above(table, "position_max", axis.position_min, "position_min");
   axis.velocity_max = positive(table, "velocity_max");
   axis.acceleration_max = positive(table, "acceleration_max");
   axis.jerk_max = positive(table, "jerk_max");
-  axis.motor_min = table.number("motor_min");
+  axis.motor_min = table.limit("motor_min");
   axis.motor_max = above(table, "motor_max", axis.motor_min, "motor_min");
   axis.motor_synchro = table.number("motor_synchro", {axis.motor_min, axis.motor_max});
   axis.synchro_coarse = table.number_or("synchro_coarse", 0);

@@ -167,6 +167,11 @@ double Table::number_or(std::string_view key, double fallback, Range range) cons
   return has(key) ? number(key, range) : fallback;
 }
 
+double Table::limit(std::string_view key) const {
+  const auto* value = node_->require(key, "a number, inf or -inf").as_floating_point();
+  return value != nullptr && std::isinf(value->get()) ? value->get() : number(key);
+}
+
 std::int64_t Table::integer(std::string_view key, std::int64_t min, std::int64_t max) const {
   const std::string expected = expected_integer(min, max);
   const auto& node = node_->require(key, expected);

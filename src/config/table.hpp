@@ -43,6 +43,8 @@ class Table {
   std::string choice(std::string_view key, const std::vector<std::string>& choices) const;
   double number(std::string_view key, Range range = {}) const;
   double number_or(std::string_view key, double fallback, Range range = {}) const;
+  /// A number, or TOML's `inf` or `-inf`: a limit that says that there is none.
+  double limit(std::string_view key) const;
   std::int64_t integer(std::string_view key, std::int64_t min, std::int64_t max) const;
   std::int64_t integer_or(std::string_view key, std::int64_t fallback, std::int64_t min, std::int64_t max) const;
   bool boolean_or(std::string_view key, bool fallback) const;

@@ -91,6 +91,7 @@ Outcome Instruction::run_steps() {
     send(step_ + 1);
     observe(false);
     receive(step_ + 1);
+    measure_skew();
     ++step_;
     throw_reported_errors();
   }
@@ -170,6 +171,16 @@ void Instruction::align_start_ticks() {
   }
 }
 
+void Instruction::measure_skew() noexcept {
+  if (robots_.empty()) return;
+  Tick first = kNever, last = 0;
+  for (const Robot* robot : robots_) {
+    first = std::min(first, robot->state().macrostep_start);
+    last = std::max(last, robot->state().macrostep_start);
+  }
+  skew_ = std::max(skew_, last - first);
+}
+
 Tick Instruction::next_measurement() const {
   const Tick now = task_->tick();
   if (robots_.empty()) return now + kStepWithoutRobots;
@@ -214,6 +225,7 @@ void Instruction::observe(bool last) const {
   record.step = step_;
   record.tick = newest_tick();
   record.last = last;
+  record.skew = skew_;
   record.robots = robots_;
   record.sensors = sensors_;
   record.conditions = leaves_;
@@ -226,6 +238,7 @@ Outcome Instruction::finish(Ending ending) const {
   outcome.steps = step_;
   outcome.start_tick = start_tick_;
   outcome.end_tick = newest_tick();
+  outcome.skew = skew_;
   outcome.duration = static_cast<double>(outcome.end_tick - start_tick_) * task_->servo_period();
   outcome.wall_duration = task_->wall_seconds() - start_wall_;
   if (ending == Ending::condition) {

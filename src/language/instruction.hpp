@@ -34,6 +34,7 @@ class Instruction {
   /// Awaits every reply, then collects the readings due at `next_step`.
   void receive(std::uint64_t next_step);
   void align_start_ticks();
+  void measure_skew() noexcept;
   /// The tick at which e^{i+1} will be measured.
   Tick next_measurement() const;
   Tick newest_tick() const;
@@ -50,6 +51,7 @@ class Instruction {
   Tick start_tick_ = 0;
   double start_wall_ = 0;
   Tick measure_at_ = 0;
+  Tick skew_ = 0;
 };
 
 }  // namespace mrroc

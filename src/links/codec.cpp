@@ -113,6 +113,7 @@ void encode(const RobotState& message, mrroc_wire_RobotState& wire) noexcept {
   encode_axes(message.motors, wire.motors);
   encode_axes(message.current, wire.current);
   encode_frame(message.pose, wire.pose);
+  wire.macrostep_start = message.macrostep_start;
   wire.desired_tick = message.desired_tick;
   encode_axes(message.desired_joints, wire.desired_joints);
   encode_axes(message.desired_velocity, wire.desired_velocity);
@@ -136,6 +137,7 @@ bool decode(const mrroc_wire_RobotState& wire, RobotState& message) noexcept {
   decode_axes(wire.motors, message.motors);
   decode_axes(wire.current, message.current);
   decode_frame(wire.pose, message.pose);
+  message.macrostep_start = wire.macrostep_start;
   message.desired_tick = wire.desired_tick;
   decode_axes(wire.desired_joints, message.desired_joints);
   decode_axes(wire.desired_velocity, message.desired_velocity);
@@ -221,10 +223,10 @@ void encode(const ProcessStatus& message, mrroc_wire_ProcessStatus& wire) noexce
   wire.step = message.step;
   encode_error(message.error, wire.error);
   const Counters& counters = message.counters;
-  wire.counts = {counters.ticks,           counters.missed_ticks,     counters.late_commands,
-                 counters.stale_replies,   counters.wakeup_p50_us,    counters.wakeup_p99_us,
-                 counters.wakeup_max_us,   counters.execution_p50_us, counters.execution_p99_us,
-                 counters.execution_max_us};
+  wire.counts = {
+      counters.ticks,         counters.missed_ticks,     counters.late_commands,    counters.stale_replies,
+      counters.common_steps,  counters.skew_ticks,       counters.wakeup_p50_us,    counters.wakeup_p99_us,
+      counters.wakeup_max_us, counters.execution_p50_us, counters.execution_p99_us, counters.execution_max_us};
 }
 
 bool decode(const mrroc_wire_ProcessStatus& wire, ProcessStatus& message) noexcept {
@@ -244,10 +246,9 @@ bool decode(const mrroc_wire_ProcessStatus& wire, ProcessStatus& message) noexce
   message.step = wire.step;
   decode_error(wire.error, message.error);
   const mrroc_wire_Counters& counts = wire.counts;
-  message.counters = {counts.ticks,           counts.missed_ticks,     counts.late_commands,
-                      counts.stale_replies,   counts.wakeup_p50_us,    counts.wakeup_p99_us,
-                      counts.wakeup_max_us,   counts.execution_p50_us, counts.execution_p99_us,
-                      counts.execution_max_us};
+  message.counters = {counts.ticks,         counts.missed_ticks,     counts.late_commands,    counts.stale_replies,
+                      counts.common_steps,  counts.skew_ticks,       counts.wakeup_p50_us,    counts.wakeup_p99_us,
+                      counts.wakeup_max_us, counts.execution_p50_us, counts.execution_p99_us, counts.execution_max_us};
   return true;
 }
 

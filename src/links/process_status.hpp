@@ -14,6 +14,8 @@ struct Counters {
   std::uint64_t missed_ticks = 0;
   std::uint64_t late_commands = 0;
   std::uint64_t stale_replies = 0;
+  std::uint64_t common_steps = 0;  ///< of several robots
+  std::uint64_t skew_ticks = 0;    ///< their worst: last minus first start of a macrostep
   double wakeup_p50_us = 0;
   double wakeup_p99_us = 0;
   double wakeup_max_us = 0;

@@ -14,6 +14,7 @@ RobotRequester::RobotRequester(Domain& domain, clock::Clock& clock, const std::s
 
 void RobotRequester::send(const RobotCommand& command, Tick timeout) {
   Tick due = clock_.tick();
+  if (command.kind == CommandKind::synchronise) due += kSynchronisation;
   if (command.kind != CommandKind::query) due = std::max({due, command.start_tick, busy_until_}) + command.reply_step;
   exchange_.send(command, due + timeout);
 }

@@ -10,6 +10,7 @@ namespace mrroc::links {
 class RobotRequester final : public RobotLink {
  public:
   static constexpr Tick kTimeout = 500;
+  static constexpr Tick kSynchronisation = 150'000;  ///< what a robot may take to find its positions
 
   /// `prefix`: "<deployment>/<robot>"; `peer`: the other process's name, for errors; `timeout`: how many ticks a reply
   /// may be late (real time only).

@@ -1,5 +1,7 @@
 #include "process/step_reporter.hpp"
 
+#include <algorithm>
+
 namespace mrroc::process {
 
 namespace {
@@ -15,18 +17,54 @@ void write_pose(TextLine& line, const Pose& pose) noexcept {
        << "," << rotation.y() << "," << rotation.z();
 }
 
+const char* name_of(CommandKind kind) noexcept {
+  switch (kind) {
+    case CommandKind::query:
+      return "query";
+    case CommandKind::hold:
+      return "hold";
+    case CommandKind::joint:
+      return "joint";
+    case CommandKind::pose:
+      return "pose";
+    case CommandKind::motor:
+      return "motor";
+    case CommandKind::joint_velocity:
+      return "joint_velocity";
+    case CommandKind::twist:
+      return "twist";
+    default:
+      return "change";  // of the robot itself: not commanded by a Move or Wait
+  }
+}
+
+void write_target(TextLine& line, const RobotCommand& command) noexcept {
+  switch (command.kind) {
+    case CommandKind::joint:
+    case CommandKind::motor:
+      write_vector(line << ":", command.joints);
+      break;
+    case CommandKind::pose:
+      write_pose(line << ":", command.pose);
+      break;
+    case CommandKind::joint_velocity:
+      write_vector(line << ":", command.joint_velocity);
+      break;
+    case CommandKind::twist:
+      write_vector(line << ":", command.twist);
+      break;
+    default:
+      break;
+  }
+}
+
 void write_command(TextLine& line, const RobotCommand& command) noexcept {
-  const char* const kinds[] = {"query", "hold", "joint", "pose"};
-  line << kinds[static_cast<int>(command.kind)] << (command.relative ? ",relative" : "");
+  line << name_of(command.kind) << (command.relative ? ",relative" : "");
+  if (command.interpolation == Interpolation::motors) line << ",motors";
+  if (command.interpolation == Interpolation::task) line << ",task";
   line << ",N" << std::uint64_t{command.motion_steps} << ",v" << std::uint64_t{command.reply_step};
   if (command.start_tick != 0) line << ",start" << command.start_tick;
-  if (command.kind == CommandKind::joint) {
-    line << ":";
-    write_vector(line, command.joints);
-  } else if (command.kind == CommandKind::pose) {
-    line << ":";
-    write_pose(line, command.pose);
-  }
+  write_target(line, command);
 }
 
 void write_robot(TextLine& line, const Robot& robot, bool commanded) noexcept {
@@ -60,6 +98,7 @@ void format_step(TextLine& line, std::string_view process, const StepRecord& rec
     line << " condition=\"" << condition->name() << "\":" << (condition->value() ? "1" : "0");
   }
   if (record.last) line << " end";
+  if (record.last && record.robots.size() > 1) line << " skew=" << record.skew;
 }
 
 StepReporter::StepReporter(Process& process) : process_(process) {
@@ -69,6 +108,11 @@ StepReporter::StepReporter(Process& process) : process_(process) {
 
 void StepReporter::on_step(const StepRecord& record) noexcept {
   process_.status().step(record.instruction, *record.name, record.step);
+  if (record.robots.size() > 1 && !record.last) {
+    ++counters_.common_steps;
+    counters_.skew_ticks = std::max<std::uint64_t>(counters_.skew_ticks, record.skew);
+    process_.status().counters(counters_);
+  }
   if (trace_ != nullptr) write_line(record);
 }
 

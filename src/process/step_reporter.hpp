@@ -21,6 +21,7 @@ class StepReporter : public StepObserver {
 
   Process& process_;
   std::unique_ptr<TraceFile> trace_;
+  links::Counters counters_;
 };
 
 /// Writes one step as a line of a trace (without the end of line).

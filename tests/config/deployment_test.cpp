@@ -43,10 +43,12 @@ TEST_F(DeploymentTest, ReadsRobotsInFileOrder) {
   EXPECT_EQ(left.edp_program, program("irb6_edp"));
   EXPECT_EQ(left.hardware, "mujoco");
   EXPECT_EQ(left.host, "");  // localhost is this machine
+  EXPECT_EQ(left.mount, "");
   const RobotEntry& belt = deployment.robots[1];
   EXPECT_EQ(belt.name, "belt");
   EXPECT_EQ(belt.program, program("mrroc_ecp"));
   EXPECT_EQ(belt.hardware, "loopback");
+  EXPECT_EQ(belt.mount, "left");
   EXPECT_TRUE(belt.base.isApprox(Pose::Identity()));
 }
 
@@ -151,6 +153,18 @@ TEST_F(DeploymentTest, NamesTheStockProgramThatIsMissing) {
   std::filesystem::remove(program("mrroc_sim"));
   EXPECT_EQ(message("full.toml"),
             "full.toml:13: sim: no program 'mrroc_sim', expected the executable PROGRAMS/mrroc_sim");
+}
+
+TEST_F(DeploymentTest, ACarriedRobotMayStandBeforeItsCarrierAndCarryOthers) {
+  const Scratch scratch;
+  const auto robot = [](const std::string& name, const std::string& mount) {
+    return "[robots." + name + "]\ntype = 'irb6'\nhardware = 'loopback'\n" +
+           (mount.empty() ? "" : "mount = '" + mount + "'\n");
+  };
+  const Deployment deployment = load_deployment(scratch.write(
+      "d.toml", "deployment.name = 'one'\n" + robot("fingers", "hand") + robot("hand", "arm") + robot("arm", "")));
+  EXPECT_EQ(deployment.robot("fingers").mount, "hand");
+  EXPECT_EQ(deployment.robot("hand").mount, "arm");
 }
 
 TEST_F(DeploymentTest, KnowsThisMachineByAllItsNames) {

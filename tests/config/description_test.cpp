@@ -21,7 +21,7 @@ TEST_F(DescriptionTest, ListsEveryProcessWithItsProgram) {
             "  mp     PROGRAMS/press_mp\n"
             "  sim    PROGRAMS/mrroc_sim, scene SOURCE/tests/config/valid/scene.xml, time step 0.0005 s\n"
             "  left   irb6 on mujoco: ECP PROGRAMS/press_ecp, EDP PROGRAMS/irb6_edp\n"
-            "  belt   conveyor on loopback: ECP PROGRAMS/mrroc_ecp, EDP PROGRAMS/conveyor_edp\n"
+            "  belt   conveyor carried by left on loopback: ECP PROGRAMS/mrroc_ecp, EDP PROGRAMS/conveyor_edp\n"
             "  wrist  force_torque on left, interactive, simulated: VSP PROGRAMS/force_torque_vsp\n"
             "  gate   ultrasonic, non-interactive at 333.3333333333333 Hz, replay of "
             "SOURCE/tests/config/valid/readings.txt: VSP PROGRAMS/ultrasonic_vsp\n");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "config/scratch.hpp"
 
 namespace mrroc::config {
@@ -37,9 +39,8 @@ class RobotParametersFileTest : public testing::Test {
     return "type = \"irb6\"\nhome = " + home + "\n[[axes]]\n" + axis;
   }
 
-  /// `kAxis` with the line that begins with `key` replaced.
-  static std::string with(const std::string& key, const std::string& line) {
-    std::string axis{kAxis};
+  /// `axis` with the line that begins with `key` replaced.
+  static std::string with(const std::string& key, const std::string& line, std::string axis = std::string(kAxis)) {
     const auto begin = axis.find(key + " = ");
     return axis.replace(begin, axis.find('\n', begin) - begin, line);
   }
@@ -100,6 +101,27 @@ TEST_F(RobotParametersFileTest, EveryOtherKeyIsRequiredAndNamed) {
   }
   EXPECT_EQ(message(robot_text(with("jerk_max", "jerk_mx = 50"))),
             "r.toml:9: axes[0].jerk_mx: unknown key, did you mean 'jerk_max'?");
+}
+
+TEST_F(RobotParametersFileTest, PositionAndMotorLimitsMayBeInfinite) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::string axis = with("position_min", "position_min = -inf");
+  for (const std::string key : {"position_max", "motor_max"}) axis = with(key, key + " = inf", axis);
+  const AxisParameters endless = read(robot_text(with("motor_min", "motor_min = -inf", axis))).axes[0];
+  EXPECT_EQ(endless.position_min, -kInfinity);
+  EXPECT_EQ(endless.position_max, kInfinity);
+  EXPECT_EQ(endless.motor_min, -kInfinity);
+  EXPECT_EQ(endless.motor_max, kInfinity);
+  EXPECT_EQ(endless.motor_synchro, -15.9);
+}
+
+TEST_F(RobotParametersFileTest, NoOtherNumberMayBeInfiniteAndNoLimitNoNumber) {
+  EXPECT_EQ(message(robot_text(with("velocity_max", "velocity_max = inf"))),
+            "r.toml:7: axes[0].velocity_max: inf is not finite, expected a number");
+  EXPECT_EQ(message(robot_text(with("position_max", "position_max = nan"))),
+            "r.toml:6: axes[0].position_max: nan is not finite, expected a number");
+  EXPECT_EQ(message(robot_text(with("position_min", "position_min = inf"))),
+            "r.toml:6: axes[0].position_max: 2.75 is not above position_min, expected a number above inf");
 }
 
 TEST_F(RobotParametersFileTest, RefusesNumbersThatMakeNoSense) {

@@ -61,6 +61,7 @@ TEST(Effector, TheReplyLeavesAtTickVExactly) {
     ASSERT_EQ(rig.replies.size(), 1u) << v;
     const RobotState& state = rig.replies[0].state;
     EXPECT_EQ(state.tick, v);
+    EXPECT_EQ(state.macrostep_start, 0u);
     EXPECT_EQ(state.desired_tick, std::max<Tick>(100, v));
     EXPECT_EQ(state.desired_joints[0], 0.27);
     EXPECT_EQ(state.joints[0], rig.seen().joints[0]);

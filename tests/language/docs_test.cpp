@@ -115,8 +115,6 @@ TEST(Docs, Errors) {
   Cell cell;
   fakes::FakeTask& task = cell.task;
   Gantry left{task, "left"};
-  int recovered = 0;
-  const auto recover = [&recovered](Robot&) { ++recovered; };
   task.robot_fake("left").errors[1] = {ErrorClass::hardware, ErrorCode::drive_fault, {}};
   // [errors]
   try {
@@ -125,10 +123,11 @@ TEST(Docs, Errors) {
     if (error.code() != ErrorCode::out_of_workspace) throw;
     Move({left}, {}, JointLine{left, JointVector::Zero(4)});
   } catch (const HardwareError& error) {
-    recover(left);  // error.what(): "hardware error: a drive reports a fault [process test, device left, ...]"
+    left.recover();  // error.what(): "hardware error: a drive reports a fault [process test, device left, ...]"
   }
   // [end]
-  EXPECT_EQ(recovered, 1);
+  EXPECT_EQ(left.command().kind, CommandKind::recover);
+  EXPECT_EQ(left.state().error.error_class, ErrorClass::none);
 }
 
 /// Takes the spaces off that all lines have in front.

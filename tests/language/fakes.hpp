@@ -54,6 +54,7 @@ class FakeRobotLink : public RobotLink {
     reply = state;
   }
 
+  Tick delayed_start = 0;  ///< how much later than commanded it says that it began
   std::shared_ptr<FakeModel> model;
   RobotState state;
   std::map<std::uint64_t, ErrorReport> errors;            ///< by number of the reply, from 0
@@ -62,6 +63,7 @@ class FakeRobotLink : public RobotLink {
  private:
   void execute() {
     const Tick begin = std::max({command_.start_tick, state.desired_tick, sent_at_});
+    state.macrostep_start = begin + delayed_start;
     state.tick = begin + command_.reply_step;
     state.desired_tick = std::max<Tick>(begin + command_.motion_steps, state.tick);
     state.desired_velocity.setZero();

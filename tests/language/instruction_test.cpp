@@ -210,6 +210,18 @@ TEST(Instruction, MovingRobotsGoOnWithoutABreakFromOneMoveToTheNext) {
   EXPECT_EQ(start_ticks(task, "right"), start_ticks(task, "left"));
 }
 
+// original's defect 19: the skew between robots was neither measured nor known
+TEST(Instruction, TheOutcomeTellsHowFarApartTheRobotsBeganTheirMacrosteps) {
+  for (const Tick delay : {0, 2}) {
+    FakeTask task;
+    const auto left = task.robot("left"), right = task.robot("right");
+    task.robot_fake("right").delayed_start = delay;
+    const Outcome outcome = Move({*left, *right}, {}, Hold(*left, 0.1));
+    EXPECT_GT(outcome.steps, 0u);
+    EXPECT_EQ(outcome.skew, delay);
+  }
+}
+
 TEST(Instruction, AStartTickGivenByTheGeneratorStays) {
   FakeTask task;
   const auto left = task.robot("left");

@@ -144,8 +144,9 @@ TEST(ToolVelocity, AfterAPauseItRisesFromRestAgain) {
   task.requests = {OperatorRequest::none, OperatorRequest::none, OperatorRequest::pause};
   Move({*arm}, {}, ToolVelocity(*arm, Vector3d(0.1, 0, 0), Vector3d::Zero(), 1.0).until(ElapsedSteps{4}));
   ASSERT_EQ(recorder.commands.size(), 4u);
-  EXPECT_NEAR(recorder.commands[1].twist[0], 0.04, 1e-12);
-  EXPECT_NEAR(recorder.commands[2].twist[0], 0.02, 1e-12);
+  const double ramp = std::sqrt(6 * 0.1 / 10);  // longer than 1.5 * 0.1 / 1.0
+  EXPECT_NEAR(recorder.commands[1].twist[0], 0.1 * blend(0.04, ramp), 1e-12);
+  EXPECT_NEAR(recorder.commands[2].twist[0], 0.1 * blend(0.02, ramp), 1e-12);
 }
 
 TEST(ToolVelocity, RefusesWhatIsNoVelocity) {

@@ -26,7 +26,8 @@ inline bool same(const RobotCommand& a, const RobotCommand& b) {
   return a.kind == b.kind && a.relative == b.relative && a.motion_steps == b.motion_steps &&
          a.reply_step == b.reply_step && a.start_tick == b.start_tick && same_matrix(a.joints, b.joints) &&
          same_matrix(a.joint_velocity, b.joint_velocity) && same_matrix(a.joint_acceleration, b.joint_acceleration) &&
-         same_matrix(a.pose.matrix(), b.pose.matrix()) && same_matrix(a.twist, b.twist);
+         same_matrix(a.pose.matrix(), b.pose.matrix()) && same_matrix(a.twist, b.twist) &&
+         a.interpolation == b.interpolation && same_matrix(a.twist_rate, b.twist_rate) && a.model == b.model;
 }
 inline bool same(const RobotState& a, const RobotState& b) {
   return a.tick == b.tick && same_matrix(a.joints, b.joints) && same_matrix(a.joint_velocity, b.joint_velocity) &&
@@ -35,7 +36,8 @@ inline bool same(const RobotState& a, const RobotState& b) {
          same_matrix(a.desired_joints, b.desired_joints) && same_matrix(a.desired_velocity, b.desired_velocity) &&
          same_matrix(a.desired_acceleration, b.desired_acceleration) &&
          same_matrix(a.desired_pose.matrix(), b.desired_pose.matrix()) && a.synchronised == b.synchronised &&
-         a.enabled == b.enabled && a.late_commands == b.late_commands && same(a.error, b.error);
+         a.enabled == b.enabled && a.late_commands == b.late_commands && same(a.error, b.error) &&
+         a.macrostep_start == b.macrostep_start && a.model == b.model && same_matrix(a.tool.matrix(), b.tool.matrix());
 }
 inline bool same(const SensorRequest& a, const SensorRequest& b) {
   return a.kind == b.kind && a.measure_at == b.measure_at;
@@ -49,7 +51,7 @@ inline bool same(const TaskStatus& a, const TaskStatus& b) {
   return a.state == b.state && same(a.error, b.error) && a.process == b.process && a.step == b.step && a.tick == b.tick;
 }
 inline bool same(const Counters& a, const Counters& b) {
-  static_assert(sizeof(Counters) == 10 * 8, "no padding to compare");
+  static_assert(sizeof(Counters) == 12 * 8, "no padding to compare");
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 inline bool same(const ProcessStatus& a, const ProcessStatus& b) {
@@ -126,10 +128,11 @@ template <>
 struct Arbitrary<mrroc::RobotCommand> {
   static Gen<mrroc::RobotCommand> arbitrary() {
     using T = mrroc::RobotCommand;
-    return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::CommandKind::pose)), gen::set(&T::relative),
+    return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::CommandKind::recover)), gen::set(&T::relative),
                          gen::set(&T::motion_steps), gen::set(&T::reply_step), gen::set(&T::start_tick),
                          gen::set(&T::joints), gen::set(&T::joint_velocity), gen::set(&T::joint_acceleration),
-                         gen::set(&T::pose), gen::set(&T::twist));
+                         gen::set(&T::pose), gen::set(&T::twist), gen::set(&T::twist_rate), gen::set(&T::model),
+                         gen::set(&T::interpolation, any_enum(mrroc::Interpolation::task)));
   }
 };
 
@@ -141,7 +144,8 @@ struct Arbitrary<mrroc::RobotState> {
                          gen::set(&T::current), gen::set(&T::pose), gen::set(&T::desired_tick),
                          gen::set(&T::desired_joints), gen::set(&T::desired_velocity),
                          gen::set(&T::desired_acceleration), gen::set(&T::desired_pose), gen::set(&T::synchronised),
-                         gen::set(&T::enabled), gen::set(&T::late_commands), gen::set(&T::error));
+                         gen::set(&T::enabled), gen::set(&T::late_commands), gen::set(&T::error),
+                         gen::set(&T::macrostep_start), gen::set(&T::model), gen::set(&T::tool));
   }
 };
 

@@ -110,7 +110,7 @@ void fill(char (&text)[Size]) {
 }
 
 TEST(Malformed, RobotCommand) {
-  expect_dropped<RobotCommand>({{"kind", [](auto& w) { w.command_kind = 4; }},
+  expect_dropped<RobotCommand>({{"kind", [](auto& w) { w.command_kind = 11; }},
                                 {"relative", [](auto& w) { w.relative = 2; }},
                                 {"joints", [](auto& w) { w.joints.count = 9; }},
                                 {"joint_velocity", [](auto& w) { w.joint_velocity.count = 0xffffffff; }},

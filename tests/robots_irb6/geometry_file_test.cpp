@@ -1,35 +1,14 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <fstream>
-#include <sstream>
-
-#include "irb6_fixture.hpp"
+#include "robots/irb6/irb6_model.hpp"
+#include "robots_irb6/family/changed_file.hpp"
 
 namespace mrroc {
 namespace {
 
-/// Loads irb6.toml with `from` replaced by `to`.
-std::shared_ptr<const RobotModel> load_with(const std::string& from, const std::string& to) {
-  std::stringstream text;
-  text << std::ifstream(irb6_source("irb6.toml")).rdbuf();
-  std::string changed = text.str();
-  const auto at = changed.find(from);
-  if (at == std::string::npos) throw std::runtime_error("no \"" + from + "\" in irb6.toml");
-  changed.replace(at, from.size(), to);
-  const auto file = std::filesystem::temp_directory_path() / ("irb6_" + std::to_string(::getpid()) + ".toml");
-  std::ofstream(file) << changed;
-  return load_irb6(file).front();
-}
+const Loader kLoad = [](const std::filesystem::path& file) { return load_irb6(file); };
 
-std::string error_with(const std::string& from, const std::string& to) {
-  try {
-    load_with(from, to);
-  } catch (const config::ConfigurationError& error) {
-    return error.what();
-  }
-  return "";
-}
+std::string error_with(const std::string& from, const std::string& to) { return error_with(kLoad, from, to); }
 
 TEST(Irb6GeometryFile, MistakesNameTheirKey) {
   EXPECT_EQ(error_with("lower_arm = 0.455", "lower_arm = 0.456"), "");
@@ -43,6 +22,17 @@ TEST(Irb6GeometryFile, MistakesNameTheirKey) {
   EXPECT_NE(error_with("type = \"irb6\"", "type = \"irb6\"\ncolour = 1").find("colour"), std::string::npos);
 }
 
+TEST(Irb6GeometryFile, MistakesInAModelNameTheirKey) {
+  EXPECT_NE(error_with("lower_arm = 0.4596", "lower_arm = 99").find("models.calibrated.lower_arm"), std::string::npos);
+  EXPECT_NE(error_with("column_offset = 0.0111", "colum_offset = 0.0111").find("models.calibrated.colum_offset"),
+            std::string::npos);
+  EXPECT_NE(error_with("synchro = [-7.7597, ", "synchro = [").find("models.calibrated.synchro"), std::string::npos);
+  EXPECT_NE(error_with("squares = 0.0783794388", "squares = 0.01").find("models.calibrated.lower_arm_screw.squares"),
+            std::string::npos);
+  EXPECT_NE(error_with("[models.calibrated]", "[models.nominal]\n[models.calibrated]").find("models.nominal"),
+            std::string::npos);
+}
+
 TEST(Irb6GeometryFile, TheInstalledFileLoads) {
   const auto model = load_irb6().front();
   EXPECT_EQ(model->parameters().type, "irb6");
@@ -51,9 +41,10 @@ TEST(Irb6GeometryFile, TheInstalledFileLoads) {
 }
 
 TEST(Irb6GeometryFile, ToolRotationIsAboutFixedAxes) {
-  const auto turned = load_with("tool_rotation = [0.0, 0.0, 0.0]", "tool_rotation = [1.5707963267948966, 0.0, 0.3]");
-  const JointVector home = irb6_model().parameters().home;
-  const Pose change = irb6_kinematics().direct(home).inverse() * ToolKinematics(*turned).direct(home);
+  const auto turned =
+      load_with(kLoad, "tool_rotation = [0.0, 0.0, 0.0]", "tool_rotation = [1.5707963267948966, 0.0, 0.3]").front();
+  const JointVector home = robot().parameters().home;
+  const Pose change = arm().direct(home).inverse() * ToolKinematics(*turned).direct(home);
   EXPECT_LT(change.translation().norm(), 1e-12);
   EXPECT_LT((change.linear() * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
   EXPECT_LT((change.linear() * Eigen::Vector3d::UnitX() - Eigen::Vector3d(std::cos(0.3), std::sin(0.3), 0)).norm(),

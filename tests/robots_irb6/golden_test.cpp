@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-#include "irb6_fixture.hpp"
+#include "robots_irb6/family/robot_under_test.hpp"
 
 namespace mrroc {
 namespace {
@@ -42,7 +42,7 @@ std::vector<GoldenRow> golden_rows() {
 TEST(Irb6Golden, MotorsJointsAndPosesAgreeWithTheOriginal) {
   const auto rows = golden_rows();
   ASSERT_EQ(rows.size(), 500u);
-  const RobotModel& model = irb6_model();
+  const RobotModel& model = robot();
   double worst_motor = 0, worst_joint = 0, worst_pose = 0, worst_inverse = 0;
   for (const GoldenRow& row : rows) {
     JointVector motors, joints, inverse;
@@ -64,11 +64,11 @@ TEST(Irb6Golden, MotorsJointsAndPosesAgreeWithTheOriginal) {
 
 TEST(Irb6Golden, SynchronisedArmStandsUprightWithItsForearmLevel) {
   JointVector joints;
-  ASSERT_EQ(irb6_model().motors_to_joints(per_axis(&AxisParameters::motor_synchro), joints), ErrorCode::none);
+  ASSERT_EQ(robot().motors_to_joints(per_axis(&AxisParameters::motor_synchro), joints), ErrorCode::none);
   JointVector expected(6);
   expected << 0, -M_PI / 2, 0, 0, 0, 0;
   EXPECT_LT((joints - expected).cwiseAbs().maxCoeff(), 1e-6);  // the original's lengths are rounded to 0.1 um
-  const Pose flange = irb6_model().flange(expected);
+  const Pose flange = robot().flange(expected);
   Pose upright = Pose::Identity();
   upright.linear() << 0, 1, 0, 0, 0, 1, 1, 0, 0;
   upright.translation() << 0.86, 0, 0.455;
@@ -79,7 +79,7 @@ TEST(Irb6Golden, FrontPosition) {
   JointVector front(6), motors, expected(6);
   front << 0, -1.57, 0, 1.56, 1.57, -1.57;
   expected << -15.9, -4.861709, -8.387478, -48.471930, 114.892070, 337.451335;
-  ASSERT_EQ(irb6_model().joints_to_motors(front, motors), ErrorCode::none);
+  ASSERT_EQ(robot().joints_to_motors(front, motors), ErrorCode::none);
   EXPECT_LT((motors - expected).cwiseAbs().maxCoeff(), 1e-6);
 }
 

@@ -1,63 +1,34 @@
 #include <gtest/gtest.h>
 
-#include "irb6_fixture.hpp"
 #include "mrroc/robots/irb6.hpp"
-#include "mrroc/task.hpp"
+#include "robots_irb6/family/one_arm.hpp"
 
 namespace mrroc {
 namespace {
 
-/// Answers every command at once with the joints that it asked for.
-class EchoLink : public RobotLink {
- public:
-  void send(const RobotCommand& command) override { joints_ = command.joints; }
-  void receive(RobotState& state) override { state.joints = joints_; }
-
- private:
-  JointVector joints_;
-};
-
-/// A process with one robot, "arm" of type irb6.
-class OneArm : public Task {
- public:
-  const std::string& process_name() const noexcept override { return name_; }
-  std::string robot_name(const std::string& requested) const override { return requested.empty() ? "arm" : requested; }
-  RobotLink& robot_link(const std::string& name, const std::string& type) override {
-    if (name != "arm" || type != "irb6") throw NonFatalError(ErrorCode::invalid_argument, "no " + type + " " + name);
-    return link_;
-  }
-  SensorLink& sensor_link(const std::string& name, const std::string&, bool&) override {
-    throw NonFatalError(ErrorCode::invalid_argument, "no sensor " + name);
-  }
-  double servo_period() const noexcept override { return 0.002; }
-  Tick tick() const noexcept override { return 0; }
-  double wall_seconds() const noexcept override { return 0; }
-  void sleep_until(Tick) override {}
-  OperatorRequest operator_request() noexcept override { return OperatorRequest::none; }
-  bool take_trigger() noexcept override { return false; }
-  StepObserver* observer() noexcept override { return nullptr; }
-
- private:
-  std::string name_ = "arm";
-  EchoLink link_;
-};
-
-TEST(Irb6Class, TakesItsProcessesRobotAndTheInstalledModel) {
+TEST(Irb6Class, TakesItsProcessesRobotAndTheInstalledModels) {
   OneArm process;
-  Irb6 arm(process);
-  EXPECT_EQ(arm.name(), "arm");
-  EXPECT_EQ(arm.parameters().type, "irb6");
-  const JointVector home = arm.parameters().home;
-  EXPECT_EQ(arm.kinematics().direct(home).matrix(), irb6_kinematics().direct(home).matrix());
-  arm.command().joints = home;
-  arm.send();
-  arm.receive();
-  EXPECT_EQ(arm.state().joints, home);
+  Irb6 robot(process);
+  EXPECT_EQ(robot.name(), "arm");
+  EXPECT_EQ(robot.parameters().type, "irb6");
+  ASSERT_EQ(robot.models().size(), robot_under_test().models.size());
+  const JointVector home = robot.parameters().home;
+  EXPECT_EQ(robot.kinematics().direct(home).matrix(), arm().direct(home).matrix());
+  robot.command().joints = home;
+  robot.send();
+  robot.receive();
+  EXPECT_EQ(robot.state().joints, home);
 }
 
 TEST(Irb6Class, RefusesANameThatTheDeploymentDoesNotHave) {
   OneArm process;
   EXPECT_THROW(Irb6(process, "leg"), NonFatalError);
+}
+
+TEST(Irb6Class, ToolDownPointsTheToolDown) {
+  const Pose pose = Irb6::tool_down(1, 2, 3);
+  EXPECT_EQ(pose.translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(pose.linear(), Eigen::Matrix3d(Eigen::Vector3d(1, -1, -1).asDiagonal()));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "irb6_cases.hpp"
+#include "robots_irb6/family/cases.hpp"
 
 namespace mrroc {
 namespace {
@@ -15,23 +15,13 @@ JointVector joints_of(std::initializer_list<double> values) {
 
 bool nearly_aligned(const JointVector& joints) { return std::abs(std::sin(joints[4])) < 1e-6; }
 
-TEST(Irb6Kinematics, InverseOfDirectReturnsToTheJointsNear) {
-  EXPECT_TRUE(rc::check([] {
-    const JointVector joints = any_posture();
-    RC_PRE(!nearly_aligned(joints));
-    JointVector back;
-    RC_ASSERT(irb6_kinematics().inverse(irb6_kinematics().direct(joints), joints, back) == ErrorCode::none);
-    RC_ASSERT((back - joints).cwiseAbs().maxCoeff() < 1e-9);
-  }));
-}
-
 TEST(Irb6Kinematics, InverseReachesThePoseFromAnywhere) {
   EXPECT_TRUE(rc::check([] {
     const JointVector joints = any_posture(), near = any_posture();
-    const Pose pose = irb6_kinematics().direct(joints);
+    const Pose pose = arm().direct(joints);
     JointVector found;
-    RC_ASSERT(irb6_kinematics().inverse(pose, near, found) != ErrorCode::out_of_workspace);
-    RC_ASSERT(pose_difference(irb6_kinematics().direct(found), pose) < 1e-9);
+    RC_ASSERT(arm().inverse(pose, near, found) != ErrorCode::out_of_workspace);
+    RC_ASSERT(pose_difference(arm().direct(found), pose) < 1e-9);
   }));
 }
 
@@ -40,7 +30,7 @@ TEST(Irb6Kinematics, InverseTakesTheNearerWristBranch) {
     const JointVector joints = any_posture(), near = any_posture();
     RC_PRE(!nearly_aligned(joints));
     JointVector found;
-    RC_ASSERT(irb6_kinematics().inverse(irb6_kinematics().direct(joints), near, found) == ErrorCode::none);
+    RC_ASSERT(arm().inverse(arm().direct(joints), near, found) == ErrorCode::none);
     const auto change = [&](const JointVector& q) { return (q - near).tail<3>().cwiseAbs().sum(); };
     RC_ASSERT(change(found) <= change(joints) + 1e-9);
   }));
@@ -50,7 +40,7 @@ TEST(Irb6Kinematics, InverseFollowsALineThroughTheWristSingularity) {
   JointVector joints = joints_of({0.1, -1.6, 0.1, 0.2, 0.05, 0.3});
   for (double roll = 0.05; roll > -0.05; roll -= 0.0007) {
     const JointVector wanted = joints_of({0.1, -1.6, 0.1, 0.2, roll, 0.3});
-    const ErrorCode code = irb6_kinematics().inverse(irb6_kinematics().direct(wanted), joints, joints);
+    const ErrorCode code = arm().inverse(arm().direct(wanted), joints, joints);
     ASSERT_NE(code, ErrorCode::out_of_workspace);
     ASSERT_LT((joints - wanted).cwiseAbs().maxCoeff(), 1e-6) << roll;
   }
@@ -60,7 +50,7 @@ TEST(Irb6Kinematics, WristRollKeepsItsTurn) {
   const JointVector joints = joints_of({0, -1.7, 0.4, -0.2, 8.5, 0.5});
   JointVector found;
   const JointVector near = joints_of({0, -1.7, 0.4, -0.2, 8.4, 0.5});
-  ASSERT_EQ(irb6_kinematics().inverse(irb6_kinematics().direct(joints), near, found), ErrorCode::none);
+  ASSERT_EQ(arm().inverse(arm().direct(joints), near, found), ErrorCode::none);
   EXPECT_NEAR(found[4], 8.5, 1e-9);
 }
 
@@ -69,9 +59,9 @@ TEST(Irb6Kinematics, AlignedRollAxesAreSingularAndKeepThePitch) {
     const JointVector joints = joints_of({0.3, -1.7, 0.3, -0.2, roll, 0.5});
     JointVector near = joints, found;
     near[3] += 0.05;
-    const Pose pose = irb6_kinematics().direct(joints);
-    ASSERT_EQ(irb6_kinematics().inverse(pose, near, found), ErrorCode::singular) << roll;
-    EXPECT_LT(pose_difference(irb6_kinematics().direct(found), pose), 1e-9);
+    const Pose pose = arm().direct(joints);
+    ASSERT_EQ(arm().inverse(pose, near, found), ErrorCode::singular) << roll;
+    EXPECT_LT(pose_difference(arm().direct(found), pose), 1e-9);
     EXPECT_NEAR(found[1] + found[2] + found[3], near[1] + near[2] + near[3], 1e-9);
     EXPECT_NEAR(found[4], roll, 1e-9);
   }
@@ -80,74 +70,36 @@ TEST(Irb6Kinematics, AlignedRollAxesAreSingularAndKeepThePitch) {
 TEST(Irb6Kinematics, AboveTheShoulderIsSingularAndKeepsTheColumn) {
   Pose pose = Pose::Identity();
   pose.translation().z() = 0.9;
-  const Pose flange_pose = pose * irb6_geometry().tool.inverse();
+  const Pose flange_pose = pose * robot().default_tool().inverse();
   ASSERT_EQ(flange_pose.translation().head<2>().norm(), 0);
-  JointVector near = irb6_model().parameters().home, found;
+  JointVector near = robot().parameters().home, found;
   near[0] = 0.7;
-  ASSERT_EQ(irb6_kinematics().inverse(pose, near, found), ErrorCode::singular);
+  ASSERT_EQ(arm().inverse(pose, near, found), ErrorCode::singular);
   EXPECT_EQ(found[0], 0.7);
-  EXPECT_LT(pose_difference(irb6_kinematics().direct(found), pose), 1e-9);
+  EXPECT_LT(pose_difference(arm().direct(found), pose), 1e-9);
 }
 
 TEST(Irb6Kinematics, OutOfTheArmsReachIsOutOfWorkspace) {
-  const JointVector home = irb6_model().parameters().home;
+  const JointVector home = robot().parameters().home;
   for (const Eigen::Vector3d& offset : {Eigen::Vector3d(2, 0, 0), {0, 0, 3}, {-0.73, 0, -0.25}, {0, -5, 0}}) {
-    Pose pose = irb6_kinematics().direct(home);
+    Pose pose = arm().direct(home);
     pose.translation() += offset;
     JointVector joints = home;
-    EXPECT_EQ(irb6_kinematics().inverse(pose, home, joints), ErrorCode::out_of_workspace) << offset.transpose();
+    EXPECT_EQ(arm().inverse(pose, home, joints), ErrorCode::out_of_workspace) << offset.transpose();
     EXPECT_EQ(joints, home) << "left as it was";
   }
 }
 
 TEST(Irb6Kinematics, WhatIsNoRigidMotionIsOutOfWorkspace) {
-  const JointVector home = irb6_model().parameters().home;
-  Pose scaled = irb6_kinematics().direct(home), mirrored = scaled, broken = scaled;
+  const JointVector home = robot().parameters().home;
+  Pose scaled = arm().direct(home), mirrored = scaled, broken = scaled;
   scaled.linear() *= 1.001;
   mirrored.linear().col(0) *= -1;
   broken.linear()(1, 1) = std::numeric_limits<double>::quiet_NaN();
   JointVector joints;
-  EXPECT_EQ(irb6_kinematics().inverse(scaled, home, joints), ErrorCode::out_of_workspace);
-  EXPECT_EQ(irb6_kinematics().inverse(mirrored, home, joints), ErrorCode::out_of_workspace);
-  EXPECT_EQ(irb6_kinematics().inverse(broken, home, joints), ErrorCode::out_of_workspace);
-}
-
-TEST(Irb6Kinematics, JacobianIsTheDerivativeOfThePose) {
-  EXPECT_TRUE(rc::check([] {
-    constexpr double kStep = 1e-6;
-    const JointVector joints = any_posture();
-    const Jacobian jacobian = irb6_kinematics().jacobian(joints);
-    for (int i = 0; i < 6; ++i) {
-      JointVector ahead = joints, behind = joints;
-      ahead[i] += kStep;
-      behind[i] -= kStep;
-      const Pose a = irb6_kinematics().direct(ahead), b = irb6_kinematics().direct(behind);
-      const Eigen::Matrix3d spin = a.linear() * b.linear().transpose() / (2 * kStep);
-      Twist twist;
-      twist << (a.translation() - b.translation()) / (2 * kStep), (spin(2, 1) - spin(1, 2)) / 2,
-          (spin(0, 2) - spin(2, 0)) / 2, (spin(1, 0) - spin(0, 1)) / 2;
-      RC_ASSERT((twist - jacobian.col(i)).cwiseAbs().maxCoeff() < 1e-8);
-    }
-  }));
-}
-
-TEST(Irb6Kinematics, GarbageGivesACodeOrFiniteNumbers) {
-  EXPECT_TRUE(rc::check([] {
-    Pose pose = Pose::Identity();
-    const bool keep_rotation = *rc::gen::arbitrary<bool>();
-    for (int row = 0; row < 3; ++row) {
-      for (int column = keep_rotation ? 3 : 0; column < 4; ++column) pose.matrix()(row, column) = any_garbage();
-    }
-    const JointVector near = any_garbage_joints();
-    JointVector joints = JointVector::Zero(6);
-    const ErrorCode code = irb6_kinematics().inverse(pose, near, joints);
-    RC_ASSERT(joints.allFinite());
-    RC_ASSERT(code == ErrorCode::out_of_workspace || (near.allFinite() && pose.matrix().allFinite()));
-    if (near.allFinite()) {
-      RC_ASSERT(irb6_kinematics().direct(near).matrix().allFinite());
-      RC_ASSERT(irb6_kinematics().jacobian(near).allFinite());
-    }
-  }));
+  EXPECT_EQ(arm().inverse(scaled, home, joints), ErrorCode::out_of_workspace);
+  EXPECT_EQ(arm().inverse(mirrored, home, joints), ErrorCode::out_of_workspace);
+  EXPECT_EQ(arm().inverse(broken, home, joints), ErrorCode::out_of_workspace);
 }
 
 }  // namespace

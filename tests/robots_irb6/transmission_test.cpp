@@ -2,44 +2,17 @@
 
 #include <cmath>
 
-#include "irb6_cases.hpp"
+#include "robots_irb6/family/cases.hpp"
 
 namespace mrroc {
 namespace {
 
-TEST(Irb6Transmission, MotorsReturnToTheirJoints) {
-  EXPECT_TRUE(rc::check([] {
-    const JointVector joints = any_posture();
-    JointVector motors, back;
-    RC_ASSERT(irb6_model().joints_to_motors(joints, motors) == ErrorCode::none);
-    RC_ASSERT(irb6_model().motors_to_joints(motors, back) == ErrorCode::none);
-    RC_ASSERT((back - joints).cwiseAbs().maxCoeff() < 1e-10);
-  }));
-}
-
-TEST(Irb6Transmission, MatrixIsTheDerivativeOfMotorsByJoints) {
-  EXPECT_TRUE(rc::check([] {
-    constexpr double kStep = 1e-5;
-    const JointVector joints = any_posture();
-    const JointMatrix g = irb6_model().transmission(joints);
-    for (int i = 0; i < 6; ++i) {
-      JointVector ahead = joints, behind = joints, motors_ahead, motors_behind;
-      ahead[i] += kStep;
-      behind[i] -= kStep;
-      RC_ASSERT(irb6_model().joints_to_motors(ahead, motors_ahead) == ErrorCode::none);
-      RC_ASSERT(irb6_model().joints_to_motors(behind, motors_behind) == ErrorCode::none);
-      const JointVector slope = (motors_ahead - motors_behind) / (2 * kStep);
-      RC_ASSERT((slope - g.col(i)).cwiseAbs().maxCoeff() < 1e-5);
-    }
-  }));
-}
-
 TEST(Irb6Transmission, WristRollTurnsAlongWithThePitchMotor) {
-  const JointVector home = irb6_model().parameters().home;
+  const JointVector home = robot().parameters().home;
   JointVector pitched = home, motors_home, motors_pitched;
   pitched[3] += 0.1;
-  ASSERT_EQ(irb6_model().joints_to_motors(home, motors_home), ErrorCode::none);
-  ASSERT_EQ(irb6_model().joints_to_motors(pitched, motors_pitched), ErrorCode::none);
+  ASSERT_EQ(robot().joints_to_motors(home, motors_home), ErrorCode::none);
+  ASSERT_EQ(robot().joints_to_motors(pitched, motors_pitched), ErrorCode::none);
   const JointVector change = motors_pitched - motors_home;
   EXPECT_NEAR(change[3], -12.8, 1e-9);
   EXPECT_NEAR(change[4], -12.8, 1e-9);
@@ -52,7 +25,7 @@ TEST(Irb6Transmission, ScrewsEndAtTheirDeadCentres) {
   const auto code = [](double t2, double t3) {
     JointVector joints(6), motors = JointVector::Constant(6, 7);
     joints << 0, t2, t3 - t2 - M_PI / 2, 0, 0, 0;
-    const ErrorCode result = irb6_model().joints_to_motors(joints, motors);
+    const ErrorCode result = robot().joints_to_motors(joints, motors);
     if (result != ErrorCode::none) {
       EXPECT_EQ(motors, JointVector::Constant(6, 7)) << "left as it was";
     }
@@ -74,23 +47,10 @@ TEST(Irb6Transmission, AScrewLongerOrShorterThanItsTriangleHasNoAngle) {
     for (const double motor : {-400.0, -155.0, 400.0}) {
       JointVector motors = synchro, joints = JointVector::Constant(6, 7);
       motors[screw] = motor;
-      EXPECT_EQ(irb6_model().motors_to_joints(motors, joints), ErrorCode::motor_limit) << screw << ": " << motor;
+      EXPECT_EQ(robot().motors_to_joints(motors, joints), ErrorCode::motor_limit) << screw << ": " << motor;
       EXPECT_EQ(joints, JointVector::Constant(6, 7)) << "left as it was";
     }
   }
-}
-
-TEST(Irb6Transmission, GarbageGivesACodeOrFiniteNumbers) {
-  EXPECT_TRUE(rc::check([] {
-    const JointVector garbage = any_garbage_joints();
-    JointVector result = JointVector::Zero(6);
-    const bool to_motors = irb6_model().joints_to_motors(garbage, result) == ErrorCode::none;
-    RC_ASSERT(result.allFinite());
-    const bool to_joints = irb6_model().motors_to_joints(garbage, result) == ErrorCode::none;
-    RC_ASSERT(result.allFinite());
-    RC_ASSERT(garbage.allFinite() || !(to_motors || to_joints));
-    if (garbage.allFinite()) RC_ASSERT(irb6_model().transmission(garbage).allFinite());
-  }));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "fixture.hpp"
-#include "robots_serial_parallel/allocation_count.hpp"
+#include "robots_common/allocation_count.hpp"
 
 namespace mrroc {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <kdl/chainfksolverpos_recursive.hpp>
 
+#include "robots_common/kdl_chain.hpp"
 #include "robots_serial_parallel/closed_mjcf.hpp"
 #include "robots_serial_parallel/fixture.hpp"
-#include "robots_serial_parallel/kdl_chain.hpp"
 
 namespace mrroc {
 namespace {

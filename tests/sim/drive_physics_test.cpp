@@ -178,12 +178,29 @@ TEST(DrivePhysics, BrakesHoldAnArmThatIsPushedAndLetGoAgain) {
   EXPECT_NE(world.data().qpos[0], stopped);
 }
 
+TEST(DrivePhysics, AJointThatFollowsADrivenOneStartsWhereItsEqualityWantsIt) {
+  const Scratch scratch;
+  const std::string gripper =
+      "<mujoco><compiler angle='radian'/><worldbody>"
+      "<body name='l'><joint name='l' type='slide' ref='0.1'/><geom size='.01'/></body>"
+      "<body name='r' pos='1 0 0'><joint name='r' type='slide' ref='-0.2'/><geom size='.01'/></body></worldbody>"
+      "<equality><joint joint1='r' joint2='l' polycoef='0.01 -0.5 2 0 0'/></equality></mujoco>";
+  World world(compose_texts(scratch, kEmptyScene, {{"g", gripper}}), 0.001, 0.001);
+  world.attach("g", {"l"}, values({0.4}));
+  world.start();
+  const double expected = -0.2 + 0.01 - 0.5 * 0.3 + 2 * 0.3 * 0.3;
+  EXPECT_NEAR(world.data().qpos[1], expected, 1e-15);
+  ASSERT_EQ(world.data().nefc, 1);
+  EXPECT_NEAR(world.data().efc_pos[0], 0, 1e-15) << "MuJoCo sees another equality";
+}
+
 TEST(DrivePhysics, AnEndlessBeltCarriesAPartAndStaysUnderIt) {
   const Scratch scratch;
   const std::string conveyor =
       "<mujoco><compiler angle='radian'/><worldbody><body name='belt'><joint name='belt' type='slide' axis='1 0 0'/>"
       "<geom type='box' size='1 0.2 0.05' mass='20' friction='1'/></body></worldbody>"
-      "<custom><tuple name='endless'><element objtype='joint' objname='belt'/></tuple></custom></mujoco>";
+      "<custom><tuple name='endless'><element objtype='joint' objname='belt'/></tuple></custom>"
+      "<sensor><jointpos name='position' joint='belt'/><jointvel name='velocity' joint='belt'/></sensor></mujoco>";
   const std::string scene =
       "<mujoco><compiler angle='radian'/><worldbody><body name='part' pos='-0.8 0 0.1'><freejoint/>"
       "<geom type='box' size='.05 .05 .05' mass='0.5'/></body></worldbody></mujoco>";
@@ -205,6 +222,8 @@ TEST(DrivePhysics, AnEndlessBeltCarriesAPartAndStaysUnderIt) {
   const int belt = mj_name2id(&world.model(), mjOBJ_BODY, "conveyor/belt");
   EXPECT_EQ(world.data().xpos[3 * belt], 0.0);
   EXPECT_NEAR(world.data().xpos[3 * part], -0.8 + (measurement.position[0] - 3.0), 0.01);
+  EXPECT_EQ(world.data().sensordata[0], measurement.position[0]) << "an encoder counts the travel";
+  EXPECT_EQ(world.data().sensordata[1], measurement.velocity[0]);
 }
 
 }  // namespace

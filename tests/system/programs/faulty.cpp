@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <limits>
@@ -70,7 +71,13 @@ class Faulty : public ecp::Task {
            for (;;) Wait({arm}, {}, When{"always", [] { return true; }});
          }},
         {"endless", [] {
-           for (volatile bool on = true; on;) continue;
+           // a computation without end; the thread sanitizer sees signals only where the program calls the system's
+           // library
+           volatile char digit = '0';
+           for (char text[16];;) {
+             std::snprintf(text, sizeof text, "%c", digit);
+             digit = text[0];
+           }
          }}};
     const std::string& kind = process().deployment().name;
     Wait({arm}, {}, ElapsedSteps{1});

@@ -1,0 +1,4 @@
+#include "edp/shell.hpp"
+#include "robots/conveyor/conveyor_model.hpp"
+
+MRROC_EDP(mrroc::load_conveyor)

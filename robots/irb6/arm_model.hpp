@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "mrroc/robot_model.hpp"
+#include "robots/irb6/geometry_file.hpp"
+#include "robots/irb6/transmission.hpp"
+
+namespace mrroc::irb6 {
+
+/// One model of an arm of the IRb-6's family, all in closed form: its transmission, and as `ArmKinematics` the one of
+/// its wrist. The base frame is at shoulder height: z up, x forward at joint 1 = 0. `joints_to_motors` and
+/// `motors_to_joints` look at what the transmission can do, not at the limits of `parameters()`. Garbage gets an error,
+/// never a NaN: outputs of a failed call are left as they were.
+template <typename ArmKinematics>
+class ArmModel final : public RobotModel {
+ public:
+  /// `geometry` valid as `read_models` checks it, for as many axes as `parameters` has.
+  ArmModel(std::string name, RobotParameters parameters, const Geometry& geometry)
+      : name_(std::move(name)),
+        parameters_(std::move(parameters)),
+        transmission_(geometry),
+        kinematics_(geometry),
+        tool_(geometry.tool) {}
+
+  std::string_view name() const noexcept override { return name_; }
+  const RobotParameters& parameters() const noexcept override { return parameters_; }
+  ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept override {
+    return transmission_.motors_to_joints(motors, joints);
+  }
+  ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept override {
+    return transmission_.joints_to_motors(joints, motors);
+  }
+  JointMatrix transmission(const JointVector& joints) const noexcept override { return transmission_.matrix(joints); }
+  Pose default_tool() const noexcept override { return tool_; }
+  Pose flange(const JointVector& joints) const noexcept override { return kinematics_.flange(joints); }
+  ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override {
+    return kinematics_.inverse(flange, near, joints);
+  }
+  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
+    return kinematics_.jacobian(joints, offset);
+  }
+
+ private:
+  std::string name_;
+  RobotParameters parameters_;
+  Transmission transmission_;
+  ArmKinematics kinematics_;
+  Pose tool_;
+};
+
+/// Reads a parameter file of an arm with `axes` axes: "nominal" first, then the file's other models. Throws
+/// ConfigurationError. Configuration time only.
+template <typename ArmKinematics>
+RobotModels load_arm(const std::filesystem::path& file, int axes) {
+  const auto table = config::Table::load(file);
+  const auto parameters = read_parameters(table, axes);
+  RobotModels models;
+  for (const auto& [name, geometry] : read_models(table, parameters)) {
+    models.push_back(std::make_shared<ArmModel<ArmKinematics>>(name, parameters, geometry));
+  }
+  table.finish();
+  return models;
+}
+
+}  // namespace mrroc::irb6

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "mrroc/errors.hpp"
+#include "mrroc/types.hpp"
+#include "robots/irb6/arm_plane.hpp"
+
+namespace mrroc::irb6 {
+
+/// Joints (rad) <-> flange pose in the base frame of the arm with five axes, in closed form. The flange is at the
+/// wrist's end (`ArmPlane::end`), its z axis along the wrist; roll q5 turns about it. At t4 = q5 = 0 the flange's x
+/// axis is up, y to the right, z forward. Any thread; never allocates or throws.
+class FiveAxisKinematics {
+ public:
+  /// How far (sine of the angle) a pose's z axis may be out of the arm's vertical plane: rounding, nothing more.
+  static constexpr double kPlaneTolerance = 1e-6;
+
+  explicit FiveAxisKinematics(const Geometry& geometry) noexcept : plane_(geometry) {}
+
+  /// Flange pose; finite for finite joints.
+  Pose flange(const JointVector& joints) const noexcept;
+
+  /// Joints of a flange pose: the arm reaches forward (q1 = atan2(y, x)) with its elbow up, so there is one solution at
+  /// most. q5 is the turn nearest to `near`, q1 and t4 are within (-pi, pi]. Solutions are what the geometry says,
+  /// within the limits or not: nothing is clamped. `none`; `singular` when the flange is above the shoulder (then q1
+  /// follows from the z axis, or from `near` when that is vertical); `out_of_workspace` when the z axis is out of the
+  /// arm's vertical plane by more than kPlaneTolerance, when it is out of reach, the pose is not a rigid motion within
+  /// 1e-6 or a value is not finite (then `joints` is left as it was).
+  ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept;
+
+  /// Geometric Jacobian (6 x 5) of a point fixed to the flange, `offset` in flange axes, in base axes.
+  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept;
+
+ private:
+  ArmPlane plane_;
+};
+
+}  // namespace mrroc::irb6

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "mrroc/robot_model.hpp"
+#include "robots/irb6/kinematics.hpp"
+#include "robots/irb6/transmission.hpp"
+
+namespace mrroc {
+
+/// One model of the IRb-6 on its track, in closed form: joint 0 is the track q0 (m, along the base's y axis), joints
+/// 1..6 are those of the arm. The base frame is at the shoulder of the arm at q0 = 0, z up, x forward. A pose has one
+/// free joint: the inverse keeps the one that `Keeps` says from `near` and solves for the six others. With both, codes
+/// and branches are those of the arm (robots/irb6/kinematics.hpp); garbage gets an error, never a NaN.
+class Irb6TrackModel final : public RobotModel {
+ public:
+  enum class Keeps {
+    track,
+    /// The arm keeps facing where it faces and the track brings it there: q0 = y - x tan q1. `out_of_workspace` when
+    /// the arm would have to reach behind itself. With the arm along the track (|cos q1| < 1e-6) nothing follows for
+    /// q0: then the track is kept and the code is `singular`.
+    column,
+  };
+
+  /// `parameters` of seven axes, `track_gear` in rad/m; `arm` valid as `irb6::read_models` checks it.
+  Irb6TrackModel(std::string name, Keeps keeps, RobotParameters parameters, double track_gear,
+                 const irb6::Geometry& arm);
+
+  std::string_view name() const noexcept override { return name_; }
+  const RobotParameters& parameters() const noexcept override { return parameters_; }
+  ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept override;
+  ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept override;
+  JointMatrix transmission(const JointVector& joints) const noexcept override;
+  Pose default_tool() const noexcept override { return tool_; }
+  Pose flange(const JointVector& joints) const noexcept override;
+  ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override;
+  int kept_joint() const noexcept override { return keeps_ == Keeps::track ? 0 : 1; }
+  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override;
+
+ private:
+  std::string name_;
+  Keeps keeps_;
+  RobotParameters parameters_;
+  double track_gear_;
+  irb6::Transmission transmission_;
+  irb6::Kinematics kinematics_;
+  Pose tool_;
+};
+
+/// Reads a parameter file of the IRb-6 on its track: "track_still" (the default: keeps the track), "track_used" (keeps
+/// the column), then the file's other models, which keep the track. Throws ConfigurationError. Configuration time only.
+RobotModels load_irb6_track(const std::filesystem::path& file);
+
+/// The same of the installed robots/irb6_track/irb6_track.toml.
+RobotModels load_irb6_track();
+
+}  // namespace mrroc

@@ -1,0 +1,20 @@
+#include <mrroc/ecp.hpp>
+#include <mrroc/robots/two_finger_gripper.hpp>
+
+using namespace mrroc;
+
+/// Opens wide, closes on a cube until it feels it, holds it for a second and lets it go.
+class TwoFingerGripperDemo : public ecp::Task {
+  TwoFingerGripper gripper{*this};
+
+  void run() override {
+    Move({gripper}, {}, JointLine{gripper, TwoFingerGripper::at(0.089), 0.9});
+    const Outcome end =
+        Move({gripper}, {}, JointLine{gripper, TwoFingerGripper::at(0.055), 0.9}.until(Gripped{gripper}));
+    if (!end.by<Gripped>()) throw NonFatalError{"nothing between the fingers"};
+    Move({gripper}, {}, Hold{gripper, 1.0});
+    Move({gripper}, {}, JointLine{gripper, gripper.parameters().home, 0.9});
+  }
+};
+
+MRROC_ECP(TwoFingerGripperDemo)

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "vsp/virtual_sensor.hpp"
+
+namespace mrroc::vsp {
+
+/// Encoder of a conveyor's belt. r is `travel` (m, since the start) and `speed` (m/s); v is
+///
+///     position = resolution round(travel / resolution) - zero     m
+///     velocity = speed                                            m/s
+///
+/// `bias` makes the present position zero; until then zero is where the belt was at the start. With `resolution` 0
+/// nothing is rounded.
+class ConveyorEncoderSensor final : public VirtualSensor {
+ public:
+  std::vector<Channel> channels() const override { return {{"position", "m"}, {"velocity", "m/s"}}; }
+  std::vector<Channel> raw_channels() const override { return {{"travel", "m"}, {"speed", "m/s"}}; }
+  void configure(const config::SensorEntry& entry, double servo_period) override;
+  void aggregate(const RawReading& r, SensorReading& v) noexcept override;
+  bool bias(const RawReading& r) noexcept override;
+
+ private:
+  double counted(double travel) const noexcept;
+  double resolution_ = 0;
+  double zero_ = 0;
+};
+
+}  // namespace mrroc::vsp

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "mrroc/errors.hpp"
+#include "mrroc/task.hpp"
+
+namespace mrroc {
+
+/// A process with one robot, whose link answers every command with `state`.
+class OneRobotTask : public Task, private RobotLink {
+ public:
+  OneRobotTask(std::string name, std::string type) : name_(std::move(name)), type_(std::move(type)) {}
+
+  const std::string& process_name() const noexcept override { return name_; }
+  std::string robot_name(const std::string& requested) const override { return requested.empty() ? name_ : requested; }
+  RobotLink& robot_link(const std::string& name, const std::string& type) override {
+    if (name != name_ || type != type_) throw NonFatalError(ErrorCode::invalid_argument, "no " + type + " " + name);
+    return *this;
+  }
+  SensorLink& sensor_link(const std::string& name, const std::string&, bool&) override {
+    throw NonFatalError(ErrorCode::invalid_argument, "no sensor " + name);
+  }
+  double servo_period() const noexcept override { return 0.002; }
+  Tick tick() const noexcept override { return 0; }
+  double wall_seconds() const noexcept override { return 0; }
+  void sleep_until(Tick) override {}
+  OperatorRequest operator_request() noexcept override { return OperatorRequest::none; }
+  bool take_trigger() noexcept override { return false; }
+  StepObserver* observer() noexcept override { return nullptr; }
+
+  RobotState state;
+
+ private:
+  void send(const RobotCommand& /*command*/) override {}
+  void receive(RobotState& answer) override { answer = state; }
+
+  std::string name_, type_;
+};
+
+}  // namespace mrroc

@@ -1,0 +1,133 @@
+// The conveyor of the demo in its scene, with its EDP core: what happens to the parts on the belt.
+#include <gtest/gtest.h>
+
+#include "conveyor_fixture.hpp"
+#include "robots_common/simulated_edp.hpp"
+
+namespace mrroc {
+namespace {
+
+config::Deployment demo() {
+  config::Deployment deployment;
+  deployment.sim.emplace();
+  deployment.sim->scene = conveyor_source("demo.xml");
+  config::RobotEntry robot;
+  robot.name = "belt";
+  robot.type = "conveyor";
+  robot.hardware = "mujoco";
+  robot.base.translation().z() = 0.55;
+  deployment.robots.push_back(robot);
+  config::SensorEntry encoder;
+  encoder.name = "encoder";
+  encoder.type = "conveyor_encoder";
+  encoder.robot = "belt";
+  deployment.sensors.push_back(encoder);
+  return deployment;
+}
+
+class ConveyorCarries : public testing::Test {
+ protected:
+  ConveyorCarries() {
+    simulation_.publish_initial();
+    edp_.start();
+    run(100);  // the parts settle
+  }
+  void run(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      simulation_.step(++now_);
+      edp_.tick(now_);
+    }
+  }
+  /// x of the parts, m.
+  Eigen::Vector3d parts() {
+    const sim::World& world = simulation_.world();
+    const auto x = [&](const char* name) {
+      return world.data().xpos[3 * mj_name2id(&world.model(), mjOBJ_BODY, name)];
+    };
+    return {x("block"), x("disc"), x("bar")};
+  }
+  /// How far a part is from where `way` of the belt takes it, at most.
+  double slip(const Eigen::Vector3d& before, double way) {
+    return (parts() - before - Eigen::Vector3d::Constant(way)).cwiseAbs().maxCoeff();
+  }
+  sim::HardwareReading encoder() const {
+    sim::HardwareReading reading;
+    EXPECT_TRUE(memory_->readings[0].load(reading));
+    return reading;
+  }
+  double travel() const { return edp_.snapshot().joints[0]; }
+
+  std::unique_ptr<sim::WorldMemory> memory_ = std::make_unique<sim::WorldMemory>();
+  sim::Simulation simulation_{demo(), *memory_};
+  SimulatedEdp edp_{conveyor_model(), *memory_, 0};
+  Tick now_ = 0;
+};
+
+TEST_F(ConveyorCarries, PartsGoAsFarAsTheBeltThatIsMovedByPosition) {
+  const Eigen::Vector3d before = parts();
+  edp_.go(0.2, 4000);
+  run(4500);
+  EXPECT_NEAR(travel(), 0.2, 1e-6);
+  EXPECT_LT(slip(before, travel()), 1e-3);
+  edp_.go(-0.05, 5000);
+  run(5500);
+  EXPECT_NEAR(travel(), -0.05, 1e-6);
+  EXPECT_LT(slip(before, travel()), 1e-3) << "and back";
+}
+
+TEST_F(ConveyorCarries, PartsGoAsFastAsTheBeltThatIsMovedByVelocity) {
+  constexpr double kSpeed = 0.04;
+  edp_.go(kSpeed / 2, 500, kSpeed);
+  run(250);
+  for (int second = 1; second <= 4; ++second) {
+    edp_.go(kSpeed * (second + 0.5), 500, kSpeed);
+    run(500);
+  }
+  const Eigen::Vector3d before = parts();
+  const double start = travel();
+  EXPECT_NEAR(encoder().values[1], kSpeed, 1e-3);
+  run(100);
+  EXPECT_NEAR(travel() - start, kSpeed * 0.2, 1e-4);
+  EXPECT_LT(slip(before, travel() - start), 1e-4);
+}
+
+TEST_F(ConveyorCarries, TheEncoderIsWhatTheDriveCountsWhileTheBeltsGeometryStays) {
+  edp_.go(0.1, 2500);
+  for (int i = 0; i < 30; ++i) {
+    run(100);
+    const sim::HardwareReading reading = encoder();
+    ASSERT_EQ(reading.count, 2U);
+    EXPECT_EQ(reading.tick, now_);
+    EXPECT_NEAR(reading.values[0], travel(), 2 * M_PI / 4000 / 2250) << "the drive rounds to increments";
+    const sim::World& world = simulation_.world();
+    EXPECT_EQ(world.data().xpos[3 * mj_name2id(&world.model(), mjOBJ_BODY, "belt/belt")], 0);
+  }
+  EXPECT_NEAR(travel(), 0.1, 1e-6);
+}
+
+TEST_F(ConveyorCarries, TheBeltFollowsItsPathWithinTheServosErrorAndCurrent) {
+  edp_.go(0.25, 4900);  // 0.048 m/s at most
+  double worst = 0, peak = 0;
+  for (int i = 0; i < 5500; ++i) {
+    run(1);
+    worst = std::max(worst, std::abs(edp_.snapshot().desired.position[0] - travel()));
+    peak = std::max(peak, std::abs(edp_.snapshot().current[0]));
+  }
+  std::printf("worst error %.2f mm, peak %.1f A\n", 1000 * worst, peak);
+  EXPECT_LT(worst, 2.5e-4);
+  EXPECT_LT(peak, belt().current_max);
+  EXPECT_EQ(edp_.snapshot().fault.code, ErrorCode::none);
+}
+
+TEST_F(ConveyorCarries, WithTheDriveOffTheBeltStandsUnderItsParts) {
+  edp_.enable(false);
+  run(500);
+  const Eigen::Vector3d before = parts();
+  const double start = travel();
+  run(500);
+  EXPECT_EQ(travel(), start);
+  EXPECT_LT((parts() - before).norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace mrroc

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "config/table.hpp"
+#include "robots_irb6/family/robot_under_test.hpp"
+
+namespace mrroc {
+
+using Loader = std::function<RobotModels(const std::filesystem::path&)>;
+
+/// Loads the robot's parameter file with the first `from` in it replaced by `to`.
+inline RobotModels load_with(const Loader& load, const std::string& from, const std::string& to) {
+  std::stringstream text;
+  text << std::ifstream(robot_file("toml")).rdbuf();
+  std::string changed = text.str();
+  const auto at = changed.find(from);
+  if (at == std::string::npos) throw std::runtime_error("no \"" + from + "\" in the file");
+  changed.replace(at, from.size(), to);
+  const auto file =
+      std::filesystem::temp_directory_path() / (robot_under_test().name + "_" + std::to_string(::getpid()) + ".toml");
+  std::ofstream(file) << changed;
+  return load(file);
+}
+
+/// The message of the mistake that this makes; empty when it makes none.
+inline std::string error_with(const Loader& load, const std::string& from, const std::string& to) {
+  try {
+    load_with(load, from, to);
+  } catch (const config::ConfigurationError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace mrroc

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "robots_common/servo.hpp"
+
+namespace mrroc {
+
+/// A drive's plant model J dw/dt = k i - b w, solved exactly between ticks.
+struct Drive {
+  double position = 0;  ///< rad of the shaft
+  double speed = 0;     ///< rad/s
+
+  void step(const AxisParameters& axis, double current) {
+    const double end_speed = axis.torque_constant * current / axis.viscous_friction;
+    const double time_constant = axis.rotor_inertia / axis.viscous_friction;
+    const double rest = std::exp(-kServoPeriod / time_constant);
+    position += end_speed * kServoPeriod + (speed - end_speed) * time_constant * (1 - rest);
+    speed = end_speed + (speed - end_speed) * rest;
+  }
+};
+
+struct Tracking {
+  double worst = 0;         ///< rad of the shaft, during the move
+  double final = 0;         ///< rad of the shaft, two seconds after it
+  double peak_current = 0;  ///< A
+};
+
+/// A raised-cosine move of 20 rad in 2 s; the current acts `delay` ticks (0 or 1) late.
+inline Tracking track(const AxisParameters& axis, int delay) {
+  constexpr double kLength = 20, kDuration = 2;
+  AxisServo servo(axis, 0);
+  Drive drive;
+  Tracking result;
+  double last_current = 0;
+  for (int tick = 1; tick <= 2000; ++tick) {
+    const double t = std::min(tick * kServoPeriod, kDuration);
+    const double desired = kLength * (1 - std::cos(M_PI * t / kDuration)) / 2;
+    const double current = servo.current(desired, drive.position);
+    drive.step(axis, delay == 0 ? current : last_current);
+    last_current = current;
+    result.worst = std::max(result.worst, std::abs(desired - drive.position));
+    result.final = std::abs(desired - drive.position);
+    result.peak_current = std::max(result.peak_current, std::abs(current));
+  }
+  return result;
+}
+
+}  // namespace mrroc

@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include "mrroc/robots/irb60.hpp"
+#include "robots_irb6/family/one_arm.hpp"
+
+namespace mrroc {
+namespace {
+
+TEST(Irb60Class, TakesItsProcessesRobotAndTheInstalledModels) {
+  OneArm process;
+  Irb60 robot(process);
+  EXPECT_EQ(robot.name(), "arm");
+  EXPECT_EQ(robot.parameters().type, "irb60");
+  ASSERT_EQ(robot.models().size(), robot_under_test().models.size());
+  const JointVector home = robot.parameters().home;
+  EXPECT_EQ(robot.kinematics().direct(home).matrix(), arm().direct(home).matrix());
+  robot.command().joints = home;
+  robot.send();
+  robot.receive();
+  EXPECT_EQ(robot.state().joints, home);
+}
+
+TEST(Irb60Class, RefusesANameThatTheDeploymentDoesNotHave) {
+  OneArm process;
+  EXPECT_THROW(Irb60(process, "leg"), NonFatalError);
+}
+
+TEST(Irb60Class, ToolDownPointsTheToolDown) {
+  const Pose pose = Irb60::tool_down(1, 2, 3);
+  EXPECT_EQ(pose.translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(pose.linear(), Eigen::Matrix3d(Eigen::Vector3d(1, -1, -1).asDiagonal()));
+}
+
+}  // namespace
+}  // namespace mrroc

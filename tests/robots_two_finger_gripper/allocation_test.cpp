@@ -1,0 +1,27 @@
+#include <gtest/gtest.h>
+
+#include "gripper_fixture.hpp"
+#include "sim/allocations.hpp"
+
+namespace mrroc {
+namespace {
+
+TEST(GripperAllocation, NoMethodAllocates) {
+  const RobotModel& model = *gripper_model();
+  JointVector motors, joints;
+  double sum = 0;
+  EXPECT_GT(sim::allocations(), 0) << "the counter sees nothing";
+  const long before = sim::allocations();
+  for (double opening = 0.053; opening < 0.091; opening += 0.001) {
+    const JointVector posture = one(opening);
+    model.inverse(model.flange(posture) * model.default_tool(), posture, joints);
+    model.joints_to_motors(posture, motors);
+    model.motors_to_joints(motors, joints);
+    sum += model.transmission(posture).sum() + model.jacobian(posture, Eigen::Vector3d::Ones()).sum() + joints.sum();
+  }
+  EXPECT_EQ(sim::allocations() - before, 0);
+  EXPECT_TRUE(std::isfinite(sum));
+}
+
+}  // namespace
+}  // namespace mrroc
