@@ -154,7 +154,7 @@ TEST_F(RobotParametersFileTest, LeavesTheGeometryToTheModel) {
   const Table file = Table::load(scratch_.write("r.toml", robot_text() + "[geometry]\na2 = 0.455\n"));
   read_robot_parameters(file);
   EXPECT_EQ(message_of(scratch_.folder(), [&] { file.finish(); }),
-            "r.toml:25: geometry: unknown key, expected 'axes', 'home' or 'type'");
+            "r.toml:25: geometry: unknown key, expected 'axes', 'home', 'synchro_order' or 'type'");
   file.table("geometry");
   EXPECT_NO_THROW(file.finish());
 }
