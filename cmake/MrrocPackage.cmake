@@ -19,7 +19,9 @@ install(FILES ${package}/mrrocConfig.cmake ${package}/MrrocTargets.cmake ${packa
 file(GLOB type_headers robots/*/include sensors/*/include)
 list(TRANSFORM type_headers APPEND /)
 install(DIRECTORY include/ src/ mp/include/ ecp/include/ ${type_headers} DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
-install(DIRECTORY edp vsp sim robots sensors DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp" PATTERN include EXCLUDE)
+install(DIRECTORY edp vsp robots sensors DESTINATION include/mrroc
+  FILES_MATCHING PATTERN "*.hpp" PATTERN include EXCLUDE PATTERN description EXCLUDE)
+install(FILES sim/mapped_world.hpp sim/world_memory.hpp DESTINATION include/mrroc/sim)
 
 install(DIRECTORY tasks DESTINATION share/mrroc
   FILES_MATCHING PATTERN "*.toml" PATTERN "*.xml" PATTERN "*.txt" PATTERN CMakeLists.txt EXCLUDE)
