@@ -15,6 +15,11 @@ Twist jacobian_rate_times_velocity(const ToolKinematics& kinematics, const Joint
   return (kinematics.jacobian(joints + step) - kinematics.jacobian(joints - step)) * velocity / (2 * dt);
 }
 
+/// The joint velocity that gives the tool this twist.
+JointVector velocity_of(const ToolKinematics& kinematics, const JointVector& joints, const Twist& twist) noexcept {
+  return Eigen::CompleteOrthogonalDecomposition<Jacobian>(kinematics.jacobian(joints)).solve(twist);
+}
+
 }  // namespace
 
 Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept {
@@ -57,11 +62,12 @@ MovingPose tool_motion(const ToolKinematics& kinematics, const DesiredState& joi
 
 double joint_motion(const ToolKinematics& kinematics, const JointVector& joints, const MovingPose& tool, double dt,
                     JointVector& velocity, JointVector& acceleration) noexcept {
-  const Jacobian jacobian = kinematics.jacobian(joints);
-  const Eigen::CompleteOrthogonalDecomposition<Jacobian> decomposition(jacobian);
-  velocity = decomposition.solve(tool.twist);
-  acceleration = decomposition.solve(tool.rate - jacobian_rate_times_velocity(kinematics, joints, velocity, dt));
-  return (jacobian * velocity - tool.twist).norm();
+  velocity = velocity_of(kinematics, joints, tool.twist);
+  const JointVector step = velocity * dt;
+  acceleration = (velocity_of(kinematics, joints + step, tool.twist + tool.rate * dt) -
+                  velocity_of(kinematics, joints - step, tool.twist - tool.rate * dt)) /
+                 (2 * dt);
+  return (kinematics.jacobian(joints) * velocity - tool.twist).norm();
 }
 
 }  // namespace mrroc::edp

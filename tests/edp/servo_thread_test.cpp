@@ -51,7 +51,8 @@ TEST(ServoThread, TicksTheServoWakesTheCommsSideAndEndsWithTheRobotAtRestAndTheD
     command.joint_velocity = one(0.3);
     Reply reply;
     ASSERT_FALSE(effector.accept(command, 1, reply)) << reply.state.error.detail.view();
-    while (clock.notified == 0) std::this_thread::yield();
+    const int before = clock.notified;  // of switching on
+    while (clock.notified == before) std::this_thread::yield();
     ASSERT_TRUE(effector.poll(reply));
     EXPECT_EQ(reply.state.error.code, ErrorCode::none);
     EXPECT_GT(thread.ticker().ticks(), 0u);

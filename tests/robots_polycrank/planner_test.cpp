@@ -44,7 +44,7 @@ ErrorReport line(const Eigen::Vector3d& velocity, const JointVector& start, Join
 // the planner's velocities are those of least norm: the inverse has to move the joints the same way
 TEST(PolycrankPlanner, LinesOfTheToolKeepTheLimits) {
   for (const Eigen::Vector3d& velocity :
-       {Eigen::Vector3d(0.05, 0, 0), {-0.05, 0, 0}, {0, 0.05, 0}, {0, -0.05, 0}, {0, 0, 0.05}, {0, 0, -0.05}}) {
+       {Eigen::Vector3d(0.04, 0, 0), {-0.04, 0, 0}, {0, 0.04, 0}, {0, -0.04, 0}, {0, 0, 0.04}, {0, 0, -0.04}}) {
     JointVector end;
     const ErrorReport report = line(velocity, polycrank_home(), end);
     EXPECT_EQ(report.code, ErrorCode::none) << velocity.transpose() << ": " << report.detail.view();

@@ -64,7 +64,7 @@ struct Edp {
   edp::HandOver hand_over;
   edp::ModelSet models{*model};
   edp::Servo servo{models, hardware, kPeriod, hand_over};
-  edp::Effector effector{*model, kPeriod, hand_over};
+  edp::Effector effector{models, kPeriod, hand_over};
   std::uint64_t number = 0;
   RobotState last;
 };
