@@ -113,8 +113,7 @@ RunResult Runner::run() {
 
 void Runner::start_processes() {
   // a program may lie elsewhere than the others: it finds them, and the data files, where the runner does
-  setenv("MRROC_PROGRAMS", config::program_directory().c_str(), 1);
-  setenv("MRROC_SHARE", config::share_directory().c_str(), 1);
+  config::hand_down_directories();
   std::vector<PlannedProcess> order = plan_;
   std::mt19937_64 random(options_.shuffle_seed.value_or(0));
   if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);

@@ -19,8 +19,6 @@ add_library(mrroc_kdl INTERFACE)
 target_link_libraries(mrroc_kdl INTERFACE ${orocos_kdl_LIBRARIES} Eigen3::Eigen)
 
 find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
-add_library(mrroc_tomlplusplus INTERFACE)
-target_include_directories(mrroc_tomlplusplus SYSTEM INTERFACE ${TOMLPLUSPLUS_INCLUDE})
 
 set(MRROC_RUCKIG ${CMAKE_SOURCE_DIR}/.deps/ruckig-0.19.4)
 if(NOT EXISTS ${MRROC_RUCKIG}/CMakeLists.txt)

@@ -16,6 +16,14 @@ fs::path beside(const fs::path& file, const fs::path& name) {
   return (fs::absolute(file).parent_path() / name).lexically_normal();
 }
 
+/// Where `program` may lie, in the order of search.
+std::vector<fs::path> places(const Table& table, const std::string& program) {
+  if (program.find('/') != std::string::npos) return {beside(table.file(), program)};
+  std::vector<fs::path> paths = program_directories();
+  for (fs::path& path : paths) path /= program;
+  return paths;
+}
+
 }  // namespace
 
 fs::path require_file(const Table& table, std::string_view key) {
@@ -27,13 +35,15 @@ fs::path require_file(const Table& table, std::string_view key) {
 }
 
 std::string require_program(const Table& table, std::string_view key, const std::string& program) {
-  const bool is_path = program.find('/') != std::string::npos;
-  const fs::path path = is_path ? beside(table.file(), program) : program_directory() / program;
-  const std::string expected = "the executable " + path.string();
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) table.fail(key, "no program " + in_quotes(program), expected);
-  if (access(path.c_str(), X_OK) != 0) table.fail(key, in_quotes(program) + " is not executable", expected);
-  return path.string();
+  std::string expected;
+  for (const fs::path& path : places(table, program)) {
+    expected += (expected.empty() ? "the executable " : " or ") + path.string();
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) continue;
+    if (access(path.c_str(), X_OK) != 0) table.fail(key, in_quotes(program) + " is not executable", expected);
+    return path.string();
+  }
+  table.fail(key, "no program " + in_quotes(program), expected);
 }
 
 }  // namespace mrroc::config

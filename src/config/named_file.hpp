@@ -12,8 +12,8 @@ namespace mrroc::config {
 /// read.
 std::filesystem::path require_file(const Table& table, std::string_view key);
 
-/// The executable `program`, absolute: a plain name lies in `program_directory()`, one with a `/` is a path. Throws
-/// ConfigurationError at `key` if it does not exist or may not be executed.
+/// The executable `program`, absolute: a plain name lies in one of `program_directories()`, one with a `/` is a path.
+/// Throws ConfigurationError at `key` if it does not exist or may not be executed.
 std::string require_program(const Table& table, std::string_view key, const std::string& program);
 
 }  // namespace mrroc::config

@@ -1,7 +1,8 @@
 #include "config/resources.hpp"
 
-#include <algorithm>
 #include <cstdlib>
+#include <set>
+#include <sstream>
 
 namespace mrroc::config {
 
@@ -9,34 +10,72 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The folder that environment variable `name` holds, absolute; else `fallback`.
-fs::path folder(const char* name, const fs::path& fallback) {
+constexpr const char* kShare = "MRROC_SHARE";
+constexpr const char* kPrograms = "MRROC_PROGRAMS";
+
+/// The folders that environment variable `name` lists, absolute; else `fallback`.
+std::vector<fs::path> folders(const char* name, const fs::path& fallback) {
   const char* value = std::getenv(name);
-  return value != nullptr && *value != '\0' ? fs::absolute(value) : fallback;
+  std::istringstream list(value != nullptr ? value : "");
+  std::vector<fs::path> found;
+  for (std::string folder; std::getline(list, folder, ':');) {
+    if (!folder.empty()) found.push_back(fs::absolute(folder));
+  }
+  if (found.empty()) found.push_back(fallback);
+  return found;
+}
+
+void set_list(const char* name, const std::vector<fs::path>& folders) {
+  std::string list;
+  for (const fs::path& folder : folders) {
+    if (!list.empty()) list += ':';
+    list += folder.string();
+  }
+  setenv(name, list.c_str(), 1);
 }
 
 fs::path executable_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
 
-/// A type is installed if its folder holds its parameter file.
-std::vector<std::string> types(const char* kind) {
-  std::vector<std::string> names;
+/// A type is there if its folder holds its parameter file.
+bool holds_type(const fs::path& folder) {
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(share_directory() / kind, none)) {
-    const std::string name = entry.path().filename().string();
-    if (fs::is_regular_file(entry.path() / (name + ".toml"), none)) names.push_back(name);
+  return fs::is_regular_file(folder / (folder.filename().string() + ".toml"), none);
+}
+
+std::vector<std::string> types(const char* kind) {
+  std::set<std::string> names;
+  for (const fs::path& share : share_directories()) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(share / kind, none)) {
+      if (holds_type(entry.path())) names.insert(entry.path().filename().string());
+    }
   }
-  std::sort(names.begin(), names.end());
-  return names;
+  return {names.begin(), names.end()};
 }
 
 }  // namespace
 
-fs::path share_directory() { return folder("MRROC_SHARE", executable_folder().parent_path() / "share" / "mrroc"); }
+std::vector<fs::path> share_directories() {
+  return folders(kShare, executable_folder().parent_path() / "share" / "mrroc");
+}
 
-fs::path program_directory() { return folder("MRROC_PROGRAMS", executable_folder()); }
+std::vector<fs::path> program_directories() { return folders(kPrograms, executable_folder()); }
 
 std::vector<std::string> robot_types() { return types("robots"); }
 
 std::vector<std::string> sensor_types() { return types("sensors"); }
+
+fs::path type_file(const std::string& kind, const std::string& type, const std::string& name) {
+  const auto shares = share_directories();
+  for (const fs::path& share : shares) {
+    if (holds_type(share / kind / type)) return share / kind / type / name;
+  }
+  return shares.front() / kind / type / name;
+}
+
+void hand_down_directories() {
+  set_list(kShare, share_directories());
+  set_list(kPrograms, program_directories());
+}
 
 }  // namespace mrroc::config

@@ -4,17 +4,26 @@
 #include <string>
 #include <vector>
 
+/// Where the types and the programs of a deployment lie: in folders given by the environment as lists with ':' between,
+/// else in the installation (or build folder, which has its layout) of the running executable. The first folder that
+/// holds what is looked for is taken.
 namespace mrroc::config {
 
-/// Where robots/<type>/ and sensors/<type>/ with their data files lie: $MRROC_SHARE, else share/mrroc beside the bin
-/// folder of the running executable (the build tree has the layout of an installation).
-std::filesystem::path share_directory();
+/// Folders with robots/<type>/ and sensors/<type>/: $MRROC_SHARE, else share/mrroc beside the bin folder of the running
+/// executable.
+std::vector<std::filesystem::path> share_directories();
 
-/// Folder of executables: that of the running one.
-std::filesystem::path program_directory();
+/// Folders of executables: $MRROC_PROGRAMS, else that of the running one.
+std::vector<std::filesystem::path> program_directories();
 
-/// Names of the installed robot (sensor) types, sorted.
+/// Names of the robot (sensor) types that there are, sorted.
 std::vector<std::string> robot_types();
 std::vector<std::string> sensor_types();
+
+/// Path of <kind>/<type>/<name>, with kind `robots` or `sensors`; of a type that there is not, in the first folder.
+std::filesystem::path type_file(const std::string& kind, const std::string& type, const std::string& name);
+
+/// Puts both lists into the environment: processes started from now on look in the same folders.
+void hand_down_directories();
 
 }  // namespace mrroc::config

@@ -121,7 +121,7 @@ RobotParameters read_robot_parameters(const Table& file) {
 }
 
 std::filesystem::path robot_file(const std::string& type, const std::string& name) {
-  return share_directory() / "robots" / type / name;
+  return type_file("robots", type, name);
 }
 
 }  // namespace mrroc::config

@@ -11,7 +11,7 @@ namespace mrroc::config {
 /// robot's own: its model reads it from the same Table, which then calls `finish()`. Throws ConfigurationError.
 RobotParameters read_robot_parameters(const Table& file);
 
-/// Path of robots/<type>/<name> in the share folder.
+/// Path of robots/<type>/<name> in the share folder that has the type.
 std::filesystem::path robot_file(const std::string& type, const std::string& name);
 
 }  // namespace mrroc::config

@@ -60,7 +60,7 @@ void read_value(const Declaration& declaration, const Table& from, std::string_v
 }  // namespace
 
 void read_own_parameters(const Table& table, SensorEntry& sensor) {
-  const Table type = Table::load(share_directory() / "sensors" / sensor.type / (sensor.type + ".toml"));
+  const Table type = Table::load(type_file("sensors", sensor.type, sensor.type + ".toml"));
   const auto parameters = type.optional_table("parameters");
   if (!parameters) return;
   for (const auto& key : parameters->table_names()) {

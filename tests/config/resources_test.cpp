@@ -9,20 +9,24 @@ namespace mrroc::config {
 namespace {
 
 namespace fs = std::filesystem;
+using Folders = std::vector<fs::path>;
 
 TEST(Resources, LieAroundTheRunningExecutable) {
   unsetenv("MRROC_SHARE");
   unsetenv("MRROC_PROGRAMS");
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
-  EXPECT_EQ(program_directory(), here);
-  EXPECT_EQ(share_directory(), here.parent_path() / "share" / "mrroc");
+  EXPECT_EQ(program_directories(), Folders{here});
+  EXPECT_EQ(share_directories(), Folders{here.parent_path() / "share" / "mrroc"});
 }
 
-TEST(Resources, TheEnvironmentComesFirst) {
-  setenv("MRROC_SHARE", "some/share", 1);
+TEST(Resources, TheEnvironmentListsFoldersInstead) {
+  setenv("MRROC_SHARE", "some/share::/other/share:", 1);
   setenv("MRROC_PROGRAMS", "/some/bin", 1);
-  EXPECT_EQ(share_directory(), fs::current_path() / "some/share");
-  EXPECT_EQ(program_directory(), "/some/bin");
+  EXPECT_EQ(share_directories(), (Folders{fs::current_path() / "some/share", "/other/share"}));
+  EXPECT_EQ(program_directories(), Folders{"/some/bin"});
+  hand_down_directories();
+  EXPECT_EQ(getenv("MRROC_SHARE"), (fs::current_path() / "some/share").string() + ":/other/share");
+  EXPECT_STREQ(getenv("MRROC_PROGRAMS"), "/some/bin");
   unsetenv("MRROC_SHARE");
   unsetenv("MRROC_PROGRAMS");
 }
@@ -38,6 +42,21 @@ TEST(Resources, ATypeIsAFolderWithItsParameterFile) {
   EXPECT_EQ(sensor_types(), (std::vector<std::string>{"force"}));
   setenv("MRROC_SHARE", (scratch.folder() / "missing").c_str(), 1);
   EXPECT_TRUE(robot_types().empty());
+  unsetenv("MRROC_SHARE");
+}
+
+TEST(Resources, TheFirstFolderThatHasATypeIsTaken) {
+  const Scratch own;
+  const Scratch framework;
+  own.write("robots/belt/belt.toml", "");
+  own.write("robots/irb6/readme.md", "");
+  framework.write("robots/belt/belt.toml", "");
+  framework.write("robots/irb6/irb6.toml", "");
+  setenv("MRROC_SHARE", (own.folder().string() + ":" + framework.folder().string()).c_str(), 1);
+  EXPECT_EQ(robot_types(), (std::vector<std::string>{"belt", "irb6"}));
+  EXPECT_EQ(type_file("robots", "belt", "belt.xml"), own.folder() / "robots/belt/belt.xml");
+  EXPECT_EQ(type_file("robots", "irb6", "irb6.xml"), framework.folder() / "robots/irb6/irb6.xml");
+  EXPECT_EQ(type_file("robots", "crane", "crane.xml"), own.folder() / "robots/crane/crane.xml");
   unsetenv("MRROC_SHARE");
 }
 

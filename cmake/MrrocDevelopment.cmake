@@ -1,0 +1,28 @@
+# For the project's own code only: what users of find_package(mrroc) do not get.
+
+# Warnings and sanitizers of our own code; third-party headers come as SYSTEM.
+set(MRROC_WARNINGS -Wall -Wextra -Wconversion -Wshadow -Werror)
+add_library(mrroc_flags INTERFACE)
+target_compile_options(mrroc_flags INTERFACE ${MRROC_WARNINGS})
+if(MRROC_SANITIZE)
+  add_compile_options(-fsanitize=${MRROC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${MRROC_SANITIZE})
+endif()
+
+# mrroc_test(NAME SOURCES ... LINKS ... [LABELS ...] [TIMEOUT s] [SERIAL]): one GoogleTest executable, one ctest entry.
+function(mrroc_test name)
+  cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${name} PRIVATE MRROC_SOURCE_DIR="${PROJECT_SOURCE_DIR}" MRROC_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  target_link_libraries(${name} PRIVATE mrroc_flags ${ARG_LINKS} GTest::gtest_main)
+  add_test(NAME ${name} COMMAND ${name})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  if(ARG_SERIAL)
+    set_tests_properties(${name} PROPERTIES RUN_SERIAL ON)
+  endif()
+endfunction()

@@ -1,0 +1,27 @@
+# What find_package(mrroc) finds: in the build folder at once, and in an installation (`cmake --install build --prefix ...`). Both
+# have the same layout: bin/, lib/cmake/mrroc/, lib/mrroc/ (archives), include/mrroc/, share/mrroc/.
+include(CMakePackageConfigHelpers)
+
+# Ruckig is linked into our own library and comes along privately: an installation may meet another one
+install(TARGETS ruckig EXPORT mrroc ARCHIVE DESTINATION lib/mrroc)
+
+set(package ${CMAKE_BINARY_DIR}/lib/cmake/mrroc)
+configure_file(cmake/mrrocConfig.cmake ${package}/mrrocConfig.cmake COPYONLY)
+configure_file(cmake/MrrocTargets.cmake ${package}/MrrocTargets.cmake COPYONLY)
+write_basic_package_version_file(${package}/mrrocConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+export(EXPORT mrroc NAMESPACE mrroc:: FILE ${package}/mrrocLibraries.cmake)
+
+install(EXPORT mrroc NAMESPACE mrroc:: FILE mrrocLibraries.cmake DESTINATION lib/cmake/mrroc)
+install(FILES ${package}/mrrocConfig.cmake ${package}/MrrocTargets.cmake ${package}/mrrocConfigVersion.cmake
+  DESTINATION lib/cmake/mrroc)
+
+# headers as they are included: "mrroc/move.hpp", "config/table.hpp", "robots/irb6/irb6_model.hpp"
+file(GLOB type_headers robots/*/include sensors/*/include)
+list(TRANSFORM type_headers APPEND /)
+install(DIRECTORY include/ src/ mp/include/ ecp/include/ ${type_headers} DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY edp vsp robots sensors DESTINATION include/mrroc
+  FILES_MATCHING PATTERN "*.hpp" PATTERN include EXCLUDE PATTERN description EXCLUDE)
+install(FILES sim/mapped_world.hpp sim/world_memory.hpp DESTINATION include/mrroc/sim)
+
+install(DIRECTORY tasks DESTINATION share/mrroc
+  FILES_MATCHING PATTERN "*.toml" PATTERN "*.xml" PATTERN "*.txt" PATTERN CMakeLists.txt EXCLUDE)

@@ -1,0 +1,45 @@
+#include "config/named_file.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include "config/scratch.hpp"
+
+namespace mrroc::config {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two folders of programs, one after the other in the environment.
+class NamedFile : public testing::Test {
+ protected:
+  NamedFile() { setenv("MRROC_PROGRAMS", (own_.folder().string() + ":" + framework_.folder().string()).c_str(), 1); }
+  ~NamedFile() override { unsetenv("MRROC_PROGRAMS"); }
+
+  static std::string add_program(const Scratch& folder, const std::string& name) {
+    const fs::path file = folder.write(name, "");
+    fs::permissions(file, fs::perms::owner_all);
+    return file.string();
+  }
+  std::string find(const std::string& name) const { return require_program(deployment_, "program", name); }
+
+  Scratch own_, framework_;
+  Table deployment_ = Table::load(own_.write("deployment.toml", "program = 'any'\n"));
+};
+
+TEST_F(NamedFile, AProgramIsTakenFromTheFirstFolderThatHasIt) {
+  const std::string common = add_program(own_, "common");
+  add_program(framework_, "common");
+  const std::string stock = add_program(framework_, "stock");
+  EXPECT_EQ(find("common"), common);
+  EXPECT_EQ(find("stock"), stock);
+}
+
+TEST_F(NamedFile, EveryPlaceOfAMissingProgramIsNamed) {
+  EXPECT_EQ(message_of(own_.folder(), [this] { find("missing"); }),
+            "deployment.toml:1: program: no program 'missing', expected the executable " +
+                (own_.folder() / "missing").string() + " or " + (framework_.folder() / "missing").string());
+}
+
+}  // namespace
+}  // namespace mrroc::config

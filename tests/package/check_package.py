@@ -1,0 +1,90 @@
+"""A user's project, built outside the tree with find_package(mrroc): the robot of docs/examples/slide, a sensor type and a task.
+
+Usage: check_package.py SOURCE_DIR BINARY_DIR [--installed] [-Dcache=entry ...]
+
+With --installed it is built against an installation in a folder of its own, else against the build folder itself.
+"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+MOST_LINES = 150  # that a robot with one axis may take
+
+
+def run(*command, cwd=None):
+    """Output of a command that must succeed."""
+    # the project shall find what it needs by itself
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("MRROC_")}
+    done = subprocess.run(
+        [str(part) for part in command], cwd=cwd, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
+    )
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stdout}")
+    return done.stdout
+
+
+def check_size(example):
+    lines = sum(len(file.read_text(encoding="utf-8").splitlines()) for file in example.rglob("*") if file.is_file())
+    if lines > MOST_LINES:
+        sys.exit(f"{example}: {lines} lines, expected at most {MOST_LINES}")
+    return lines
+
+
+def make_project(source, folder):
+    project = folder / "project"
+    shutil.copytree(source / "tests/package/project", project)
+    shutil.copytree(source / "docs/examples/slide", project / "slide")
+    return project
+
+
+def check_commands(build, source, installed):
+    """Nothing of how the framework itself is built reaches its users, nor does an installation lead back to its source."""
+    commands = (build / "compile_commands.json").read_text(encoding="utf-8")
+    if "-Werror" in commands:
+        sys.exit("the framework's warnings have come into the user's build")
+    if installed and f"{source}/" in commands:
+        sys.exit("the installation leads to the source tree")
+
+
+def check_run(build, deployment):
+    """Two runs of a deployment: equal to the last bit, and the steps of Move are in the trace."""
+    hashes = set()
+    for number in (1, 2):
+        trace = build / f"{deployment.stem}_{number}.trace"
+        run(build / "bin/mrroc", "run", "--quiet", deployment, "--trace", trace)
+        if trace.stat().st_size == 0:
+            sys.exit(f"{deployment}: nothing has happened")
+        hashes.add(run(build / "bin/mrroc", "trace", "hash", trace))
+    if len(hashes) != 1:
+        sys.exit(f"{deployment}: two runs differ: {hashes}")
+
+
+def main():
+    source, binary = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+    installed = "--installed" in sys.argv
+    lines = check_size(source / "docs/examples/slide")
+    with tempfile.TemporaryDirectory(prefix="mrroc_package_") as scratch:
+        folder = pathlib.Path(scratch).resolve()
+        prefix = folder / "prefix" if installed else binary
+        if installed:
+            run("cmake", "--install", binary, "--prefix", prefix)
+        project = make_project(source, folder)
+        build = project / "build"
+        options = ["-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", f"-DCMAKE_PREFIX_PATH={prefix}"]
+        run("cmake", "-S", project, "-B", build, *options, *(entry for entry in sys.argv[3:] if entry.startswith("-D")))
+        run("cmake", "--build", build, "--parallel", "2")
+        check_commands(build, source, installed)
+        check_run(build, project / "slide/demo.toml")
+        check_run(build, project / "measure.toml")
+        limits = run(build / "bin/slide_edp", "limits")
+        if "carriage" not in limits:
+            sys.exit(f"slide_edp limits: {limits}")
+    print(f"{lines} lines of robot, four runs")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,5 @@
+#include <vsp/shell.hpp>
+
+#include "gauge_sensor.hpp"
+
+MRROC_VSP(mrroc::vsp::GaugeSensor)
