@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "mrroc/robot_model.hpp"
+
+namespace mrroc::bench {
+
+/// The models of every robot in robots/, by name. Its source is made when CMake configures (bench/kinematics.cmake).
+std::vector<RobotModels> load_robots();
+
+}  // namespace mrroc::bench
