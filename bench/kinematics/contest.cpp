@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bench/kinematics/urdf_chain.hpp"
-#include "config/resources.hpp"
+#include "config/robot_parameters_file.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -40,8 +40,7 @@ double angle_error(const Pose& a, const Pose& b) {
 
 Contest::Contest(RobotModels models, const Options& options)
     : models_(std::move(models)), kinematics_(*models_.front()) {
-  const UrdfChain urdf =
-      urdf_chain(config::share_directory() / "robots" / robot() / (robot() + ".urdf"), models_.front()->parameters());
+  const UrdfChain urdf = urdf_chain(config::robot_file(robot(), robot() + ".urdf"), models_.front()->parameters());
   without_kdl_ = urdf.missing;
   if (without_kdl_.empty()) kdl_.emplace(urdf.chain);
 
