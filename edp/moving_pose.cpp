@@ -15,11 +15,6 @@ Twist jacobian_rate_times_velocity(const ToolKinematics& kinematics, const Joint
   return (kinematics.jacobian(joints + step) - kinematics.jacobian(joints - step)) * velocity / (2 * dt);
 }
 
-/// The joint velocity that gives the tool this twist.
-JointVector velocity_of(const ToolKinematics& kinematics, const JointVector& joints, const Twist& twist) noexcept {
-  return Eigen::CompleteOrthogonalDecomposition<Jacobian>(kinematics.jacobian(joints)).solve(twist);
-}
-
 }  // namespace
 
 Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept {
@@ -42,6 +37,14 @@ bool is_rigid(const Pose& pose) noexcept {
   return (rotation.transpose() * rotation).isIdentity(kOrthogonality) && rotation.determinant() > 0;
 }
 
+JointVector joint_velocity_of(const ToolKinematics& kinematics, const JointVector& joints,
+                              const Twist& twist) noexcept {
+  Jacobian jacobian = kinematics.jacobian(joints);
+  // a joint that the inverse keeps would else be moved by the velocities alone
+  if (const int kept = kinematics.model().kept_joint(); kept >= 0) jacobian.col(kept).setZero();
+  return Eigen::CompleteOrthogonalDecomposition<Jacobian>(jacobian).solve(twist);
+}
+
 Pose MovingPose::after(double t) const noexcept {
   Pose later = Pose::Identity();
   later.translation() = pose.translation() + twist.head<3>() * t + rate.head<3>() * (0.5 * t * t);
@@ -62,10 +65,10 @@ MovingPose tool_motion(const ToolKinematics& kinematics, const DesiredState& joi
 
 double joint_motion(const ToolKinematics& kinematics, const JointVector& joints, const MovingPose& tool, double dt,
                     JointVector& velocity, JointVector& acceleration) noexcept {
-  velocity = velocity_of(kinematics, joints, tool.twist);
+  velocity = joint_velocity_of(kinematics, joints, tool.twist);
   const JointVector step = velocity * dt;
-  acceleration = (velocity_of(kinematics, joints + step, tool.twist + tool.rate * dt) -
-                  velocity_of(kinematics, joints - step, tool.twist - tool.rate * dt)) /
+  acceleration = (joint_velocity_of(kinematics, joints + step, tool.twist + tool.rate * dt) -
+                  joint_velocity_of(kinematics, joints - step, tool.twist - tool.rate * dt)) /
                  (2 * dt);
   return (kinematics.jacobian(joints) * velocity - tool.twist).norm();
 }

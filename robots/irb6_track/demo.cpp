@@ -3,7 +3,8 @@
 
 using namespace mrroc;
 
-/// A tour of the workspace: to both ends of the track, at each the tool to both sides, and home.
+/// A tour of the workspace: to both ends of the track, at each the tool to both sides; then along the track
+/// with the track alone, and home.
 class Tour : public ecp::Task {
   Irb6Track arm{*this};
 
@@ -16,6 +17,9 @@ class Tour : public ecp::Task {
         Move({arm}, {}, JointLine{arm, Irb6Track::tool_down(0.7, y, 0.0), 0.9});
       }
     }
+    arm.use_model("track_used");  // from now on the track reaches what the column reached
+    Move({arm}, {}, JointLine{arm, Irb6Track::tool_down(0.7, 0.6, 0.0), 0.9});
+    arm.use_model("track_still");
     Move({arm}, {}, JointLine{arm, arm.parameters().home, 0.9});
   }
 };
