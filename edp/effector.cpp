@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "edp/error_report.hpp"
+#include "edp/force_law.hpp"
 
 namespace mrroc::edp {
 
@@ -34,6 +35,7 @@ void Effector::refresh() noexcept {
     end_ = snapshot_->end;
     end_tick_ = snapshot_->end_tick;
     untold_ = snapshot_->braking;
+    forced_ = false;
   }
   for (Outstanding& entry : outstanding_)
     if (entry.used && entry.replied && entry.ticket <= snapshot_->finished) entry.used = false;
@@ -68,7 +70,7 @@ bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& 
         error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "one command runs and one waits already");
       } else {
         entry->used = true;
-        entry->replied = entry->late = false;
+        entry->replied = entry->late = entry->after_force = false;
         entry->ticket = ++last_ticket_;
         entry->number = number;
         entry->command = command;
@@ -90,7 +92,11 @@ ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
   if (!snapshot_->enabled)
     return make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "at tick %llu",
                        static_cast<unsigned long long>(snapshot_->tick));
+  if (snapshot_->interruptions != interruptions_told_) return snapshot_->interruption;
   if (is_change(command.kind)) return refusal_of_change(command);
+  if (command.kind == CommandKind::force && !mount_)
+    return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
+                       "a force motion of a robot without force_sensor in the deployment");
   if (!snapshot_->synchronised && command.kind != CommandKind::hold &&
       !(command.kind == CommandKind::motor && command.relative && command.interpolation != Interpolation::task))
     return make_report(ErrorClass::non_fatal, ErrorCode::not_synchronised,
@@ -103,7 +109,7 @@ ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
 }
 
 ErrorReport Effector::refusal_of_change(const RobotCommand& command) const noexcept {
-  if (!end_.at_rest()) return make_report(ErrorClass::non_fatal, ErrorCode::busy, "only at rest");
+  if (forced_ || !end_.at_rest()) return make_report(ErrorClass::non_fatal, ErrorCode::busy, "only at rest");
   switch (command.kind) {
     case CommandKind::set_tool:
       if (!is_rigid(command.pose))
@@ -123,6 +129,11 @@ ErrorReport Effector::refusal_of_change(const RobotCommand& command) const noexc
         if (axis.synchro_coarse == 0)
           return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
                              "axis %s has no synchronisation switch", axis.name.c_str());
+      return {};
+    case CommandKind::bias_force:
+      if (!mount_)
+        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
+                           "the robot has no force_sensor in the deployment");
       return {};
     default:
       return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "kind %d is unknown",
@@ -144,6 +155,16 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
     ++counters_.late;
   }
 
+  if (forced_ && (command.kind != CommandKind::force || command.start_tick > end_tick_)) {
+    entry.after_force = true;
+    macrostep_.kind = Macrostep::Kind::unplanned;
+    macrostep_.ticket = entry.ticket;
+    macrostep_.epoch = epoch_;
+    macrostep_.start = 0;
+    hand_over_.macrosteps.push(macrostep_);
+    return {};
+  }
+
   DesiredState from = end_;
   Tick at = from.at_rest() ? std::max(end_tick_, snapshot_->tick) : end_tick_;
   const bool stop_first = !from.at_rest() && command.start_tick > at;
@@ -156,12 +177,14 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
     at += stop_.steps;
   }
   if (is_change(command.kind)) {
-    macrostep_.kind = command.kind == CommandKind::use_model ? Macrostep::Kind::model : Macrostep::Kind::synchronise;
+    macrostep_.kind = command.kind == CommandKind::use_model     ? Macrostep::Kind::model
+                      : command.kind == CommandKind::synchronise ? Macrostep::Kind::synchronise
+                                                                 : Macrostep::Kind::bias;
     macrostep_.model = command.model;
     macrostep_.steps = macrostep_.reply_step = 1;
     macrostep_.from = macrostep_.to = from;
   } else {
-    const Pace pace = entry.late ? Pace::stretched : Pace::as_commanded;
+    const Pace pace = entry.late || entry.after_force ? Pace::stretched : Pace::as_commanded;
     const ErrorReport error = planner_.plan(command, from, pace, macrostep_);
     if (error.error_class != ErrorClass::none) return error;
   }
@@ -173,6 +196,7 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   hand_over_.macrosteps.push(macrostep_);
   end_ = macrostep_.to;
   end_tick_ = macrostep_.start + macrostep_.steps;
+  forced_ = macrostep_.kind == Macrostep::Kind::force;
   return {};
 }
 
@@ -206,8 +230,13 @@ bool Effector::poll(Reply& reply) noexcept {
       reply.command = entry->number;
       if (outcome == Report::Outcome::reply) macrostep_start_ = report->start;
       fill(then, then.end, then.end_tick, reply.state);
-      if (outcome == Report::Outcome::aborted && then.fault.code == ErrorCode::none)
-        reply.state.error = make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "the drives were switched off");
+      if (outcome == Report::Outcome::aborted && then.fault.code == ErrorCode::none) {
+        const bool interrupted = then.interruptions != interruptions_told_;
+        reply.state.error =
+            interrupted ? then.interruption
+                        : make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "the drives were switched off");
+        interruptions_told_ = then.interruptions;
+      }
       if (then.epoch == epoch_) untold_ = false;
       entry->replied = true;
     }
@@ -224,6 +253,7 @@ void Effector::answer(std::uint64_t number, const ErrorReport& error, Reply& rep
   if (error.error_class != ErrorClass::none) {
     reply.state.error = error;
     ++counters_.refused;
+    if (snapshot_ != nullptr) interruptions_told_ = snapshot_->interruptions;
   }
   untold_ = false;
 }
@@ -258,6 +288,7 @@ void Effector::fill(const Snapshot& snapshot, const DesiredState& end, Tick end_
   state.desired_pose = planner_.kinematics().direct(end.position);
   state.model = model_;
   state.tool = tool_;
+  state.wrench = mount_ ? seen_from(mount_->inverse() * tool_, snapshot.wrench) : Wrench::Zero();
   state.synchronised = snapshot.synchronised;
   state.enabled = snapshot.enabled;
   state.late_commands = counters_.late;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "edp/hand_over.hpp"
 #include "edp/model_set.hpp"
@@ -28,6 +29,11 @@ struct Reply {
 /// before the braking. It is counted, planned from the end of the stop, and takes longer instead of being refused where
 /// the limits demand it. A reply that reports the stop ends this: what comes after it knows.
 ///
+/// What follows a force motion, other than its continuation, waits for the stop after it and is planned then.
+///
+/// An interrupted motion is answered with the servo's error, at once if its reply is still due; else the next command
+/// is: it was computed by someone who does not know.
+///
 /// After a fault or `enable(false)` motions are refused, and every reply carries a latched fault as a hardware error,
 /// until `enable(true)` or a `recover` command. A robot that is not synchronised takes relative motor motion, hold and
 /// `synchronise`; its joints are then the shafts.
@@ -41,6 +47,9 @@ class Effector {
  public:
   /// `period` in s. `models` must outlive it. Throws SystemError when an axis has no acceleration or jerk limit.
   Effector(const ModelSet& models, double period, HandOver& hand_over);
+
+  /// The robot has a force sensor, whose frame lies at `mount` in the flange frame. Before the first command.
+  void use_force_sensor(const Pose& mount) noexcept { mount_ = mount; }
 
   /// Takes command number `number` (the caller's, for the reply). True: `reply` is the answer; false: `poll` will give
   /// it. Call `poll` until false before; in lockstep, both after the servo's tick.
@@ -68,6 +77,7 @@ class Effector {
     bool used = false;
     bool replied = false;
     bool late = false;
+    bool after_force = false;  ///< planned from a stop that its sender did not know of
     std::uint64_t ticket = 0;
     std::uint64_t number = 0;
     RobotCommand command;
@@ -96,11 +106,14 @@ class Effector {
   Planner planner_;
   std::uint8_t model_ = 0;  ///< that the planner uses
   Pose tool_;
+  std::optional<Pose> mount_;  ///< of the force sensor
+  std::uint32_t interruptions_told_ = 0;
   Recovery recovery_;
   const Snapshot* snapshot_ = nullptr;  ///< the newest; null before the servo's first tick
   std::uint32_t epoch_ = 0;
   DesiredState end_;     ///< of all that has been accepted
   Tick end_tick_ = 0;    ///< when
+  bool forced_ = false;  ///< the last accepted motion of this epoch is one of force: `end_` is not known
   bool untold_ = false;  ///< the robot has braked and no reply has said so yet
   std::array<Outstanding, 2> outstanding_{};
   std::uint64_t last_ticket_ = 0;

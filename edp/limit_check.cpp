@@ -113,11 +113,14 @@ ErrorReport LimitCheck::check_motors_of_stop(double tick) noexcept {
 
 ErrorReport LimitCheck::check_end(const Macrostep& path) noexcept {
   widen(path.from);
-  const double tick = path.steps;
-  if (const ErrorReport report = check_state(path.to, tick); bad(report)) return report;
-  if (const ErrorReport report = check_motors(path.to.position, tick, "motor position"); bad(report)) return report;
-  if (path.to.at_rest()) return {};
-  if (const ErrorReport report = check_stop(path.to, tick); bad(report)) return report;
+  return check_with_stop(path.to, path.steps);
+}
+
+ErrorReport LimitCheck::check_with_stop(const DesiredState& state, double tick) noexcept {
+  if (const ErrorReport report = check_state(state, tick); bad(report)) return report;
+  if (const ErrorReport report = check_motors(state.position, tick, "motor position"); bad(report)) return report;
+  if (state.at_rest()) return {};
+  if (const ErrorReport report = check_stop(state, tick); bad(report)) return report;
   return motors_stay_clear() ? ErrorReport{} : check_motors_of_stop(tick);
 }
 

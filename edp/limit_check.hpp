@@ -16,8 +16,12 @@ namespace mrroc::edp {
 /// rests inside the motor limits; from the last tick the motor limits are checked at every tick of the stop, unless a
 /// bound tells that no motor comes near one.
 ///
-/// A robot that starts outside a position limit (brakes off, moved by hand) may move, but no farther out. Allocates
-/// nothing but in its constructor, never throws; the comms thread.
+/// A robot that starts outside a position limit (brakes off, moved by hand) may move, but no farther out.
+///
+/// Set-points that no macrostep foresees are looked at one by one (`begin`, `check_next`): for each the state itself
+/// and the stop from it.
+///
+/// Allocates nothing but in its constructor, never throws; one thread.
 class LimitCheck {
  public:
   LimitCheck(const RobotModel& model, double period);
@@ -32,7 +36,13 @@ class LimitCheck {
   /// The end state alone, seen from `from`: no longer duration can heal what is wrong with it.
   ErrorReport check_end(const Macrostep& path) noexcept;
 
+  /// A motion whose set-points are not known beforehand begins at `from`.
+  void begin(const DesiredState& from) noexcept { widen(from); }
+  /// Its next one. The step to it is the caller's care: velocity, acceleration and jerk as means over the tick.
+  ErrorReport check_next(const DesiredState& state) noexcept { return check_with_stop(state, 0); }
+
  private:
+  ErrorReport check_with_stop(const DesiredState& state, double tick) noexcept;
   ErrorReport check_state(const DesiredState& state, double tick) const noexcept;
   /// Between its ends; false: it has to be sampled.
   bool stays_clear(const Macrostep& path) const noexcept;

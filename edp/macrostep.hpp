@@ -1,6 +1,7 @@
 #pragma once
 
 #include "edp/desired_state.hpp"
+#include "edp/force_target.hpp"
 #include "edp/path.hpp"
 
 namespace mrroc::edp {
@@ -11,8 +12,11 @@ namespace mrroc::edp {
 struct Macrostep {
   enum class Kind : std::uint8_t {
     path,        ///< along `path`
+    force,       ///< `force`, tick by tick: `from` and `to` are not known
+    unplanned,   ///< follows a force motion: the servo stops and gives it back, to be planned from there
     stop,        ///< the robot's Stop from `from`, then rest
     model,       ///< at rest: from its start on the servo uses model `model`
+    bias,        ///< at rest: what the force sensor reads is zero
     synchronise  ///< as long as it takes; then with the robot's first model
   };
   Kind kind = Kind::path;
@@ -24,6 +28,7 @@ struct Macrostep {
   DesiredState from;
   DesiredState to;
   Path path;
+  ForceTarget force;
   std::uint8_t model = 0;  ///< place in the ModelSet
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "edp/error_report.hpp"
+#include "edp/force_law.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -34,6 +35,12 @@ ErrorReport Planner::plan(const RobotCommand& command, const DesiredState& from,
                        int{command.reply_step}, steps + 1);
   if (command.kind == CommandKind::hold) {
     plan_stop(from, command.motion_steps, macrostep);
+  } else if (command.kind == CommandKind::force) {
+    if (const ErrorReport report = check_force_law(command.force, command.twist); bad(report)) return report;
+    macrostep.kind = Macrostep::Kind::force;
+    macrostep.steps = command.motion_steps;
+    macrostep.from = macrostep.to = from;
+    macrostep.force = {command.force, command.twist, kinematics_.tool()};
   } else {
     if (const ErrorReport report = read_goal(command, from, kinematics_, steps * period_, period_, goal_); bad(report))
       return report;

@@ -33,7 +33,8 @@ class Planner {
   const ToolKinematics& kinematics() const noexcept { return kinematics_; }
 
   /// Fills kind, steps, reply_step, from, to and path of `macrostep`; the rest is the caller's. Class `none`, or a
-  /// non-fatal error, which leaves `macrostep` undefined. Not for queries.
+  /// non-fatal error, which leaves `macrostep` undefined. Not for queries. Of a force motion only the values are looked
+  /// at: where it leads nobody knows.
   ErrorReport plan(const RobotCommand& command, const DesiredState& from, Pace pace, Macrostep& macrostep) noexcept;
 
   /// The stop from `from`, lasting at least `steps` ticks.

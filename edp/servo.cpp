@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edp/error_report.hpp"
+
 namespace mrroc::edp {
 namespace {
 
@@ -17,7 +19,8 @@ Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver
       period_(period),
       hand_over_(hand_over),
       stop_(models.parameters(), period),
-      synchroniser_(models.parameters(), models.at(ModelSet::kShafts).parameters(), period) {
+      synchroniser_(models.parameters(), models.at(ModelSet::kShafts).parameters(), period),
+      force_motion_(models.at(0), period) {
   const int count = model_->joint_count();
   for (const AxisParameters& axis : models.parameters().axes) regulators_.emplace_back(axis);
   const JointVector zero = JointVector::Zero(count);
@@ -26,6 +29,11 @@ Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver
   input_.motors = input_.current = zero;
   desired_ = DesiredState::resting_at(zero);
   counters_.following_error = zero;
+}
+
+void Servo::use_force_sensor(ForceSensor& sensor, const ForceLimits& limits) noexcept {
+  force_sensor_ = &sensor;
+  guard_ = ForceGuard(limits);
 }
 
 /// The robot rests: the same shafts, seen as joints of another model. False: they are no joints of that model.
@@ -37,6 +45,7 @@ bool Servo::use(std::uint8_t index) noexcept {
   model_ = &model;
   model_index_ = index;
   stop_.use(model.parameters());
+  force_motion_.use(model);
   joints_ = joints;
   velocity_.setZero();
   desired_ = DesiredState::resting_at(desired);
@@ -160,6 +169,56 @@ void Servo::watch(Tick tick) noexcept {
     }
     if (fault_.code != ErrorCode::none) stop_and_switch_off();
   }
+  if (force_sensor_ != nullptr) watch_force(tick);
+}
+
+void Servo::read_force(Tick tick) noexcept {
+  const bool synchronised = model_index_ != ModelSet::kShafts;
+  const Pose flange = synchronised ? model_->flange(joints_) : Pose::Identity();
+  wrench_ = force_sensor_->read(tick, synchronised ? &flange : nullptr);
+}
+
+void Servo::zero_force(Tick tick) noexcept {
+  force_sensor_->bias();
+  read_force(tick);  // the state of this very tick already has the new zero
+}
+
+void Servo::watch_force(Tick tick) noexcept {
+  read_force(tick);
+  const bool moving = running_ && enabled_ && !stopping_ &&
+                      (active_.kind == Macrostep::Kind::path || active_.kind == Macrostep::Kind::force);
+  const int axis = guard_.look(wrench_.wrench, moving);
+  if (!moving) return;
+  if (axis >= 0)
+    return interrupt(
+        make_report(ErrorClass::non_fatal, ErrorCode::force_limit,
+                    "axis %d of the force sensor: %.4g %s at tick %llu, limit %.4g", axis + 1, wrench_.wrench[axis],
+                    axis < 3 ? "N" : "N m", static_cast<unsigned long long>(tick), guard_.limit(axis)),
+        last_);
+  if (wrench_.error == ErrorCode::sensor_not_ready && model_index_ == ModelSet::kShafts)
+    return;  // the tool's weight is not known yet
+  // a wrench beyond the sensor's range is known well enough to come out of it, not to follow it
+  const bool out_of_range = wrench_.error == ErrorCode::sensor_out_of_range;
+  if (wrench_.error != ErrorCode::none && (!out_of_range || active_.kind == Macrostep::Kind::force))
+    interrupt(make_report(ErrorClass::non_fatal, wrench_.error, "the force sensor, at tick %llu",
+                          static_cast<unsigned long long>(tick)),
+              last_);
+}
+
+/// The motion is given up: the robot brakes from the desired state, which is that of tick `from`.
+void Servo::interrupt(const ErrorReport& report, Tick from) noexcept {
+  ++interruptions_;
+  interruption_ = report;
+  if (active_.ticket != 0) finished_ = active_.ticket;
+  abort_pending();
+  brake(from);
+  braking_ = false;
+}
+
+void Servo::abort_pending() noexcept {
+  for (std::size_t i = 0; i < pending_count_ && outbox_count_ < outbox_.size(); ++i)
+    outbox_[outbox_count_++] = {Report::Outcome::aborted, pending_[i].ticket};
+  pending_count_ = 0;
 }
 
 void Servo::latch(ErrorCode code, int axis, double value, double limit, Tick tick) noexcept {
@@ -169,6 +228,11 @@ void Servo::latch(ErrorCode code, int axis, double value, double limit, Tick tic
 void Servo::advance(Tick tick) noexcept {
   refuse_foreign();
   for (;;) {
+    if (running_ && active_.kind == Macrostep::Kind::force) {
+      const Tick end = active_.start + active_.steps;
+      follow_force(std::min(tick, end));
+      if (active_.kind == Macrostep::Kind::force && tick < end) return;
+    }
     if (running_) {
       const Tick step = tick - active_.start;
       if (active_.kind == Macrostep::Kind::synchronise) {
@@ -183,7 +247,9 @@ void Servo::advance(Tick tick) noexcept {
       }
       if (active_.kind == Macrostep::Kind::model)
         change_model();
-      else if (active_.kind != Macrostep::Kind::synchronise)
+      else if (active_.kind == Macrostep::Kind::bias)
+        zero_force(tick);
+      else if (active_.kind != Macrostep::Kind::synchronise && active_.kind != Macrostep::Kind::force)
         desired_ = active_.to;
       running_ = false;
       boundary_ = active_.start + active_.steps;
@@ -206,6 +272,15 @@ void Servo::follow(double time, Tick tick) noexcept {
     desired_ = next;
   else  // the planner has been along this path: only a missed tick can bring it to another branch
     latch(code, -1, 0, 0, tick);
+}
+
+/// The set-point of tick `tick` of the force macrostep, which is not its end or a tick before it.
+void Servo::follow_force(Tick tick) noexcept {
+  if (tick == force_tick_) return;
+  const ErrorReport report = force_motion_.step(active_.force, wrench_.wrench, force_sensor_->mount(),
+                                                period_ * static_cast<double>(tick - force_tick_), desired_);
+  if (report.error_class != ErrorClass::none) return interrupt(report, force_tick_);
+  force_tick_ = tick;
 }
 
 /// One tick of the synchronisation; true: it is over.
@@ -236,12 +311,23 @@ void Servo::change_model() noexcept {
 bool Servo::start_next(Tick tick) noexcept {
   const Macrostep* next = hand_over_.macrosteps.front();
   if (next == nullptr || next->epoch != epoch_ || stopping_ || next->start > tick) return false;
+  if (next->kind == Macrostep::Kind::unplanned) {
+    brake(boundary_);
+    braking_ = false;
+    refuse_foreign();
+    return true;
+  }
   active_ = *next;
   hand_over_.macrosteps.pop();
   running_ = true;
   // a moving predecessor ended at `start`, be it in a missed tick; a resting robot begins now
   active_.start = std::max({active_.start, boundary_, last_});
   if (active_.kind == Macrostep::Kind::stop) stop_.plan(desired_);
+  if (active_.kind == Macrostep::Kind::force) {
+    if (!forced_) force_motion_.start(desired_, active_.force.tool);
+    force_tick_ = active_.start;
+  }
+  forced_ = active_.kind == Macrostep::Kind::force;
   if (active_.kind == Macrostep::Kind::synchronise) synchroniser_.start(desired_.position);
   if (active_.ticket != 0 && pending_count_ < pending_.size())
     pending_[pending_count_++] = {
@@ -263,6 +349,7 @@ void Servo::refuse_foreign() noexcept {
 
 void Servo::brake(Tick from) noexcept {
   ++epoch_;
+  forced_ = false;
   stop_.plan(desired_);
   active_.kind = Macrostep::Kind::stop;
   active_.ticket = 0;
@@ -275,9 +362,7 @@ void Servo::brake(Tick from) noexcept {
 
 void Servo::stop_and_switch_off() noexcept {
   if (running_ && active_.ticket != 0) finished_ = active_.ticket;
-  for (std::size_t i = 0; i < pending_count_ && outbox_count_ < outbox_.size(); ++i)
-    outbox_[outbox_count_++] = {Report::Outcome::aborted, pending_[i].ticket};
-  pending_count_ = 0;
+  abort_pending();
   brake(last_);
   braking_ = false;
   stopping_ = true;
@@ -327,12 +412,16 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.enabled = enabled_ && !stopping_;
   snapshot_.fault = fault_;
   snapshot_.model = model_index_;
+  snapshot_.wrench = wrench_.wrench;
+  snapshot_.interruptions = interruptions_;
+  snapshot_.interruption = interruption_;
   snapshot_.orders = orders_;
   snapshot_.epoch = epoch_;
   snapshot_.braking = braking_;
   snapshot_.desired = desired_;
-  snapshot_.end = running_ ? active_.to : desired_;
-  snapshot_.end_tick = running_ ? active_.start + active_.steps : std::max(tick, boundary_);
+  const bool end_known = running_ && active_.kind != Macrostep::Kind::force;
+  snapshot_.end = end_known ? active_.to : desired_;
+  snapshot_.end_tick = end_known ? active_.start + active_.steps : std::max(tick, boundary_);
   snapshot_.finished = finished_;
   snapshot_.counters = counters_;
   hand_over_.snapshot.store(snapshot_);

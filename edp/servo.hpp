@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "edp/force_guard.hpp"
+#include "edp/force_motion.hpp"
 #include "edp/hand_over.hpp"
 #include "edp/hardware.hpp"
 #include "edp/model_set.hpp"
@@ -30,12 +32,20 @@ namespace mrroc::edp {
 /// The servo's plan has an epoch: it is left (braking, stopping, switching on, another model) by counting it up, and a
 /// macrostep planned for an older epoch is refused, because it would continue a motion that is no more.
 ///
+/// With a force sensor it follows force macrosteps, and watches every motion: a wrench beyond its limits, a sensor that
+/// does not answer, a set-point of a force motion from which a stop would not stay inside the limits interrupt the
+/// motion. The robot then brakes and holds; what was commanded is given back, with a non-fatal error.
+///
 /// `tick` allocates nothing, takes no lock, does not log, never throws; the constructor allocates.
 class Servo {
  public:
   /// `period` in s. `models` and `hardware` must outlive it. Throws SystemError when an axis has no acceleration or
   /// jerk limit.
   Servo(const ModelSet& models, Hardware& hardware, double period, HandOver& hand_over);
+
+  /// The robot has a force sensor, which must outlive this object, and stops where it meets more than `limits`. Before
+  /// the first tick.
+  void use_force_sensor(ForceSensor& sensor, const ForceLimits& limits) noexcept;
 
   /// Executes tick `tick`, greater than the last one; a gap counts as missed ticks. True: reports have been put out,
   /// the comms side should look.
@@ -67,8 +77,14 @@ class Servo {
   void switch_on() noexcept;
   void obey_order() noexcept;
   void watch(Tick tick) noexcept;
+  void read_force(Tick tick) noexcept;
+  void zero_force(Tick tick) noexcept;
+  void watch_force(Tick tick) noexcept;
+  void abort_pending() noexcept;
+  void interrupt(const ErrorReport& report, Tick from) noexcept;
   void advance(Tick tick) noexcept;
   void follow(double time, Tick tick) noexcept;
+  void follow_force(Tick tick) noexcept;
   bool synchronise(Tick tick) noexcept;
   void change_model() noexcept;
   bool start_next(Tick tick) noexcept;
@@ -107,6 +123,16 @@ class Servo {
   std::uint64_t finished_ = 0;
   std::uint32_t epoch_ = 0;
   bool braking_ = false;
+
+  // force
+  ForceSensor* force_sensor_ = nullptr;
+  ForceGuard guard_{ForceLimits::Zero()};
+  WrenchReading wrench_;
+  ForceMotion force_motion_;
+  bool forced_ = false;  ///< the last macrostep started is one of force
+  Tick force_tick_ = 0;  ///< tick of its last set-point
+  std::uint32_t interruptions_ = 0;
+  ErrorReport interruption_;
 
   // drives
   std::uint32_t orders_ = 0;  ///< obeyed

@@ -8,6 +8,7 @@
 #include "edp/mujoco_hardware.hpp"
 #include "edp/servo.hpp"
 #include "edp/servo_thread.hpp"
+#include "edp/wrist_sensor.hpp"
 #include "links/robot_responder.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
@@ -39,9 +40,14 @@ class Shell {
         models_(factory()),
         model_set_(models_),
         hardware_(open_hardware()),
+        force_sensor_(open_force_sensor()),
         servo_(model_set_, *hardware_, process.clock().period(), hand_over_),
         effector_(model_set_, process.clock().period(), hand_over_),
-        responder_(process.domain(), process.clock(), process.topic(place_.entry.name)) {}
+        responder_(process.domain(), process.clock(), process.topic(place_.entry.name)) {
+    if (force_sensor_ == nullptr) return;
+    servo_.use_force_sensor(*force_sensor_, place_.entry.force_limits);
+    effector_.use_force_sensor(force_sensor_->mount());
+  }
 
   void serve() {
     process_.start();
@@ -55,14 +61,27 @@ class Shell {
   }
 
  private:
+  sim::WorldMemory& world() {
+    if (!world_) world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
+    return **world_;
+  }
+
+  std::unique_ptr<ForceSensor> open_force_sensor() {
+    const auto& sensors = process_.deployment().sensors;
+    for (std::size_t i = 0; i < sensors.size(); ++i)
+      if (sensors[i].name == place_.entry.force_sensor)
+        return std::make_unique<WristSensor>(sensors[i], sensors[i].source == "simulated" ? &world() : nullptr, i,
+                                             process_.clock().period());
+    return nullptr;
+  }
+
   std::unique_ptr<Hardware> open_hardware() {
     std::unique_ptr<Hardware> hardware;
     if (place_.entry.hardware == "mujoco") {
-      world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
       const auto timing =
           process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::free_running;
       hardware =
-          std::make_unique<MujocoHardware>(*models_.front(), **world_, place_.index, timing, place_.entry.synchronised);
+          std::make_unique<MujocoHardware>(*models_.front(), world(), place_.index, timing, place_.entry.synchronised);
     } else {
       hardware =
           std::make_unique<LoopbackHardware>(*models_.front(), process_.clock().period(), place_.entry.synchronised);
@@ -138,6 +157,7 @@ class Shell {
   ModelSet model_set_;
   std::optional<sim::MappedWorld> world_;
   std::unique_ptr<Hardware> hardware_;
+  std::unique_ptr<ForceSensor> force_sensor_;  ///< null: none
   HandOver hand_over_;
   Servo servo_;
   Effector effector_;

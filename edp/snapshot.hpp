@@ -2,7 +2,7 @@
 
 #include "edp/counters.hpp"
 #include "edp/desired_state.hpp"
-#include "mrroc/errors.hpp"
+#include "mrroc/robot_state.hpp"
 
 namespace mrroc::edp {
 
@@ -30,6 +30,9 @@ struct Snapshot {
   DesiredState end;            ///< end of the macrostep or stop under way; `desired` when there is none
   Tick end_tick = 0;           ///< when `end` is reached; `tick` when the robot rests
   std::uint64_t finished = 0;  ///< ticket of the last macrostep that ended or was given up
+  Wrench wrench = Wrench::Zero();   ///< axes and origin of the force sensor's frame
+  std::uint32_t interruptions = 0;  ///< counts the motions that were given up for `interruption`
+  ErrorReport interruption;         ///< non-fatal: the robot braked and holds
   ServoCounters counters;
 };
 

@@ -56,6 +56,8 @@ class Robot {
   void synchronise();
   /// After a HardwareError: clears the fault and switches the drives on. The robot stands where it is measured to be.
   void recover();
+  /// Takes what the robot's force sensor reads now as zero, for the force law and the force limits.
+  void bias_force();
 
   // ---- the exchange, used by Move and Wait
   // -----------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mrroc/force_law.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc {
@@ -13,11 +14,13 @@ enum class CommandKind : std::uint8_t {
   motor = 4,           ///< as `joint`, but every value is of the motor shafts (rad)
   joint_velocity = 5,  ///< change to `joint_velocity` as fast as the limits allow and keep it
   twist = 6,           ///< change to the joint velocities that give the tool `twist`, and keep them
-  // one exchange each, of a robot at rest (Robot::set_tool, use_model, synchronise, recover)
-  set_tool = 7,     ///< `pose` is the tool frame in the flange frame from now on
-  use_model = 8,    ///< the kinematic model `model` from now on
-  synchronise = 9,  ///< find the absolute positions of the motors
-  recover = 10      ///< clear a fault and switch the drives on, at the measured position
+  force = 7,  ///< follow `force` with the velocity `twist` in tool axes, tick by tick, until the macrostep ends
+  // one exchange each, of a robot at rest (Robot::set_tool, use_model, synchronise, recover, bias_force)
+  set_tool = 8,      ///< `pose` is the tool frame in the flange frame from now on
+  use_model = 9,     ///< the kinematic model `model` from now on
+  synchronise = 10,  ///< find the absolute positions of the motors
+  recover = 11,      ///< clear a fault and switch the drives on, at the measured position
+  bias_force = 12    ///< take what the force sensor reads now as zero, for the force law and the force limits
 };
 
 /// The space in which the path to the end of the macrostep is smooth: a polynomial of degree five in time from the
@@ -36,6 +39,11 @@ enum class Interpolation : std::uint8_t {
 /// 1 is the first tick after the macrostep. A command whose end velocity is not zero expects a successor: if none
 /// arrives in time, the EDP brakes within the limits, holds, and counts a late command.
 ///
+/// Where a `force` motion leads is known only when it is there: another `force` command continues it, any other one is
+/// planned from the end of a stop after it, and takes longer instead of being refused. Joint velocities that the law
+/// asks for are scaled down together to what the limits allow; the robot stops, with a non-fatal error, where a stop
+/// would otherwise leave the position limits.
+///
 /// Position, velocity, acceleration and jerk of every joint keep the robot's limits at every tick of the path, or the
 /// command is refused.
 struct RobotCommand {
@@ -53,6 +61,7 @@ struct RobotCommand {
   Pose pose = Pose::Identity();                         ///< of the tool frame in the robot's base frame
   Twist twist = Twist::Zero();                          ///< of the tool frame's origin at the end, in base axes
   JointVector twist_rate;                               ///< d twist / dt at the end, 6 values; empty: the mean
+  ForceLaw force;                                       ///< of `force`
   std::uint8_t model = 0;                               ///< of `use_model`: its place in the robot's list
 };
 

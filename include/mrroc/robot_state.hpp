@@ -33,6 +33,9 @@ struct RobotState {
   /// then the motor shafts, counted from where the power came on, and poses mean nothing.
   std::uint8_t model = 0;
   Pose tool = Pose::Identity();  ///< tool frame in use, in the flange frame
+  /// That the environment exerts on the tool, in tool axes about the tool frame's origin, N and N m; zero where the
+  /// deployment gives the robot no force sensor, or it has not measured.
+  Wrench wrench = Wrench::Zero();
   bool synchronised = false;
   bool enabled = false;
   std::uint32_t late_commands = 0;  ///< commands that came after the robot had begun to brake, since start

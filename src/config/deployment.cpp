@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/device_name.hpp"
+#include "config/force_sensors.hpp"
 #include "config/message_text.hpp"
 #include "config/mounts.hpp"
 #include "config/named_file.hpp"
@@ -145,6 +146,7 @@ Deployment load_deployment(const std::filesystem::path& file) {
     refuse_name_of_robot(table, name, deployment);
     deployment.sensors.push_back(read_sensor(table, name, deployment));
   });
+  check_force_sensors(root, deployment);
   refuse_names_of_edps(root, deployment);
   deployment.events = read_events(root);
   if (deployment.robots.empty() && deployment.sensors.empty()) {

@@ -22,8 +22,11 @@ struct RobotEntry {
   std::string program = "mrroc_ecp";  ///< of its ECP; the stock ECP when left out; absolute path after loading
   std::string hardware;               ///< mujoco | loopback
   bool synchronised = true;           ///< simulated drives know their absolute positions from the start
-  std::string host;                   ///< empty: this machine
-  std::string mount;                  ///< robot that carries it; empty: it stands in the world
+  std::string force_sensor;           ///< the sensor whose raw readings its EDP takes; empty: none
+  /// Beyond which the robot stops, in the axes of that sensor: 3 forces (N), 3 torques (N m). The original's.
+  Wrench force_limits = (Wrench() << 65, 65, 130, 5, 5, 5).finished();
+  std::string host;   ///< empty: this machine
+  std::string mount;  ///< robot that carries it; empty: it stands in the world
   /// In the world, or in the frame of the carrier's site `tool`: `position = [x, y, z]` (m), `rotation = [r, p, y]`
   /// (rad, fixed axes x y z).
   Pose base = Pose::Identity();

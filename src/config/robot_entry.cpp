@@ -49,10 +49,21 @@ Pose read_base(const Table& table) {
   return base;
 }
 
+void read_force(const Table& table, RobotEntry& robot) {
+  robot.force_sensor = table.optional_text("force_sensor").value_or("");
+  for (const auto& [key, first] : {std::pair{"force_limit", 0}, {"torque_limit", 3}}) {
+    if (!table.has(key)) continue;
+    if (robot.force_sensor.empty()) table.fail(key, "a robot without a force sensor", "force_sensor beside it");
+    const auto limits = *table.optional_numbers(key, 3, {0, 1e6});
+    robot.force_limits.segment<3>(first) = Eigen::Map<const Eigen::Vector3d>(limits.data());
+  }
+}
+
 }  // namespace
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
-  table.only({"type", "program", "hardware", "host", "mount", "position", "rotation", "synchronised"});
+  table.only({"type", "program", "hardware", "host", "mount", "position", "rotation", "synchronised", "force_sensor",
+              "force_limit", "torque_limit"});
   RobotEntry robot;
   robot.name = name;
   robot.type = table.choice("type", robot_types());
@@ -61,6 +72,7 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
   robot.synchronised = table.boolean_or("synchronised", true);
+  read_force(table, robot);
   robot.program = require_program(table, "program", table.optional_text("program").value_or(robot.program));
   robot.edp_program = require_program(table, "type", robot.type + "_edp");
   return robot;

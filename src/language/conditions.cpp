@@ -2,6 +2,7 @@
 
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
+#include "mrroc/conditions/touching.hpp"
 #include "mrroc/conditions/travelled.hpp"
 #include "mrroc/task.hpp"
 
@@ -29,6 +30,14 @@ Travelled::Travelled(const Robot& robot, double distance)
 void Travelled::start() { origin_ = robot_->state().pose.translation(); }
 
 bool Travelled::holds() { return (robot_->state().pose.translation() - origin_).norm() >= distance_; }
+
+Touching::Touching(const Robot& robot, double newtons)
+    : Condition(robot.name() + " feels " + short_number(newtons) + " N"), robot_(&robot), newtons_(newtons) {
+  if (!(newtons > 0) || !std::isfinite(newtons)) {
+    throw NonFatalError(ErrorCode::invalid_argument,
+                        "Touching with " + std::to_string(newtons) + " N, expected a finite force above 0");
+  }
+}
 
 ElapsedSteps::ElapsedSteps(std::uint64_t steps)
     : Condition("elapsed " + std::to_string(steps) + " steps"), steps_(steps) {}

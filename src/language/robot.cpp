@@ -74,6 +74,11 @@ void Robot::recover() {
   change();
 }
 
+void Robot::bias_force() {
+  reset_command(CommandKind::bias_force);
+  change();
+}
+
 void Robot::change() {
   send();
   receive();
@@ -96,6 +101,7 @@ void Robot::reset_command(CommandKind kind) noexcept {
   command_.pose.setIdentity();
   command_.twist.setZero();
   command_.twist_rate.resize(0);
+  command_.force = ForceLaw{};
   command_.model = 0;
 }
 

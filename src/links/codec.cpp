@@ -68,6 +68,22 @@ void decode_error(const mrroc_wire_Fault& wire, ErrorReport& error) noexcept {
   error.detail.assign(wire.detail);
 }
 
+void encode_law(const ForceLaw& law, mrroc_wire_RobotCommand& wire) noexcept {
+  for (std::size_t i = 0; i < law.behaviour.size(); ++i)
+    wire.force_behaviour[i] = static_cast<std::uint8_t>(law.behaviour[i]);
+  Eigen::Map<Wrench>{wire.force_wrench} = law.wrench;
+  Eigen::Map<ForceLaw::Axes>{wire.force_inertia} = law.inertia;
+  Eigen::Map<ForceLaw::Axes>{wire.force_reciprocal_damping} = law.reciprocal_damping;
+}
+
+void decode_law(const mrroc_wire_RobotCommand& wire, ForceLaw& law) noexcept {
+  for (std::size_t i = 0; i < law.behaviour.size(); ++i)
+    law.behaviour[i] = static_cast<AxisBehaviour>(wire.force_behaviour[i]);
+  law.wrench = Eigen::Map<const Wrench>{wire.force_wrench};
+  law.inertia = Eigen::Map<const ForceLaw::Axes>{wire.force_inertia};
+  law.reciprocal_damping = Eigen::Map<const ForceLaw::Axes>{wire.force_reciprocal_damping};
+}
+
 }  // namespace
 
 void encode(const RobotCommand& message, mrroc_wire_RobotCommand& wire) noexcept {
@@ -83,13 +99,16 @@ void encode(const RobotCommand& message, mrroc_wire_RobotCommand& wire) noexcept
   encode_frame(message.pose, wire.pose);
   Eigen::Map<Twist>{wire.twist} = message.twist;
   encode_axes(message.twist_rate, wire.twist_rate);
+  encode_law(message.force, wire);
   wire.model = message.model;
 }
 
 bool decode(const mrroc_wire_RobotCommand& wire, RobotCommand& message) noexcept {
-  if (!in_range(wire.command_kind, CommandKind::recover) || !is_boolean(wire.relative)) return false;
+  if (!in_range(wire.command_kind, CommandKind::bias_force) || !is_boolean(wire.relative)) return false;
   if (!in_range(wire.interpolation, Interpolation::task)) return false;
   if (!valid_axes(wire.joints, wire.joint_velocity, wire.joint_acceleration, wire.twist_rate)) return false;
+  for (const std::uint8_t behaviour : wire.force_behaviour)
+    if (!in_range(behaviour, AxisBehaviour::contact)) return false;
   message.kind = static_cast<CommandKind>(wire.command_kind);
   message.relative = wire.relative != 0;
   message.interpolation = static_cast<Interpolation>(wire.interpolation);
@@ -102,6 +121,7 @@ bool decode(const mrroc_wire_RobotCommand& wire, RobotCommand& message) noexcept
   decode_frame(wire.pose, message.pose);
   message.twist = Eigen::Map<const Twist>{wire.twist};
   decode_axes(wire.twist_rate, message.twist_rate);
+  decode_law(wire, message.force);
   message.model = wire.model;
   return true;
 }
@@ -121,6 +141,7 @@ void encode(const RobotState& message, mrroc_wire_RobotState& wire) noexcept {
   encode_frame(message.desired_pose, wire.desired_pose);
   wire.model = message.model;
   encode_frame(message.tool, wire.tool);
+  Eigen::Map<Wrench>{wire.wrench} = message.wrench;
   wire.synchronised = message.synchronised ? 1 : 0;
   wire.enabled = message.enabled ? 1 : 0;
   wire.late_commands = message.late_commands;
@@ -145,6 +166,7 @@ bool decode(const mrroc_wire_RobotState& wire, RobotState& message) noexcept {
   decode_frame(wire.desired_pose, message.desired_pose);
   message.model = wire.model;
   decode_frame(wire.tool, message.tool);
+  message.wrench = Eigen::Map<const Wrench>{wire.wrench};
   message.synchronised = wire.synchronised != 0;
   message.enabled = wire.enabled != 0;
   message.late_commands = wire.late_commands;

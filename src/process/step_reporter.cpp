@@ -1,6 +1,7 @@
 #include "process/step_reporter.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace mrroc::process {
 
@@ -33,10 +34,14 @@ const char* name_of(CommandKind kind) noexcept {
       return "joint_velocity";
     case CommandKind::twist:
       return "twist";
+    case CommandKind::force:
+      return "force";
     default:
       return "change";  // of the robot itself: not commanded by a Move or Wait
   }
 }
+
+constexpr std::array<const char*, 3> kBehaviours{"u", "g", "c"};  // unguarded, guarded, contact
 
 void write_target(TextLine& line, const RobotCommand& command) noexcept {
   switch (command.kind) {
@@ -52,6 +57,12 @@ void write_target(TextLine& line, const RobotCommand& command) noexcept {
       break;
     case CommandKind::twist:
       write_vector(line << ":", command.twist);
+      break;
+    case CommandKind::force:
+      write_vector(line << ":", command.twist);
+      for (std::size_t i = 0; i < command.force.behaviour.size(); ++i)
+        line << (i == 0 ? "," : "") << kBehaviours[static_cast<std::size_t>(command.force.behaviour[i])];
+      write_vector(line << ",", command.force.wrench);
       break;
     default:
       break;
@@ -75,6 +86,7 @@ void write_robot(TextLine& line, const Robot& robot, bool commanded) noexcept {
   write_pose(line, state.pose);
   line << " desired_tick=" << state.desired_tick << " desired=";
   write_vector(line, state.desired_joints);
+  if (!state.wrench.isZero(0)) write_vector(line << " wrench=", state.wrench);
   if (commanded) {
     line << " command=";
     write_command(line, robot.command());

@@ -4,7 +4,7 @@
 #include <limits>
 #include <new>
 
-#include "rig.hpp"
+#include "force_rig.hpp"
 
 // every way to the heap is counted: operator new here, malloc and its kin by the linker's --wrap
 namespace {
@@ -104,6 +104,29 @@ TEST(Allocation, TheServoTickAndTheCommsSideAllocateNothing) {
   EXPECT_GE(refused, 41);
   EXPECT_GT(rig.replies.size(), 50u);
   EXPECT_GT(rig.seen().counters.stops, 5u);
+}
+
+TEST(Allocation, ForceMotionsAndTheirInterruptionsAllocateNothing) {
+  ForceRig<Gantry> rig;
+  rig.replies.reserve(1000);
+  RobotCommand press = force_command(10);
+  press.twist[1] = 0.05;
+  const RobotCommand back = joint_command(JointVector::Zero(4), 500, 500);
+  int told = 0;
+  {
+    const Counting scope;
+    for (int i = 0; i < 20; ++i) {
+      rig.repeat(press, 30);
+      rig.sensor.extra[2] = 200;  // beyond the limit
+      told += rig.repeat(press, 2).error.code == ErrorCode::force_limit;
+      rig.sensor.extra[2] = 0;
+      rig.run(200);
+      rig.exchange(back);
+    }
+  }
+  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(rig.seen().interruptions, 20u);
+  EXPECT_EQ(told, 20);
 }
 
 }  // namespace

@@ -27,7 +27,10 @@ inline bool same(const RobotCommand& a, const RobotCommand& b) {
          a.reply_step == b.reply_step && a.start_tick == b.start_tick && same_matrix(a.joints, b.joints) &&
          same_matrix(a.joint_velocity, b.joint_velocity) && same_matrix(a.joint_acceleration, b.joint_acceleration) &&
          same_matrix(a.pose.matrix(), b.pose.matrix()) && same_matrix(a.twist, b.twist) &&
-         a.interpolation == b.interpolation && same_matrix(a.twist_rate, b.twist_rate) && a.model == b.model;
+         a.interpolation == b.interpolation && same_matrix(a.twist_rate, b.twist_rate) && a.model == b.model &&
+         a.force.behaviour == b.force.behaviour && same_matrix(a.force.wrench, b.force.wrench) &&
+         same_matrix(a.force.inertia, b.force.inertia) &&
+         same_matrix(a.force.reciprocal_damping, b.force.reciprocal_damping);
 }
 inline bool same(const RobotState& a, const RobotState& b) {
   return a.tick == b.tick && same_matrix(a.joints, b.joints) && same_matrix(a.joint_velocity, b.joint_velocity) &&
@@ -37,7 +40,8 @@ inline bool same(const RobotState& a, const RobotState& b) {
          same_matrix(a.desired_acceleration, b.desired_acceleration) &&
          same_matrix(a.desired_pose.matrix(), b.desired_pose.matrix()) && a.synchronised == b.synchronised &&
          a.enabled == b.enabled && a.late_commands == b.late_commands && same(a.error, b.error) &&
-         a.macrostep_start == b.macrostep_start && a.model == b.model && same_matrix(a.tool.matrix(), b.tool.matrix());
+         a.macrostep_start == b.macrostep_start && a.model == b.model &&
+         same_matrix(a.tool.matrix(), b.tool.matrix()) && same_matrix(a.wrench, b.wrench);
 }
 inline bool same(const SensorRequest& a, const SensorRequest& b) {
   return a.kind == b.kind && a.measure_at == b.measure_at;
@@ -125,14 +129,24 @@ struct Arbitrary<mrroc::ErrorReport> {
 };
 
 template <>
+struct Arbitrary<mrroc::ForceLaw> {
+  static Gen<mrroc::ForceLaw> arbitrary() {
+    using T = mrroc::ForceLaw;
+    return gen::build<T>(gen::set(&T::behaviour, gen::container<std::array<mrroc::AxisBehaviour, 6>>(
+                                                     any_enum(mrroc::AxisBehaviour::contact))),
+                         gen::set(&T::wrench), gen::set(&T::inertia), gen::set(&T::reciprocal_damping));
+  }
+};
+
+template <>
 struct Arbitrary<mrroc::RobotCommand> {
   static Gen<mrroc::RobotCommand> arbitrary() {
     using T = mrroc::RobotCommand;
-    return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::CommandKind::recover)), gen::set(&T::relative),
+    return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::CommandKind::bias_force)), gen::set(&T::relative),
                          gen::set(&T::motion_steps), gen::set(&T::reply_step), gen::set(&T::start_tick),
                          gen::set(&T::joints), gen::set(&T::joint_velocity), gen::set(&T::joint_acceleration),
                          gen::set(&T::pose), gen::set(&T::twist), gen::set(&T::twist_rate), gen::set(&T::model),
-                         gen::set(&T::interpolation, any_enum(mrroc::Interpolation::task)));
+                         gen::set(&T::interpolation, any_enum(mrroc::Interpolation::task)), gen::set(&T::force));
   }
 };
 
@@ -145,7 +159,7 @@ struct Arbitrary<mrroc::RobotState> {
                          gen::set(&T::desired_joints), gen::set(&T::desired_velocity),
                          gen::set(&T::desired_acceleration), gen::set(&T::desired_pose), gen::set(&T::synchronised),
                          gen::set(&T::enabled), gen::set(&T::late_commands), gen::set(&T::error),
-                         gen::set(&T::macrostep_start), gen::set(&T::model), gen::set(&T::tool));
+                         gen::set(&T::macrostep_start), gen::set(&T::model), gen::set(&T::tool), gen::set(&T::wrench));
   }
 };
 

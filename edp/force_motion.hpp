@@ -1,0 +1,40 @@
+#pragma once
+
+#include "edp/force_target.hpp"
+#include "edp/limit_check.hpp"
+#include "mrroc/tool_kinematics.hpp"
+
+namespace mrroc::edp {
+
+/// The set-points of a force motion, one by one: the twist of the law at the tool's desired pose (edp/force_law.hpp),
+/// the joint velocities that belong to it (`joint_velocity_of`; what is out of the robot's reach is left out), scaled
+/// down together until none is above kFraction of its limit, followed as fast as acceleration and jerk limits allow
+/// (`follow_velocity`). A set-point is given only if a stop from it stays inside the limits.
+///
+/// The twist of the tick before is kept in base axes, so that the law goes on smoothly when the tool turns, when a
+/// macrostep changes its parameters, and when the robot comes in motion.
+///
+/// Allocates nothing but in the constructor, never throws; the servo's thread.
+class ForceMotion {
+ public:
+  /// Throws SystemError when an axis has no acceleration or jerk limit.
+  ForceMotion(const RobotModel& model, double period) : model_(&model), limits_(model, period) {}
+  /// From now on of this model of the same robot.
+  void use(const RobotModel& model) noexcept;
+
+  /// A motion begins at `from`, with the twist that the tool has there.
+  void start(const DesiredState& from, const Pose& tool) noexcept;
+  /// The set-point `dt` s after `desired`, which it replaces. `measured`: axes and origin of a frame that lies at
+  /// `mount` in the flange frame. Class `none`; or a non-fatal error, and `desired` stays: a stop from there is safe.
+  ErrorReport step(const ForceTarget& target, const Wrench& measured, const Pose& mount, double dt,
+                   DesiredState& desired) noexcept;
+
+  static constexpr double kFraction = 0.95;
+
+ private:
+  const RobotModel* model_;
+  LimitCheck limits_;
+  Twist previous_ = Twist::Zero();  ///< in base axes
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "mrroc/errors.hpp"
+#include "mrroc/types.hpp"
+
+namespace mrroc::edp {
+
+/// A wrench as the EDP takes it in a tick.
+struct WrenchReading {
+  ErrorCode error = ErrorCode::sensor_not_ready;  ///< none, sensor_not_ready, sensor_out_of_range, sensor_hardware
+  /// That the environment exerts on the tool: axes and origin of the sensor frame, N and N m. As well as it is known
+  /// where it is out of range; zero where there is none.
+  Wrench wrench = Wrench::Zero();
+};
+
+/// The wrist force sensor of one robot, as its servo sees it. The servo's thread; allocates nothing, never throws,
+/// never waits.
+class ForceSensor {
+ public:
+  virtual ~ForceSensor() = default;
+  /// The sensor frame in the robot's flange frame.
+  virtual const Pose& mount() const noexcept = 0;
+  /// The reading of `tick`, the flange being at `flange` in the base frame; null: not known, the robot is not
+  /// synchronised.
+  virtual WrenchReading read(Tick tick, const Pose* flange) noexcept = 0;
+  /// What was read last is zero from now on; an out-of-range reading changes nothing.
+  virtual void bias() noexcept = 0;
+};
+
+/// Largest wrench that the robot may meet in a motion, in the axes of the sensor frame: beyond it, it stops. Defaults:
+/// the original's.
+using ForceLimits = Wrench;
+
+}  // namespace mrroc::edp

@@ -1,0 +1,59 @@
+#include "edp/wrist_sensor.hpp"
+
+#include "vsp/make_source.hpp"
+#include "vsp/parameters.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+Pose mount_of(const config::SensorEntry& entry) {
+  const Eigen::Vector3d turns = vsp::vector3(entry, "rotation");
+  Pose mount = Pose::Identity();
+  mount.translation() = vsp::vector3(entry, "position");
+  // turns about fixed axes: the last one is the leftmost factor
+  mount.linear() =
+      (Eigen::AngleAxisd(turns.z(), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(turns.y(), Eigen::Vector3d::UnitY()) *
+       Eigen::AngleAxisd(turns.x(), Eigen::Vector3d::UnitX()))
+          .toRotationMatrix();
+  return mount;
+}
+
+}  // namespace
+
+WristSensor::WristSensor(const config::SensorEntry& entry, const sim::WorldMemory* world, std::size_t slot,
+                         double servo_period)
+    : source_(vsp::make_source(entry, sensor_, world, slot, servo_period)), mount_(mount_of(entry)) {
+  sensor_.configure(entry, servo_period);
+}
+
+WrenchReading WristSensor::read(Tick tick, const Pose* flange) noexcept {
+  WrenchReading result;
+  raw_ = {};
+  switch (source_->read(tick, raw_)) {
+    case vsp::SourceState::not_ready:
+      return result;
+    case vsp::SourceState::silent:
+      result.error = ErrorCode::sensor_hardware;
+      return result;
+    case vsp::SourceState::ready:
+      break;
+  }
+  const Eigen::Map<const Wrench> support(raw_.values.data());
+  if (raw_.count < 6 || !support.allFinite()) {
+    result.error = ErrorCode::sensor_hardware;
+    return result;
+  }
+  effector_state_.synchronised = flange != nullptr;
+  if (flange != nullptr) effector_state_.pose = *flange * mount_;
+  sensor_.effector_state(effector_state_);
+  SensorReading reading;
+  sensor_.aggregate(raw_, reading);
+  result.error = reading.error.code;
+  if (result.error == ErrorCode::none)
+    result.wrench = Eigen::Map<const Wrench>(reading.values.data());
+  else if (result.error == ErrorCode::sensor_out_of_range)
+    result.wrench = -support;
+  return result;
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "mrroc/condition.hpp"
+#include "mrroc/robot.hpp"
+
+namespace mrroc {
+
+/// The force that the robot's own force sensor feels (`RobotState::wrench`) is at least `newtons` in norm. The robot
+/// needs `force_sensor` in the deployment; without it nothing is ever felt.
+class Touching : public Condition {
+ public:
+  /// Throws NonFatalError(invalid_argument) unless `newtons` is finite and above 0.
+  Touching(const Robot& robot, double newtons);
+
+ protected:
+  bool holds() override { return robot_->state().wrench.head<3>().norm() >= newtons_; }
+
+ private:
+  const Robot* robot_;
+  double newtons_;
+};
+
+}  // namespace mrroc

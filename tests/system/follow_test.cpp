@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+constexpr const char* kDeployment = "tasks/follow/follow.toml";
+
+/// One step of ForceControl: when, where, and the force along the tool's z axis.
+struct Step {
+  double time = 0, y = 0, z = 0, force = 0;
+};
+
+std::vector<double> numbers_after(const std::string& line, const std::string& field) {
+  std::vector<double> values;
+  const auto at = line.find(field);
+  if (at == std::string::npos) return values;
+  const auto begin = at + field.size();
+  std::istringstream text(line.substr(begin, line.find(' ', begin) - begin));
+  for (std::string value; std::getline(text, value, ',');) values.push_back(std::stod(value));
+  return values;
+}
+
+/// The last instruction of ForceControl: going along the workpiece.
+std::vector<Step> way_along(const std::filesystem::path& trace) {
+  std::vector<Step> steps;
+  std::ifstream file(trace);
+  std::string instruction;
+  for (std::string line; std::getline(file, line);) {
+    if (line.find("move=\"ForceControl\"") == std::string::npos) continue;
+    const std::string now = line.substr(line.find("instruction="), 16);
+    if (now != instruction) steps.clear();
+    instruction = now;
+    const auto pose = numbers_after(line, " pose="), wrench = numbers_after(line, " wrench=");
+    const auto tick = numbers_after(line, " robot=arm tick=");
+    if (pose.size() == 7 && wrench.size() == 6) steps.push_back({tick.at(0) * 0.002, pose[1], pose[2], wrench[2]});
+  }
+  return steps;
+}
+
+TEST(Follow, PressesACurvedSurfaceWith10NewtonAt50MillimetresPerSecond) {
+  const ScratchFolder folder;
+  const auto first = folder.path() / "first", second = folder.path() / "second";
+  for (const auto& trace : {first, second}) run_mrroc({"run", kDeployment, "--quiet", "--trace", trace.string()}, 0);
+  EXPECT_EQ(trace_hash(first), trace_hash(second));
+
+  const std::vector<Step> steps = way_along(first);
+  ASSERT_GT(steps.size(), 100u);
+  double squares = 0, lowest = 1e9, highest = -1e9, way = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    squares += std::pow(-steps[i].force - 10, 2);
+    lowest = std::min(lowest, steps[i].z);
+    highest = std::max(highest, steps[i].z);
+    if (i > 0) way += std::hypot(steps[i].y - steps[i - 1].y, steps[i].z - steps[i - 1].z);
+  }
+  const double error = std::sqrt(squares / static_cast<double>(steps.size()));
+  const double speed = way / (steps.back().time - steps.front().time);
+  std::printf("force 10 N, error %.2f N RMS, at %.1f mm/s, height between %.1f and %.1f mm\n", error, 1000 * speed,
+              1000 * lowest, 1000 * highest);
+  EXPECT_LT(error, 1.0);
+  EXPECT_GT(speed, 0.049);
+  EXPECT_GT(highest - lowest, 0.005) << "the surface is curved";
+}
+
+TEST(Follow, AForceLimitStopsTheArmAndTheTaskSaysWhy) {
+  const ScratchFolder folder;
+  std::ifstream file(std::filesystem::path(MRROC_SOURCE_DIR) / kDeployment);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string limit = "force_limit = [40, 40, 60]", scene = "\"follow.xml\"";
+  ASSERT_NE(text.find(limit), std::string::npos);
+  text.replace(text.find(limit), limit.size(), "force_limit = [40, 40, 8]");
+  text.replace(text.find(scene), scene.size(), "\"" MRROC_SOURCE_DIR "/tasks/follow/follow.xml\"");
+  const std::string output = run_mrroc({"run", folder.write("weak.toml", text).string()}, 1);
+  EXPECT_NE(output.find("a force limit is passed: axis 3 of the force sensor"), std::string::npos) << output;
+  EXPECT_NE(output.find("limit 8"), std::string::npos) << output;
+}
+
+}  // namespace
+}  // namespace mrroc::test
