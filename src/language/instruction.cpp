@@ -1,6 +1,7 @@
 #include "language/instruction.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "mrroc/stopped.hpp"
 
@@ -77,7 +78,9 @@ Outcome Instruction::run_steps() {
   throw_reported_errors();
   if (condition_) condition_->start();
   if (generator_ != nullptr) generator_->start();
+  late_ = late_commands();
   for (;;) {
+    resume_after_late_command();
     if (operator_ends_it()) {
       leaves_.clear();  // they were not evaluated at this step
       observe(true);
@@ -132,14 +135,33 @@ bool Instruction::operator_ends_it() {
 OperatorRequest Instruction::hold_until_resumed() {
   OperatorRequest request = OperatorRequest::pause;
   while (request == OperatorRequest::pause) {
-    for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
-    send(0);  // step 0: every reading is due, so that the motion resumes on fresh ones
-    receive(0);
-    throw_reported_errors();
+    hold();
     request = task_->operator_request();
   }
   if (request == OperatorRequest::none && generator_ != nullptr) generator_->resume();
   return request;
+}
+
+void Instruction::hold() {
+  for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
+  send(0);  // step 0: every reading is due, so that the motion resumes on fresh ones
+  receive(0);
+  throw_reported_errors();
+}
+
+void Instruction::resume_after_late_command() {
+  const std::uint64_t before = std::exchange(late_, late_commands());
+  if (late_ == before) return;
+  const auto moves = [](const Robot* robot) { return !rests(robot->state()); };
+  while (std::any_of(robots_.begin(), robots_.end(), moves)) hold();
+  late_ = late_commands();
+  if (generator_ != nullptr) generator_->resume();
+}
+
+std::uint64_t Instruction::late_commands() const noexcept {
+  std::uint64_t count = 0;
+  for (const Robot* robot : robots_) count += robot->state().late_commands;
+  return count;
 }
 
 std::optional<Ending> Instruction::evaluate_end() {

@@ -26,6 +26,12 @@ class Instruction {
   bool operator_ends_it();
   /// What came after the pause.
   OperatorRequest hold_until_resumed();
+  /// A robot has braked because its command came late: what the generator planned is no more. All come to rest, then it
+  /// plans the rest of the motion.
+  void resume_after_late_command();
+  std::uint64_t late_commands() const noexcept;
+  /// One macrostep in which every robot holds.
+  void hold();
   std::optional<Ending> evaluate_end();
   void write_next_state();
   void observe(bool last) const;
@@ -52,6 +58,7 @@ class Instruction {
   double start_wall_ = 0;
   Tick measure_at_ = 0;
   Tick skew_ = 0;
+  std::uint64_t late_ = 0;  ///< late commands of all robots, as known
 };
 
 }  // namespace mrroc

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 
@@ -40,6 +41,7 @@ class FakeRobotLink : public RobotLink {
 
   void receive(RobotState& reply) override {
     log_.add({Action::receive, name_});
+    if (received_ == late_at) ++state.late_commands;
     const auto throwing = throws.find(received_);
     const auto error = errors.find(received_++);
     if (throwing != throws.end()) throwing->second();
@@ -54,6 +56,7 @@ class FakeRobotLink : public RobotLink {
     reply = state;
   }
 
+  std::uint64_t late_at = std::numeric_limits<std::uint64_t>::max();  ///< number of the reply that tells of braking
   Tick delayed_start = 0;  ///< how much later than commanded it says that it began
   std::shared_ptr<FakeModel> model;
   RobotState state;

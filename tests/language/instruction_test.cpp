@@ -339,6 +339,33 @@ TEST(Instruction, AnEndMotionDuringAPauseEndsTheMotionWithoutResumingIt) {
   EXPECT_EQ(end.steps, 1u);
 }
 
+TEST(Instruction, AfterALateCommandAllRobotsComeToRestAndTheGeneratorGoesOnFromThere) {
+  FakeTask task;
+  const auto left = task.robot("left");
+  const auto right = task.robot("right");
+  task.robot_fake("left").late_at = 3;  // the query's reply is number 0
+  struct Resumed : Drive {
+    using Drive::Drive;
+    void resume() override {
+      ++times;
+      for (const Robot* robot : seen) EXPECT_TRUE(robot->state().desired_velocity.isZero(0));
+    }
+    int times = 0;
+    std::vector<Robot*> seen;
+  } drive({left.get(), right.get()});
+  drive.seen = {left.get(), right.get()};
+  const Outcome end = Move({*left, *right}, {}, drive.until(ElapsedSteps{6}));
+  EXPECT_EQ(drive.times, 1);
+  EXPECT_EQ(end.steps, 6u) << "holding is no step";
+  std::vector<CommandKind> kinds;
+  for (const Call& call : task.log.calls)
+    if (call.action == Action::send && call.who == "right") kinds.push_back(call.kind);
+  const std::vector<CommandKind> expected{CommandKind::query, CommandKind::joint, CommandKind::joint,
+                                          CommandKind::joint, CommandKind::hold,  CommandKind::joint,
+                                          CommandKind::joint, CommandKind::joint};
+  EXPECT_EQ(kinds, expected);
+}
+
 TEST(Instruction, WithoutRobotsAStepLastsTenTicks) {
   FakeTask task;
   const auto gate = task.sensor("gate", false);
