@@ -1,6 +1,7 @@
 #include "edp/effector.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "edp/error_report.hpp"
 #include "edp/force_law.hpp"
@@ -14,6 +15,19 @@ bool is_change(CommandKind kind) noexcept { return kind >= CommandKind::set_tool
 
 bool is_motion(CommandKind kind) noexcept {
   return kind != CommandKind::query && kind != CommandKind::hold && !is_change(kind);
+}
+
+Macrostep::Kind kind_of(CommandKind change) noexcept {
+  switch (change) {
+    case CommandKind::use_model:
+      return Macrostep::Kind::model;
+    case CommandKind::use_regulators:
+      return Macrostep::Kind::regulators;
+    case CommandKind::bias_force:
+      return Macrostep::Kind::bias;
+    default:
+      return Macrostep::Kind::synchronise;
+  }
 }
 
 }  // namespace
@@ -57,11 +71,17 @@ bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& 
     hand_over_.order.store(DriveOrder::recover, std::memory_order_release);
     return false;
   } else if (command.kind != CommandKind::query) {
-    error = refusal(command);
+    error = command.kind == CommandKind::set_outputs ? refusal_of_outputs(command.outputs) : refusal(command);
     if (error.error_class == ErrorClass::none && command.kind == CommandKind::set_tool) {
       tool_ = command.pose;
       planner_.use(ToolKinematics(models_.at(model_), tool_));
       answer(number, {}, reply);
+      return true;
+    }
+    if (error.error_class == ErrorClass::none && command.kind == CommandKind::set_outputs) {
+      if (!hand_over_.outputs.push(command.outputs))
+        error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "outputs that the servo has not taken yet");
+      answer(number, error, reply);
       return true;
     }
     Outstanding* entry = free_place();
@@ -94,6 +114,9 @@ ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
                        static_cast<unsigned long long>(snapshot_->tick));
   if (snapshot_->interruptions != interruptions_told_) return snapshot_->interruption;
   if (is_change(command.kind)) return refusal_of_change(command);
+  if (command.with_outputs)
+    if (const ErrorReport report = refusal_of_outputs(command.outputs); report.error_class != ErrorClass::none)
+      return report;
   if (command.kind == CommandKind::force && !mount_)
     return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
                        "a force motion of a robot without force_sensor in the deployment");
@@ -108,6 +131,14 @@ ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
   return {};
 }
 
+ErrorReport Effector::refusal_of_outputs(const Signals& outputs) const noexcept {
+  for (std::size_t i = 0; i < outputs.analog.size(); ++i)
+    if (!std::isfinite(outputs.analog[i]))
+      return make_report(ErrorClass::non_fatal, ErrorCode::not_finite, "analogue output %d is %g", static_cast<int>(i),
+                         outputs.analog[i]);
+  return {};
+}
+
 ErrorReport Effector::refusal_of_change(const RobotCommand& command) const noexcept {
   if (forced_ || !end_.at_rest()) return make_report(ErrorClass::non_fatal, ErrorCode::busy, "only at rest");
   switch (command.kind) {
@@ -118,9 +149,9 @@ ErrorReport Effector::refusal_of_change(const RobotCommand& command) const noexc
     case CommandKind::use_model:
       if (!snapshot_->synchronised)
         return make_report(ErrorClass::non_fatal, ErrorCode::not_synchronised, "no model before");
-      if (command.model >= models_.size())
+      if (command.choice >= models_.size())
         return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "model %d, expected 0..%d",
-                           int{command.model}, static_cast<int>(models_.size()) - 1);
+                           int{command.choice}, static_cast<int>(models_.size()) - 1);
       return {};
     case CommandKind::synchronise:
       if (snapshot_->synchronised)
@@ -130,6 +161,13 @@ ErrorReport Effector::refusal_of_change(const RobotCommand& command) const noexc
           return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
                              "axis %s has no synchronisation switch", axis.name.c_str());
       return {};
+    case CommandKind::use_regulators: {
+      const std::size_t count = models_.parameters().regulators.size();
+      if (command.choice >= count)
+        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "regulator set %d, expected below %d",
+                           int{command.choice}, static_cast<int>(count));
+      return {};
+    }
     case CommandKind::bias_force:
       if (!mount_)
         return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
@@ -177,10 +215,8 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
     at += stop_.steps;
   }
   if (is_change(command.kind)) {
-    macrostep_.kind = command.kind == CommandKind::use_model     ? Macrostep::Kind::model
-                      : command.kind == CommandKind::synchronise ? Macrostep::Kind::synchronise
-                                                                 : Macrostep::Kind::bias;
-    macrostep_.model = command.model;
+    macrostep_.kind = kind_of(command.kind);
+    macrostep_.choice = command.choice;
     macrostep_.steps = macrostep_.reply_step = 1;
     macrostep_.from = macrostep_.to = from;
   } else {
@@ -191,6 +227,8 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   if (moves && macrostep_.steps > command.motion_steps) ++counters_.stretched;
   macrostep_.ticket = entry.ticket;
   macrostep_.epoch = epoch_;
+  macrostep_.with_outputs = moves && command.with_outputs;
+  macrostep_.outputs = command.outputs;
   macrostep_.start = std::max(at, command.start_tick);
   if (stop_first) hand_over_.macrosteps.push(stop_);
   hand_over_.macrosteps.push(macrostep_);
@@ -289,6 +327,9 @@ void Effector::fill(const Snapshot& snapshot, const DesiredState& end, Tick end_
   state.model = model_;
   state.tool = tool_;
   state.wrench = mount_ ? seen_from(mount_->inverse() * tool_, snapshot.wrench) : Wrench::Zero();
+  state.inputs = snapshot.inputs;
+  state.outputs = snapshot.outputs;
+  state.regulators = snapshot.regulators;
   state.synchronised = snapshot.synchronised;
   state.enabled = snapshot.enabled;
   state.late_commands = counters_.late;

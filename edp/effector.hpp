@@ -85,6 +85,7 @@ class Effector {
 
   void refresh() noexcept;
   ErrorReport refusal(const RobotCommand& command) const noexcept;
+  ErrorReport refusal_of_outputs(const Signals& outputs) const noexcept;
   ErrorReport refusal_of_change(const RobotCommand& command) const noexcept;
   void use_model() noexcept;
   bool poll_recovery(Reply& reply) noexcept;

@@ -33,6 +33,7 @@ struct HandOver {
   SpscQueue<Macrostep, 4> macrosteps;               ///< comms -> servo: two commands, each with a stop before it
   SpscQueue<Report, 8> reports;                     ///< servo -> comms: at most two tickets are out at a time
   LatestValue<Snapshot> snapshot;                   ///< servo -> comms, every tick, before the reports of that tick
+  SpscQueue<Signals, 4> outputs;                    ///< comms -> servo: for the next tick
   std::atomic<DriveOrder> order{DriveOrder::none};  ///< comms -> servo; the last one counts
 };
 

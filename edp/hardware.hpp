@@ -3,6 +3,7 @@
 #include <array>
 
 #include "mrroc/errors.hpp"
+#include "mrroc/signals.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::edp {
@@ -23,6 +24,7 @@ struct HardwareInput {
   bool synchronised = false;          ///< positions are absolute; else they count from where the power came on
   ErrorCode fault = ErrorCode::none;  ///< drive_fault, hardware_silent, ... ; `none` when all is well
   std::array<AxisSwitches, kMaxJoints> switches{};
+  Signals inputs;  ///< of the controller's terminals
 };
 
 /// The drives of one robot: CAN drives, the simulated world, or a plant model. `read` and `write` run in the servo
@@ -40,6 +42,9 @@ class Hardware {
   virtual void read(Tick tick, HardwareInput& input) noexcept = 0;
   /// Currents (A) for the coming period, within current_max. Servo thread.
   virtual void write(Tick tick, const JointVector& current) noexcept = 0;
+  /// Sets the controller's outputs, with the next `write` at the latest; whether the drives are on does not matter.
+  /// Servo thread.
+  virtual void set_outputs(const Signals& /*outputs*/) noexcept {}
   /// From now on every shaft position is greater by `shift` (rad), and absolute. Servo thread.
   virtual void set_origin(const JointVector& shift) noexcept = 0;
 };

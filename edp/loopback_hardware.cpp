@@ -48,6 +48,7 @@ void LoopbackHardware::read(Tick tick, HardwareInput& input) noexcept {
   }
   last_ = tick;
   encoders_.read(shafts_, input);
+  input.inputs = terminals_;
   input.fault = ErrorCode::none;
 }
 

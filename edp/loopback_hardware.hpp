@@ -13,6 +13,8 @@ namespace mrroc::edp {
 /// Positions are what `Encoders` make of the shafts. The robot starts at `home`; disabled, the brakes hold it where it
 /// is. It lags and overshoots as a drive does: measured is never simply commanded.
 ///
+/// Its terminals are wired back: input i, digital or analogue, is what output i was a tick before.
+///
 /// Loads couple nothing here: use the simulator for gravity and contact. Deterministic.
 class LoopbackHardware : public Hardware {
  public:
@@ -23,6 +25,7 @@ class LoopbackHardware : public Hardware {
   void enable(bool on) noexcept override;
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
+  void set_outputs(const Signals& outputs) noexcept override { terminals_ = outputs; }
   void set_origin(const JointVector& shift) noexcept override { encoders_.set_origin(shift); }
 
  private:
@@ -38,6 +41,7 @@ class LoopbackHardware : public Hardware {
   std::vector<Motor> motors_;
   JointVector shafts_;
   Encoders encoders_;
+  Signals terminals_;
   double period_;
   Tick last_ = 0;
   bool enabled_ = false;

@@ -3,6 +3,7 @@
 #include "edp/desired_state.hpp"
 #include "edp/force_target.hpp"
 #include "edp/path.hpp"
+#include "mrroc/signals.hpp"
 
 namespace mrroc::edp {
 
@@ -15,7 +16,8 @@ struct Macrostep {
     force,       ///< `force`, tick by tick: `from` and `to` are not known
     unplanned,   ///< follows a force motion: the servo stops and gives it back, to be planned from there
     stop,        ///< the robot's Stop from `from`, then rest
-    model,       ///< at rest: from its start on the servo uses model `model`
+    model,       ///< at rest: from its start on the servo uses model `choice`
+    regulators,  ///< at rest: from its start on the regulators are those of set `choice`
     bias,        ///< at rest: what the force sensor reads is zero
     synchronise  ///< as long as it takes; then with the robot's first model
   };
@@ -29,7 +31,9 @@ struct Macrostep {
   DesiredState to;
   Path path;
   ForceTarget force;
-  std::uint8_t model = 0;  ///< place in the ModelSet
+  std::uint8_t choice = 0;  ///< place in the ModelSet or among the regulator sets
+  bool with_outputs = false;
+  Signals outputs;  ///< from its start on, where `with_outputs`
 };
 
 }  // namespace mrroc::edp

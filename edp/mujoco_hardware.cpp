@@ -27,6 +27,7 @@ void MujocoHardware::read(Tick tick, HardwareInput& input) noexcept {
   const bool fresh = timing_ == Timing::lockstep ? measurement.tick == tick : measurement.tick + kSilence >= tick;
   input.fault = present && fresh ? ErrorCode::none : ErrorCode::hardware_silent;
   if (input.fault == ErrorCode::none) {
+    input.inputs = measurement.inputs;
     for (Eigen::Index i = 0; i < joints_.size(); ++i) {
       joints_[i] = measurement.position[static_cast<std::size_t>(i)];
       velocity_[i] = measurement.velocity[static_cast<std::size_t>(i)];
@@ -65,6 +66,7 @@ void MujocoHardware::write(Tick tick, const JointVector& current) noexcept {
   drive.tick = tick;
   drive.joint_count = static_cast<std::uint32_t>(count);
   drive.enabled = enabled_ ? 1 : 0;
+  drive.outputs = outputs_;
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto row = static_cast<std::size_t>(i);
     drive.torque[row] = tau[i];

@@ -15,6 +15,8 @@ namespace mrroc::edp {
 /// from J dw/dt = k_t i - b w - (torque to the gears) at w = G dq/dt. dG/dt is the central difference of G along dq/dt.
 /// B is up to 158^2 times a rotor: more than the links themselves, so it may not be left out.
 ///
+/// The controller's terminals are wired to the world by name (`sim::Terminals`).
+///
 /// Positions are what `Encoders` make of the shafts. Currents follow the regulator at once, cut at current_max.
 /// Disabled, the brakes hold.
 class MujocoHardware : public Hardware {
@@ -38,6 +40,7 @@ class MujocoHardware : public Hardware {
   /// `drive_fault`: the joints are where the transmission cannot reach.
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
+  void set_outputs(const Signals& outputs) noexcept override { outputs_ = outputs; }
   void set_origin(const JointVector& shift) noexcept override { encoders_.set_origin(shift); }
 
  private:
@@ -47,6 +50,7 @@ class MujocoHardware : public Hardware {
   Timing timing_;
   Encoders encoders_;
   bool enabled_ = false;
+  Signals outputs_;
   JointVector shafts_, current_;   ///< as last known, as last commanded
   JointVector joints_, velocity_;  ///< as last measured
 };

@@ -16,15 +16,15 @@ namespace mrroc::edp {
 /// Allocates nothing, never throws. The owner's thread.
 class Regulator {
  public:
-  explicit Regulator(const AxisParameters& axis) noexcept
-      : counts_per_rad_(axis.encoder_increments / (2.0 * std::numbers::pi)),
-        a_(axis.regulator_a),
-        b0_(axis.regulator_b0),
-        b1_(axis.regulator_b1),
-        eps_(axis.regulator_eps),
-        output_max_(axis.regulator_output_max),
-        gain_(axis.regulator_current_gain),
-        current_max_(axis.current_max) {}
+  explicit Regulator(const AxisParameters& axis) noexcept { take(axis); }
+
+  /// From now on with the numbers of `axis`. The motor current goes on as it was.
+  void use(const AxisParameters& axis) noexcept {
+    const double scale = gain_ / axis.regulator_current_gain;
+    take(axis);
+    output_ = std::clamp(scale * output_, -output_max_, output_max_);
+    previous_output_ = std::clamp(scale * previous_output_, -output_max_, output_max_);
+  }
 
   /// Forgets the past: the drive has just been switched on at rest.
   void reset() noexcept { difference_ = error_ = output_ = previous_output_ = 0; }
@@ -43,7 +43,18 @@ class Regulator {
   }
 
  private:
-  double counts_per_rad_, a_, b0_, b1_, eps_, output_max_, gain_, current_max_;
+  void take(const AxisParameters& axis) noexcept {
+    counts_per_rad_ = axis.encoder_increments / (2.0 * std::numbers::pi);
+    a_ = axis.regulator_a;
+    b0_ = axis.regulator_b0;
+    b1_ = axis.regulator_b1;
+    eps_ = axis.regulator_eps;
+    output_max_ = axis.regulator_output_max;
+    gain_ = axis.regulator_current_gain;
+    current_max_ = axis.current_max;
+  }
+
+  double counts_per_rad_ = 0, a_ = 0, b0_ = 0, b1_ = 0, eps_ = 0, output_max_ = 0, gain_ = 0, current_max_ = 0;
   double difference_ = 0, error_ = 0, output_ = 0, previous_output_ = 0;
 };
 

@@ -125,6 +125,10 @@ void Servo::switch_off() noexcept {
 }
 
 void Servo::obey_order() noexcept {
+  while (const Signals* outputs = hand_over_.outputs.front()) {
+    put_out(*outputs);
+    hand_over_.outputs.pop();
+  }
   DriveOrder order = hand_over_.order.load(std::memory_order_acquire);
   if (order == DriveOrder::none) return;
   if (order == DriveOrder::disable) {
@@ -247,6 +251,8 @@ void Servo::advance(Tick tick) noexcept {
       }
       if (active_.kind == Macrostep::Kind::model)
         change_model();
+      else if (active_.kind == Macrostep::Kind::regulators)
+        use_regulators();
       else if (active_.kind == Macrostep::Kind::bias)
         zero_force(tick);
       else if (active_.kind != Macrostep::Kind::synchronise && active_.kind != Macrostep::Kind::force)
@@ -305,7 +311,18 @@ bool Servo::synchronise(Tick tick) noexcept {
 }
 
 void Servo::change_model() noexcept {
-  if (!use(active_.model)) latch(ErrorCode::motor_limit, -1, 0, 0, last_);
+  if (!use(active_.choice)) latch(ErrorCode::motor_limit, -1, 0, 0, last_);
+}
+
+void Servo::use_regulators() noexcept {
+  regulator_set_ = active_.choice;
+  const std::vector<AxisParameters>& axes = models_.parameters().regulators[regulator_set_].axes;
+  for (std::size_t i = 0; i < axes.size(); ++i) regulators_[i].use(axes[i]);
+}
+
+void Servo::put_out(const Signals& outputs) noexcept {
+  outputs_ = outputs;
+  hardware_.set_outputs(outputs);
 }
 
 bool Servo::start_next(Tick tick) noexcept {
@@ -328,6 +345,7 @@ bool Servo::start_next(Tick tick) noexcept {
     force_tick_ = active_.start;
   }
   forced_ = active_.kind == Macrostep::Kind::force;
+  if (active_.with_outputs) put_out(active_.outputs);
   if (active_.kind == Macrostep::Kind::synchronise) synchroniser_.start(desired_.position);
   if (active_.ticket != 0 && pending_count_ < pending_.size())
     pending_[pending_count_++] = {
@@ -412,6 +430,9 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.enabled = enabled_ && !stopping_;
   snapshot_.fault = fault_;
   snapshot_.model = model_index_;
+  snapshot_.inputs = input_.inputs;
+  snapshot_.outputs = outputs_;
+  snapshot_.regulators = regulator_set_;
   snapshot_.wrench = wrench_.wrench;
   snapshot_.interruptions = interruptions_;
   snapshot_.interruption = interruption_;

@@ -87,6 +87,8 @@ class Servo {
   void follow_force(Tick tick) noexcept;
   bool synchronise(Tick tick) noexcept;
   void change_model() noexcept;
+  void use_regulators() noexcept;
+  void put_out(const Signals& outputs) noexcept;
   bool start_next(Tick tick) noexcept;
   void refuse_foreign() noexcept;
   void brake(Tick from) noexcept;
@@ -105,6 +107,8 @@ class Servo {
   Stop stop_;
   Synchroniser synchroniser_;
   std::vector<Regulator> regulators_;
+  std::uint8_t regulator_set_ = 0;
+  Signals outputs_;
 
   // measured
   bool ticked_ = false;  ///< at least once

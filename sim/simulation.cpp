@@ -69,6 +69,7 @@ void Simulation::step(Tick tick) {
 void Simulation::take_drive(const Slot& slot, Tick tick) {
   JointDrive drive;
   const bool present = memory_.drives[slot.memory].load(drive) && drive.tick > 0;
+  if (present) world_.set_outputs(slot.world, drive.outputs);
   if (present && drive.enabled != 0 && tick <= drive.tick + kDriveLifetime) {
     world_.drive(slot.world, drive, tick);
   } else {

@@ -31,6 +31,7 @@ World::World(const Composition& composition, double period, double timestep)
 
 std::size_t World::attach(const std::string& robot, const std::vector<std::string>& joints, const JointVector& home) {
   robots_.emplace_back(*model_, robot, joints);
+  terminals_.emplace_back(*model_, robot);
   robots_.back().place(*model_, *data_, home);
   return robots_.size() - 1;
 }
@@ -133,8 +134,13 @@ void World::check(double time_before, Tick tick) const {
   if (!(data_->time > time_before)) fail("time did not advance: the world has reset itself", tick);
 }
 
+void World::set_outputs(std::size_t index, const Signals& outputs) noexcept {
+  terminals_.at(index).write(*model_, *data_, outputs);
+}
+
 void World::measure(std::size_t index, JointMeasurement& measurement) const noexcept {
   robots_.at(index).measure(*data_, measurement);
+  measurement.inputs = terminals_.at(index).read(*data_);
 }
 
 }  // namespace mrroc::sim

@@ -6,6 +6,7 @@
 #include "sim/driven_joints.hpp"
 #include "sim/model.hpp"
 #include "sim/mujoco_messages.hpp"
+#include "sim/terminals.hpp"
 
 namespace mrroc::sim {
 
@@ -44,6 +45,9 @@ class World {
   /// full, an inertia is singular, or time did not advance. The world is of no use afterwards.
   void step(Tick tick);
 
+  /// Sets the outputs of robot `index`'s controller.
+  void set_outputs(std::size_t index, const Signals& outputs) noexcept;
+  /// Joints and inputs.
   void measure(std::size_t index, JointMeasurement& measurement) const noexcept;
   const mjModel& model() const noexcept { return *model_; }
   const mjData& data() const noexcept { return *data_; }
@@ -62,6 +66,7 @@ class World {
   Data data_;
   int substeps_;
   std::vector<DrivenJoints> robots_;
+  std::vector<Terminals> terminals_;
   std::vector<WorldWarning> warnings_;
 };
 

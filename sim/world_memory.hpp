@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "clock/shared_slot.hpp"
+#include "mrroc/signals.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::sim {
@@ -23,6 +24,7 @@ struct JointDrive {
   Tick tick = 0;  ///< tick in which it was computed; 0: never attached
   std::uint32_t joint_count = 0;
   std::uint32_t enabled = 0;                                    ///< 0: brakes on
+  Signals outputs;                                              ///< of the robot's controller, whatever the brakes do
   std::array<double, kMaxJoints> torque{};                      ///< tau = G^T (torque constant * current), N m or N
   std::array<double, kMaxJoints> bias{};                        ///< c = G^T J dG/dt dq/dt
   std::array<double, kMaxJoints * kMaxJoints> rotor_inertia{};  ///< B = G^T J G, row major
@@ -34,6 +36,7 @@ struct JointMeasurement {
   Tick tick = 0;
   std::array<double, kMaxJoints> position{};
   std::array<double, kMaxJoints> velocity{};
+  Signals inputs;  ///< of the robot's controller
 };
 
 /// sim -> VSP, every tick: the raw values of one hardware sensor, in the order in which the scene declares them.

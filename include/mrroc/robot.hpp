@@ -58,6 +58,11 @@ class Robot {
   void recover();
   /// Takes what the robot's force sensor reads now as zero, for the force law and the force limits.
   void bias_force();
+  /// The servo regulators from now on, by the name of their set in the robot's parameter file; "standard" is its own.
+  /// Throws NonFatalError(invalid_argument) with the names there are.
+  void use_regulators(std::string_view name);
+  /// The outputs of the robot's controller from the next servo tick on; also while it moves.
+  void set_outputs(const Signals& outputs);
 
   // ---- the exchange, used by Move and Wait
   // -----------------------------------------------------------------------------
@@ -68,6 +73,7 @@ class Robot {
 
  private:
   void change();
+  void choose(CommandKind kind, const char* what, std::string_view name, const std::vector<std::string_view>& names);
 
   Task* task_;
   std::string name_;

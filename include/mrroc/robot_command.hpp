@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mrroc/force_law.hpp"
+#include "mrroc/signals.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc {
@@ -15,12 +16,14 @@ enum class CommandKind : std::uint8_t {
   joint_velocity = 5,  ///< change to `joint_velocity` as fast as the limits allow and keep it
   twist = 6,           ///< change to the joint velocities that give the tool `twist`, and keep them
   force = 7,  ///< follow `force` with the velocity `twist` in tool axes, tick by tick, until the macrostep ends
-  // one exchange each, of a robot at rest (Robot::set_tool, use_model, synchronise, recover, bias_force)
-  set_tool = 8,      ///< `pose` is the tool frame in the flange frame from now on
-  use_model = 9,     ///< the kinematic model `model` from now on
-  synchronise = 10,  ///< find the absolute positions of the motors
-  recover = 11,      ///< clear a fault and switch the drives on, at the measured position
-  bias_force = 12    ///< take what the force sensor reads now as zero, for the force law and the force limits
+  // one exchange each, of a robot at rest (Robot::set_tool, use_model, ...); set_outputs at any time
+  set_tool = 8,         ///< `pose` is the tool frame in the flange frame from now on
+  use_model = 9,        ///< the kinematic model `choice` from now on
+  synchronise = 10,     ///< find the absolute positions of the motors
+  recover = 11,         ///< clear a fault and switch the drives on, at the measured position
+  bias_force = 12,      ///< take what the force sensor reads now as zero, for the force law and the force limits
+  use_regulators = 13,  ///< the regulator set `choice` from now on
+  set_outputs = 14      ///< `outputs` from the next tick on
 };
 
 /// The space in which the path to the end of the macrostep is smooth: a polynomial of degree five in time from the
@@ -62,7 +65,9 @@ struct RobotCommand {
   Twist twist = Twist::Zero();                          ///< of the tool frame's origin at the end, in base axes
   JointVector twist_rate;                               ///< d twist / dt at the end, 6 values; empty: the mean
   ForceLaw force;                                       ///< of `force`
-  std::uint8_t model = 0;                               ///< of `use_model`: its place in the robot's list
+  std::uint8_t choice = 0;                              ///< of `use_model`, `use_regulators`: place in the robot's list
+  bool with_outputs = false;                            ///< of a motion: `outputs` from the macrostep's tick 0 on
+  Signals outputs;
 };
 
 inline constexpr std::uint16_t kMaxMotionSteps = 10000;

@@ -39,12 +39,19 @@ struct AxisParameters {
   double viscous_friction = 0;  ///< N m s / rad, at the shaft
 };
 
+/// Another set of regulators, by name: the robot's axes with other `regulator_*` numbers.
+struct RegulatorSet {
+  std::string name;
+  std::vector<AxisParameters> axes;
+};
+
 /// All numbers of one robot type.
 struct RobotParameters {
   std::string type;
   std::vector<AxisParameters> axes;
-  JointVector home;                ///< joint position in which the simulated robot starts
-  std::vector<int> synchro_order;  ///< the axes in the order of their synchronisation; empty: as they are
+  std::vector<RegulatorSet> regulators;  ///< the first is "standard": the axes as they are
+  JointVector home;                      ///< joint position in which the simulated robot starts
+  std::vector<int> synchro_order;        ///< the axes in the order of their synchronisation; empty: as they are
 };
 
 }  // namespace mrroc

@@ -2,6 +2,7 @@
 
 #include "mrroc/errors.hpp"
 #include "mrroc/fixed_text.hpp"
+#include "mrroc/signals.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc {
@@ -36,6 +37,9 @@ struct RobotState {
   /// That the environment exerts on the tool, in tool axes about the tool frame's origin, N and N m; zero where the
   /// deployment gives the robot no force sensor, or it has not measured.
   Wrench wrench = Wrench::Zero();
+  Signals inputs;               ///< of the robot's controller, at `tick`
+  Signals outputs;              ///< as they are set
+  std::uint8_t regulators = 0;  ///< regulator set in use: its place in RobotParameters::regulators, 0 the robot's own
   bool synchronised = false;
   bool enabled = false;
   std::uint32_t late_commands = 0;  ///< commands that came after the robot had begun to brake, since start

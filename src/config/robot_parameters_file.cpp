@@ -93,6 +93,36 @@ std::vector<int> read_synchro_order(const Table& file, const std::vector<AxisPar
   return order;
 }
 
+/// The axes with the regulator numbers of table `[regulators.NAME]`, whose sub-tables are axes.
+RegulatorSet read_regulators(const Table& table, const std::string& name, const std::vector<AxisParameters>& axes) {
+  RegulatorSet set{name, axes};
+  for (const std::string& axis_name : table.table_names()) {
+    const Table gains = table.table(axis_name);
+    const auto axis =
+        std::find_if(set.axes.begin(), set.axes.end(), [&](const auto& a) { return a.name == axis_name; });
+    if (axis == set.axes.end()) gains.fail("", in_quotes(axis_name) + " is no axis", "the name of one");
+    axis->regulator_a = gains.number_or("a", axis->regulator_a);
+    axis->regulator_b0 = gains.number_or("b0", axis->regulator_b0);
+    axis->regulator_b1 = gains.number_or("b1", axis->regulator_b1);
+    axis->regulator_eps = gains.number_or("eps", axis->regulator_eps);
+    axis->regulator_output_max = positive_or(gains, "output_max", axis->regulator_output_max);
+    axis->regulator_current_gain = positive_or(gains, "current_gain", axis->regulator_current_gain);
+    gains.finish();
+  }
+  return set;
+}
+
+std::vector<RegulatorSet> read_regulator_sets(const Table& file, const std::vector<AxisParameters>& axes) {
+  std::vector<RegulatorSet> sets{{"standard", axes}};
+  const auto table = file.optional_table("regulators");
+  if (!table) return sets;
+  for (const std::string& name : table->table_names()) {
+    if (name == "standard") table->table(name).fail("", "the name of the axes' own numbers", "another name");
+    sets.push_back(read_regulators(table->table(name), name, axes));
+  }
+  return sets;
+}
+
 }  // namespace
 
 RobotParameters read_robot_parameters(const Table& file) {
@@ -106,6 +136,7 @@ RobotParameters read_robot_parameters(const Table& file) {
     parameters.axes.push_back(read_axis(table));
     check_name_is_new(parameters.axes, table);
   }
+  parameters.regulators = read_regulator_sets(file, parameters.axes);
   parameters.synchro_order = read_synchro_order(file, parameters.axes);
   const auto home = file.numbers("home", tables.size());
   parameters.home.resize(static_cast<Eigen::Index>(home.size()));

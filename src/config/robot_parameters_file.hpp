@@ -6,8 +6,9 @@
 namespace mrroc::config {
 
 /// Reads the general part of robots/<type>/<type>.toml: `type`, `home`, and `[[axes]]` with the keys of AxisParameters
-/// (same names; only `encoder_increments` and `regulator_output_max` may be left out). Position and motor limits may be
-/// infinite, said in so many words (`-inf`, `inf`): an axis that turns without end. The `[geometry]` table is the
+/// (same names; `[regulators.SET.AXIS]` holds what is other in another regulator set: a, b0, b1, eps, output_max,
+/// current_gain; only `encoder_increments` and `regulator_output_max` may be left out). Position and motor limits may
+/// be infinite, said in so many words (`-inf`, `inf`): an axis that turns without end. The `[geometry]` table is the
 /// robot's own: its model reads it from the same Table, which then calls `finish()`. Throws ConfigurationError.
 RobotParameters read_robot_parameters(const Table& file);
 

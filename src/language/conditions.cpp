@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "mrroc/conditions/digital_input.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
 #include "mrroc/conditions/touching.hpp"
@@ -36,6 +37,14 @@ Touching::Touching(const Robot& robot, double newtons)
   if (!(newtons > 0) || !std::isfinite(newtons)) {
     throw NonFatalError(ErrorCode::invalid_argument,
                         "Touching with " + std::to_string(newtons) + " N, expected a finite force above 0");
+  }
+}
+
+DigitalInput::DigitalInput(const Robot& robot, int terminal)
+    : Condition(robot.name() + " input " + std::to_string(terminal)), robot_(&robot), terminal_(terminal) {
+  if (terminal < 0 || terminal >= Signals::kDigital) {
+    throw NonFatalError(ErrorCode::invalid_argument, "DigitalInput " + std::to_string(terminal) + ", expected 0 to " +
+                                                         std::to_string(Signals::kDigital - 1));
   }
 }
 

@@ -51,17 +51,37 @@ void Robot::set_tool(const Pose& tool) {
 }
 
 void Robot::use_model(std::string_view name) {
-  std::string names;
-  for (std::size_t i = 0; i < models_.size(); ++i) {
-    if (models_[i]->name() == name) {
-      reset_command(CommandKind::use_model);
-      command_.model = static_cast<std::uint8_t>(i);
+  std::vector<std::string_view> names;
+  for (const auto& model : models_) names.push_back(model->name());
+  choose(CommandKind::use_model, "model", name, names);
+}
+
+void Robot::use_regulators(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const RegulatorSet& set : parameters().regulators) names.push_back(set.name);
+  choose(CommandKind::use_regulators, "regulators", name, names);
+}
+
+void Robot::choose(CommandKind kind, const char* what, std::string_view name,
+                   const std::vector<std::string_view>& names) {
+  std::string known;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) {
+      reset_command(kind);
+      command_.choice = static_cast<std::uint8_t>(i);
       return change();
     }
-    names.append(i == 0 ? "" : ", ").append(models_[i]->name());
+    known.append(i == 0 ? "" : ", ").append(names[i]);
   }
-  throw NonFatalError(ErrorCode::invalid_argument, "model '" + std::string(name) + "', expected one of: " + names,
+  throw NonFatalError(ErrorCode::invalid_argument,
+                      std::string(what) + " '" + std::string(name) + "', expected one of: " + known,
                       {task_->process_name(), name_, 0, 0});
+}
+
+void Robot::set_outputs(const Signals& outputs) {
+  reset_command(CommandKind::set_outputs);
+  command_.outputs = outputs;
+  change();
 }
 
 void Robot::synchronise() {
@@ -102,7 +122,9 @@ void Robot::reset_command(CommandKind kind) noexcept {
   command_.twist.setZero();
   command_.twist_rate.resize(0);
   command_.force = ForceLaw{};
-  command_.model = 0;
+  command_.choice = 0;
+  command_.with_outputs = false;
+  command_.outputs = Signals{};
 }
 
 }  // namespace mrroc

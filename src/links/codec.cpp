@@ -68,6 +68,16 @@ void decode_error(const mrroc_wire_Fault& wire, ErrorReport& error) noexcept {
   error.detail.assign(wire.detail);
 }
 
+void encode_signals(const Signals& signals, mrroc_wire_Terminals& wire) noexcept {
+  wire.digital = signals.digital;
+  std::copy(signals.analog.begin(), signals.analog.end(), wire.analog);
+}
+
+void decode_signals(const mrroc_wire_Terminals& wire, Signals& signals) noexcept {
+  signals.digital = wire.digital;
+  std::copy_n(wire.analog, signals.analog.size(), signals.analog.begin());
+}
+
 void encode_law(const ForceLaw& law, mrroc_wire_RobotCommand& wire) noexcept {
   for (std::size_t i = 0; i < law.behaviour.size(); ++i)
     wire.force_behaviour[i] = static_cast<std::uint8_t>(law.behaviour[i]);
@@ -100,11 +110,15 @@ void encode(const RobotCommand& message, mrroc_wire_RobotCommand& wire) noexcept
   Eigen::Map<Twist>{wire.twist} = message.twist;
   encode_axes(message.twist_rate, wire.twist_rate);
   encode_law(message.force, wire);
-  wire.model = message.model;
+  wire.choice = message.choice;
+  wire.with_outputs = message.with_outputs ? 1 : 0;
+  encode_signals(message.outputs, wire.outputs);
 }
 
 bool decode(const mrroc_wire_RobotCommand& wire, RobotCommand& message) noexcept {
-  if (!in_range(wire.command_kind, CommandKind::bias_force) || !is_boolean(wire.relative)) return false;
+  if (!in_range(wire.command_kind, CommandKind::set_outputs) || !is_boolean(wire.relative) ||
+      !is_boolean(wire.with_outputs))
+    return false;
   if (!in_range(wire.interpolation, Interpolation::task)) return false;
   if (!valid_axes(wire.joints, wire.joint_velocity, wire.joint_acceleration, wire.twist_rate)) return false;
   for (const std::uint8_t behaviour : wire.force_behaviour)
@@ -122,7 +136,9 @@ bool decode(const mrroc_wire_RobotCommand& wire, RobotCommand& message) noexcept
   message.twist = Eigen::Map<const Twist>{wire.twist};
   decode_axes(wire.twist_rate, message.twist_rate);
   decode_law(wire, message.force);
-  message.model = wire.model;
+  message.choice = wire.choice;
+  message.with_outputs = wire.with_outputs != 0;
+  decode_signals(wire.outputs, message.outputs);
   return true;
 }
 
@@ -142,6 +158,9 @@ void encode(const RobotState& message, mrroc_wire_RobotState& wire) noexcept {
   wire.model = message.model;
   encode_frame(message.tool, wire.tool);
   Eigen::Map<Wrench>{wire.wrench} = message.wrench;
+  encode_signals(message.inputs, wire.inputs);
+  encode_signals(message.outputs, wire.outputs);
+  wire.regulators = message.regulators;
   wire.synchronised = message.synchronised ? 1 : 0;
   wire.enabled = message.enabled ? 1 : 0;
   wire.late_commands = message.late_commands;
@@ -167,6 +186,9 @@ bool decode(const mrroc_wire_RobotState& wire, RobotState& message) noexcept {
   message.model = wire.model;
   decode_frame(wire.tool, message.tool);
   message.wrench = Eigen::Map<const Wrench>{wire.wrench};
+  decode_signals(wire.inputs, message.inputs);
+  decode_signals(wire.outputs, message.outputs);
+  message.regulators = wire.regulators;
   message.synchronised = wire.synchronised != 0;
   message.enabled = wire.enabled != 0;
   message.late_commands = wire.late_commands;

@@ -154,9 +154,35 @@ TEST_F(RobotParametersFileTest, LeavesTheGeometryToTheModel) {
   const Table file = Table::load(scratch_.write("r.toml", robot_text() + "[geometry]\na2 = 0.455\n"));
   read_robot_parameters(file);
   EXPECT_EQ(message_of(scratch_.folder(), [&] { file.finish(); }),
-            "r.toml:25: geometry: unknown key, expected 'axes', 'home', 'synchro_order' or 'type'");
+            "r.toml:25: geometry: unknown key, expected 'axes', 'home', 'regulators', 'synchro_order' or 'type'");
   file.table("geometry");
   EXPECT_NO_THROW(file.finish());
+}
+
+TEST_F(RobotParametersFileTest, RegulatorSetsChangeWhatTheyName) {
+  const RobotParameters plain = read(robot_text());
+  ASSERT_EQ(plain.regulators.size(), 1u);
+  EXPECT_EQ(plain.regulators[0].name, "standard");
+  EXPECT_EQ(plain.regulators[0].axes[0].regulator_current_gain, 0.2);
+
+  const RobotParameters robot = read(robot_text() + "[regulators.soft.column]\ncurrent_gain = 0.1\neps = 0\n");
+  ASSERT_EQ(robot.regulators.size(), 2u);
+  EXPECT_EQ(robot.regulators[1].name, "soft");
+  EXPECT_EQ(robot.regulators[1].axes[0].regulator_current_gain, 0.1);
+  EXPECT_EQ(robot.regulators[1].axes[0].regulator_eps, 0);
+  EXPECT_EQ(robot.regulators[1].axes[0].regulator_b0, 1.55);
+  EXPECT_EQ(robot.axes[0].regulator_current_gain, 0.2);
+
+  const std::string set = "[regulators.soft.column]\n";
+  EXPECT_EQ(message(robot_text() + "[regulators.soft.elbow]\na = 1\n"),
+            "r.toml:25: regulators.soft.elbow: 'elbow' is no axis, expected the name of one");
+  EXPECT_EQ(message(robot_text() + set + "current_gain = 0\n"),
+            "r.toml:26: regulators.soft.column.current_gain: 0 is not positive, expected a number above 0");
+  EXPECT_EQ(message(robot_text() + set + "gain = 1\n"),
+            "r.toml:26: regulators.soft.column.gain: unknown key, expected 'a', 'b0', 'b1', 'current_gain', "
+            "'eps' or 'output_max'");
+  EXPECT_EQ(message(robot_text() + "[regulators.standard.column]\na = 1\n"),
+            "r.toml:25: regulators.standard: the name of the axes' own numbers, expected another name");
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ struct TwoModels {
 RobotCommand use_model(std::uint8_t model) {
   RobotCommand command;
   command.kind = CommandKind::use_model;
-  command.model = model;
+  command.choice = model;
   return command;
 }
 
@@ -162,6 +162,81 @@ TEST(Change, RecoverClearsAFaultAndTheRobotStandsWhereItIs) {
   ASSERT_FALSE(rig.send(joint_command(one(0.5), 500, 500)));
   rig.run(600);
   EXPECT_NEAR(rig.seen().joints[0], 0.5, 1e-3);
+}
+
+TEST(Change, OutputsAreSetAtAnyTimeAndSeenInTheState) {
+  Rig<Slide> rig(false);  // the drives are off
+  RobotCommand set;
+  set.kind = CommandKind::set_outputs;
+  set.outputs.set(3, true);
+  set.outputs.analog[2] = 1.5;
+  ASSERT_TRUE(rig.send(set));
+  EXPECT_EQ(rig.answer.state.error.error_class, ErrorClass::none) << rig.answer.state.error.detail.view();
+  rig.tick();
+  EXPECT_EQ(rig.query().outputs, set.outputs);
+  rig.tick();
+  EXPECT_EQ(rig.query().inputs, set.outputs) << "the loopback's terminals are wired back";
+  set.outputs.analog[5] = std::nan("");
+  ASSERT_TRUE(rig.send(set));
+  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::not_finite);
+}
+
+TEST(Change, OutputsOfAMotionComeWithItsMacrostep) {
+  Rig<Slide> rig;
+  ASSERT_FALSE(rig.send(joint_command(one(0.3), 200, 200)));
+  RobotCommand next = joint_command(one(0.25), 200, 200);
+  next.with_outputs = true;
+  next.outputs.set(0, true);
+  ASSERT_FALSE(rig.send(next));
+  rig.run(199);
+  EXPECT_FALSE(rig.query().outputs.on(0));
+  rig.run(3);
+  EXPECT_TRUE(rig.query().outputs.on(0));
+  rig.run(300);
+  next.outputs.analog[0] = INFINITY;
+  ASSERT_TRUE(rig.send(next));
+  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::not_finite);
+}
+
+/// A slide with a second set of regulators.
+class TwoServos : public Slide {
+ public:
+  TwoServos() {
+    parameters_.regulators = {{"standard", parameters_.axes}, {"soft", parameters_.axes}};
+    parameters_.regulators[1].axes[0].regulator_current_gain *= 0.25;
+  }
+};
+
+TEST(Change, AnotherRegulatorSetIsInForceFromThenOn) {
+  const auto largest_error = [](bool soft) {
+    Rig<TwoServos> rig;
+    RobotCommand use;
+    use.kind = CommandKind::use_regulators;
+    use.choice = soft ? 1 : 0;
+    EXPECT_FALSE(rig.send(use));
+    rig.run(3);
+    EXPECT_EQ(rig.replies.at(0).state.regulators, soft ? 1 : 0);
+    EXPECT_FALSE(rig.send(joint_command(one(0.5), 300, 300)));
+    rig.run(600);
+    EXPECT_NEAR(rig.seen().joints[0], 0.5, 1e-3) << "it gets there all the same";
+    return rig.seen().counters.following_error[0];
+  };
+  EXPECT_GT(largest_error(true), 1.5 * largest_error(false));
+}
+
+TEST(Change, ARegulatorSetThatIsNotThereIsRefusedAndOneInMotionToo) {
+  Rig<TwoServos> rig;
+  RobotCommand use;
+  use.kind = CommandKind::use_regulators;
+  use.choice = 2;
+  ASSERT_TRUE(rig.send(use));
+  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::invalid_argument);
+  RobotCommand moving = joint_command(one(0.3), 300, 300);
+  moving.joint_velocity = one(0.1);
+  ASSERT_FALSE(rig.send(moving));
+  use.choice = 1;
+  ASSERT_TRUE(rig.send(use));
+  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::busy);
 }
 
 }  // namespace

@@ -60,5 +60,24 @@ TEST(Regulator, ItsGainsAreThoseOfTheAxis) {
   EXPECT_NEAR(step(regulator, 3, 0), 0.5 * 2 * 3, 1e-12);
 }
 
+// at rest under gravity the output is constant: another gain must not change the current
+TEST(Regulator, OtherNumbersTakeOverWithoutAJumpOfTheCurrent) {
+  const AxisParameters axis = test_axis("x");
+  AxisParameters soft = axis;
+  soft.regulator_current_gain = axis.regulator_current_gain / 3;
+  soft.regulator_a = 0.2;
+  Regulator regulator(axis);
+  for (int i = 0; i < 4; ++i) step(regulator, 2, 1);
+  double before = 0;
+  for (int i = 0; i < 200; ++i) before = step(regulator, 0, i < 50 ? 0.01 : 0);
+  Regulator kept = regulator;
+  regulator.use(soft);
+  EXPECT_NEAR(step(regulator, 0, 0), step(kept, 0, 0), 1e-2 * std::abs(before));
+  EXPECT_NE(before, 0);
+  Regulator fresh(soft);
+  EXPECT_NEAR(step(fresh, 10, 0), soft.regulator_current_gain * soft.regulator_b0 * (1 + soft.regulator_eps) * 10,
+              1e-12);
+}
+
 }  // namespace
 }  // namespace mrroc::edp

@@ -27,9 +27,9 @@ inline bool same(const RobotCommand& a, const RobotCommand& b) {
          a.reply_step == b.reply_step && a.start_tick == b.start_tick && same_matrix(a.joints, b.joints) &&
          same_matrix(a.joint_velocity, b.joint_velocity) && same_matrix(a.joint_acceleration, b.joint_acceleration) &&
          same_matrix(a.pose.matrix(), b.pose.matrix()) && same_matrix(a.twist, b.twist) &&
-         a.interpolation == b.interpolation && same_matrix(a.twist_rate, b.twist_rate) && a.model == b.model &&
-         a.force.behaviour == b.force.behaviour && same_matrix(a.force.wrench, b.force.wrench) &&
-         same_matrix(a.force.inertia, b.force.inertia) &&
+         a.interpolation == b.interpolation && same_matrix(a.twist_rate, b.twist_rate) && a.choice == b.choice &&
+         a.with_outputs == b.with_outputs && a.outputs == b.outputs && a.force.behaviour == b.force.behaviour &&
+         same_matrix(a.force.wrench, b.force.wrench) && same_matrix(a.force.inertia, b.force.inertia) &&
          same_matrix(a.force.reciprocal_damping, b.force.reciprocal_damping);
 }
 inline bool same(const RobotState& a, const RobotState& b) {
@@ -41,7 +41,8 @@ inline bool same(const RobotState& a, const RobotState& b) {
          same_matrix(a.desired_pose.matrix(), b.desired_pose.matrix()) && a.synchronised == b.synchronised &&
          a.enabled == b.enabled && a.late_commands == b.late_commands && same(a.error, b.error) &&
          a.macrostep_start == b.macrostep_start && a.model == b.model &&
-         same_matrix(a.tool.matrix(), b.tool.matrix()) && same_matrix(a.wrench, b.wrench);
+         same_matrix(a.tool.matrix(), b.tool.matrix()) && same_matrix(a.wrench, b.wrench) && a.inputs == b.inputs &&
+         a.outputs == b.outputs && a.regulators == b.regulators;
 }
 inline bool same(const SensorRequest& a, const SensorRequest& b) {
   return a.kind == b.kind && a.measure_at == b.measure_at;
@@ -129,6 +130,14 @@ struct Arbitrary<mrroc::ErrorReport> {
 };
 
 template <>
+struct Arbitrary<mrroc::Signals> {
+  static Gen<mrroc::Signals> arbitrary() {
+    using T = mrroc::Signals;
+    return gen::build<T>(gen::set(&T::digital), gen::set(&T::analog));
+  }
+};
+
+template <>
 struct Arbitrary<mrroc::ForceLaw> {
   static Gen<mrroc::ForceLaw> arbitrary() {
     using T = mrroc::ForceLaw;
@@ -142,10 +151,11 @@ template <>
 struct Arbitrary<mrroc::RobotCommand> {
   static Gen<mrroc::RobotCommand> arbitrary() {
     using T = mrroc::RobotCommand;
-    return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::CommandKind::bias_force)), gen::set(&T::relative),
+    return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::CommandKind::set_outputs)), gen::set(&T::relative),
                          gen::set(&T::motion_steps), gen::set(&T::reply_step), gen::set(&T::start_tick),
                          gen::set(&T::joints), gen::set(&T::joint_velocity), gen::set(&T::joint_acceleration),
-                         gen::set(&T::pose), gen::set(&T::twist), gen::set(&T::twist_rate), gen::set(&T::model),
+                         gen::set(&T::pose), gen::set(&T::twist), gen::set(&T::twist_rate), gen::set(&T::choice),
+                         gen::set(&T::with_outputs), gen::set(&T::outputs),
                          gen::set(&T::interpolation, any_enum(mrroc::Interpolation::task)), gen::set(&T::force));
   }
 };
@@ -159,7 +169,8 @@ struct Arbitrary<mrroc::RobotState> {
                          gen::set(&T::desired_joints), gen::set(&T::desired_velocity),
                          gen::set(&T::desired_acceleration), gen::set(&T::desired_pose), gen::set(&T::synchronised),
                          gen::set(&T::enabled), gen::set(&T::late_commands), gen::set(&T::error),
-                         gen::set(&T::macrostep_start), gen::set(&T::model), gen::set(&T::tool), gen::set(&T::wrench));
+                         gen::set(&T::macrostep_start), gen::set(&T::model), gen::set(&T::tool), gen::set(&T::wrench),
+                         gen::set(&T::inputs), gen::set(&T::outputs), gen::set(&T::regulators));
   }
 };
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "links/task_superior.hpp"
+#include "mrroc/conditions/digital_input.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
 #include "mrroc/conditions/touching.hpp"
