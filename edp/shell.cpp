@@ -6,6 +6,7 @@
 #include "edp/effector.hpp"
 #include "edp/loopback_hardware.hpp"
 #include "edp/mujoco_hardware.hpp"
+#include "edp/robot_check.hpp"
 #include "edp/servo.hpp"
 #include "edp/servo_thread.hpp"
 #include "links/robot_responder.hpp"
@@ -36,7 +37,7 @@ class Shell {
   Shell(process::Process& process, const ModelFactory& factory)
       : process_(process),
         place_(place_of(process)),
-        models_(factory()),
+        models_(load_models(factory)),
         model_set_(models_),
         hardware_(open_hardware()),
         servo_(model_set_, *hardware_, process.clock().period(), hand_over_),
@@ -55,6 +56,12 @@ class Shell {
   }
 
  private:
+  RobotModels load_models(const ModelFactory& factory) const {
+    RobotModels models = factory();
+    check_robot(models, place_.entry.type);
+    return models;
+  }
+
   std::unique_ptr<Hardware> open_hardware() {
     std::unique_ptr<Hardware> hardware;
     if (place_.entry.hardware == "mujoco") {
