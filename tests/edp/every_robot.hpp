@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct KnownRobot {
     return std::filesystem::path(MRROC_SOURCE_DIR) / "robots" / type / (type + "." + extension);
   }
 };
+
+/// For GoogleTest's messages.
+inline void PrintTo(const KnownRobot& robot, std::ostream* out) { *out << robot.type; }
 
 inline std::vector<KnownRobot> every_robot() {
   using File = std::filesystem::path;
