@@ -5,6 +5,7 @@ find_dependency(Threads)
 find_dependency(Eigen3 3.4)
 find_dependency(CycloneDDS 0.10)
 find_dependency(CLI11)
+find_dependency(tinyxml2)
 include(${CMAKE_CURRENT_LIST_DIR}/mrrocLibraries.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/MrrocTargets.cmake)
 

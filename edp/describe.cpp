@@ -1,39 +1,20 @@
 #include "edp/describe.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <random>
 
+#include "edp/postures.hpp"
 #include "mrroc/tool_kinematics.hpp"
 
 namespace mrroc::edp {
 namespace {
 
-bool within_motor_limits(const RobotModel& model, const JointVector& joints) {
-  JointVector motors;
-  if (model.joints_to_motors(joints, motors) != ErrorCode::none) return false;
-  const auto& axes = model.parameters().axes;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const double motor = motors[static_cast<Eigen::Index>(i)];
-    if (motor < axes[i].motor_min || motor > axes[i].motor_max) return false;
-  }
-  return true;
-}
-
 void print_workspace(const RobotModel& model, int points, std::uint64_t seed) {
   const ToolKinematics kinematics(model);
   std::mt19937_64 random(seed);
-  JointVector joints(model.joint_count());
   for (int found = 0; found < points;) {
-    for (Eigen::Index i = 0; i < joints.size(); ++i) {
-      const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
-      const double low = std::isfinite(axis.position_min) ? axis.position_min : -std::numbers::pi;
-      const double high = std::isfinite(axis.position_max) ? axis.position_max : std::numbers::pi;
-      joints[i] = std::uniform_real_distribution<double>(low, high)(random);
-    }
+    const JointVector joints = random_joints(model, random);
     if (!within_motor_limits(model, joints)) continue;
     const Eigen::Vector3d p = kinematics.direct(joints).translation();
     std::printf("%.5f %.5f %.5f\n", p.x(), p.y(), p.z());

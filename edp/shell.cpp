@@ -6,6 +6,7 @@
 #include "edp/effector.hpp"
 #include "edp/loopback_hardware.hpp"
 #include "edp/mujoco_hardware.hpp"
+#include "edp/robot_check.hpp"
 #include "edp/servo.hpp"
 #include "edp/servo_thread.hpp"
 #include "edp/wrist_sensor.hpp"
@@ -37,7 +38,7 @@ class Shell {
   Shell(process::Process& process, const ModelFactory& factory)
       : process_(process),
         place_(place_of(process)),
-        models_(factory()),
+        models_(load_models(factory)),
         model_set_(models_),
         hardware_(open_hardware()),
         force_sensor_(open_force_sensor()),
@@ -73,6 +74,12 @@ class Shell {
         return std::make_unique<WristSensor>(sensors[i], sensors[i].source == "simulated" ? &world() : nullptr, i,
                                              process_.clock().period());
     return nullptr;
+  }
+
+  RobotModels load_models(const ModelFactory& factory) const {
+    RobotModels models = factory();
+    check_robot(models, place_.entry.type);
+    return models;
   }
 
   std::unique_ptr<Hardware> open_hardware() {

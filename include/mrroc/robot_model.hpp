@@ -1,7 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mrroc/errors.hpp"
@@ -10,9 +12,19 @@
 
 namespace mrroc {
 
-/// One kinematic model of a robot: motor <-> joint <-> flange pose. Every method is const, allocates nothing, never
-/// throws and may be called from any thread, the servo thread included. Poses are of the flange in the robot's base
-/// frame; `ToolKinematics` adds the tool.
+/// What a URDF, a tree, does not say of a machine with closed loops.
+struct ClosedLoops {
+  struct Joint {
+    std::string name;
+    double position = 0;  ///< rad or m
+  };
+  std::vector<Joint> joints;                                ///< joints of the URDF that no motor drives
+  std::vector<std::pair<std::string, std::string>> joined;  ///< links of the URDF whose frames have the same origin
+};
+
+/// One kinematic model of a robot: motor <-> joint <-> flange pose. Every method is const and may be called from
+/// any thread; but for `closed_loops` they allocate nothing and never throw, and the servo thread calls them. Poses are
+/// of the flange in the robot's base frame; `ToolKinematics` adds the tool.
 class RobotModel {
  public:
   virtual ~RobotModel() = default;
@@ -43,6 +55,10 @@ class RobotModel {
   virtual int kept_joint() const noexcept { return -1; }
   /// Geometric Jacobian, in base axes, of a point fixed to the flange: `offset` in flange axes, m.
   virtual Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept = 0;
+
+  /// How the robot's URDF has to be closed at `joints`; nothing when it has no loops. Configuration time only: the one
+  /// method that allocates.
+  virtual ClosedLoops closed_loops(const JointVector& /*joints*/) const { return {}; }
 };
 
 /// All models of one robot; the first is the one it starts with. Their parameters are the same.

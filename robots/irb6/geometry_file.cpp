@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "config/message_text.hpp"
 #include "config/robot_parameters_file.hpp"
 
 namespace mrroc::irb6 {
@@ -35,6 +36,21 @@ ScrewGeometry read_screw(const config::Table& table) {
   screw.gear = gear(table, "gear");
   read_linkage(table, screw);
   return screw;
+}
+
+/// The arm turns back where the screw is longest and shortest: no motor position may bring it there.
+void check_reach(const config::Table& table, const ScrewGeometry& screw, double zero, const AxisParameters& axis) {
+  const double swing = std::hypot(screw.cosine, screw.sine);
+  const double shortest = std::sqrt(screw.squares - swing), longest = std::sqrt(screw.squares + swing);
+  for (const double motor : {axis.motor_min, axis.motor_max}) {
+    const double length = (motor - zero) / screw.gear + screw.synchro_length;
+    if (length > shortest && length < longest) continue;
+    table.fail("synchro_length",
+               "the screw is " + config::number_text(length) + " m long with the motor of axis " +
+                   config::in_quotes(axis.name) + " at its limit, " + config::number_text(motor) + " rad",
+               "a length between the dead centres of the linkage, " + config::number_text(shortest) + " and " +
+                   config::number_text(longest) + " m");
+  }
 }
 
 void read_lengths(const config::Table& table, Geometry& geometry) {
@@ -103,7 +119,13 @@ std::vector<NamedGeometry> read_models(const config::Table& file, const RobotPar
   for (Eigen::Index i = column; i < axes; ++i) {
     synchro[i - column] = parameters.axes[static_cast<std::size_t>(i)].motor_synchro;
   }
+  const auto check_screws = [&](const config::Table& table, const Geometry& geometry) {
+    const auto arm = parameters.axes.begin() + column;
+    check_reach(table.table("lower_arm_screw"), geometry.lower_arm_screw, geometry.zero[1], arm[1]);
+    check_reach(table.table("upper_arm_screw"), geometry.upper_arm_screw, geometry.zero[2], arm[2]);
+  };
   const Geometry nominal = read_nominal(file.table("geometry"), synchro);
+  check_screws(file.table("geometry"), nominal);
   std::vector<NamedGeometry> models{{"nominal", nominal}};
   if (const auto variants = file.optional_table("models")) {
     for (const std::string& name : variants->table_names()) {
@@ -112,6 +134,7 @@ std::vector<NamedGeometry> read_models(const config::Table& file, const RobotPar
                        "at most " + std::to_string(kNameLength) + " characters, not \"nominal\"");
       }
       models.push_back({name, read_variant(variants->table(name), nominal)});
+      check_screws(variants->table(name), models.back().geometry);
     }
   }
   file.optional_table("description");  // the URDF and the MJCF are written from it, by describe.py

@@ -23,6 +23,10 @@ class Kinematics {
 
   Pose flange(const JointVector& joints) const noexcept;
 
+  /// Where the legs put the platform; level when they do not close.
+  Placement placement(const JointVector& joints) const noexcept;
+  PassiveAngles passive_angles(const Placement& placement) const noexcept { return tripod_.passive_angles(placement); }
+
   /// `none`; `singular` as the wrist tells; `out_of_workspace` when a passive joint would pass its limit, the pose is
   /// not a rigid motion within 1e-6 or a value is not finite (then `joints` is left as it was).
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept;
@@ -32,7 +36,6 @@ class Kinematics {
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept;
 
  private:
-  Placement placement(const JointVector& joints) const noexcept;
   Pose flange(const Placement& placement, const JointVector& joints) const noexcept;
 
   Tripod tripod_;

@@ -41,6 +41,19 @@ ErrorCode SerialParallelModel::joints_to_motors(const JointVector& joints, Joint
   return ErrorCode::none;
 }
 
+ClosedLoops SerialParallelModel::closed_loops(const JointVector& joints) const {
+  const serial_parallel::Placement placement = kinematics_.placement(joints);
+  const serial_parallel::PassiveAngles angles = kinematics_.passive_angles(placement);
+  return {.joints = {{"swing_a", placement.swing},
+                     {"lean_a", angles.lean_a},
+                     {"tilt_a", placement.tilt - angles.lean_a},
+                     {"swing_c", placement.swing},
+                     {"lean_c", angles.lean_c},
+                     {"pitch_b", angles.pitch_b},
+                     {"lean_b", angles.lean_b}},
+          .joined = {{"head_b", "joint_b"}, {"head_c", "joint_c"}}};
+}
+
 RobotModels load_serial_parallel(const std::filesystem::path& file) {
   const auto table = config::Table::load(file);
   auto parameters = config::read_robot_parameters(table);

@@ -33,6 +33,8 @@ class SerialParallelModel final : public RobotModel {
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
     return kinematics_.jacobian(joints, offset);
   }
+  /// The URDF's passive joints swing_*, lean_*, pitch_b, tilt_a; the heads of legs B and C at the platform.
+  ClosedLoops closed_loops(const JointVector& joints) const override;
 
  private:
   RobotParameters parameters_;

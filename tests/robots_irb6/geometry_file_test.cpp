@@ -33,6 +33,22 @@ TEST(Irb6GeometryFile, MistakesInAModelNameTheirKey) {
             std::string::npos);
 }
 
+// the linkages are 0.101 m long at one dead centre and 0.381 m at the other
+TEST(Irb6GeometryFile, AMotorThatReachesADeadCentreWithinItsLimitsIsRefused) {
+  const std::string far = error_with("motor_max = 100.0", "motor_max = 250.0");
+  EXPECT_NE(far.find("geometry.lower_arm_screw.synchro_length: the screw is 0.42"), std::string::npos) << far;
+  EXPECT_NE(far.find("with the motor of axis 'lower_arm' at its limit, 250 rad, expected a length between the dead "
+                     "centres of the linkage, 0.101"),
+            std::string::npos)
+      << far;
+  EXPECT_NE(
+      error_with("motor_min = -80.0", "motor_min = -inf").find("upper_arm_screw.synchro_length: the screw is -inf"),
+      std::string::npos);
+  EXPECT_NE(error_with("synchro = [-7.7597, -8.7537", "synchro = [-7.7597, -128.7537")
+                .find("models.calibrated.lower_arm_screw.synchro_length"),
+            std::string::npos);
+}
+
 TEST(Irb6GeometryFile, TheInstalledFileLoads) {
   const auto model = load_irb6().front();
   EXPECT_EQ(model->parameters().type, "irb6");

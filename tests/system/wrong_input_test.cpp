@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
+#include "robots_common/changed_file.hpp"
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
@@ -115,6 +117,49 @@ TEST(WrongInput, SnapshotsThatCannotBeWrittenAreSaidBeforeAnythingStarts) {
   const std::string output = run_mrroc({"run", "tasks/press/press.toml", "--snapshots", "README.md/snapshots"}, kUsage);
   expect_text(output, "README.md/snapshots");
   expect_nothing_started(output);
+}
+
+/// Runs a deployment of one irb6 whose files are those of this project with the first `from` in `file` replaced by
+/// `to`.
+std::string run_with_changed_robot(const std::string& file, const std::string& from, const std::string& to) {
+  const std::filesystem::path share = std::filesystem::path(MRROC_BINARY_DIR) / "share/mrroc";
+  const ScratchFolder folder;
+  const auto own = folder.path() / "robots/irb6";
+  std::filesystem::create_directories(own);
+  for (const char* name : {"irb6.toml", "irb6.urdf", "irb6.xml"}) {
+    std::filesystem::copy_file(share / "robots/irb6" / name, own / name);
+  }
+  folder.write("robots/irb6/" + file, changed_file(share / "robots/irb6" / file, from, to));
+  setenv("MRROC_SHARE", (folder.path().string() + ":" + share.string()).c_str(), 1);
+  const auto deployment = folder.write("arm.toml",
+                                       "[deployment]\nname = \"arm\"\n[robots.arm]\ntype = \"irb6\"\n"
+                                       "hardware = \"loopback\"\nprogram = \"irb6_demo\"\n");
+  const std::string output = run_mrroc({"run", deployment.string()}, kUsage);
+  unsetenv("MRROC_SHARE");
+  return output;
+}
+
+TEST(WrongInput, AUrdfOfAnotherMachineIsRefusedWithBothPositions) {
+  const std::string output = run_with_changed_robot("irb6.urdf", "xyz=\"0.67 0 0\"", "xyz=\"0.68 0 0\"");
+  expect_text(output, "process arm_edp died: exit code 2: ");
+  expect_text(output, "robots/irb6/irb6.urdf:");
+  expect_text(output, ": link 'flange': is at (");
+  expect_text(output, " m, the model has it at (");
+  expect_nothing_moved(output);
+}
+
+TEST(WrongInput, ATransmissionThatReachesItsDeadCentreIsRefused) {
+  const std::string output =
+      run_with_changed_robot("irb6.toml", "synchro_length = 0.1838348", "synchro_length = 0.1238348");
+  expect_text(output, ": geometry.upper_arm_screw.synchro_length: the screw is ");
+  expect_nothing_moved(output);
+}
+
+TEST(WrongInput, AParameterFileWhoseNumbersDoNotGoTogetherIsRefused) {
+  const std::string output = run_with_changed_robot("irb6.toml", "motor_min = -470.0", "motor_min = -100.0");
+  expect_text(output, "process arm_edp died: exit code 2: ");
+  expect_text(output, ": axes[0].position_max: 2.87 is out of the motors' reach, expected ");
+  expect_nothing_moved(output);
 }
 
 TEST(WrongInput, AnMpThatAsksForARobotThatTheDeploymentDoesNotHave) {

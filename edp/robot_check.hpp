@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "mrroc/robot_model.hpp"
+
+namespace mrroc::edp {
+
+/// What an EDP asks of its robot of type `type` before it opens the drives: the parameter file names that type, its
+/// numbers go together (`check_models`), and its URDF, robots/<type>/<type>.urdf, is the same machine (`check_urdf`). A
+/// robot without a URDF has none to disagree with. Throws ConfigurationError. Configuration time only.
+void check_robot(const RobotModels& models, const std::string& type);
+
+}  // namespace mrroc::edp

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrroc/types.hpp"
+
+namespace mrroc::edp {
+
+/// The kinematics of a URDF: links and joints, where they are and how they move. Masses and shapes are passed over.
+/// Configuration time only.
+class Urdf {
+ public:
+  enum class Type { fixed, revolute, continuous, prismatic };
+  struct Mimic {
+    std::string joint;
+    double multiplier = 1;
+    double offset = 0;
+  };
+  struct Joint {
+    std::string name;
+    Type type = Type::fixed;
+    std::string parent, child;                        ///< links
+    Pose origin = Pose::Identity();                   ///< of the joint and of the child at position 0, in the parent
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit vector in the joint's frame
+    std::optional<double> lower, upper, velocity;     ///< rad or m, 1/s; what the file says
+    std::optional<Mimic> mimic;
+    int line = 0;
+  };
+  /// Positions of joints by name, rad or m.
+  using Positions = std::map<std::string, double>;
+
+  /// Reads a file. Throws ConfigurationError with file and line: no XML, no `<robot>`, a name twice, a joint of another
+  /// type, a link that a joint names and the file has not, links that are no tree, numbers that are none.
+  static Urdf load(const std::filesystem::path& file);
+
+  const std::filesystem::path& file() const noexcept { return file_; }
+  bool has_link(const std::string& name) const { return links_.contains(name); }
+  /// Line of a link's element.
+  int line_of_link(const std::string& name) const { return links_.at(name); }
+  /// Null when there is none.
+  const Joint* joint(const std::string& name) const;
+  /// The joint that carries a link; null for the root.
+  const Joint* joint_above(const std::string& link) const;
+  /// Pose of a link of this file in the root link's frame. Throws ConfigurationError when a joint on the way there
+  /// moves and is neither in `positions` nor follows one that is.
+  Pose pose(const std::string& link, const Positions& positions) const;
+
+ private:
+  double position(const Joint& joint, const Positions& positions) const;
+
+  std::filesystem::path file_;
+  std::map<std::string, int> links_;  ///< name, line
+  std::vector<Joint> joints_;
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,142 @@
+#include "edp/urdf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "config/scratch.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+using std::numbers::pi;
+
+/// A crane: a mast that turns, a boom that slides out of it, a counterweight that follows it, a hook.
+const std::string kCrane = R"(<robot name="crane">
+<link name="base"/>
+<link name="mast"/>
+<link name="boom"><inertial><mass value="3"/></inertial></link>
+<link name="weight"/>
+<link name="hook"/>
+<joint name="turn" type="revolute">
+  <parent link="base"/><child link="mast"/>
+  <origin xyz="0 0 1" rpy="0 0 0"/><axis xyz="0 0 2"/>
+  <limit lower="-1" upper="2" velocity="0.5" effort="1"/>
+</joint>
+<joint name="reach" type="prismatic">
+  <parent link="mast"/><child link="boom"/>
+  <origin xyz="0.5 0 0" rpy="1.5707963267948966 0 1.5707963267948966"/><axis xyz="0 0 1"/>
+</joint>
+<joint name="back" type="prismatic">
+  <parent link="mast"/><child link="weight"/>
+  <mimic joint="reach" multiplier="-0.5" offset="-0.1"/>
+</joint>
+<joint name="rope" type="fixed">
+  <parent link="boom"/><child link="hook"/><origin xyz="0 -2 0"/>
+</joint>
+</robot>)";
+
+/// kCrane with the first `from` replaced by `to`.
+std::string crane(const std::string& from, const std::string& to) {
+  std::string text = kCrane;
+  const auto at = text.find(from);
+  if (at == std::string::npos) throw std::runtime_error("no " + from);
+  return text.replace(at, from.size(), to);
+}
+
+Urdf load(const std::string& text) {
+  const config::Scratch scratch;
+  return Urdf::load(scratch.write("c.urdf", text));
+}
+
+std::string mistake(const std::string& text) {
+  const config::Scratch scratch;
+  const auto file = scratch.write("c.urdf", text);
+  return config::message_of(scratch.folder(), [&] { Urdf::load(file); });
+}
+
+TEST(Urdf, KnowsItsJoints) {
+  const Urdf urdf = load(kCrane);
+  EXPECT_TRUE(urdf.has_link("weight"));
+  EXPECT_FALSE(urdf.has_link("turn"));
+  EXPECT_EQ(urdf.line_of_link("boom"), 4);
+  const Urdf::Joint* turn = urdf.joint("turn");
+  ASSERT_NE(turn, nullptr);
+  EXPECT_EQ(turn->line, 7);
+  EXPECT_EQ(turn->type, Urdf::Type::revolute);
+  EXPECT_EQ(turn->axis, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(turn->lower, -1);
+  EXPECT_EQ(turn->upper, 2);
+  EXPECT_EQ(turn->velocity, 0.5);
+  EXPECT_FALSE(turn->mimic);
+  EXPECT_FALSE(urdf.joint("reach")->lower);
+  EXPECT_EQ(urdf.joint("back")->axis, Eigen::Vector3d::UnitX()) << "the axis of a joint that names none";
+  EXPECT_EQ(urdf.joint("boom"), nullptr);
+  EXPECT_EQ(urdf.joint_above("hook")->name, "rope");
+  EXPECT_EQ(urdf.joint_above("base"), nullptr);
+}
+
+TEST(Urdf, PlacesItsLinks) {
+  const Urdf urdf = load(kCrane);
+  const Urdf::Positions positions{{"turn", pi / 2}, {"reach", 0.25}};
+  EXPECT_TRUE(urdf.pose("base", {}).isApprox(Pose::Identity()));
+  // the boom's z axis points forward along the turned mast, its y axis up
+  const Pose hook = urdf.pose("hook", positions);
+  EXPECT_LT((hook.translation() - Eigen::Vector3d(0, 0.75, -1)).norm(), 1e-12) << hook.translation().transpose();
+  EXPECT_LT((hook.linear().col(2) - Eigen::Vector3d::UnitY()).norm(), 1e-12);
+  EXPECT_LT((hook.linear().col(1) - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+  EXPECT_LT((urdf.pose("weight", positions).translation() - Eigen::Vector3d(0, -0.225, 1)).norm(), 1e-12);
+}
+
+TEST(Urdf, AJointThatNothingMovesIsRefused) {
+  const config::Scratch scratch;
+  const Urdf urdf = Urdf::load(scratch.write("c.urdf", kCrane));
+  EXPECT_EQ(
+      config::message_of(scratch.folder(),
+                         [&] {
+                           urdf.pose("weight", {{"turn", 0.0}});
+                         }),
+      "c.urdf:16: joint 'back': nothing says where it is, expected an axis of the robot, a joint that follows one, "
+      "or a fixed one");
+}
+
+TEST(Urdf, MistakesNameFileLineAndElement) {
+  EXPECT_EQ(mistake(crane("upper=\"2\"", "upper=\"far\"")), "c.urdf:10: <limit> upper: 'far', expected a number");
+  EXPECT_EQ(mistake(crane("upper=\"2\"", "upper=\"2 3\"")), "c.urdf:10: <limit> upper: '2 3', expected a number");
+  EXPECT_EQ(mistake(crane("upper=\"2\"", "upper=\"nan\"")), "c.urdf:10: <limit> upper: 'nan', expected a number");
+  EXPECT_EQ(mistake(crane("0 0 1\" rpy", "0 1\" rpy")), "c.urdf:9: <origin> xyz: '0 1', expected 3 numbers");
+  EXPECT_EQ(mistake(crane("0 0 2", "0 0 0")), "c.urdf:9: <axis> xyz: no direction, expected a vector");
+  EXPECT_EQ(mistake(crane("revolute", "floating")),
+            "c.urdf:7: <joint> type: 'floating', expected 'fixed', 'revolute', 'continuous' or 'prismatic'");
+  EXPECT_EQ(mistake(crane("<parent link=\"base\"/>", "")), "c.urdf:7: <joint>: no <parent>, expected one");
+  EXPECT_EQ(mistake(crane("<parent link=\"base\"/>", "<parent/>")),
+            "c.urdf:8: <parent> link: missing, expected a name");
+  EXPECT_EQ(mistake(crane("child link=\"mast\"", "child link=\"mest\"")),
+            "c.urdf:7: <joint> name='turn': no link 'mest', expected links of this file");
+  EXPECT_EQ(mistake(crane("name=\"reach\"", "name=\"turn\"")),
+            "c.urdf:12: <joint> name: 'turn' is the name of an earlier joint, expected a name of its own");
+  EXPECT_EQ(mistake(crane("<link name=\"mast\"/>", "<link name=\"base\"/>")),
+            "c.urdf:3: <link> name: 'base' is the name of an earlier link, expected a name of its own");
+  EXPECT_EQ(mistake("<robot name=\"none\"/>"), "c.urdf:1: <robot>: no <link>, expected links");
+}
+
+TEST(Urdf, LinksThatAreNoTreeAreRefused) {
+  EXPECT_EQ(mistake(crane("child link=\"weight\"", "child link=\"boom\"")),
+            "c.urdf:16: <joint> name='back': link 'boom' has two parents, expected a tree");
+  EXPECT_EQ(mistake(crane("<link name=\"hook\"/>", "<link name=\"hook\"/><link name=\"lost\"/>")),
+            "c.urdf:1: <robot>: 6 links, 4 joints, expected one joint less than links: a tree");
+  EXPECT_NE(mistake(crane("<parent link=\"base\"/>", "<parent link=\"hook\"/>")).find("is part of a ring"),
+            std::string::npos);
+}
+
+TEST(Urdf, WhatIsNoUrdfIsRefused) {
+  EXPECT_EQ(mistake("<mujoco/>"), "c.urdf:1: is no URDF, expected <robot>");
+  EXPECT_NE(mistake("<robot><link name=\"a\"></robot>"), "");
+  EXPECT_NE(mistake(""), "");
+  const config::Scratch scratch;
+  EXPECT_NE(config::message_of(scratch.folder(), [&] { Urdf::load(scratch.folder() / "none.urdf"); }).find("none.urdf"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace mrroc::edp
