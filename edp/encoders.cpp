@@ -7,6 +7,7 @@ namespace mrroc::edp {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kSwitchEdge = 0.5;  // turns from the zero pulse: as far from this one as from the next
 
 }  // namespace
 
@@ -32,8 +33,7 @@ void Encoders::read(const JointVector& shafts, HardwareInput& input) noexcept {
     }
     const double turns = (shaft - axis.synchro) / kTurn, before = (axis.previous - axis.synchro) / kTurn;
     AxisSwitches& switches = input.switches[i];
-    const double along = axis.direction * turns;
-    switches.synchro = along >= -1.25 && along <= -0.25;
+    switches.synchro = axis.direction * turns >= kSwitchEdge;
     switches.lower_limit = shaft <= axis.lower;
     switches.upper_limit = shaft >= axis.upper;
     switches.zero_pulse = std::floor(turns) != std::floor(before);

@@ -10,8 +10,10 @@ namespace mrroc::edp {
 ///
 /// Encoders resolve a shaft revolution into encoder_increments. Robots that start unsynchronised count from where the
 /// power came on. With s the axis's motor_synchro and u the direction of its coarse synchronisation motion (+-1), the
-/// switch is closed where u (m - s) / 2 pi lies in [-1.25, -0.25]: the first zero pulse after it, in the direction u,
-/// is at s. Limit switches close at motor_min and motor_max. Deterministic; allocates in the constructor only.
+/// switch is closed where u (m - s) / 2 pi >= 0.5, all the way to the limit: so it tells on which side of s an axis
+/// stands, and the first zero pulse off it, in the direction -u, is at s. (How long the original's switches are its
+/// sources do not say; they call it an area.) Limit switches close at motor_min and motor_max. Deterministic; allocates
+/// in the constructor only.
 class Encoders {
  public:
   Encoders(const RobotParameters& parameters, bool synchronised);

@@ -58,7 +58,11 @@ Synchroniser::Status Synchroniser::step(const HardwareInput& input, DesiredState
   const bool behind = axis.coarse > 0 ? switches.lower_limit : switches.upper_limit;
   switch (phase_) {
     case Phase::begin:
-      enter(Phase::coarse, axis.coarse);
+      enter(switches.synchro ? Phase::leave : Phase::coarse, switches.synchro ? -axis.coarse : axis.coarse);
+      break;
+    case Phase::leave:
+      if (behind) return Status::failed;
+      if (!switches.synchro) enter(Phase::coarse, axis.coarse);
       break;
     case Phase::coarse:
       if (switches.synchro) {
@@ -69,20 +73,19 @@ Synchroniser::Status Synchroniser::step(const HardwareInput& input, DesiredState
         enter(Phase::back, -axis.coarse);
       }
       break;
-    case Phase::back:  // across the switch, to its near side
+    case Phase::back:
       if (behind) return Status::failed;
-      if (switches.synchro) phase_ = Phase::off_back;
-      break;
-    case Phase::off_back:
-      if (behind) return Status::failed;
-      if (!switches.synchro) enter(Phase::coarse, axis.coarse);
+      if (switches.synchro) phase_ = Phase::leave;
       break;
     case Phase::stop:
-      if (time_ < ramp_.duration()) break;
-      // it may have slid across a short switch: then once more from its near side
-      enter(switches.synchro ? Phase::fine : Phase::back, switches.synchro ? axis.fine : -axis.fine);
+      if (time_ >= ramp_.duration()) enter(switches.synchro ? Phase::fine : Phase::slid, axis.fine);
+      break;
+    case Phase::slid:
+      if (behind) return Status::failed;
+      if (switches.synchro) phase_ = Phase::fine;
       break;
     case Phase::fine:
+      if (behind) return Status::failed;
       if (switches.synchro) break;
       fine_start_ = input.motors[k];
       phase_ = Phase::pulse;

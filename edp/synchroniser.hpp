@@ -10,10 +10,12 @@
 namespace mrroc::edp {
 
 /// Finds the absolute position of every shaft, one axis after the other in the robot's `synchro_order`, as the original
-/// does (`mrrocpp` 1.3): at coarse speed to the synchronisation switch, stop, at fine speed off the switch, on to the
-/// next zero pulse of the encoder, stop. There the shaft is at motor_synchro. When the axis starts beyond its switch it
-/// runs to its limit switch, back across the synchronisation switch, and begins anew. Every change of speed keeps the
-/// acceleration and jerk limits of `shafts`.
+/// does (`mrrocpp` 1.3): at coarse speed onto the synchronisation switch, stop, at fine speed back off it, on to the
+/// next zero pulse of the encoder, stop. There the shaft is at motor_synchro.
+///
+/// An axis that starts on its switch leaves it at coarse speed and begins then: the original leaves it at fine speed,
+/// which takes minutes where the switch covers half of the axis's way. One that starts beyond a short switch runs to
+/// its limit switch and comes back across. Every change of speed keeps the acceleration and jerk limits of `shafts`.
 ///
 /// The servo's thread; allocates nothing, never throws.
 class Synchroniser {
@@ -27,8 +29,9 @@ class Synchroniser {
   bool possible() const noexcept { return possible_; }
   /// From rest at `shafts`.
   void start(const JointVector& shafts) noexcept;
-  /// One tick: what the drives said, and the set-point of the shafts that follows. `failed`: an axis has met both limit
-  /// switches without a synchronisation switch, or found no zero pulse within kTurnsWithoutPulse revolutions.
+  /// One tick: what the drives said, and the set-point of the shafts that follows. `failed`: an axis has met a limit
+  /// switch where the synchronisation switch should have closed or opened before, or found no zero pulse within
+  /// kTurnsWithoutPulse revolutions.
   Status step(const HardwareInput& input, DesiredState& desired) noexcept;
 
   /// What to add to every shaft position; after `done`.
@@ -39,7 +42,17 @@ class Synchroniser {
   static constexpr double kTurnsWithoutPulse = 3;
 
  private:
-  enum class Phase : std::uint8_t { begin, coarse, back, off_back, stop, fine, pulse, rest };
+  enum class Phase : std::uint8_t {
+    begin,
+    leave,   ///< off the switch at coarse speed
+    coarse,  ///< onto the switch
+    back,    ///< from the limit switch to the far side of a short switch
+    stop,
+    slid,  ///< back to a switch that the stop has slid across
+    fine,  ///< off the switch
+    pulse,
+    rest
+  };
 
   void change_speed(double velocity) noexcept;
   void enter(Phase phase, double velocity) noexcept;

@@ -21,8 +21,8 @@ struct AxisParameters {
   double motor_min = 0;
   double motor_max = 0;
   double motor_synchro = 0;          ///< shaft position at synchronisation, rad
-  double synchro_coarse = 0;         ///< shaft speed towards the synchronisation switch, rad/s, with sign; 0: no switch
-  double synchro_fine = 0;           ///< off the switch and to the zero pulse, rad/s, with the same sign
+  double synchro_coarse = 0;         ///< shaft speed onto the synchronisation switch, rad/s, with sign; 0: no switch
+  double synchro_fine = 0;           ///< back off the switch and to the zero pulse, rad/s, with the other sign
   double encoder_increments = 4000;  ///< per shaft revolution
   double current_max = 0;            ///< A
   double following_error_max = 0;    ///< rad of the shaft

@@ -45,11 +45,11 @@ AxisParameters read_axis(const Table& table) {
   axis.motor_synchro = table.number("motor_synchro", {axis.motor_min, axis.motor_max});
   axis.synchro_coarse = table.number_or("synchro_coarse", 0);
   axis.synchro_fine = table.number_or("synchro_fine", 0);
-  if (axis.synchro_coarse * axis.synchro_fine < 0 || (axis.synchro_coarse == 0) != (axis.synchro_fine == 0)) {
-    table.fail("synchro_fine", number_text(axis.synchro_fine) + " does not go the way of synchro_coarse",
+  if (axis.synchro_coarse * axis.synchro_fine > 0 || (axis.synchro_coarse == 0) != (axis.synchro_fine == 0)) {
+    table.fail("synchro_fine", number_text(axis.synchro_fine) + " does not go back from where synchro_coarse goes",
                axis.synchro_coarse == 0  ? "0"
-               : axis.synchro_coarse > 0 ? "a number above 0"
-                                         : "a number below 0");
+               : axis.synchro_coarse > 0 ? "a number below 0"
+                                         : "a number above 0");
   }
   axis.encoder_increments = positive_or(table, "encoder_increments", axis.encoder_increments);
   axis.current_max = positive(table, "current_max");

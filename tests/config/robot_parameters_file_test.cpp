@@ -137,6 +137,24 @@ TEST_F(RobotParametersFileTest, RefusesNumbersThatMakeNoSense) {
             "r.toml:4: axes[0].name: '' is no name, expected 1 to 31 characters");
 }
 
+TEST_F(RobotParametersFileTest, TheFineSynchronisationGoesBackFromTheCoarseOne) {
+  const auto with_speeds = [](const std::string& speeds) { return robot_text(std::string(kAxis) + speeds); };
+  const RobotParameters none = read(robot_text());
+  EXPECT_EQ(none.axes[0].synchro_coarse, 0);
+  EXPECT_EQ(none.axes[0].synchro_fine, 0);
+  const RobotParameters both = read(with_speeds("synchro_coarse = -15\nsynchro_fine = 3.5\n"));
+  EXPECT_EQ(both.axes[0].synchro_coarse, -15);
+  EXPECT_EQ(both.axes[0].synchro_fine, 3.5);
+  EXPECT_EQ(message(with_speeds("synchro_coarse = -15\nsynchro_fine = -3.5\n")),
+            "r.toml:26: axes[0].synchro_fine: -3.5 does not go back from where synchro_coarse goes, expected a number "
+            "above 0");
+  EXPECT_EQ(message(with_speeds("synchro_coarse = 15\nsynchro_fine = 3.5\n")),
+            "r.toml:26: axes[0].synchro_fine: 3.5 does not go back from where synchro_coarse goes, expected a number "
+            "below 0");
+  EXPECT_EQ(message(with_speeds("synchro_fine = 3.5\n")),
+            "r.toml:25: axes[0].synchro_fine: 3.5 does not go back from where synchro_coarse goes, expected 0");
+}
+
 TEST_F(RobotParametersFileTest, ChecksTheAxesTogether) {
   const std::string axis{kAxis};
   EXPECT_EQ(message(robot_text(axis + "[[axes]]\n" + axis, "[0, 0]")),

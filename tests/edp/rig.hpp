@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "edp/effector.hpp"
@@ -29,6 +30,7 @@ class FaultyHardware : public LoopbackHardware {
     was_synchronised_ = input.synchronised;
     if (blind)
       for (AxisSwitches& switches : input.switches) switches.synchro = false;
+    if (rewire) rewire(input);
     if (jammed.size() == 0 && jam) jammed = input.motors;
     if (jam) input.motors = jammed;
     if (positions_lost) input.synchronised = false;
@@ -36,7 +38,8 @@ class FaultyHardware : public LoopbackHardware {
   }
   bool powered = false;
   bool jam = false;
-  bool blind = false;  ///< the synchronisation switches are dead
+  bool blind = false;                          ///< the synchronisation switches are dead
+  std::function<void(HardwareInput&)> rewire;  ///< other switches than the driver's; may look at `travelled`
   /// Of the shafts since the start, whatever they count from.
   const JointVector& travelled() const { return travel_; }
   bool positions_lost = false;

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "random_values.hpp"
@@ -23,10 +24,10 @@ class Switched : public Gantry {
       axis.motor_max = 100;
       axis.motor_synchro = -15.9;
       axis.synchro_coarse = -15;
-      axis.synchro_fine = -3.5;
+      axis.synchro_fine = 3.5;
     }
     parameters_.axes[1].synchro_coarse = 15;  // from the other side
-    parameters_.axes[1].synchro_fine = 3.5;
+    parameters_.axes[1].synchro_fine = -3.5;
     parameters_.synchro_order = {3, 2, 1, 0};
   }
 };
@@ -47,50 +48,132 @@ RobotCommand command_of(CommandKind kind) {
   return command;
 }
 
-TEST(Synchronisation, FindsTheAbsolutePositionsFromAnywhereWithinTheLimits) {
-  EXPECT_TRUE(rc::check([] {
-    Placed::where() = random_vector(4, 0.99);
-    Rig<Placed> rig(true, false);
-    RC_ASSERT(!rig.seen().synchronised);
-    RC_ASSERT(rig.seen().joints.isZero(0));  // it counts from where the power came on
-    RC_ASSERT(!rig.send(command_of(CommandKind::synchronise)));
-    DesiredState previous = rig.seen().desired;
-    const auto& limits = rig.models.at(ModelSet::kShafts).parameters().axes;
-    int moving = 0;
-    while (rig.replies.empty() && rig.now < 200'000) {
-      rig.tick();
-      const DesiredState& desired = rig.seen().desired;
-      if (rig.seen().synchronised) break;
-      int axes = 0;
-      for (int i = 0; i < 4; ++i) {
-        const AxisParameters& axis = limits[static_cast<std::size_t>(i)];
-        axes += desired.velocity[i] != 0;
-        RC_ASSERT(std::abs(desired.velocity[i]) <= 15 * (1 + 1e-9));
-        RC_ASSERT(std::abs(desired.acceleration[i]) <= axis.acceleration_max * (1 + 1e-9));
-        RC_ASSERT(std::abs(desired.acceleration[i] - previous.acceleration[i]) <= axis.jerk_max * kPeriod * (1 + 1e-6));
-        const double way = desired.position[i] - previous.position[i];
-        RC_ASSERT(std::abs(way - 0.5 * kPeriod * (desired.velocity[i] + previous.velocity[i])) < 1e-3);
-      }
-      RC_ASSERT(axes <= 1);  // one after the other
-      moving += axes;
-      previous = desired;
-    }
-    RC_ASSERT(moving > 0);
-    RC_ASSERT(rig.replies.size() == 1u);
-    RC_ASSERT(rig.replies[0].state.error.error_class == ErrorClass::none);
-    RC_ASSERT(rig.replies[0].state.synchronised);
-    rig.run(200);
-    // the true shafts, which nobody outside the plant knows
+/// Synchronises from `where`, with the switches as `rewire` makes them, and checks every set-point, the positions found
+/// and the first motion after it.
+void check_from(const JointVector& where, const std::function<void(FaultyHardware&)>& rewire = {}) {
+  Placed::where() = where;
+  Rig<Placed> rig(true, false);
+  if (rewire) rewire(rig.hardware);
+  RC_ASSERT(!rig.seen().synchronised);
+  RC_ASSERT(rig.seen().joints.isZero(0));  // it counts from where the power came on
+  RC_ASSERT(!rig.send(command_of(CommandKind::synchronise)));
+  DesiredState previous = rig.seen().desired;
+  const auto& limits = rig.models.at(ModelSet::kShafts).parameters().axes;
+  int moving = 0;
+  while (rig.replies.empty() && rig.now < 200'000) {
+    rig.tick();
+    const DesiredState& desired = rig.seen().desired;
+    if (rig.seen().synchronised) break;
+    int axes = 0;
     for (int i = 0; i < 4; ++i) {
-      const double home = GearedModel::kGear * Placed::where()[i];
-      RC_ASSERT(std::abs(rig.hardware.travelled()[i] + home - rig.seen().motors[i]) < 2 * kIncrement);
-      RC_ASSERT(std::abs(rig.seen().joints[i] - rig.seen().motors[i] / GearedModel::kGear) < 1e-12);
+      const AxisParameters& axis = limits[static_cast<std::size_t>(i)];
+      axes += desired.velocity[i] != 0;
+      RC_ASSERT(std::abs(desired.velocity[i]) <= 15 * (1 + 1e-9));
+      RC_ASSERT(std::abs(desired.acceleration[i]) <= axis.acceleration_max * (1 + 1e-9));
+      RC_ASSERT(std::abs(desired.acceleration[i] - previous.acceleration[i]) <= axis.jerk_max * kPeriod * (1 + 1e-6));
+      const double way = desired.position[i] - previous.position[i];
+      RC_ASSERT(std::abs(way - 0.5 * kPeriod * (desired.velocity[i] + previous.velocity[i])) < 1e-3);
     }
-    RC_ASSERT(rig.seen().fault.code == ErrorCode::none);
-    RC_ASSERT(!rig.send(joint_command(JointVector::Zero(4), 3000, 3000)));
-    rig.run(3200);
-    RC_ASSERT((rig.seen().joints).norm() < 1e-3);
+    RC_ASSERT(axes <= 1);  // one after the other
+    moving += axes;
+    previous = desired;
+  }
+  RC_ASSERT(moving > 0);
+  RC_ASSERT(rig.replies.size() == 1u);
+  RC_ASSERT(rig.replies[0].state.error.error_class == ErrorClass::none);
+  RC_ASSERT(rig.replies[0].state.synchronised);
+  rig.run(200);
+  // the true shafts, which nobody outside the plant knows
+  for (int i = 0; i < 4; ++i) {
+    const double home = GearedModel::kGear * where[i];
+    RC_ASSERT(std::abs(rig.hardware.travelled()[i] + home - rig.seen().motors[i]) < 2 * kIncrement);
+    RC_ASSERT(std::abs(rig.seen().joints[i] - rig.seen().motors[i] / GearedModel::kGear) < 1e-12);
+  }
+  RC_ASSERT(rig.seen().fault.code == ErrorCode::none);
+  RC_ASSERT(!rig.send(joint_command(JointVector::Zero(4), 3000, 3000)));
+  rig.run(3200);
+  RC_ASSERT((rig.seen().joints).norm() < 1e-3);
+}
+
+/// The switches are `length` rad long instead of reaching to the limit.
+void shorten_switches(FaultyHardware& hardware, double length) {
+  hardware.rewire = [&hardware, length](HardwareInput& input) {
+    const RobotParameters parameters = Switched().parameters();
+    for (std::size_t i = 0; i < 4; ++i) {
+      const AxisParameters& axis = parameters.axes[i];
+      const auto k = static_cast<Eigen::Index>(i);
+      const double shaft = GearedModel::kGear * Placed::where()[k] + hardware.travelled()[k];
+      const double beyond = std::copysign(1.0, axis.synchro_coarse) * (shaft - axis.motor_synchro) - std::numbers::pi;
+      input.switches[i].synchro = beyond >= 0 && beyond <= length;
+    }
+  };
+}
+
+TEST(Synchronisation, FindsTheAbsolutePositionsFromAnywhereWithinTheLimits) {
+  EXPECT_TRUE(rc::check([] { check_from(random_vector(4, 0.99)); }));
+}
+
+// an axis beyond its switch turns round at its limit switch
+TEST(Synchronisation, FindsThemWithShortSwitchesToo) {
+  EXPECT_TRUE(rc::check([] {
+    check_from(random_vector(4, 0.99),
+               [](FaultyHardware& hardware) { shorten_switches(hardware, 2 * std::numbers::pi); });
   }));
+}
+
+// ... and one that is shorter than the stop is left on its far side first
+TEST(Synchronisation, FindsThemWithSwitchesThatItSlidesAcross) {
+  EXPECT_TRUE(rc::check(
+      [] { check_from(random_vector(4, 0.99), [](FaultyHardware& hardware) { shorten_switches(hardware, 0.5); }); }));
+}
+
+/// Where the robot is for the tests of what goes wrong: beyond the zero pulses, before the switches.
+class Ready : public Switched {
+ public:
+  Ready() {
+    parameters_.home = JointVector::Constant(4, -0.1);
+    parameters_.home[1] = -0.2;
+  }
+};
+
+/// Synchronises; returns the error that the reply carries.
+ErrorReport error_of(Rig<Ready>& rig) {
+  rig.replies.clear();
+  EXPECT_FALSE(rig.send(command_of(CommandKind::synchronise)));
+  while (rig.replies.empty() && rig.now < 100'000) rig.tick();
+  EXPECT_EQ(rig.replies.size(), 1u);
+  return rig.replies.empty() ? ErrorReport{} : rig.replies[0].state.error;
+}
+
+TEST(Synchronisation, ASwitchThatNeverOpensIsAHardwareErrorAtTheLimitSwitch) {
+  Rig<Ready> rig(true, false);
+  rig.hardware.rewire = [](HardwareInput& input) { input.switches[3].synchro = true; };
+  EXPECT_EQ(error_of(rig).code, ErrorCode::synchronisation_failed);
+  EXPECT_EQ(rig.seen().fault.axis, 3);
+  rig.run(500);
+  EXPECT_FALSE(rig.hardware.powered);
+  EXPECT_NEAR(rig.hardware.travelled()[3], 110, 3) << "from -10 to the limit switch at 100, and the stop";
+}
+
+TEST(Synchronisation, ASwitchThatSticksOnceItIsMetIsOneToo) {
+  Rig<Ready> rig(true, false);
+  bool met = false;
+  rig.hardware.rewire = [&met](HardwareInput& input) {
+    input.switches[3].synchro = met = met || input.switches[3].synchro;
+  };
+  EXPECT_EQ(error_of(rig).code, ErrorCode::synchronisation_failed);
+  EXPECT_TRUE(met);
+  EXPECT_NEAR(rig.hardware.travelled()[3], 110, 3);
+}
+
+TEST(Synchronisation, AnEncoderWithoutZeroPulseIsOneWithinThreeTurns) {
+  Rig<Ready> rig(true, false);
+  rig.hardware.rewire = [](HardwareInput& input) { input.switches[3].zero_pulse = false; };
+  EXPECT_EQ(error_of(rig).code, ErrorCode::synchronisation_failed);
+  EXPECT_EQ(rig.seen().fault.axis, 3);
+  rig.run(500);
+  // from -10 to the switch's edge at s - pi and three turns back
+  EXPECT_NEAR(rig.hardware.travelled()[3], -5.9 - std::numbers::pi + 6 * std::numbers::pi, 1);
 }
 
 TEST(Synchronisation, BeforeItOnlySlowRelativeMotorMotion) {
