@@ -67,7 +67,7 @@ class Reader {
 
   std::optional<double> number(const XMLElement& element, const char* name) const {
     if (element.Attribute(name) == nullptr) return std::nullopt;
-    return numbers<1>(element, name, {})[0];
+    return numbers<1>(element, name, Eigen::Matrix<double, 1, 1>::Zero())[0];
   }
 
   [[noreturn]] void fail(const XMLElement& element, const std::string& attribute, const std::string& problem,
