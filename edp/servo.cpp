@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edp/error_report.hpp"
-
 namespace mrroc::edp {
 namespace {
 
@@ -31,10 +29,7 @@ Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver
   counters_.following_error = zero;
 }
 
-void Servo::use_force_sensor(ForceSensor& sensor, const ForceLimits& limits) noexcept {
-  force_sensor_ = &sensor;
-  guard_ = ForceGuard(limits);
-}
+void Servo::use_force_sensor(ForceSensor& sensor, const ForceLimits& limits) noexcept { force_.use(sensor, limits); }
 
 /// The robot rests: the same shafts, seen as joints of another model. False: they are no joints of that model.
 bool Servo::use(std::uint8_t index) noexcept {
@@ -173,40 +168,19 @@ void Servo::watch(Tick tick) noexcept {
     }
     if (fault_.code != ErrorCode::none) stop_and_switch_off();
   }
-  if (force_sensor_ != nullptr) watch_force(tick);
-}
-
-void Servo::read_force(Tick tick) noexcept {
-  const bool synchronised = model_index_ != ModelSet::kShafts;
-  const Pose flange = synchronised ? model_->flange(joints_) : Pose::Identity();
-  wrench_ = force_sensor_->read(tick, synchronised ? &flange : nullptr);
-}
-
-void Servo::zero_force(Tick tick) noexcept {
-  force_sensor_->bias();
-  read_force(tick);  // the state of this very tick already has the new zero
+  if (force_.present()) watch_force(tick);
 }
 
 void Servo::watch_force(Tick tick) noexcept {
-  read_force(tick);
-  const bool moving = running_ && enabled_ && !stopping_ &&
-                      (active_.kind == Macrostep::Kind::path || active_.kind == Macrostep::Kind::force);
-  const int axis = guard_.look(wrench_.wrench, moving);
-  if (!moving) return;
-  if (axis >= 0)
-    return interrupt(
-        make_report(ErrorClass::non_fatal, ErrorCode::force_limit,
-                    "axis %d of the force sensor: %.4g %s at tick %llu, limit %.4g", axis + 1, wrench_.wrench[axis],
-                    axis < 3 ? "N" : "N m", static_cast<unsigned long long>(tick), guard_.limit(axis)),
-        last_);
-  if (wrench_.error == ErrorCode::sensor_not_ready && model_index_ == ModelSet::kShafts)
-    return;  // the tool's weight is not known yet
-  // a wrench beyond the sensor's range is known well enough to come out of it, not to follow it
-  const bool out_of_range = wrench_.error == ErrorCode::sensor_out_of_range;
-  if (wrench_.error != ErrorCode::none && (!out_of_range || active_.kind == Macrostep::Kind::force))
-    interrupt(make_report(ErrorClass::non_fatal, wrench_.error, "the force sensor, at tick %llu",
-                          static_cast<unsigned long long>(tick)),
-              last_);
+  const bool synchronised = model_index_ != ModelSet::kShafts;
+  const Pose flange = synchronised ? model_->flange(joints_) : Pose::Identity();
+  force_.read(tick, synchronised ? &flange : nullptr);
+  ForceWatch::Doing doing = ForceWatch::Doing::resting;
+  if (running_ && enabled_ && !stopping_) {
+    if (active_.kind == Macrostep::Kind::path) doing = ForceWatch::Doing::moving;
+    if (active_.kind == Macrostep::Kind::force) doing = ForceWatch::Doing::following;
+  }
+  if (const ErrorReport report = force_.look(doing); report.error_class != ErrorClass::none) interrupt(report, last_);
 }
 
 /// The motion is given up: the robot brakes from the desired state, which is that of tick `from`.
@@ -254,7 +228,7 @@ void Servo::advance(Tick tick) noexcept {
       else if (active_.kind == Macrostep::Kind::regulators)
         use_regulators();
       else if (active_.kind == Macrostep::Kind::bias)
-        zero_force(tick);
+        force_.bias();
       else if (active_.kind != Macrostep::Kind::synchronise && active_.kind != Macrostep::Kind::force)
         desired_ = active_.to;
       running_ = false;
@@ -283,7 +257,7 @@ void Servo::follow(double time, Tick tick) noexcept {
 /// The set-point of tick `tick` of the force macrostep, which is not its end or a tick before it.
 void Servo::follow_force(Tick tick) noexcept {
   if (tick == force_tick_) return;
-  const ErrorReport report = force_motion_.step(active_.force, wrench_.wrench, force_sensor_->mount(),
+  const ErrorReport report = force_motion_.step(active_.force, force_.wrench(), force_.mount(),
                                                 period_ * static_cast<double>(tick - force_tick_), desired_);
   if (report.error_class != ErrorClass::none) return interrupt(report, force_tick_);
   force_tick_ = tick;
@@ -433,7 +407,7 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.inputs = input_.inputs;
   snapshot_.outputs = outputs_;
   snapshot_.regulators = regulator_set_;
-  snapshot_.wrench = wrench_.wrench;
+  snapshot_.wrench = force_.wrench();
   snapshot_.interruptions = interruptions_;
   snapshot_.interruption = interruption_;
   snapshot_.orders = orders_;

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "edp/force_guard.hpp"
 #include "edp/force_motion.hpp"
+#include "edp/force_watch.hpp"
 #include "edp/hand_over.hpp"
 #include "edp/hardware.hpp"
 #include "edp/model_set.hpp"
@@ -77,8 +77,6 @@ class Servo {
   void switch_on() noexcept;
   void obey_order() noexcept;
   void watch(Tick tick) noexcept;
-  void read_force(Tick tick) noexcept;
-  void zero_force(Tick tick) noexcept;
   void watch_force(Tick tick) noexcept;
   void abort_pending() noexcept;
   void interrupt(const ErrorReport& report, Tick from) noexcept;
@@ -129,9 +127,7 @@ class Servo {
   bool braking_ = false;
 
   // force
-  ForceSensor* force_sensor_ = nullptr;
-  ForceGuard guard_{ForceLimits::Zero()};
-  WrenchReading wrench_;
+  ForceWatch force_;
   ForceMotion force_motion_;
   bool forced_ = false;  ///< the last macrostep started is one of force
   Tick force_tick_ = 0;  ///< tick of its last set-point

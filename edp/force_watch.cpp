@@ -1,0 +1,39 @@
+#include "edp/force_watch.hpp"
+
+#include "edp/error_report.hpp"
+
+namespace mrroc::edp {
+
+void ForceWatch::use(ForceSensor& sensor, const ForceLimits& limits) noexcept {
+  sensor_ = &sensor;
+  guard_ = ForceGuard(limits);
+}
+
+void ForceWatch::read(Tick tick, const Pose* flange) noexcept {
+  tick_ = tick;
+  flange_ = flange != nullptr ? std::optional<Pose>(*flange) : std::nullopt;
+  reading_ = sensor_->read(tick, flange);
+}
+
+void ForceWatch::bias() noexcept {
+  sensor_->bias();
+  reading_ = sensor_->read(tick_, flange_ ? &*flange_ : nullptr);
+}
+
+ErrorReport ForceWatch::look(Doing doing) noexcept {
+  const int axis = guard_.look(reading_.wrench, doing != Doing::resting);
+  if (doing == Doing::resting) return {};
+  const auto tick = static_cast<unsigned long long>(tick_);
+  if (axis >= 0)
+    return make_report(ErrorClass::non_fatal, ErrorCode::force_limit,
+                       "axis %d of the force sensor: %.4g %s at tick %llu, limit %.4g", axis + 1, reading_.wrench[axis],
+                       axis < 3 ? "N" : "N m", tick, guard_.limit(axis));
+  if (reading_.error == ErrorCode::none) return {};
+  // the tool's weight is not known before the robot is synchronised
+  if (reading_.error == ErrorCode::sensor_not_ready && !flange_) return {};
+  // a wrench beyond the sensor's range is known well enough to come out of it, not to follow it
+  if (reading_.error == ErrorCode::sensor_out_of_range && doing != Doing::following) return {};
+  return make_report(ErrorClass::non_fatal, reading_.error, "the force sensor, at tick %llu", tick);
+}
+
+}  // namespace mrroc::edp
