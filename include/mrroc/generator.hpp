@@ -21,7 +21,8 @@ class Generator {
   /// Called once per Move, when e^{i0}, v^{i0} are there, before the first step: plan from `state()`'s desired values.
   /// May allocate; may throw NonFatalError.
   virtual void start() {}
-  /// Called after every pause and after a late command, the robots at rest: plan the rest of the motion. By default it is started again.
+  /// Called after every pause and after a late command, the robots at rest: plan the rest of the motion. By default it
+  /// is started again.
   virtual void resume() { start(); }
   /// f_T: the motion is over by itself. Evaluated once per step, before `next_state()`.
   virtual bool terminal_condition() { return false; }

@@ -176,7 +176,7 @@ class Driver {
         command.reply_step = 0;
         break;
       case 6:
-        command.kind = static_cast<CommandKind>(integer(11, 255));
+        command.kind = static_cast<CommandKind>(integer(static_cast<int>(CommandKind::set_outputs) + 1, 255));
         break;
       case 7:
         command.start_tick = random_();
