@@ -21,6 +21,26 @@ std::vector<std::string> endings_of(const std::filesystem::path& trace) {
   return endings;
 }
 
+/// Ticks that the arm's servo missed, from the report at the end of a run.
+int missed_ticks(const std::string& output) {
+  const std::size_t end = output.find(" missed, ");
+  const std::size_t begin = output.rfind(' ', end - 1);
+  return end == std::string::npos ? 0 : std::stoi(output.substr(begin));
+}
+
+/// In real time a machine that is busy with other things may take the processor away for longer than an arm in motion
+/// can bear: it stops with a following error. That is right, and no verdict on the clock: the run is repeated.
+std::string run_with(const std::string& clock, const std::filesystem::path& trace) {
+  for (int attempt = 1;; ++attempt) {
+    MrrocRun run({"run", "tasks/press/press.toml", "--clock", clock, "--trace", trace.string()});
+    const int code = run.wait();
+    std::string output = run.out() + run.err();
+    if (code != 0 && clock == "real" && missed_ticks(output) > 10 && attempt < 5) continue;
+    EXPECT_EQ(code, 0) << "attempt " << attempt << "\n" << output;
+    return output;
+  }
+}
+
 class Clocks : public testing::TestWithParam<const char*> {};
 
 TEST_P(Clocks, TheSameBinariesComeToTheSameOutcome) {
@@ -28,8 +48,7 @@ TEST_P(Clocks, TheSameBinariesComeToTheSameOutcome) {
   const auto lockstep = folder.path() / "lockstep";
   const auto other = folder.path() / "other";
   run_mrroc({"run", "tasks/press/press.toml", "--clock", "lockstep", "--quiet", "--trace", lockstep.string()}, 0);
-  const std::string output =
-      run_mrroc({"run", "tasks/press/press.toml", "--clock", GetParam(), "--trace", other.string()}, 0);
+  const std::string output = run_with(GetParam(), other);
   EXPECT_EQ(endings_of(other), endings_of(lockstep));
   EXPECT_EQ(endings_of(other).size(), 6U);
   EXPECT_NE(output.find("press succeeded"), std::string::npos) << output;
