@@ -18,6 +18,12 @@ void print_servo(const links::ProcessStatus& status, bool real) {
   fmt::print("\n");
 }
 
+/// The simulator on its own timer: ticks that it missed were simulated late, as one.
+void print_simulator(const links::ProcessStatus& status) {
+  fmt::print("  {:<10} {} ticks, {} missed\n", status.process.view(), status.counters.ticks,
+             status.counters.missed_ticks);
+}
+
 void print_skew(const links::ProcessStatus& status) {
   fmt::print("  {:<10} {} steps of several robots, skew {} ticks\n", status.process.view(),
              status.counters.common_steps, status.counters.skew_ticks);
@@ -35,7 +41,9 @@ void print_report(const config::Deployment& deployment, const RunResult& result)
   fmt::print("\n");
   for (const auto& [name, status] : result.statuses) {
     if (status.counters.common_steps > 0) print_skew(status);
-    if (status.role == links::ProcessRole::edp) print_servo(status, deployment.clock == config::ClockMode::real);
+    const bool real = deployment.clock == config::ClockMode::real;
+    if (status.role == links::ProcessRole::edp) print_servo(status, real);
+    if (status.role == links::ProcessRole::sim && real) print_simulator(status);
   }
 }
 

@@ -18,6 +18,23 @@ bool rests(const RobotState& state) {
   return (state.desired_velocity.array() == 0.0).all() && (state.desired_acceleration.array() == 0.0).all();
 }
 
+bool ends_in_motion(const RobotCommand& command) {
+  switch (command.kind) {
+    case CommandKind::joint:
+    case CommandKind::motor:
+    case CommandKind::joint_velocity:
+      return !command.joint_velocity.isZero(0);
+    case CommandKind::pose:
+    case CommandKind::twist:
+      return !command.twist.isZero(0);
+    default:
+      return false;
+  }
+}
+
+/// The robot is to go on moving and says that it comes to rest: no command has come in time for it.
+bool has_braked(const Robot& robot) { return ends_in_motion(robot.command()) && rests(robot.state()); }
+
 template <class Element>
 void refuse_duplicates(const std::vector<Element*>& elements, const Task& task) {
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -151,7 +168,8 @@ void Instruction::hold() {
 
 void Instruction::resume_after_late_command() {
   const std::uint64_t before = std::exchange(late_, late_commands());
-  if (late_ == before) return;
+  const auto braked = [](const Robot* robot) { return has_braked(*robot); };
+  if (late_ == before && std::none_of(robots_.begin(), robots_.end(), braked)) return;
   const auto moves = [](const Robot* robot) { return !rests(robot->state()); };
   while (std::any_of(robots_.begin(), robots_.end(), moves)) hold();
   late_ = late_commands();
