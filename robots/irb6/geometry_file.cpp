@@ -59,22 +59,10 @@ void read_lengths(const config::Table& table, Geometry& geometry) {
   geometry.wrist = table.number("wrist", kLength);
 }
 
-Pose read_tool(const config::Table& table) {
-  const auto translation = table.numbers("tool_translation", 3, {-10, 10});
-  const auto rotation = table.numbers("tool_rotation", 3, kAngle);
-  Pose tool = Pose::Identity();
-  tool.translation() << translation[0], translation[1], translation[2];
-  tool.linear() = (Eigen::AngleAxisd(rotation[2], Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(rotation[1], Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(rotation[0], Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
-  return tool;
-}
-
 Geometry read_nominal(const config::Table& table, const JointVector& synchro) {
   Geometry geometry;
   read_lengths(table, geometry);
-  geometry.tool = read_tool(table);
+  geometry.tool = config::read_tool(table);
   geometry.column_gear = gear(table, "column_gear");
   geometry.wrist_pitch_gear = gear(table, "wrist_pitch_gear");
   geometry.wrist_roll_gear = gear(table, "wrist_roll_gear");

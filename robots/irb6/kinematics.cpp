@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "robots/irb6/inverse_tools.hpp"
+#include "language/inverse_tools.hpp"
 
 namespace mrroc::irb6 {
 

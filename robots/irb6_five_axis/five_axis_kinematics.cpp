@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "robots/irb6/inverse_tools.hpp"
+#include "language/inverse_tools.hpp"
 
 namespace mrroc::irb6 {
 

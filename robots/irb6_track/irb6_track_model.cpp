@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "config/robot_parameters_file.hpp"
+#include "language/inverse_tools.hpp"
 #include "robots/irb6/geometry_file.hpp"
-#include "robots/irb6/inverse_tools.hpp"
 
 namespace mrroc {
 namespace {
@@ -72,7 +72,7 @@ ErrorCode Irb6TrackModel::inverse(const Pose& flange, const JointVector& near, J
   const bool along_track = keeps_ == Keeps::column && std::abs(cosine) < kAlongTrack;
   if (keeps_ == Keeps::column && !along_track) {
     const double reach = flange.translation().x() / cosine;  // from the column's axis, the way the arm faces
-    if (reach < -irb6::kSingular) return ErrorCode::out_of_workspace;
+    if (reach < -kSingular) return ErrorCode::out_of_workspace;
     track = flange.translation().y() - reach * std::sin(near[1]);
   }
   Pose from_column = flange;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
+
+#include "config/robot_parameters_file.hpp"
 
 namespace mrroc::polycrank {
 namespace {
@@ -26,18 +27,6 @@ std::array<double, 2> read_cranks(const config::Table& table, std::string_view k
   return cranks;
 }
 
-Pose read_tool(const config::Table& table) {
-  const auto translation = read<3>(table, "tool_translation", kLength);
-  const auto rotation = read<3>(table, "tool_rotation", {-2 * std::numbers::pi, 2 * std::numbers::pi});
-  Pose tool = Pose::Identity();
-  tool.translation() << translation[0], translation[1], translation[2];
-  tool.linear() = (Eigen::AngleAxisd(rotation[2], Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(rotation[1], Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(rotation[0], Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
-  return tool;
-}
-
 }  // namespace
 
 Geometry read_geometry(const config::Table& table) {
@@ -49,7 +38,7 @@ Geometry read_geometry(const config::Table& table) {
   if (std::ranges::find(geometry.gears, 0.0) != geometry.gears.end()) {
     table.fail("gears", "0 is no gear", "rad of the motor per rad of the joint, its sign included");
   }
-  geometry.tool = read_tool(table);
+  geometry.tool = config::read_tool(table);
   table.finish();
   return geometry;
 }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "language/inverse_tools.hpp"
 #include "robots/polycrank/chord.hpp"
 #include "robots/polycrank/self_motion.hpp"
 
@@ -14,8 +15,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr double kSingular = 1e-10;      // |sin g|
-constexpr double kRotationError = 1e-6;  // of a pose's rotation matrix
+constexpr double kSingular = 1e-10;  // |sin g|
 
 // Directions of the elbow group, turned by `f` about the first axis.
 struct GroupAxes {
@@ -23,15 +23,13 @@ struct GroupAxes {
   Vector3d radial, side;
 };
 
-double nearest_turn(double angle, double near) { return near + std::remainder(angle - near, 2 * pi); }
-
 // Three joints about parallel axes: the pair's end at `point`, their sum a multiple of 2 pi from `sum`; the nearer
 // bend.
 Vector3d nearest_group(const PlanarPair& pair, const Vector2d& point, double sum, const Vector3d& near) {
   const auto bent = [&](double bend) {
     const Vector2d angles = pair.angles(point, bend, near[0]);
-    return Vector3d(nearest_turn(angles[0], near[0]), nearest_turn(angles[1], near[1]),
-                    nearest_turn(sum - angles[0] - angles[1], near[2]));
+    return Vector3d(nearest_angle(angles[0], near[0]), nearest_angle(angles[1], near[1]),
+                    nearest_angle(sum - angles[0] - angles[1], near[2]));
   };
   const Vector3d left = bent(1), right = bent(-1);
   return (left - near).squaredNorm() <= (right - near).squaredNorm() ? left : right;
@@ -39,13 +37,6 @@ Vector3d nearest_group(const PlanarPair& pair, const Vector2d& point, double sum
 
 // |sin g|
 double sine_of_wrist(const Pose& flange) { return std::hypot(flange.linear()(1, 2), flange.linear()(2, 2)); }
-
-bool is_rigid(const Pose& pose) {
-  const Eigen::Matrix3d r = pose.linear();
-  // written so that a value that is not a number fails
-  return pose.translation().allFinite() && (r.transpose() * r - Eigen::Matrix3d::Identity()).norm() < kRotationError &&
-         r.determinant() > 0;
-}
 
 }  // namespace
 
@@ -109,7 +100,7 @@ bool Kinematics::closed_form(const Pose& flange, const JointVector& near, JointV
     const double q7 = std::atan2(flange.linear().col(0).dot(group.side), flange.linear().col(0).dot(unrolled));
     JointVector q(kAxes);
     q << nearest_group(shoulder_, (reach - *share * group.radial).tail<2>(), f, near.segment<3>(0)),
-        nearest_group(elbow_, {*share, reach.x()}, g, near.segment<3>(3)), nearest_turn(q7, near[6]);
+        nearest_group(elbow_, {*share, reach.x()}, g, near.segment<3>(3)), nearest_angle(q7, near[6]);
     const double cost = (q - near).squaredNorm();
     if (cost < least) {
       least = cost;

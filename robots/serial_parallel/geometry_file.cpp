@@ -3,6 +3,8 @@
 #include <numbers>
 #include <string>
 
+#include "config/robot_parameters_file.hpp"
+
 namespace mrroc::serial_parallel {
 namespace {
 
@@ -37,18 +39,6 @@ JointVector read_joints(const config::Table& table, std::string_view key) {
   return Eigen::Map<const Eigen::Matrix<double, 6, 1>>(numbers.data());
 }
 
-Pose read_tool(const config::Table& table) {
-  const auto translation = table.numbers("tool_translation", 3, kPlace);
-  const auto rotation = table.numbers("tool_rotation", 3, {-2 * pi, 2 * pi});
-  Pose tool = Pose::Identity();
-  tool.translation() << translation[0], translation[1], translation[2];
-  tool.linear() = (Eigen::AngleAxisd(rotation[2], Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(rotation[1], Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(rotation[0], Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
-  return tool;
-}
-
 }  // namespace
 
 Geometry read_geometry(const config::Table& table) {
@@ -63,7 +53,7 @@ Geometry read_geometry(const config::Table& table) {
     table.fail("gears", "0 is no gear", "rad of the motor per m or rad, its sign included");
   }
   geometry.synchro = read_joints(table, "synchro");
-  geometry.tool = read_tool(table);
+  geometry.tool = config::read_tool(table);
   table.finish();
   return geometry;
 }

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "language/inverse_tools.hpp"
 #include "robots/serial_parallel/wrist.hpp"
 
 namespace mrroc::serial_parallel {
@@ -11,16 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kRotationError = 1e-6;  // of a pose's rotation matrix
-
 Matrix3d hanging() { return Vector3d(1, -1, -1).asDiagonal(); }  // base from tripod, and back
-
-bool is_rigid(const Pose& pose) {
-  const Matrix3d r = pose.linear();
-  // written so that a value that is not a number fails
-  return pose.translation().allFinite() && (r.transpose() * r - Matrix3d::Identity()).norm() < kRotationError &&
-         r.determinant() > 0;
-}
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "config/message_text.hpp"
 #include "config/resources.hpp"
@@ -149,6 +150,20 @@ RobotParameters read_robot_parameters(const Table& file) {
     parameters.home[static_cast<Eigen::Index>(i)] = home[i];
   }
   return parameters;
+}
+
+Pose read_tool(const Table& geometry) {
+  constexpr Range kPlace{-10, 10};
+  constexpr Range kTurn{-2 * std::numbers::pi, 2 * std::numbers::pi};
+  const auto translation = geometry.numbers("tool_translation", 3, kPlace);
+  const auto rotation = geometry.numbers("tool_rotation", 3, kTurn);
+  Pose tool = Pose::Identity();
+  tool.translation() << translation[0], translation[1], translation[2];
+  tool.linear() = (Eigen::AngleAxisd(rotation[2], Eigen::Vector3d::UnitZ()) *
+                   Eigen::AngleAxisd(rotation[1], Eigen::Vector3d::UnitY()) *
+                   Eigen::AngleAxisd(rotation[0], Eigen::Vector3d::UnitX()))
+                      .toRotationMatrix();
+  return tool;
 }
 
 std::filesystem::path robot_file(const std::string& type, const std::string& name) {

@@ -2,6 +2,7 @@
 
 #include "config/table.hpp"
 #include "mrroc/robot_parameters.hpp"
+#include "mrroc/types.hpp"
 
 namespace mrroc::config {
 
@@ -11,6 +12,10 @@ namespace mrroc::config {
 /// be infinite, said in so many words (`-inf`, `inf`): an axis that turns without end. The `[geometry]` table is the
 /// robot's own: its model reads it from the same Table, which then calls `finish()`. Throws ConfigurationError.
 RobotParameters read_robot_parameters(const Table& file);
+
+/// The default tool of an arm's `[geometry]`: `tool_translation`, m, and `tool_rotation`, rad, turns about the flange's
+/// fixed x, y and z axes in this order. Throws ConfigurationError.
+Pose read_tool(const Table& geometry);
 
 /// Path of robots/<type>/<name> in the share folder that has the type.
 std::filesystem::path robot_file(const std::string& type, const std::string& name);

@@ -41,6 +41,13 @@ KDL::Joint joint(const urdf::Joint& j) {
 
 }  // namespace
 
+Pose pose_of(const KDL::Frame& frame) {
+  Pose pose = Pose::Identity();
+  pose.translation() << frame.p.x(), frame.p.y(), frame.p.z();
+  pose.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.M.data);
+  return pose;
+}
+
 KDL::Chain kdl_chain(const std::filesystem::path& urdf, const std::string& tip) {
   const auto model = urdf::parseURDFFile(urdf.string());
   if (!model) throw std::runtime_error(urdf.string() + " is no URDF");

@@ -4,7 +4,12 @@
 #include <kdl/chain.hpp>
 #include <string>
 
+#include "mrroc/types.hpp"
+
 namespace mrroc {
+
+/// A frame of KDL's as ours.
+Pose pose_of(const KDL::Frame& frame);
 
 /// The chain of a URDF from its root link to `tip`, masses included.
 KDL::Chain kdl_chain(const std::filesystem::path& urdf, const std::string& tip);

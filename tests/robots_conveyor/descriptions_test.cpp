@@ -5,14 +5,14 @@
 #include <random>
 
 #include "conveyor_fixture.hpp"
+#include "robots_common/kdl_chain.hpp"
 #include "robots_common/loaded_mjcf.hpp"
-#include "robots_common/sliding_chain.hpp"
 
 namespace mrroc {
 namespace {
 
 TEST(ConveyorDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
-  const KDL::Chain chain = sliding_chain(conveyor_source("conveyor.urdf"), "tool_frame");
+  const KDL::Chain chain = kdl_chain(conveyor_source("conveyor.urdf"), "tool_frame");
   ASSERT_EQ(chain.getNrOfJoints(), 1U);
   KDL::ChainFkSolverPos_recursive forward(chain);
   LoadedMjcf mjcf(conveyor_source("conveyor.xml"));
@@ -30,7 +30,7 @@ TEST(ConveyorDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
     mjcf.set_joints(travel);
     mj_kinematics(mjcf.model.get(), mjcf.data.get());
     worst_mujoco = std::max(worst_mujoco, (mjcf.site("tool").matrix() - pose.matrix()).norm());
-    worst_kdl = std::max(worst_kdl, difference(frame, pose));
+    worst_kdl = std::max(worst_kdl, (pose_of(frame).matrix() - pose.matrix()).norm());
   }
   std::printf("worst of 10000 poses: URDF by KDL %.1e, MJCF %.1e\n", worst_kdl, worst_mujoco);
   EXPECT_LT(worst_kdl, 1e-9);

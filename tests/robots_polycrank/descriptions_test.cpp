@@ -21,13 +21,6 @@ KDL::JntArray kdl_joints(const JointVector& joints) {
   return array;
 }
 
-Pose pose_of(const KDL::Frame& frame) {
-  Pose pose = Pose::Identity();
-  pose.translation() << frame.p.x(), frame.p.y(), frame.p.z();
-  pose.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.M.data);
-  return pose;
-}
-
 TEST(PolycrankDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
   const KDL::Chain chain = kdl_chain(polycrank_source("polycrank.urdf"), "tool_frame");
   ASSERT_EQ(chain.getNrOfJoints(), 7u);

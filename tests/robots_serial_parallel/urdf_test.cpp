@@ -23,10 +23,7 @@ class UrdfChain {
     std::copy(joints.begin(), joints.end(), array.data.data());
     KDL::Frame frame;
     if (forward_.JntToCart(array, frame) < 0) throw std::runtime_error("another number of joints");
-    Pose pose = Pose::Identity();
-    pose.translation() << frame.p.x(), frame.p.y(), frame.p.z();
-    pose.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.M.data);
-    return pose;
+    return pose_of(frame);
   }
 
  private:

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "gripper_fixture.hpp"
+#include "robots_common/kdl_chain.hpp"
 #include "robots_common/loaded_mjcf.hpp"
-#include "robots_common/sliding_chain.hpp"
 
 namespace mrroc {
 namespace {
@@ -19,7 +19,7 @@ JointVector both(double opening) {
 }
 
 TEST(GripperDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
-  const KDL::Chain chain = sliding_chain(gripper_source("two_finger_gripper.urdf"), "tool_frame");
+  const KDL::Chain chain = kdl_chain(gripper_source("two_finger_gripper.urdf"), "tool_frame");
   ASSERT_EQ(chain.getNrOfJoints(), 2U);
   KDL::ChainFkSolverPos_recursive forward(chain);
   LoadedMjcf mjcf(gripper_source("two_finger_gripper.xml"));
@@ -37,7 +37,7 @@ TEST(GripperDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
     mjcf.set_joints(both(opening));
     mj_kinematics(mjcf.model.get(), mjcf.data.get());
     worst_mujoco = std::max(worst_mujoco, (mjcf.site("tool").matrix() - pose.matrix()).norm());
-    worst_kdl = std::max(worst_kdl, difference(frame, pose));
+    worst_kdl = std::max(worst_kdl, (pose_of(frame).matrix() - pose.matrix()).norm());
   }
   std::printf("worst of 10000 poses: URDF by KDL %.1e, MJCF %.1e\n", worst_kdl, worst_mujoco);
   EXPECT_LT(worst_kdl, 1e-9);

@@ -1,16 +1,19 @@
 #pragma once
 
+#include <numbers>
+
 #include "mrroc/types.hpp"
 
-namespace mrroc::irb6 {
+/// What the inverse kinematics of several robots need. Any thread; never allocates or throws.
+namespace mrroc {
 
 /// Below this a sine of an angle or a distance (m) from an axis is a singularity: what it divides is undetermined.
 inline constexpr double kSingular = 1e-10;
 
 /// The angle `angle` + k `period` that is nearest to `near`, rad.
-double nearest_angle(double angle, double near, double period) noexcept;
+double nearest_angle(double angle, double near, double period = 2 * std::numbers::pi) noexcept;
 
 /// Whether the pose is a rigid motion: all values finite, R^T R = I within 1e-6, right-handed.
 bool is_rigid(const Pose& pose) noexcept;
 
-}  // namespace mrroc::irb6
+}  // namespace mrroc

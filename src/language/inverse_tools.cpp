@@ -1,8 +1,8 @@
-#include "robots/irb6/inverse_tools.hpp"
+#include "language/inverse_tools.hpp"
 
 #include <cmath>
 
-namespace mrroc::irb6 {
+namespace mrroc {
 
 double nearest_angle(double angle, double near, double period) noexcept {
   return near + std::remainder(angle - near, period);
@@ -16,4 +16,4 @@ bool is_rigid(const Pose& pose) noexcept {
          r.determinant() > 0;
 }
 
-}  // namespace mrroc::irb6
+}  // namespace mrroc
