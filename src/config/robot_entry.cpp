@@ -4,6 +4,7 @@
 #include "config/message_text.hpp"
 #include "config/named_file.hpp"
 #include "config/resources.hpp"
+#include "config/robot_parameters_file.hpp"
 
 namespace mrroc::config {
 
@@ -35,6 +36,19 @@ std::string read_host(const Table& table) {
              "this machine (leave the key out)");
 }
 
+/// Whether the drives know their positions from the start. If not, every axis must have a switch to find them by.
+bool read_synchronised(const Table& table, const std::string& type) {
+  if (table.boolean_or("synchronised", true)) return true;
+  const RobotParameters parameters = read_robot_parameters(Table::load(robot_file(type, type + ".toml")));
+  for (const AxisParameters& axis : parameters.axes) {
+    if (axis.synchro_coarse != 0) continue;
+    table.fail("synchronised",
+               "false, but axis " + in_quotes(axis.name) + " of " + type + " has no switch to find its position by",
+               "true (leave the key out)");
+  }
+  return false;
+}
+
 Pose read_base(const Table& table) {
   const std::vector<double> none(3, 0.0);
   const auto position = table.optional_numbers("position", 3).value_or(none);
@@ -60,7 +74,7 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   robot.host = read_host(table);
   robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
-  robot.synchronised = table.boolean_or("synchronised", true);
+  robot.synchronised = read_synchronised(table, robot.type);
   robot.program = require_program(table, "program", table.optional_text("program").value_or(robot.program));
   robot.edp_program = require_program(table, "type", robot.type + "_edp");
   return robot;
