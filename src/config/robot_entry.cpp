@@ -4,6 +4,7 @@
 #include "config/message_text.hpp"
 #include "config/named_file.hpp"
 #include "config/resources.hpp"
+#include "config/robot_parameters_file.hpp"
 
 namespace mrroc::config {
 
@@ -33,6 +34,19 @@ std::string read_host(const Table& table) {
   }
   table.fail("host", in_quotes(host) + " is another machine: remote hosts are not available in this version",
              "this machine (leave the key out)");
+}
+
+/// Whether the drives know their positions from the start. If not, every axis must have a switch to find them by.
+bool read_synchronised(const Table& table, const std::string& type) {
+  if (table.boolean_or("synchronised", true)) return true;
+  const RobotParameters parameters = read_robot_parameters(Table::load(robot_file(type, type + ".toml")));
+  for (const AxisParameters& axis : parameters.axes) {
+    if (axis.synchro_coarse != 0) continue;
+    table.fail("synchronised",
+               "false, but axis " + in_quotes(axis.name) + " of " + type + " has no switch to find its position by",
+               "true (leave the key out)");
+  }
+  return false;
 }
 
 Pose read_base(const Table& table) {
@@ -71,7 +85,7 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   robot.host = read_host(table);
   robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
-  robot.synchronised = table.boolean_or("synchronised", true);
+  robot.synchronised = read_synchronised(table, robot.type);
   read_force(table, robot);
   robot.program = require_program(table, "program", table.optional_text("program").value_or(robot.program));
   robot.edp_program = require_program(table, "type", robot.type + "_edp");

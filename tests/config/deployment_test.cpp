@@ -52,6 +52,13 @@ TEST_F(DeploymentTest, ReadsRobotsInFileOrder) {
   EXPECT_TRUE(belt.base.isApprox(Pose::Identity()));
 }
 
+TEST_F(DeploymentTest, RobotsWithSwitchesMayStartUnsynchronised) {
+  const Scratch scratch;
+  const std::string text = "[deployment]\nname = \"one\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n";
+  EXPECT_TRUE(load_deployment(scratch.write("known.toml", text)).robot("arm").synchronised);
+  EXPECT_FALSE(load_deployment(scratch.write("lost.toml", text + "synchronised = false\n")).robot("arm").synchronised);
+}
+
 TEST_F(DeploymentTest, TurnsTheBaseAboutFixedAxes) {
   const Pose base = load_deployment("full.toml").robot("left").base;
   EXPECT_EQ(base.translation(), Eigen::Vector3d(0.5, -1, 0.25));

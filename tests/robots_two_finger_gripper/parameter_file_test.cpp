@@ -43,7 +43,7 @@ TEST(GripperFile, OtherSidesAndSignsOfTheParabolaWork) {
   };
   set("motor_min = -2000.0", "motor_min = -5000.0");
   set("motor_max = 5000.0", "motor_max = 2000.0");
-  set("motor_synchro = 4830.0", "motor_synchro = -4830.0");
+  set("motor_synchro = -1700.0", "motor_synchro = 1700.0");
   const RobotModels mirrored = load_two_finger_gripper(scratch.write("g.toml", text));
   for (const double opening : {0.053, 0.07, 0.091}) {
     JointVector motors;

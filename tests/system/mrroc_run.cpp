@@ -16,7 +16,6 @@ namespace mrroc::test {
 
 namespace {
 
-constexpr std::chrono::seconds kPatience{120};
 constexpr std::chrono::seconds kPatienceWithOrphans{10};
 constexpr std::chrono::milliseconds kPause{5};
 
@@ -77,8 +76,8 @@ bool MrrocRun::poll_end() {
   return ended_;
 }
 
-int MrrocRun::wait() {
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+int MrrocRun::wait(int patience) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(patience);
   while (!poll_end()) {
     if (std::chrono::steady_clock::now() > deadline) {
       ADD_FAILURE() << "mrroc does not end\n" << out() << err();
@@ -92,7 +91,7 @@ int MrrocRun::wait() {
 }
 
 bool MrrocRun::wait_for_output(const std::string& text) {
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(kPatience);
   for (;;) {
     const bool ended = poll_end();
     if (out().find(text) != std::string::npos) return true;
@@ -128,7 +127,7 @@ std::string MrrocRun::out() const { return read_file(folder_ / "out"); }
 std::string MrrocRun::err() const { return read_file(folder_ / "err"); }
 
 bool all_end(const std::vector<pid_t>& pids) {
-  const auto deadline = std::chrono::steady_clock::now() + kPatienceWithOrphans;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(kPatience) WithOrphans;
   const auto lives = [](pid_t pid) { return parent_of(pid) >= 0; };
   while (std::any_of(pids.begin(), pids.end(), lives)) {
     if (std::chrono::steady_clock::now() > deadline) return false;
@@ -144,9 +143,9 @@ std::string faulty_deployment(const std::string& kind, const std::string& clock)
          "program = \"" MRROC_BINARY_DIR "/tests/faulty_ecp\"\n";
 }
 
-std::string run_mrroc(const std::vector<std::string>& arguments, int expected) {
+std::string run_mrroc(const std::vector<std::string>& arguments, int expected, int patience) {
   MrrocRun run(arguments);
-  const int code = run.wait();
+  const int code = run.wait(patience);
   std::string line = "mrroc";
   for (const std::string& argument : arguments) line += " " + argument;
   EXPECT_EQ(code, expected) << line << "\n" << run.out() << run.err();

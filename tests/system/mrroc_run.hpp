@@ -18,9 +18,10 @@ class MrrocRun {
   MrrocRun& operator=(const MrrocRun&) = delete;
 
   pid_t pid() const noexcept { return pid_; }
-  /// Waits for its end; returns the exit code, or minus the signal that ended it. After 120 s it is killed and the test
-  /// fails.
-  int wait();
+  static constexpr int kPatience = 120;  ///< s
+  /// Waits for its end; returns the exit code, or minus the signal that ended it. After `patience` s it is killed and
+  /// the test fails.
+  int wait(int patience = kPatience);
   /// True when its output has come to contain `text`; false when it has ended before.
   bool wait_for_output(const std::string& text);
   void signal(int number) const;
@@ -51,7 +52,7 @@ std::string faulty_deployment(const std::string& kind, const std::string& clock 
 
 /// Runs to the end; checks that the exit code is `expected` and shows the output when it is not. Returns stdout and
 /// stderr.
-std::string run_mrroc(const std::vector<std::string>& arguments, int expected);
+std::string run_mrroc(const std::vector<std::string>& arguments, int expected, int patience = MrrocRun::kPatience);
 
 /// Hash of a trace, by `mrroc trace hash`.
 std::string trace_hash(const std::filesystem::path& trace);

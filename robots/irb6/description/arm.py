@@ -22,8 +22,9 @@ def chain(robot):
 
 def _joint(robot, number, name, axis):
     data = robot["axes"][number]
-    return Joint(name, axis, name == "track", data["position_min"], data["position_max"], data["velocity_max"],
-                 effort(robot, number), reflected(robot, number, "rotor_inertia"),
+    margin = robot["description"]["track_stop_margin" if name == "track" else "stop_margin"]
+    return Joint(name, axis, name == "track", data["position_min"], data["position_max"], margin,
+                 data["velocity_max"], effort(robot, number), reflected(robot, number, "rotor_inertia"),
                  reflected(robot, number, "viscous_friction"))
 
 

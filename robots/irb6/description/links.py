@@ -37,6 +37,7 @@ class Joint:
     slides: bool
     low: float
     high: float
+    stop_margin: float  # by which the mechanical stops lie beyond these limits
     speed: float
     effort: float  # N m or N
     armature: float

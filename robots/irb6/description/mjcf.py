@@ -12,7 +12,7 @@ def text(robot, links):
         f"<!-- Written by robots/irb6/describe.py from {name}.toml: change that file. Root \"base\" is the base frame at",
         f'     shoulder height. {robot["description"]["note"]}',
         "     Armature and damping are the diagonals of G^T J G and G^T b G at home; the simulator replaces them by the",
-        "     exact matrices of the present posture. -->",
+        "     exact matrices of the present posture. The stops are stop_margin beyond the joint limits. -->",
         f'<mujoco model="{name}">',
         '  <compiler angle="radian"/>',
         "  <default>",
@@ -59,7 +59,7 @@ def _body(robot, link, is_base):
     if link.joint:
         joint = link.joint
         lines.append(f'  <joint name="{joint.name}"' + (' type="slide"' if joint.slides else "") +
-                     f' axis="{numbers(joint.axis)}" range="{numbers([joint.low, joint.high])}"'
+                     f' axis="{numbers(joint.axis)}" range="{numbers([joint.low - joint.stop_margin, joint.high + joint.stop_margin])}"'
                      f' armature="{joint.armature:.6g}" damping="{joint.damping:.6g}"/>')
     lines += [_site(name, place) for name, place in link.sites.items()]
     return lines + [_geom(robot, shape) for shape in link.shapes]

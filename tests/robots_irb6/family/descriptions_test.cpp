@@ -112,6 +112,7 @@ TEST(Descriptions, AxesHaveTheNamesAndLimitsOfTheParameterFile) {
   const auto urdf = urdf::parseURDFFile(robot_file("urdf").string());
   ASSERT_TRUE(urdf);
   const auto& axes = robot().parameters().axes;
+  const config::Table file = config::Table::load(robot_file("toml")), description = file.table("description");
   ASSERT_EQ(mjcf.model->njnt, robot().joint_count());
   ASSERT_EQ(mjcf.model->nu, robot().joint_count());
   for (int i = 0; i < robot().joint_count(); ++i) {
@@ -120,8 +121,9 @@ TEST(Descriptions, AxesHaveTheNamesAndLimitsOfTheParameterFile) {
     EXPECT_EQ(mj_id2name(mjcf.model.get(), mjOBJ_ACTUATOR, i), axis.name);
     EXPECT_EQ(mjcf.model->actuator_trnid[2 * i], i);
     EXPECT_TRUE(mjcf.model->jnt_limited[i]);
-    EXPECT_EQ(mjcf.model->jnt_range[2 * i], axis.position_min) << axis.name;
-    EXPECT_EQ(mjcf.model->jnt_range[2 * i + 1], axis.position_max) << axis.name;
+    const double margin = description.number(axis.name == "track" ? "track_stop_margin" : "stop_margin");
+    EXPECT_NEAR(mjcf.model->jnt_range[2 * i], axis.position_min - margin, 1e-12) << axis.name;
+    EXPECT_NEAR(mjcf.model->jnt_range[2 * i + 1], axis.position_max + margin, 1e-12) << axis.name;
     const auto joint = urdf->getJoint(axis.name);
     ASSERT_TRUE(joint) << axis.name;
     EXPECT_EQ(joint->limits->lower, axis.position_min) << axis.name;
