@@ -210,6 +210,50 @@ TEST(Instruction, MovingRobotsGoOnWithoutABreakFromOneMoveToTheNext) {
   EXPECT_EQ(start_ticks(task, "right"), start_ticks(task, "left"));
 }
 
+/// At step k, commands the robots whose bit is set in k; the others are left as they are.
+class InTurns : public Generator {
+ public:
+  explicit InTurns(std::vector<Robot*> robots) : Generator("in turns"), robots_(std::move(robots)) {}
+  bool terminal_condition() override { return step_ == (1u << robots_.size()); }
+  void next_state() override {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if ((step_ >> i & 1u) == 0) continue;
+      robots_[i]->command().kind = CommandKind::joint;
+      robots_[i]->command().joints = robots_[i]->state().desired_joints;
+    }
+    ++step_;
+  }
+  void start() override { step_ = 0; }
+
+ private:
+  std::vector<Robot*> robots_;
+  unsigned step_ = 0;
+};
+
+// original's defect 4: robots that needed no command were erased from the list while it was being gone through
+TEST(Instruction, RobotsThatAreNotCommandedAtAStepStayInTheList) {
+  FakeTask task;
+  const auto left = task.robot("left"), middle = task.robot("middle"), right = task.robot("right");
+  const RobotList robots{*left, *middle, *right};
+  InTurns generator({left.get(), middle.get(), right.get()});
+  for (int i = 0; i < 2; ++i) {
+    task.log.calls.clear();
+    EXPECT_EQ(Move(robots, {}, generator).steps, 8u);
+    std::map<std::string, std::vector<bool>> commanded;
+    std::map<std::string, int> answered;
+    for (const Call& call : task.log.calls) {
+      if (call.action == Action::receive) ++answered[call.who];
+      if (call.action != Action::send || call.kind == CommandKind::query) continue;
+      commanded[call.who].push_back(call.kind == CommandKind::joint);
+      EXPECT_TRUE(call.kind == CommandKind::joint || call.kind == CommandKind::hold);
+    }
+    EXPECT_EQ(commanded["left"], (std::vector<bool>{0, 1, 0, 1, 0, 1, 0, 1}));
+    EXPECT_EQ(commanded["middle"], (std::vector<bool>{0, 0, 1, 1, 0, 0, 1, 1}));
+    EXPECT_EQ(commanded["right"], (std::vector<bool>{0, 0, 0, 0, 1, 1, 1, 1}));
+    for (const char* name : {"left", "middle", "right"}) EXPECT_EQ(answered[name], 9) << name;
+  }
+}
+
 // original's defect 19: the skew between robots was neither measured nor known
 TEST(Instruction, TheOutcomeTellsHowFarApartTheRobotsBeganTheirMacrosteps) {
   for (const Tick delay : {0, 2}) {

@@ -317,5 +317,34 @@ TEST(TaskLink, CarriesCommandsInOrderAndTellsWhichTheStatusKnows) {
   EXPECT_TRUE(ecp.peer_alive());
 }
 
+// original's defect 3: buffers of one message, a second one overwrote the first; replies taken in were lost on entry
+TEST(TaskLink, WhatComesBetweenTwoLooksIsAllTakenInOrder) {
+  TestDomain net;
+  TestClock clock;
+  TaskSubordinate ecp(net.domain, clock, "t/arm");
+  TaskSuperior mp(net.domain, clock, "t/arm", "arm");
+  mp.connect(kPatience);
+  const std::vector<TaskCommandKind> kinds = {TaskCommandKind::start, TaskCommandKind::pause, TaskCommandKind::resume,
+                                              TaskCommandKind::trigger, TaskCommandKind::stop};
+  for (int i = 0; i < 3; ++i)
+    for (const TaskCommandKind kind : kinds) mp.send(kind);
+  TaskCommand command;
+  TaskStatus status;
+  for (std::uint64_t n = 0; n < 15; ++n) {
+    ASSERT_TRUE(ecp.take(command)) << n;
+    EXPECT_EQ(command.kind, kinds[n % kinds.size()]) << n;
+    status.step = n;
+    ecp.report(status);
+  }
+  EXPECT_FALSE(ecp.take(command));
+  for (std::uint64_t n = 0; n < 15; ++n) {
+    std::uint64_t last_command = 0;
+    ASSERT_TRUE(mp.take(status, last_command)) << n;
+    EXPECT_EQ(status.step, n);
+    EXPECT_EQ(last_command, n + 1);
+  }
+  EXPECT_EQ(ecp.counters().overwritten + mp.counters().overwritten, 0U);
+}
+
 }  // namespace
 }  // namespace mrroc::links

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -20,11 +21,15 @@ const std::set<std::string> kInternal = {"codec.hpp", "entity.hpp"};
 
 using Words = std::vector<std::string>;
 
-bool has_one_of(const fs::path& file, const Words& words) {
+std::string text_of(const fs::path& file) {
   std::ifstream stream(file);
   std::ostringstream content;
   content << stream.rdbuf();
-  const std::string text = content.str();
+  return content.str();
+}
+
+bool has_one_of(const fs::path& file, const Words& words) {
+  const std::string text = text_of(file);
   return std::any_of(words.begin(), words.end(),
                      [&text](const std::string& word) { return text.find(word) != std::string::npos; });
 }
@@ -60,6 +65,39 @@ TEST(Structure, NothingWaitsOrTimesByTheWallClockOfDds) {
   const Words forbidden = {"dds_waitset", "dds_qset_latency_budget", "dds_set_listener", "dds_time(", "dds_sleepfor"};
   for (const fs::path& file : sources()) {
     EXPECT_FALSE(has_one_of(file, forbidden)) << file;
+  }
+}
+
+/// What the function that `head` begins calls, by name; its end is the first brace at the start of a line.
+std::set<std::string> calls_in(const fs::path& file, const std::string& head) {
+  const std::string text = text_of(file);
+  const std::size_t begin = text.find(head);
+  if (begin == std::string::npos) return {};
+  const std::string body = text.substr(begin + head.size(), text.find("\n}", begin) - begin - head.size());
+  const std::regex call("(\\w+)(<[^<>()]*>)?\\(");
+  std::set<std::string> names;
+  for (std::sregex_iterator match(body.begin(), body.end(), call), end; match != end; ++match)
+    names.insert((*match)[1]);
+  return names;
+}
+
+// original's defect 16: streams and allocation in signal handlers; C++ code between vfork and exec
+TEST(Structure, SignalHandlersAndForkedChildrenCallOnlyWhatIsSafeThere) {
+  const fs::path handler = kRoot / "src/process/process.cpp", child = kRoot / "cli/child.cpp";
+  for (const fs::path& file : sources()) {
+    EXPECT_FALSE(has_one_of(file, {"vfork", "popen(", "std::system(", "posix_spawn"})) << file;
+    EXPECT_TRUE(file == handler || !has_one_of(file, {"sigaction(", "std::signal("})) << file;
+    EXPECT_TRUE(file == child || !has_one_of(file, {" fork()", "::fork()"})) << file;
+  }
+  // a store into a lock-free atomic, and Clock::interrupt: another one and a futex call
+  const std::set<std::string> in_handler = {"if", "static_cast", "_exit", "alarm", "load", "interrupt"};
+  const std::set<std::string> in_child = {"if",      "prctl", "getppid", "_exit", "sigemptyset", "sigprocmask",
+                                          "setpgid", "dup2",  "open",    "execv", "c_str"};
+  for (const auto& [file, head, allowed] :
+       {std::tuple(handler, "void on_signal(int) {", in_handler), std::tuple(child, "void execute(", in_child)}) {
+    const std::set<std::string> calls = calls_in(file, head);
+    EXPECT_GT(calls.size(), 3u) << head << " is not found";
+    for (const std::string& call : calls) EXPECT_TRUE(allowed.contains(call)) << head << " calls " << call;
   }
 }
 

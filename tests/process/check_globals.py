@@ -1,0 +1,60 @@
+"""No process of a deployment has variables of its own making outside its objects: neither globals nor static locals, which
+would carry state from one robot or motion to another. What there is must stand in the list below, with its reason.
+
+Usage: check_globals.py NM BINARY_DIR
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+ALLOWED = {
+    # all that a signal handler can reach
+    "mrroc::process::(anonymous namespace)::asked_to_end",
+    "mrroc::process::(anonymous namespace)::interruptible",
+    "mrroc::process::(anonymous namespace)::setting_up",
+    # of one thread, while an object of the same name's scope lives: what is under construction there
+    "mrroc::process::(anonymous namespace)::current",
+    "mrroc::sim::(anonymous namespace)::innermost",
+    # DDS and MuJoCo have one log per process
+    "mrroc::links::(anonymous namespace)::the_log()::log",
+    "guard variable for mrroc::sim::MujocoMessages::MujocoMessages()::installed",
+    "mrroc::sim::MujocoMessages::MujocoMessages()::installed",
+}
+OURS = re.compile(r"(?:guard variable for )?mrroc::")
+# a section whose name begins so can be written to while the process runs; .data.rel.ro can not
+WRITABLE = re.compile(r"\.(?:bss|data|tbss|tdata)\b(?!\.rel\.ro)")
+
+
+def is_program(path):
+    with path.open("rb") as file:
+        return path.is_file() and file.read(4) == b"\x7fELF"
+
+
+def variables(nm, program):
+    """Names of the project's variables in a program."""
+    table = subprocess.run([nm, "--demangle", "--format=sysv", program], capture_output=True, text=True, check=True).stdout
+    for line in table.splitlines():
+        # name|value|class|type|size|line|section; a name may itself have a bar in it
+        fields = [field.strip() for field in line.rsplit("|", 6)]
+        if len(fields) == 7 and OURS.match(fields[0]) and WRITABLE.match(fields[6]):
+            yield fields[0]
+
+
+def main():
+    nm, binary = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+    programs = sorted(path for path in (binary / "bin").iterdir() if path.is_file() and is_program(path))
+    problems, seen = [], set()
+    for program in programs:
+        names = set(variables(nm, program))
+        seen |= names
+        problems += [f"{program.name}: {name}" for name in sorted(names - ALLOWED)]
+    if "mrroc::process::(anonymous namespace)::asked_to_end" not in seen:
+        problems.append("the variables that every process has are not found: the search finds nothing")
+    print("\n".join(problems) or f"{len(programs)} programs have {len(seen)} known variables and no other")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
