@@ -127,7 +127,7 @@ std::string MrrocRun::out() const { return read_file(folder_ / "out"); }
 std::string MrrocRun::err() const { return read_file(folder_ / "err"); }
 
 bool all_end(const std::vector<pid_t>& pids) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(kPatience) WithOrphans;
+  const auto deadline = std::chrono::steady_clock::now() + kPatienceWithOrphans;
   const auto lives = [](pid_t pid) { return parent_of(pid) >= 0; };
   while (std::any_of(pids.begin(), pids.end(), lives)) {
     if (std::chrono::steady_clock::now() > deadline) return false;

@@ -30,9 +30,9 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 std::string unsynchronised(const std::string& robot) {
   std::ifstream stream(kRobots / robot / "demo.toml");
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  text = replaced(text, "\"" + robot + "_demo\"\nhardware",
+  text = replaced(text, std::string("\"").append(robot).append("_demo\"\nhardware"),
                   "\"" MRROC_BINARY_DIR "/tests/synchronise_ecp\"\nsynchronised = false\nhardware");
-  return replaced(text, "\"demo.xml\"", "\"" + (kRobots / robot / "demo.xml").string() + "\"");
+  return replaced(text, "\"demo.xml\"", std::string("\"").append(kRobots / robot / "demo.xml").append("\""));
 }
 
 /// The first robot's joints in the last state that a run has saved.

@@ -6,6 +6,7 @@
 #include <kdl/chainjnttojacsolver.hpp>
 #include <kdl/frames_io.hpp>
 
+#include "config/table.hpp"
 #include "robots_common/kdl_chain.hpp"
 #include "robots_common/mjcf.hpp"
 #include "robots_irb6/family/robot_under_test.hpp"
