@@ -168,5 +168,39 @@ TEST_F(TwoIrb6, ClosedLoopsAreTheSameBitForBit) {
   EXPECT_EQ(hash_of_run(), hash_of_run());
 }
 
+// measured, at every tick: the servo's lag is along the line, not across
+TEST_F(TwoIrb6, ATaskSpaceLineIsStraightToATenthOfAMillimetre) {
+  const ToolKinematics kinematics(*left.model);
+  const Pose home = kinematics.direct(left.model->parameters().home);
+  run(500);
+  for (const Eigen::Vector3d& way : {Eigen::Vector3d(0, 0.15, 0), {0, -0.3, 0}, {0, 0.15, 0.1}, {-0.05, 0.1, 0}}) {
+    RobotState state;
+    ASSERT_TRUE(left.effector.peek(state));
+    const Eigen::Vector3d from = state.desired_pose.translation(), direction = way.normalized();
+    RobotCommand command;
+    command.kind = CommandKind::pose;
+    command.interpolation = Interpolation::task;
+    command.pose = home;
+    command.pose.translation() = from + way;
+    // the middle of the way at 50 mm/s: a quintic's largest velocity is 15/8 of its mean
+    command.motion_steps = static_cast<std::uint16_t>(std::ceil(way.norm() * 15 / 8 / 0.05 / kPeriod));
+    command.reply_step = command.motion_steps;
+    edp::Reply refusal;
+    ASSERT_FALSE(left.effector.accept(command, ++left.number, refusal)) << refusal.state.error.detail.view();
+    double across = 0, turned = 0;
+    for (int k = 0; k < command.motion_steps + 250; ++k) {
+      run(1);
+      const Pose tool = kinematics.direct(left.servo.snapshot().joints);
+      const Eigen::Vector3d gone = tool.translation() - from;
+      across = std::max(across, (gone - gone.dot(direction) * direction).norm());
+      turned = std::max(turned, Eigen::AngleAxisd(home.linear().transpose() * tool.linear()).angle());
+    }
+    std::printf("%.0f mm: %.3f mm beside the line, %.2f mrad turned\n", 1000 * way.norm(), 1000 * across,
+                1000 * turned);
+    EXPECT_LT(across, 1e-4);
+    EXPECT_LT((kinematics.direct(left.servo.snapshot().joints).translation() - from - way).norm(), 1e-4);
+  }
+}
+
 }  // namespace
 }  // namespace mrroc::sim
