@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,11 @@ std::string faulty_deployment(const std::string& kind, const std::string& clock 
 /// Runs to the end; checks that the exit code is `expected` and shows the output when it is not. Returns stdout and
 /// stderr.
 std::string run_mrroc(const std::vector<std::string>& arguments, int expected, int patience = MrrocRun::kPatience);
+
+/// Runs in real time to the end, again (five times at most) while the machine does not let it: other programs may take
+/// the processor away for longer than an arm in motion can bear, which then stops with a following error, or finds the
+/// simulator silent. That is right of it, and no verdict on the task.
+std::unique_ptr<MrrocRun> run_in_real_time(const std::vector<std::string>& arguments);
 
 /// Hash of a trace, by `mrroc trace hash`.
 std::string trace_hash(const std::filesystem::path& trace);
