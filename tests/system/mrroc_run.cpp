@@ -153,14 +153,17 @@ std::string run_mrroc(const std::vector<std::string>& arguments, int expected, i
   return run.out() + run.err();
 }
 
+bool starved(const std::string& errors) {
+  return errors.find("the following error is too large") != std::string::npos ||
+         errors.find("the hardware does not answer") != std::string::npos;
+}
+
 std::unique_ptr<MrrocRun> run_in_real_time(const std::vector<std::string>& arguments) {
   for (int attempt = 1;; ++attempt) {
     auto run = std::make_unique<MrrocRun>(arguments);
     run->wait();
     const std::string errors = run->err();
-    const bool starved = errors.find("the following error is too large") != std::string::npos ||
-                         errors.find("the hardware does not answer") != std::string::npos;
-    if (!starved || attempt == 5) return run;
+    if (!starved(errors) || attempt == 5) return run;
     std::cout << "starved, attempt " << attempt << ": " << errors;
   }
 }

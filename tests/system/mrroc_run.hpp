@@ -55,6 +55,9 @@ std::string faulty_deployment(const std::string& kind, const std::string& clock 
 /// stderr.
 std::string run_mrroc(const std::vector<std::string>& arguments, int expected, int patience = MrrocRun::kPatience);
 
+/// Whether a run in real time ended because the machine was busy with something else: see below.
+bool starved(const std::string& errors);
+
 /// Runs in real time to the end, again (five times at most) while the machine does not let it: other programs may take
 /// the processor away for longer than an arm in motion can bear, which then stops with a following error, or finds the
 /// simulator silent. That is right of it, and no verdict on the task.
