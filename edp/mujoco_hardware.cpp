@@ -14,8 +14,13 @@ Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 }  // namespace
 
 MujocoHardware::MujocoHardware(const RobotModel& model, sim::WorldMemory& memory, std::size_t slot, Timing timing,
-                               bool synchronised)
-    : model_(model), memory_(memory), slot_(slot), timing_(timing), encoders_(model.parameters(), synchronised) {
+                               bool synchronised, double period)
+    : model_(model),
+      memory_(memory),
+      slot_(slot),
+      timing_(timing),
+      period_(period),
+      encoders_(model.parameters(), synchronised) {
   const int count = model.joint_count();
   joints_ = model.parameters().home;
   velocity_ = current_ = shafts_ = JointVector::Zero(count);
@@ -28,9 +33,11 @@ void MujocoHardware::read(Tick tick, HardwareInput& input) noexcept {
   input.fault = present && fresh ? ErrorCode::none : ErrorCode::hardware_silent;
   if (input.fault == ErrorCode::none) {
     input.inputs = measurement.inputs;
+    const Tick age = tick > measurement.tick ? std::min(tick - measurement.tick, kCarriedOn) : 0;
+    const double late = timing_ == Timing::free_running ? static_cast<double>(age) * period_ : 0;
     for (Eigen::Index i = 0; i < joints_.size(); ++i) {
-      joints_[i] = measurement.position[static_cast<std::size_t>(i)];
       velocity_[i] = measurement.velocity[static_cast<std::size_t>(i)];
+      joints_[i] = measurement.position[static_cast<std::size_t>(i)] + velocity_[i] * late;
     }
     JointVector shafts;
     if (model_.joints_to_motors(joints_, shafts) == ErrorCode::none)

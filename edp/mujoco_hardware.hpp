@@ -27,10 +27,14 @@ class MujocoHardware : public Hardware {
     free_running  ///< the simulator has its own timer: kSilence ticks
   };
   static constexpr Tick kSilence = 50;
+  /// A free-running simulator may be late, which a drive's encoder never is: a measurement that is up to so many ticks
+  /// old is carried on with its velocity.
+  static constexpr Tick kCarriedOn = 10;
 
-  /// Robot slot `slot` of `memory`; both references must outlive this object.
+  /// Robot slot `slot` of `memory`; both references must outlive this object. `period` of the servo, s: for
+  /// measurements that are late; 0: they are taken as they are.
   MujocoHardware(const RobotModel& model, sim::WorldMemory& memory, std::size_t slot, Timing timing,
-                 bool synchronised = true);
+                 bool synchronised = true, double period = 0);
 
   /// The world is there before the first tick: the start-up barrier waits for it.
   void open() override {}
@@ -48,6 +52,7 @@ class MujocoHardware : public Hardware {
   sim::WorldMemory& memory_;
   std::size_t slot_;
   Timing timing_;
+  double period_;
   Encoders encoders_;
   bool enabled_ = false;
   Signals outputs_;

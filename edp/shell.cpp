@@ -87,8 +87,8 @@ class Shell {
     if (place_.entry.hardware == "mujoco") {
       const auto timing =
           process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::free_running;
-      hardware =
-          std::make_unique<MujocoHardware>(*models_.front(), world(), place_.index, timing, place_.entry.synchronised);
+      hardware = std::make_unique<MujocoHardware>(*models_.front(), world(), place_.index, timing,
+                                                  place_.entry.synchronised, process_.clock().period());
     } else {
       hardware =
           std::make_unique<LoopbackHardware>(*models_.front(), process_.clock().period(), place_.entry.synchronised);

@@ -71,6 +71,22 @@ TEST_F(MujocoHardwareTest, ReadsShaftPositionsToHalfAnIncrement) {
   });
 }
 
+TEST_F(MujocoHardwareTest, ALateMeasurementIsCarriedOnWithItsVelocityWhereTheSimulatorRunsFreely) {
+  measure(7, pair(0.1, -0.2), pair(0.5, -0.4));
+  MujocoHardware drives{model_, *memory_, 3, MujocoHardware::Timing::free_running, true, 0.002};
+  HardwareInput input;
+  for (const auto& [tick, ticks] : {std::pair{Tick{6}, 0.0}, {7, 0.0}, {10, 3.0}, {40, 10.0}}) {
+    drives.read(tick, input);
+    ASSERT_EQ(input.fault, ErrorCode::none);
+    JointVector exact;
+    model_.joints_to_motors(pair(0.1 + 0.5 * ticks * 0.002, -0.2 - 0.4 * ticks * 0.002), exact);
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      const double increments = model_.parameters().axes[static_cast<std::size_t>(i)].encoder_increments;
+      EXPECT_NEAR(input.motors[i], exact[i], std::numbers::pi / increments + 1e-12) << "tick " << tick;
+    }
+  }
+}
+
 TEST_F(MujocoHardwareTest, WritesTheDrivesSeenFromTheJoints) {
   fakes::check_property(200, [&] {
     const JointVector q = pair(joint_value(), joint_value()), v = pair(joint_value(), joint_value());
