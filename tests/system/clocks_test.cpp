@@ -28,16 +28,12 @@ TEST_P(Clocks, TheSameBinariesComeToTheSameOutcome) {
   const auto lockstep = folder.path() / "lockstep";
   const auto other = folder.path() / "other";
   run_mrroc({"run", "tasks/press/press.toml", "--clock", "lockstep", "--quiet", "--trace", lockstep.string()}, 0);
-  const std::vector<std::string> arguments{"run",         "tasks/press/press.toml", "--clock", GetParam(), "--trace",
-                                           other.string()};
-  const bool real = GetParam() == std::string("real");
-  const auto run = real ? run_in_real_time(arguments) : std::make_unique<MrrocRun>(arguments);
-  EXPECT_EQ(run->wait(), 0);
-  const std::string output = run->out() + run->err();
+  const std::string output =
+      run_mrroc({"run", "tasks/press/press.toml", "--clock", GetParam(), "--trace", other.string()}, 0);
   EXPECT_EQ(endings_of(other), endings_of(lockstep));
   EXPECT_EQ(endings_of(other).size(), 6U);
   EXPECT_NE(output.find("press succeeded"), std::string::npos) << output;
-  if (real) {
+  if (std::string{GetParam()} == "real") {
     for (const char* word : {" ticks, ", " missed, ", " late commands", "wake-up p50 ", " p99 ", " max "}) {
       EXPECT_NE(output.find(word), std::string::npos) << word << " is missing in\n" << output;
     }

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <iostream>
 #include <sstream>
 #include <thread>
 
@@ -151,21 +150,6 @@ std::string run_mrroc(const std::vector<std::string>& arguments, int expected, i
   for (const std::string& argument : arguments) line += " " + argument;
   EXPECT_EQ(code, expected) << line << "\n" << run.out() << run.err();
   return run.out() + run.err();
-}
-
-bool starved(const std::string& errors) {
-  return errors.find("the following error is too large") != std::string::npos ||
-         errors.find("the hardware does not answer") != std::string::npos;
-}
-
-std::unique_ptr<MrrocRun> run_in_real_time(const std::vector<std::string>& arguments) {
-  for (int attempt = 1;; ++attempt) {
-    auto run = std::make_unique<MrrocRun>(arguments);
-    run->wait();
-    const std::string errors = run->err();
-    if (!starved(errors) || attempt == 5) return run;
-    std::cout << "starved, attempt " << attempt << ": " << errors;
-  }
 }
 
 std::string trace_hash(const std::filesystem::path& trace) {

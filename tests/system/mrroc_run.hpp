@@ -3,7 +3,6 @@
 #include <sys/types.h>
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -54,14 +53,6 @@ std::string faulty_deployment(const std::string& kind, const std::string& clock 
 /// Runs to the end; checks that the exit code is `expected` and shows the output when it is not. Returns stdout and
 /// stderr.
 std::string run_mrroc(const std::vector<std::string>& arguments, int expected, int patience = MrrocRun::kPatience);
-
-/// Whether a run in real time ended because the machine was busy with something else: see below.
-bool starved(const std::string& errors);
-
-/// Runs in real time to the end, again (five times at most) while the machine does not let it: other programs may take
-/// the processor away for longer than an arm in motion can bear, which then stops with a following error, or finds the
-/// simulator silent. That is right of it, and no verdict on the task.
-std::unique_ptr<MrrocRun> run_in_real_time(const std::vector<std::string>& arguments);
 
 /// Hash of a trace, by `mrroc trace hash`.
 std::string trace_hash(const std::filesystem::path& trace);

@@ -28,10 +28,9 @@ class WrongTask : public testing::TestWithParam<Fault> {
 
   static void expect_reason(const std::string& clock) {
     const ScratchFolder folder;
-    const std::vector<std::string> arguments{"run", folder.write("faulty.toml", deployment(clock)).string(), "--quiet"};
-    const auto run = clock == "real" ? run_in_real_time(arguments) : std::make_unique<MrrocRun>(arguments);
-    EXPECT_EQ(run->wait(), GetParam().exit_code) << run->out() << run->err();
-    const std::string errors = run->err();
+    MrrocRun run({"run", folder.write("faulty.toml", deployment(clock)).string(), "--quiet"});
+    EXPECT_EQ(run.wait(), GetParam().exit_code) << run.out() << run.err();
+    const std::string errors = run.err();
     EXPECT_NE(errors.find(GetParam().reason), std::string::npos) << errors;
     EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), *GetParam().reason == '\0' ? 0 : 1) << errors;
   }
