@@ -18,7 +18,7 @@ void print_servo(const links::ProcessStatus& status, bool real) {
   fmt::print("\n");
 }
 
-/// The simulator on its own timer: ticks that it missed were simulated late, as one.
+/// The simulator in real time: its missed ticks were simulated late.
 void print_simulator(const links::ProcessStatus& status) {
   fmt::print("  {:<10} {} ticks, {} missed\n", status.process.view(), status.counters.ticks,
              status.counters.missed_ticks);

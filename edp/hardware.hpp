@@ -38,6 +38,9 @@ class Hardware {
   virtual void enable(bool on) noexcept = 0;
   /// Clears faults that the drives have latched. Servo thread.
   virtual void reset_fault() noexcept {}
+  /// True: the drives wait for `write` of every tick, so a servo that is late executes each of its ticks; false: they
+  /// go on, and it executes the present one only.
+  virtual bool waits() const noexcept { return false; }
   /// Positions at tick `tick`. Servo thread.
   virtual void read(Tick tick, HardwareInput& input) noexcept = 0;
   /// Currents (A) for the coming period, within current_max. Servo thread.

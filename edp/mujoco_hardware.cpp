@@ -14,30 +14,39 @@ Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 }  // namespace
 
 MujocoHardware::MujocoHardware(const RobotModel& model, sim::WorldMemory& memory, std::size_t slot, Timing timing,
-                               bool synchronised, double period)
+                               bool synchronised, double patience)
     : model_(model),
       memory_(memory),
       slot_(slot),
       timing_(timing),
-      period_(period),
+      patience_ns_(std::llround(patience * 1e9)),
       encoders_(model.parameters(), synchronised) {
   const int count = model.joint_count();
   joints_ = model.parameters().home;
   velocity_ = current_ = shafts_ = JointVector::Zero(count);
 }
 
+/// Takes the measurement of tick `tick`. In real time it waits for it, and gets a later one where the world has gone on
+/// without this robot.
+bool MujocoHardware::await(Tick tick, sim::JointMeasurement& measurement) noexcept {
+  const auto& slot = memory_.measurements[slot_];
+  if (timing_ == Timing::lockstep) return slot.load(measurement) && measurement.tick == tick;
+  const auto reached = [&] { return slot.load(measurement) && measurement.tick >= tick; };
+  if (reached()) return true;
+  if (silent_ && measurement.tick == silent_since_) return false;
+  silent_ = !memory_.measured.wait(reached, patience_ns_);
+  silent_since_ = measurement.tick;
+  return !silent_;
+}
+
 void MujocoHardware::read(Tick tick, HardwareInput& input) noexcept {
   sim::JointMeasurement measurement;
-  const bool present = memory_.measurements[slot_].load(measurement);
-  const bool fresh = timing_ == Timing::lockstep ? measurement.tick == tick : measurement.tick + kSilence >= tick;
-  input.fault = present && fresh ? ErrorCode::none : ErrorCode::hardware_silent;
+  input.fault = await(tick, measurement) ? ErrorCode::none : ErrorCode::hardware_silent;
   if (input.fault == ErrorCode::none) {
     input.inputs = measurement.inputs;
-    const Tick age = tick > measurement.tick ? std::min(tick - measurement.tick, kCarriedOn) : 0;
-    const double late = timing_ == Timing::free_running ? static_cast<double>(age) * period_ : 0;
     for (Eigen::Index i = 0; i < joints_.size(); ++i) {
+      joints_[i] = measurement.position[static_cast<std::size_t>(i)];
       velocity_[i] = measurement.velocity[static_cast<std::size_t>(i)];
-      joints_[i] = measurement.position[static_cast<std::size_t>(i)] + velocity_[i] * late;
     }
     JointVector shafts;
     if (model_.joints_to_motors(joints_, shafts) == ErrorCode::none)
@@ -85,6 +94,7 @@ void MujocoHardware::write(Tick tick, const JointVector& current) noexcept {
     }
   }
   memory_.drives[slot_].store(drive);
+  if (timing_ == Timing::real) memory_.driven.open();
 }
 
 }  // namespace mrroc::edp

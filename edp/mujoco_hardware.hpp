@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "edp/encoders.hpp"
 #include "mrroc/robot_model.hpp"
 #include "sim/world_memory.hpp"
@@ -21,40 +23,41 @@ namespace mrroc::edp {
 /// Disabled, the brakes hold.
 class MujocoHardware : public Hardware {
  public:
-  /// How old a measurement may be before the world counts as silent.
   enum class Timing {
-    lockstep,     ///< of the very tick
-    free_running  ///< the simulator has its own timer: kSilence ticks
+    lockstep,  ///< the clock sees to it that the world has reached the servo's tick
+    real       ///< `read` waits for the world, as a fieldbus master does for its slaves
   };
-  static constexpr Tick kSilence = 50;
-  /// A free-running simulator may be late, which a drive's encoder never is: a measurement that is up to so many ticks
-  /// old is carried on with its velocity.
-  static constexpr Tick kCarriedOn = 10;
 
-  /// Robot slot `slot` of `memory`; both references must outlive this object. `period` of the servo, s: for
-  /// measurements that are late; 0: they are taken as they are.
+  /// Robot slot `slot` of `memory`; both references must outlive this object. `patience`: how long `read` waits, s.
   MujocoHardware(const RobotModel& model, sim::WorldMemory& memory, std::size_t slot, Timing timing,
-                 bool synchronised = true, double period = 0);
+                 bool synchronised = true, double patience = sim::kPatienceWithWorld);
 
   /// The world is there before the first tick: the start-up barrier waits for it.
   void open() override {}
   /// The world brakes or releases with the next `write`.
   void enable(bool on) noexcept override { enabled_ = on; }
-  /// Fault `hardware_silent`: no measurement, or one that is too old (then the last known motors are given);
-  /// `drive_fault`: the joints are where the transmission cannot reach.
+  /// The world waits for the drives of every tick.
+  bool waits() const noexcept override { return true; }
+  /// Fault `hardware_silent`: the world has not reached the tick (then the last known motors are given); in real time
+  /// it is not waited for again before it has gone on. `drive_fault`: the joints are where the transmission cannot
+  /// reach.
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
   void set_outputs(const Signals& outputs) noexcept override { outputs_ = outputs; }
   void set_origin(const JointVector& shift) noexcept override { encoders_.set_origin(shift); }
 
  private:
+  bool await(Tick tick, sim::JointMeasurement& measurement) noexcept;
+
   const RobotModel& model_;
   sim::WorldMemory& memory_;
   std::size_t slot_;
   Timing timing_;
-  double period_;
+  std::int64_t patience_ns_;
   Encoders encoders_;
   bool enabled_ = false;
+  bool silent_ = false;    ///< waited for in vain
+  Tick silent_since_ = 0;  ///< the world's tick then
   Signals outputs_;
   JointVector shafts_, current_;   ///< as last known, as last commanded
   JointVector joints_, velocity_;  ///< as last measured

@@ -31,12 +31,16 @@ ServoThread::~ServoThread() {
 
 void ServoThread::run() noexcept {
   raise_priority();
+  Tick next = 0;
   for (;;) {
-    const Tick tick = ticker_.wait_next();
-    const bool ending = end_.load(std::memory_order_acquire);
-    if (ending) servo_.switch_off();
-    if (servo_.tick(tick)) clock_.notify();
-    if (ending && !servo_.drives_on()) return;
+    const Tick present = ticker_.wait_next();
+    if (next == 0 || !servo_.drives_wait()) next = present;
+    for (; next <= present; ++next) {
+      const bool ending = end_.load(std::memory_order_acquire);
+      if (ending) servo_.switch_off();
+      if (servo_.tick(next)) clock_.notify();
+      if (ending && !servo_.drives_on()) return;
+    }
   }
 }
 

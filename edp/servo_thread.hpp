@@ -12,6 +12,8 @@ namespace mrroc::edp {
 /// Real time: the servo's own thread, ticking on the deployment's grid from construction to destruction. When a tick
 /// puts out reports it wakes the comms thread with `Clock::notify`. It inherits the scheduling class of the thread that
 /// makes it; under SCHED_FIFO it takes the next higher priority, so that no comms thread of the process delays it.
+/// Ticks whose time has gone by are skipped on drives that go on by themselves; drives that wait get every one of them,
+/// late.
 ///
 /// The destructor stops the robot, switches the drives off, and returns when that is done (a stop's duration).
 class ServoThread {

@@ -86,9 +86,9 @@ class Shell {
     std::unique_ptr<Hardware> hardware;
     if (place_.entry.hardware == "mujoco") {
       const auto timing =
-          process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::free_running;
-      hardware = std::make_unique<MujocoHardware>(*models_.front(), world(), place_.index, timing,
-                                                  place_.entry.synchronised, process_.clock().period());
+          process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::real;
+      hardware =
+          std::make_unique<MujocoHardware>(*models_.front(), world(), place_.index, timing, place_.entry.synchronised);
     } else {
       hardware =
           std::make_unique<LoopbackHardware>(*models_.front(), process_.clock().period(), place_.entry.synchronised);
@@ -148,6 +148,7 @@ class Shell {
     }
     counters.late_commands = effector_.counters().late;
     if (ticker == nullptr) return counters;
+    counters.missed_ticks = ticker->missed();  // skipped or executed late
     const auto microseconds = [](std::uint64_t ns) { return static_cast<double>(ns) * 1e-3; };
     counters.wakeup_p50_us = microseconds(ticker->lateness().percentile(0.5));
     counters.wakeup_p99_us = microseconds(ticker->lateness().percentile(0.99));

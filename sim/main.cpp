@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 
 #include "clock/ticker.hpp"
+#include "mrroc/errors.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "sim/mapped_world.hpp"
@@ -52,8 +54,20 @@ void serve_simulated(mrroc::process::Process& process, mrroc::sim::Simulation& s
   }
 }
 
-/// Real time: it runs on its own grid, as independent of the EDPs as real drives are. A tick that it misses is
-/// simulated all the same: the world loses no time.
+/// Real time: how far the world may fall behind the wall clock, s.
+constexpr double kMostBehind = 2.0;
+
+void check_pace(Tick simulated, const mrroc::clock::Clock& clock) {
+  const double behind = static_cast<double>(clock.tick() - std::min(simulated, clock.tick())) * clock.period();
+  if (behind <= kMostBehind) return;
+  throw mrroc::SystemError(mrroc::ErrorCode::simulator,
+                           "the world is " + std::to_string(behind) + " s behind the wall clock, expected at most " +
+                               std::to_string(kMostBehind) + " s: too slow a scene or machine for clock = \"real\"",
+                           {.process = "sim", .device = {}, .tick = simulated});
+}
+
+/// Real time: one step per tick of the grid, each after the drives of the tick before. A step that comes too late is
+/// made all the same: the world loses no time.
 void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simulation) {
   mrroc::clock::Ticker ticker(process.clock().epoch_ns(), std::llround(process.clock().period() * 1e9));
   Tick simulated = 0;
@@ -61,16 +75,17 @@ void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simula
   for (;;) {
     const Tick tick = ticker.wait_next();
     while (simulated < tick) {
-      simulation.step(++simulated);
+      simulation.step_in_real_time(++simulated);
       snapshot(simulation, process.arguments().snapshots, simulated);
+      warnings.tell(simulation.world());
+      // the tick has come: it does not wait, it only tells when the process is to end
+      if (process.clock().wait(simulated) == mrroc::clock::Wake::interrupted) throw mrroc::Stopped{};
+      check_pace(simulated, process.clock());
     }
-    warnings.tell(simulation.world());
     mrroc::links::Counters counters;
     counters.ticks = ticker.ticks();
     counters.missed_ticks = ticker.missed();
     process.status().counters(counters);
-    // the tick has come: it does not wait, it only tells when the process is to end
-    if (process.clock().wait(tick) == mrroc::clock::Wake::interrupted) throw mrroc::Stopped{};
   }
 }
 

@@ -35,13 +35,14 @@ SensorSource::SensorSource(const mjModel& model, const std::string& name, const 
 }
 
 bool SensorSource::take(const mjModel& model, const std::string& prefix) {
+  bool found = false;
   for (int i = 0; i < model.nsensor; ++i) {
     const std::string name = model.names + model.name_sensoradr[i];
     if (name != prefix && !name.starts_with(prefix + "/")) continue;
-    elements_.push_back(name);
+    found = true;
     for (int k = 0; k < model.sensor_dim[i]; ++k) addresses_.push_back(model.sensor_adr[i] + k);
   }
-  return !elements_.empty();
+  return found;
 }
 
 void SensorSource::read(const mjData& data, HardwareReading& reading) const noexcept {

@@ -23,12 +23,9 @@ class SensorSource {
 
   /// Copies the present values. No allocation; never throws.
   void read(const mjData& data, HardwareReading& reading) const noexcept;
-  /// Names of the MJCF sensors, in order.
-  const std::vector<std::string>& elements() const noexcept { return elements_; }
 
  private:
   bool take(const mjModel& model, const std::string& prefix);
-  std::vector<std::string> elements_;
   std::vector<int> addresses_;  ///< into sensordata
 };
 

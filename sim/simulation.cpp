@@ -1,6 +1,7 @@
 #include "sim/simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
@@ -48,7 +49,7 @@ Simulation::Simulation(const config::Deployment& deployment, WorldMemory& memory
     const RobotParameters parameters = config::read_robot_parameters(config::Table::load(file));
     std::vector<std::string> joints;
     for (const AxisParameters& axis : parameters.axes) joints.push_back(axis.name);
-    robots_.push_back({i, world_.attach(robot.name, joints, parameters.home)});
+    robots_.push_back({.memory = i, .world = world_.attach(robot.name, joints, parameters.home)});
   }
   for (std::size_t j = 0; j < deployment.sensors.size(); ++j) {
     const config::SensorEntry& sensor = deployment.sensors[j];
@@ -61,17 +62,39 @@ Simulation::Simulation(const config::Deployment& deployment, WorldMemory& memory
 void Simulation::publish_initial() { publish(0); }
 
 void Simulation::step(Tick tick) {
-  for (const Slot& slot : robots_) take_drive(slot, tick);
+  for (Slot& slot : robots_) take_drive(slot, tick);
   world_.step(tick);
   publish(tick);
 }
 
-void Simulation::take_drive(const Slot& slot, Tick tick) {
-  JointDrive drive;
-  const bool present = memory_.drives[slot.memory].load(drive) && drive.tick > 0;
-  if (present) world_.set_outputs(slot.world, drive.outputs);
-  if (present && drive.enabled != 0 && tick <= drive.tick + kDriveLifetime) {
-    world_.drive(slot.world, drive, tick);
+void Simulation::step_in_real_time(Tick tick, double patience) {
+  const auto due = [&](Slot& slot) { return is_due(slot, tick); };
+  const auto all_there = [&] { return std::none_of(robots_.begin(), robots_.end(), due); };
+  if (!memory_.driven.wait(all_there, std::llround(patience * 1e9))) {
+    for (Slot& slot : robots_)
+      if (is_due(slot, tick)) slot.given_up = slot.drive.tick;
+  }
+  step(tick);
+  memory_.measured.open();
+}
+
+/// Whether the robot's newest drive acts in tick `tick`; else its brakes are on.
+bool Simulation::drives(const Slot& slot, Tick tick) const noexcept {
+  const JointDrive& drive = slot.drive;
+  return drive.tick > 0 && drive.enabled != 0 && drive.tick != slot.given_up && tick <= drive.tick + kDriveLifetime;
+}
+
+/// Whether the robot's drive of the tick before `tick` is still to come.
+bool Simulation::is_due(Slot& slot, Tick tick) noexcept {
+  memory_.drives[slot.memory].load(slot.drive);  // in the middle of a write the one before stays
+  return drives(slot, tick) && slot.drive.tick + 1 < tick;
+}
+
+void Simulation::take_drive(Slot& slot, Tick tick) {
+  memory_.drives[slot.memory].load(slot.drive);
+  if (slot.drive.tick > 0) world_.set_outputs(slot.world, slot.drive.outputs);
+  if (drives(slot, tick)) {
+    world_.drive(slot.world, slot.drive, tick);
   } else {
     world_.brake(slot.world);
   }
@@ -79,17 +102,18 @@ void Simulation::take_drive(const Slot& slot, Tick tick) {
 
 void Simulation::publish(Tick tick) {
   tick_ = tick;
-  for (const Slot& slot : robots_) {
-    JointMeasurement measurement{};
-    measurement.tick = tick;
-    world_.measure(slot.world, measurement);
-    memory_.measurements[slot.memory].store(measurement);
-  }
   for (const SensorSlot& slot : sensors_) {
     HardwareReading reading{};
     reading.tick = tick;
     slot.source.read(world_.data(), reading);
     memory_.readings[slot.memory].store(reading);
+  }
+  // last: a servo that sees them looks at its force sensor's reading, too
+  for (const Slot& slot : robots_) {
+    JointMeasurement measurement{};
+    measurement.tick = tick;
+    world_.measure(slot.world, measurement);
+    memory_.measurements[slot.memory].store(measurement);
   }
 }
 

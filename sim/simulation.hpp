@@ -21,7 +21,6 @@ Composition compose(const config::Deployment& deployment);
 /// One thread. `step` allocates nothing.
 class Simulation {
  public:
-  /// A drive older than this many ticks means that its EDP is gone: the brakes engage.
   static constexpr Tick kDriveLifetime = 50;
 
   /// Builds the world with each robot at its home. `memory` must outlive this object. Throws config::ConfigurationError
@@ -31,24 +30,32 @@ class Simulation {
   /// Stores the measurements and readings of tick 0.
   void publish_initial();
   /// Reads the drives, advances the world from tick - 1 to `tick`, stores its measurements and readings. Brakes hold a
-  /// robot that has no drive yet, a disabled or an expired one. Throws SystemError (simulator), see World::step.
+  /// robot that has no drive yet, a disabled one, or one older than kDriveLifetime ticks: its EDP is gone. Throws
+  /// SystemError (simulator), see World::step.
   void step(Tick tick);
+  /// Real time: `step`, but not before every robot's drive of tick - 1 is there, as in lockstep. A robot whose brakes
+  /// are on is not waited for; one that keeps the world waiting for `patience` (s of wall time) is braked, and the
+  /// world goes on without it until it drives again.
+  void step_in_real_time(Tick tick, double patience = kPatienceWithDrives);
 
   /// What `mrroc_render` makes pictures of; `save_state` writes it to a file.
   WorldState state() const;
-  Tick tick() const noexcept { return tick_; }
   World& world() noexcept { return world_; }
 
  private:
   struct Slot {
     std::size_t memory;  ///< slot in WorldMemory
     std::size_t world;   ///< index of the robot in the world
+    JointDrive drive{};  ///< the newest
+    Tick given_up = 0;   ///< tick of the drive after which none came in time
   };
   struct SensorSlot {
     std::size_t memory;
     SensorSource source;
   };
-  void take_drive(const Slot& slot, Tick tick);
+  bool drives(const Slot& slot, Tick tick) const noexcept;
+  bool is_due(Slot& slot, Tick tick) noexcept;
+  void take_drive(Slot& slot, Tick tick);
   void publish(Tick tick);
 
   WorldMemory& memory_;

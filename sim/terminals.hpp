@@ -12,9 +12,8 @@ namespace mrroc::sim {
 ///
 ///   sensor    <robot>/input_<i>          digital input i is on while its first value is above 0
 ///   sensor    <robot>/analog_input_<i>   analogue input i is its first value
-///   actuator  <robot>/output_<i>         its control is the upper end of its ctrlrange while digital output i is on,
-///   the
-///                                        lower end else (1 and 0 without a range)
+///   actuator  <robot>/output_<i>         its control is the upper end of its ctrlrange while digital output i is
+///                                        on, the lower end else (1 and 0 without a range)
 ///   actuator  <robot>/analog_output_<i>  its control is analogue output i
 ///
 /// What is not there is not wired. The simulation's thread; allocates nothing, never throws.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "clock/gate.hpp"
 #include "clock/shared_slot.hpp"
 #include "mrroc/signals.hpp"
 #include "mrroc/types.hpp"
@@ -12,12 +13,18 @@ namespace mrroc::sim {
 
 /// The simulated hardware's "bus": plain values in memory shared by the sim process, the EDPs' mujoco driver and the
 /// VSPs' simulated source. Each value has one writer; `SharedSlot` makes reads untorn and wait-free for the writer, so
-/// the same layout serves lockstep (where phases never overlap) and real time. The runner creates the memory (memfd,
-/// zeroed, inherited by its children): nothing is left behind whatever dies.
+/// the same layout serves lockstep (where phases never overlap) and real time, where drives and measurements wait for
+/// one another at the gates. The runner creates the memory (memfd, zeroed, inherited by its children): nothing is left
+/// behind whatever dies.
 
 inline constexpr std::size_t kMaxRobots = 16;
 inline constexpr std::size_t kMaxSensors = 32;
 inline constexpr std::size_t kMaxHardwareValues = 16;
+
+/// Real time: how long the simulator waits for an EDP's drive, then how long an EDP waits for the simulator, which may
+/// just be waiting for other EDPs; s of wall time.
+inline constexpr double kPatienceWithDrives = 0.5;
+inline constexpr double kPatienceWithWorld = 2.0;
 
 /// EDP -> sim, every tick. At the joints: M(q) + B is the inertia, tau - D dq/dt - c the torque that the drives add.
 struct JointDrive {
@@ -52,6 +59,8 @@ struct WorldMemory {
   std::array<clock::SharedSlot<JointDrive>, kMaxRobots> drives;
   std::array<clock::SharedSlot<JointMeasurement>, kMaxRobots> measurements;
   std::array<clock::SharedSlot<HardwareReading>, kMaxSensors> readings;
+  clock::Gate driven;    ///< real time: opened after each store into `drives`
+  clock::Gate measured;  ///< real time: opened when a tick's measurements and readings are stored
 };
 
 }  // namespace mrroc::sim

@@ -9,8 +9,9 @@
 
 namespace mrroc::vsp {
 
-/// Simulated hardware that has not measured for this long, s, is silent.
-inline constexpr double kSilentAfter = 0.1;
+/// Simulated hardware that has not measured for this long, s, is silent. The world itself gives up when it is
+/// kPatienceWithWorld behind.
+inline constexpr double kSilentAfter = 1.5 * sim::kPatienceWithWorld;
 
 /// The source that `entry` asks for: `replay` or `simulated`. `slot`: the sensor's index in the deployment; `world`:
 /// the simulated hardware, null when there is none. Throws ConfigurationError for a played file that is wrong,

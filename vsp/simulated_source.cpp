@@ -18,14 +18,12 @@ SimulatedSource::SimulatedSource(const sim::WorldMemory& world, std::size_t slot
 }
 
 SourceState SimulatedSource::read(Tick wanted, RawReading& raw) noexcept {
-  sim::HardwareReading reading;
-  const bool there = slot_->load(reading);
-  if (there) newest_ = reading.tick;
-  if (wanted > newest_ && wanted - newest_ > silent_after_) return SourceState::silent;
-  if (!there) return SourceState::not_ready;
-  raw.tick = reading.tick;
-  raw.count = std::min(reading.count, static_cast<std::uint32_t>(sim::kMaxHardwareValues));
-  std::copy_n(reading.values.begin(), raw.count, raw.values.begin());
+  there_ = slot_->load(newest_) || there_;  // in the middle of a write the one before stays
+  if (wanted > newest_.tick && wanted - newest_.tick > silent_after_) return SourceState::silent;
+  if (!there_) return SourceState::not_ready;
+  raw.tick = newest_.tick;
+  raw.count = std::min(newest_.count, static_cast<std::uint32_t>(sim::kMaxHardwareValues));
+  std::copy_n(newest_.values.begin(), raw.count, raw.values.begin());
   return SourceState::ready;
 }
 

@@ -6,8 +6,8 @@
 namespace mrroc::vsp {
 
 /// The simulated hardware of one sensor: a slot of the world's memory, written by the sim process at every tick. In
-/// lockstep the slot holds the present tick. In real time it may be a tick behind or ahead: the newest is given, with
-/// its own tick; more than `silent_after` ticks behind counts as silent.
+/// lockstep the slot holds the present tick. In real time it may be some ticks behind or ahead: the newest is given,
+/// with its own tick; more than `silent_after` ticks behind counts as silent.
 class SimulatedSource final : public Source {
  public:
   /// `slot`: index of the sensor in the deployment's list. Throws SystemError(configuration) when there is no such
@@ -19,7 +19,8 @@ class SimulatedSource final : public Source {
  private:
   const clock::SharedSlot<sim::HardwareReading>* slot_;
   Tick silent_after_;
-  Tick newest_ = 0;  ///< tick of the last reading that was there
+  sim::HardwareReading newest_{};
+  bool there_ = false;  ///< `newest_` is one
 };
 
 }  // namespace mrroc::vsp

@@ -6,8 +6,6 @@
 
 #include <climits>
 
-#include "clock/monotonic.hpp"
-
 namespace mrroc::clock {
 
 void Gate::open() noexcept {

@@ -3,9 +3,11 @@
 #include <atomic>
 #include <cstdint>
 
+#include "clock/monotonic.hpp"
+
 namespace mrroc::clock {
 
-/// What one thread sleeps on and any thread or process opens: one futex word in shared memory. Bit 0 says
+/// What threads sleep on and any thread or process opens: one futex word in shared memory. Bit 0 says
 /// "interrupted" and stays set for good; the other bits count openings. Because a sleeper compares the whole word, no
 /// opening and no interruption between its last look and its sleep is lost. Zeroed memory is a valid gate.
 class Gate {
@@ -23,6 +25,17 @@ class Gate {
   void interrupt() noexcept;
   /// Sleeps until the word differs from `seen` (true) or CLOCK_MONOTONIC reaches `deadline_ns` (false).
   bool sleep(std::uint32_t seen, std::int64_t deadline_ns) noexcept;
+  /// Sleeps until `ready()` holds, asked at once and after every opening (true), or `duration_ns` have gone by (false).
+  /// Several threads or processes may wait at one gate.
+  template <class Ready>
+  bool wait(Ready ready, std::int64_t duration_ns) noexcept {
+    const std::int64_t deadline_ns = monotonic_ns() + duration_ns;
+    for (;;) {
+      const std::uint32_t seen = word();
+      if (ready()) return true;
+      if (!sleep(seen, deadline_ns)) return ready();
+    }
+  }
 
  private:
   static constexpr std::uint32_t kInterrupted = 1;

@@ -10,10 +10,10 @@ namespace mrroc::clock {
 
 /// The real-time grid: lets one thread run once per servo period, tick k at epoch + k T of CLOCK_MONOTONIC, by absolute
 /// sleeps. The grid is never re-phased. A tick whose whole period has gone by before its thread could begin it is
-/// missed: counted and skipped. So the tick returned is always the one that the wall clock shows.
+/// missed: counted, and not returned. So the tick returned is always the one that the wall clock shows.
 ///
-/// For EDP servo threads and the free running simulator. `wait_next` is called by that one thread and neither allocates
-/// nor locks; any thread may read the statistics.
+/// For EDP servo threads and, in real time, the simulator. `wait_next` is called by that one thread and neither
+/// allocates nor locks; any thread may read the statistics.
 class Ticker {
  public:
   /// `epoch_ns` as `Clock::epoch_ns()`, `period_ns` > 0. Made after the epoch it begins with the next tick to come.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "clock/monotonic.hpp"
 #include "rig.hpp"
 
@@ -61,6 +63,56 @@ TEST(ServoThread, TicksTheServoWakesTheCommsSideAndEndsWithTheRobotAtRestAndTheD
   EXPECT_FALSE(servo.drives_on());
   EXPECT_TRUE(servo.snapshot().desired.at_rest());
   EXPECT_GT(servo.snapshot().desired.position[0], 0.3);
+}
+
+/// Drives that overrun three periods now and then, and remember which ticks they were asked for.
+class OverrunningHardware : public LoopbackHardware {
+ public:
+  OverrunningHardware(const RobotModel& model, double period, bool waits)
+      : LoopbackHardware(model, period), waits_(waits), period_ns_(std::llround(period * 1e9)) {
+    asked.reserve(100000);
+  }
+  bool waits() const noexcept override { return waits_; }
+  void read(Tick tick, HardwareInput& input) noexcept override {
+    if (asked.size() < asked.capacity()) asked.push_back(tick);
+    const std::int64_t end = clock::monotonic_ns() + 3 * period_ns_;
+    while (asked.size() % 20 == 10 && clock::monotonic_ns() < end) {
+    }
+    overruns.fetch_add(asked.size() % 20 == 10 ? 1 : 0);
+    LoopbackHardware::read(tick, input);
+  }
+  std::vector<Tick> asked;
+  std::atomic<int> overruns{0};
+
+ private:
+  bool waits_;
+  std::int64_t period_ns_;
+};
+
+TEST(ServoThread, DrivesThatWaitGetEveryTickTheOthersThePresentOne) {
+  for (const bool waits : {true, false}) {
+    Slide model;
+    GridClock clock;
+    OverrunningHardware hardware(model, clock.period(), waits);
+    HandOver hand_over;
+    const ModelSet models(model);
+    Servo servo(models, hardware, clock.period(), hand_over);
+    {
+      ServoThread thread(servo, clock);
+      while (hardware.overruns < 5) std::this_thread::yield();
+      EXPECT_GE(thread.ticker().missed(), 5u) << "two of three periods are lost whole in each but the last overrun";
+    }
+    std::uint64_t skipped = 0;
+    for (std::size_t i = 1; i < hardware.asked.size(); ++i) {
+      ASSERT_GT(hardware.asked[i], hardware.asked[i - 1]);
+      skipped += hardware.asked[i] - hardware.asked[i - 1] - 1;
+    }
+    EXPECT_EQ(servo.snapshot().counters.missed, skipped);
+    if (waits)
+      EXPECT_EQ(skipped, 0u);
+    else
+      EXPECT_GE(skipped, 5u);
+  }
 }
 
 }  // namespace

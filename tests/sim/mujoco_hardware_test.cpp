@@ -29,9 +29,7 @@ JointVector pair(double a, double b) {
 
 class MujocoHardwareTest : public testing::Test {
  protected:
-  MujocoHardware hardware(MujocoHardware::Timing timing = MujocoHardware::Timing::lockstep) {
-    return {model_, *memory_, 3, timing};
-  }
+  MujocoHardware hardware() { return {model_, *memory_, 3, MujocoHardware::Timing::lockstep}; }
   void measure(Tick tick, const JointVector& position, const JointVector& velocity) {
     JointMeasurement measurement{};
     measurement.tick = tick;
@@ -69,22 +67,6 @@ TEST_F(MujocoHardwareTest, ReadsShaftPositionsToHalfAnIncrement) {
       RC_ASSERT(std::abs(std::remainder(input.motors[i], increment)) < 1e-10);
     }
   });
-}
-
-TEST_F(MujocoHardwareTest, ALateMeasurementIsCarriedOnWithItsVelocityWhereTheSimulatorRunsFreely) {
-  measure(7, pair(0.1, -0.2), pair(0.5, -0.4));
-  MujocoHardware drives{model_, *memory_, 3, MujocoHardware::Timing::free_running, true, 0.002};
-  HardwareInput input;
-  for (const auto& [tick, ticks] : {std::pair{Tick{6}, 0.0}, {7, 0.0}, {10, 3.0}, {40, 10.0}}) {
-    drives.read(tick, input);
-    ASSERT_EQ(input.fault, ErrorCode::none);
-    JointVector exact;
-    model_.joints_to_motors(pair(0.1 + 0.5 * ticks * 0.002, -0.2 - 0.4 * ticks * 0.002), exact);
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      const double increments = model_.parameters().axes[static_cast<std::size_t>(i)].encoder_increments;
-      EXPECT_NEAR(input.motors[i], exact[i], std::numbers::pi / increments + 1e-12) << "tick " << tick;
-    }
-  }
 }
 
 TEST_F(MujocoHardwareTest, WritesTheDrivesSeenFromTheJoints) {
@@ -151,18 +133,6 @@ TEST_F(MujocoHardwareTest, InLockstepOnlyTheVeryTickIsFresh) {
   }
 }
 
-TEST_F(MujocoHardwareTest, FreeRunningTheWorldIsSilentAfterFiftyTicks) {
-  MujocoHardware drives = hardware(MujocoHardware::Timing::free_running);
-  HardwareInput input;
-  measure(100, pair(1, 1), pair(0, 0));
-  for (const Tick tick : {Tick{99}, Tick{100}, Tick{150}}) {
-    drives.read(tick, input);
-    EXPECT_EQ(input.fault, ErrorCode::none) << tick;
-  }
-  drives.read(151, input);
-  EXPECT_EQ(input.fault, ErrorCode::hardware_silent);
-}
-
 TEST_F(MujocoHardwareTest, JointsOutOfTheTransmissionsReachAreADriveFault) {
   MujocoHardware drives = hardware();
   HardwareInput input;
@@ -172,19 +142,21 @@ TEST_F(MujocoHardwareTest, JointsOutOfTheTransmissionsReachAreADriveFault) {
 }
 
 TEST_F(MujocoHardwareTest, AServoTickAllocatesNothing) {
-  MujocoHardware drives = hardware();
-  drives.enable(true);
-  HardwareInput input;
-  measure(1, pair(0.3, 0.2), pair(1, 2));
-  const JointVector current = pair(1, 2);
-  drives.read(1, input);
-  const long before = allocations();
-  EXPECT_GT(before, 0);
-  for (int i = 0; i < 100; ++i) {
+  for (const auto timing : {MujocoHardware::Timing::lockstep, MujocoHardware::Timing::real}) {
+    MujocoHardware drives{model_, *memory_, 3, timing};
+    drives.enable(true);
+    HardwareInput input;
+    measure(1, pair(0.3, 0.2), pair(1, 2));
+    const JointVector current = pair(1, 2);
     drives.read(1, input);
-    drives.write(1, current);
+    const long before = allocations();
+    EXPECT_GT(before, 0);
+    for (int i = 0; i < 100; ++i) {
+      drives.read(1, input);
+      drives.write(1, current);
+    }
+    EXPECT_EQ(allocations() - before, 0);
   }
-  EXPECT_EQ(allocations() - before, 0);
 }
 
 /// Largest change of the energy of links and rotors while the arm swings for a second with its drives without current;

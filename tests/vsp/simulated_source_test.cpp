@@ -76,7 +76,7 @@ TEST(MakeSource, ChoosesWhatTheDeploymentAsksFor) {
   const auto simulated = make_source(entry, sensor, world.get(), 1, 0.002);
   EXPECT_EQ(simulated->read(50, raw), SourceState::ready);
   EXPECT_EQ(raw.values[0], 4);
-  EXPECT_EQ(simulated->read(51, raw), SourceState::silent);  // 0.1 s at 2 ms
+  EXPECT_EQ(simulated->read(1501, raw), SourceState::silent);  // 3 s at 2 ms
 
   const config::Scratch scratch;
   entry.source = "replay";
