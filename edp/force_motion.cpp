@@ -6,18 +6,9 @@
 #include "edp/force_law.hpp"
 #include "edp/moving_pose.hpp"
 #include "edp/velocity_follower.hpp"
+#include "language/rigid_motion.hpp"
 
 namespace mrroc::edp {
-namespace {
-
-Twist turned(const Eigen::Matrix3d& rotation, const Twist& twist) noexcept {
-  Twist result;
-  result << rotation * twist.head<3>(), rotation * twist.tail<3>();
-  return result;
-}
-
-}  // namespace
-
 void ForceMotion::use(const RobotModel& model) noexcept {
   model_ = &model;
   limits_.use(model);

@@ -5,13 +5,12 @@
 
 #include "edp/error_report.hpp"
 #include "edp/path.hpp"
+#include "language/rigid_motion.hpp"
 
 namespace mrroc::edp {
 namespace {
 
 constexpr double kTwistResidual = 1e-6;  // m/s, rad/s
-
-bool bad(const ErrorReport& report) noexcept { return report.error_class != ErrorClass::none; }
 
 ErrorReport refuse(ErrorCode code, const char* text) noexcept {
   return make_report(ErrorClass::non_fatal, code, "%s", text);
@@ -73,7 +72,7 @@ ErrorReport read_twist(const RobotCommand& command, const Pose& tool, Goal& goal
   if (const ErrorReport report = check_vector(command.twist_rate, "twist_rate", 6, true); bad(report)) return report;
   goal.tool.twist = command.twist;
   if (command.kind == CommandKind::twist && command.relative)  // in tool axes
-    goal.tool.twist << tool.linear() * command.twist.head<3>(), tool.linear() * command.twist.tail<3>();
+    goal.tool.twist = turned(tool.linear(), command.twist);
   goal.acceleration_given = command.twist_rate.size() != 0;
   if (goal.acceleration_given) goal.tool.rate = command.twist_rate;
   return {};

@@ -6,8 +6,6 @@
 namespace mrroc::edp {
 namespace {
 
-constexpr double kOrthogonality = 1e-6;
-
 /// dJ/dt dq/dt.
 Twist jacobian_rate_times_velocity(const ToolKinematics& kinematics, const JointVector& joints,
                                    const JointVector& velocity, double dt) noexcept {
@@ -29,12 +27,6 @@ Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept {
   const double angle = 2 * std::atan2(sine, std::abs(q.w()));
   const double factor = sine < 1e-150 ? 2 : angle / sine;
   return std::copysign(factor, q.w()) * q.vec();
-}
-
-bool is_rigid(const Pose& pose) noexcept {
-  if (!pose.matrix().allFinite()) return false;
-  const Eigen::Matrix3d rotation = pose.linear();
-  return (rotation.transpose() * rotation).isIdentity(kOrthogonality) && rotation.determinant() > 0;
 }
 
 JointVector joint_velocity_of(const ToolKinematics& kinematics, const JointVector& joints,

@@ -10,9 +10,6 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept;
 /// The rotation vector of `rotation`, of norm 0..pi.
 Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept;
 
-/// Every value is finite and the orientation is a rotation within 1e-6.
-bool is_rigid(const Pose& pose) noexcept;
-
 /// A frame that moves: where it is, its twist and the twist's rate, all in base axes.
 struct MovingPose {
   Pose pose = Pose::Identity();

@@ -9,6 +9,7 @@
 
 #include "config/message_text.hpp"
 #include "config/table.hpp"
+#include "language/rigid_motion.hpp"
 
 namespace mrroc::edp {
 
@@ -93,15 +94,7 @@ Urdf::Type type_of(const Reader& reader, const XMLElement& element) {
 
 Pose read_origin(const Reader& reader, const XMLElement& element) {
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  const Eigen::Vector3d turns = reader.numbers<3>(element, "rpy", zero);
-  Pose pose = Pose::Identity();
-  pose.translation() = reader.numbers<3>(element, "xyz", zero);
-  // turns about fixed axes: the last one is the leftmost factor
-  pose.linear() =
-      (Eigen::AngleAxisd(turns[2], Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(turns[1], Eigen::Vector3d::UnitY()) *
-       Eigen::AngleAxisd(turns[0], Eigen::Vector3d::UnitX()))
-          .toRotationMatrix();
-  return pose;
+  return frame_at(reader.numbers<3>(element, "xyz", zero), reader.numbers<3>(element, "rpy", zero));
 }
 
 Urdf::Joint read_joint(const Reader& reader, const XMLElement& element) {

@@ -1,28 +1,14 @@
 #include "edp/wrist_sensor.hpp"
 
+#include "language/rigid_motion.hpp"
 #include "vsp/make_source.hpp"
 #include "vsp/parameters.hpp"
 
 namespace mrroc::edp {
-namespace {
-
-Pose mount_of(const config::SensorEntry& entry) {
-  const Eigen::Vector3d turns = vsp::vector3(entry, "rotation");
-  Pose mount = Pose::Identity();
-  mount.translation() = vsp::vector3(entry, "position");
-  // turns about fixed axes: the last one is the leftmost factor
-  mount.linear() =
-      (Eigen::AngleAxisd(turns.z(), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(turns.y(), Eigen::Vector3d::UnitY()) *
-       Eigen::AngleAxisd(turns.x(), Eigen::Vector3d::UnitX()))
-          .toRotationMatrix();
-  return mount;
-}
-
-}  // namespace
-
 WristSensor::WristSensor(const config::SensorEntry& entry, const sim::WorldMemory* world, std::size_t slot,
                          double servo_period)
-    : source_(vsp::make_source(entry, sensor_, world, slot, servo_period)), mount_(mount_of(entry)) {
+    : source_(vsp::make_source(entry, sensor_, world, slot, servo_period)),
+      mount_(frame_at(vsp::vector3(entry, "position"), vsp::vector3(entry, "rotation"))) {
   sensor_.configure(entry, servo_period);
 }
 

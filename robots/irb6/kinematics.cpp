@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "language/inverse_tools.hpp"
+#include "language/rigid_motion.hpp"
 
 namespace mrroc::irb6 {
 

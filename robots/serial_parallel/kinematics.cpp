@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "language/inverse_tools.hpp"
+#include "language/rigid_motion.hpp"
 #include "robots/serial_parallel/wrist.hpp"
 
 namespace mrroc::serial_parallel {

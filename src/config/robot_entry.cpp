@@ -5,6 +5,7 @@
 #include "config/named_file.hpp"
 #include "config/resources.hpp"
 #include "config/robot_parameters_file.hpp"
+#include "language/rigid_motion.hpp"
 
 namespace mrroc::config {
 
@@ -53,14 +54,7 @@ Pose read_base(const Table& table) {
   const std::vector<double> none(3, 0.0);
   const auto position = table.optional_numbers("position", 3).value_or(none);
   const auto rotation = table.optional_numbers("rotation", 3).value_or(none);
-  Pose base = Pose::Identity();
-  base.translation() << position[0], position[1], position[2];
-  // turns about fixed axes: the last one is the leftmost factor
-  base.linear() = (Eigen::AngleAxisd(rotation[2], Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(rotation[1], Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(rotation[0], Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
-  return base;
+  return frame_at(Eigen::Vector3d(position.data()), Eigen::Vector3d(rotation.data()));
 }
 
 void read_force(const Table& table, RobotEntry& robot) {

@@ -13,7 +13,4 @@ inline constexpr double kSingular = 1e-10;
 /// The angle `angle` + k `period` that is nearest to `near`, rad.
 double nearest_angle(double angle, double near, double period = 2 * std::numbers::pi) noexcept;
 
-/// Whether the pose is a rigid motion: all values finite, R^T R = I within 1e-6, right-handed.
-bool is_rigid(const Pose& pose) noexcept;
-
 }  // namespace mrroc

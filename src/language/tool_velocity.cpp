@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "language/rigid_motion.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {
@@ -28,13 +29,6 @@ Pose exponential(const Twist& displacement) {
   pose.translation() =
       v * angle + (1 - std::cos(angle)) * axis.cross(v) + (angle - std::sin(angle)) * axis.cross(axis.cross(v));
   return pose;
-}
-
-/// The same twist in axes turned by `rotation`.
-Twist turned(const Eigen::Matrix3d& rotation, const Twist& twist) {
-  Twist result;
-  result << rotation * twist.head<3>(), rotation * twist.tail<3>();
-  return result;
 }
 
 }  // namespace
