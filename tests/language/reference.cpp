@@ -1,4 +1,4 @@
-// The reference model of Move and Wait, written from the paper's equations (3) and (5) and DESIGN 3, not from the
+// The reference model of Move and Wait, written from the paper's equations (3) and (5), not from the
 // language's code: it keeps its own robots, sensors and time, and writes down the calls that must be made.
 #include "language/script.hpp"
 

@@ -103,7 +103,7 @@ std::ostream& operator<<(std::ostream& out, const RunRecord& run);
 /// and whether it is the last one (who = "last").
 RunRecord execute(const Script& script);
 
-/// What the paper's equations (3) and (5) and DESIGN 3 make of the script. Shares no code with the language.
+/// What the paper's equations (3) and (5) make of the script. Shares no code with the language.
 RunRecord predict(const Script& script);
 
 /// The value of the tree at the k-th evaluation, and the names of what made it true; written on the tree alone.

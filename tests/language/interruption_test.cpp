@@ -1,0 +1,127 @@
+// Move and Wait that do not run through: errors, pauses, late commands.
+#include <gtest/gtest.h>
+
+#include "language/drive.hpp"
+#include "mrroc/conditions/elapsed_steps.hpp"
+#include "mrroc/move.hpp"
+#include "mrroc/stopped.hpp"
+
+namespace mrroc {
+namespace {
+
+using fakes::Action;
+using fakes::Call;
+using fakes::Drive;
+using fakes::FakeTask;
+
+TEST(Interruption, TheGravestErrorOfAStepIsThrown) {
+  FakeTask task;
+  const auto left = task.robot("left");
+  const auto right = task.robot("right");
+  const auto gate = task.sensor("gate");
+  task.robot_fake("left").errors[1] = {ErrorClass::non_fatal, ErrorCode::singular, {}};
+  task.robot_fake("right").errors[1] = {ErrorClass::hardware, ErrorCode::drive_fault, {"axis 2"}};
+  task.sensor_fake("gate").errors[1] = {ErrorClass::hardware, ErrorCode::sensor_hardware, {}};
+  try {
+    Wait({*left, *right}, {*gate}, ElapsedSteps{9});
+    FAIL();
+  } catch (const HardwareError& error) {
+    EXPECT_STREQ(error.what(),
+                 "hardware error: a drive reports a fault: axis 2 [process test, device right, step 1, tick 1010]");
+  }
+}
+
+class MyError : public NonFatalError {
+ public:
+  MyError() : NonFatalError("mine") {}
+};
+
+TEST(Interruption, AnErrorOfTheGeneratorKeepsItsTypeAndSaysWhere) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  Drive drive({arm.get()});
+  int steps = 0;
+  drive.act = [&] {
+    if (++steps == 3) throw MyError{};
+  };
+  try {
+    Move({*arm}, {}, drive);
+    FAIL();
+  } catch (const MyError& error) {
+    EXPECT_EQ(error.origin().process, "test");
+    EXPECT_EQ(error.origin().step, 2u);
+    EXPECT_EQ(error.origin().tick, 1018u);
+    EXPECT_STREQ(error.what(), "non-fatal error: the task failed: mine [process test, step 2, tick 1018]");
+  }
+}
+
+TEST(Interruption, AnErrorOfALinkSaysAtWhichStep) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  task.robot_fake("arm").throws[2] = [] { throw SystemError(ErrorCode::process_died, "arm_edp", {"", "arm", 0, 0}); };
+  try {
+    Move({*arm}, {}, Drive{{arm.get()}});
+    FAIL();
+  } catch (const SystemError& error) {
+    EXPECT_STREQ(error.what(), "system error: a process died: arm_edp [process test, device arm, step 1, tick 1008]");
+  }
+}
+
+TEST(Interruption, AfterAnErrorTheTaskMayGoOn) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  task.robot_fake("arm").errors[1] = {ErrorClass::non_fatal, ErrorCode::out_of_workspace, {}};
+  EXPECT_THROW(Move({*arm}, {}, Drive{{arm.get()}}), NonFatalError);
+  EXPECT_EQ(Wait({*arm}, {}, ElapsedSteps{3}).steps, 3u);
+}
+
+TEST(Interruption, AStopDuringAPauseLeavesTheTask) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  task.requests = {OperatorRequest::pause, OperatorRequest::pause, OperatorRequest::stop};
+  EXPECT_THROW(Move({*arm}, {}, Drive{{arm.get()}}), Stopped);
+}
+
+TEST(Interruption, AnEndMotionDuringAPauseEndsTheMotionWithoutResumingIt) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  task.requests = {OperatorRequest::none, OperatorRequest::pause, OperatorRequest::end_motion};
+  class NoResume : public Drive {
+   public:
+    using Drive::Drive;
+    void resume() override { FAIL(); }
+  } drive({arm.get()});
+  const Outcome end = Move({*arm}, {}, drive);
+  EXPECT_EQ(end.ending, Ending::end_motion);
+  EXPECT_EQ(end.steps, 1u);
+}
+
+TEST(Interruption, AfterALateCommandAllRobotsComeToRestAndTheGeneratorGoesOnFromThere) {
+  FakeTask task;
+  const auto left = task.robot("left");
+  const auto right = task.robot("right");
+  task.robot_fake("left").late_at = 3;  // the query's reply is number 0
+  struct Resumed : Drive {
+    using Drive::Drive;
+    void resume() override {
+      ++times;
+      for (const Robot* robot : seen) EXPECT_TRUE(robot->state().desired_velocity.isZero(0));
+    }
+    int times = 0;
+    std::vector<Robot*> seen;
+  } drive({left.get(), right.get()});
+  drive.seen = {left.get(), right.get()};
+  const Outcome end = Move({*left, *right}, {}, drive.until(ElapsedSteps{6}));
+  EXPECT_EQ(drive.times, 1);
+  EXPECT_EQ(end.steps, 6u) << "holding is no step";
+  std::vector<CommandKind> kinds;
+  for (const Call& call : task.log.calls)
+    if (call.action == Action::send && call.who == "right") kinds.push_back(call.kind);
+  const std::vector<CommandKind> expected{CommandKind::query, CommandKind::joint, CommandKind::joint,
+                                          CommandKind::joint, CommandKind::hold,  CommandKind::joint,
+                                          CommandKind::joint, CommandKind::joint};
+  EXPECT_EQ(kinds, expected);
+}
+
+}  // namespace
+}  // namespace mrroc
