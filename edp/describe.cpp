@@ -10,16 +10,23 @@
 namespace mrroc::edp {
 namespace {
 
-void print_workspace(const RobotModel& model, int points, std::uint64_t seed) {
+constexpr int kTriesPerPoint = 1000;
+
+/// False: hardly any posture is within the motors' limits.
+bool print_workspace(const RobotModel& model, int points, std::uint64_t seed) {
   const ToolKinematics kinematics(model);
   std::mt19937_64 random(seed);
-  for (int found = 0; found < points;) {
+  int found = 0;
+  for (std::int64_t tries = 0; found < points && tries < std::int64_t{points} * kTriesPerPoint; ++tries) {
     const JointVector joints = random_joints(model, random);
     if (!within_motor_limits(model, joints)) continue;
     const Eigen::Vector3d p = kinematics.direct(joints).translation();
     std::printf("%.5f %.5f %.5f\n", p.x(), p.y(), p.z());
     ++found;
   }
+  if (found == points) return true;
+  std::fprintf(stderr, "only %d of %d random postures within the motors' limits\n", found, points);
+  return false;
 }
 
 void print_limits(const RobotParameters& parameters) {
@@ -55,8 +62,7 @@ int describe(int argc, char** argv, const RobotModels& models) {
   }
   for (const auto& model : models) {
     if (model->name() != name) continue;
-    print_workspace(*model, points, seed);
-    return 0;
+    return print_workspace(*model, points, seed) ? 0 : 2;
   }
   std::fprintf(stderr, "no model '%s' of %s\n", name.c_str(), models.front()->parameters().type.c_str());
   return 2;

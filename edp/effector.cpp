@@ -5,13 +5,11 @@
 
 #include "edp/error_report.hpp"
 #include "edp/force_law.hpp"
+#include "language/rigid_motion.hpp"
 
 namespace mrroc::edp {
 
 namespace {
-
-/// Of the robot itself; unknown kinds are refused as such.
-bool is_change(CommandKind kind) noexcept { return kind >= CommandKind::set_tool; }
 
 bool is_motion(CommandKind kind) noexcept {
   return kind != CommandKind::query && kind != CommandKind::hold && !is_change(kind);
@@ -67,25 +65,24 @@ bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& 
   if (snapshot_ == nullptr) {
     error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "the servo has not ticked yet");
   } else if (command.kind == CommandKind::recover) {
-    recovery_ = {true, number, snapshot_->orders};
-    hand_over_.order.store(DriveOrder::recover, std::memory_order_release);
-    return false;
+    if (!recovery_.under_way) {
+      recovery_ = {true, number, snapshot_->orders};
+      hand_over_.order.store(DriveOrder::recover, std::memory_order_release);
+      return false;
+    }
+    error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "a recovery is under way");
+  } else if (command.kind == CommandKind::set_outputs) {
+    error = take_outputs(command.outputs);
   } else if (command.kind != CommandKind::query) {
-    error = command.kind == CommandKind::set_outputs ? refusal_of_outputs(command.outputs) : refusal(command);
-    if (error.error_class == ErrorClass::none && command.kind == CommandKind::set_tool) {
+    error = refuse(command);
+    if (!bad(error) && command.kind == CommandKind::set_tool) {
       tool_ = command.pose;
       planner_.use(ToolKinematics(models_.at(model_), tool_));
       answer(number, {}, reply);
       return true;
     }
-    if (error.error_class == ErrorClass::none && command.kind == CommandKind::set_outputs) {
-      if (!hand_over_.outputs.push(command.outputs))
-        error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "outputs that the servo has not taken yet");
-      answer(number, error, reply);
-      return true;
-    }
     Outstanding* entry = free_place();
-    if (error.error_class == ErrorClass::none) {
+    if (!bad(error)) {
       if (entry == nullptr) {
         error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "one command runs and one waits already");
       } else {
@@ -94,8 +91,9 @@ bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& 
         entry->ticket = ++last_ticket_;
         entry->number = number;
         entry->command = command;
+        entry->interruptions = interruptions_told_;
         error = hand_over(*entry);
-        if (error.error_class == ErrorClass::none) {
+        if (!bad(error)) {
           ++counters_.accepted;
           return false;
         }
@@ -107,76 +105,17 @@ bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& 
   return true;
 }
 
-ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
-  if (snapshot_->fault.code != ErrorCode::none) return make_report(snapshot_->fault, models_.parameters());
-  if (!snapshot_->enabled)
-    return make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "at tick %llu",
-                       static_cast<unsigned long long>(snapshot_->tick));
-  if (snapshot_->interruptions != interruptions_told_) return snapshot_->interruption;
-  if (is_change(command.kind)) return refusal_of_change(command);
-  if (command.with_outputs)
-    if (const ErrorReport report = refusal_of_outputs(command.outputs); report.error_class != ErrorClass::none)
-      return report;
-  if (command.kind == CommandKind::force && !mount_)
-    return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
-                       "a force motion of a robot without force_sensor in the deployment");
-  if (!snapshot_->synchronised && command.kind != CommandKind::hold &&
-      !(command.kind == CommandKind::motor && command.relative && command.interpolation != Interpolation::task))
-    return make_report(ErrorClass::non_fatal, ErrorCode::not_synchronised,
-                       "only relative motor motion, hold and synchronise");
-  if (command.start_tick > snapshot_->tick + kMaxMotionSteps)
-    return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "start_tick %llu, expected at most %llu",
-                       static_cast<unsigned long long>(command.start_tick),
-                       static_cast<unsigned long long>(snapshot_->tick + kMaxMotionSteps));
-  return {};
+ErrorReport Effector::take_outputs(const Signals& outputs) noexcept {
+  const ErrorReport error = refusal_of_outputs(outputs);
+  if (bad(error) || hand_over_.outputs.push(outputs)) return error;
+  return make_report(ErrorClass::non_fatal, ErrorCode::busy, "outputs that the servo has not taken yet");
 }
 
-ErrorReport Effector::refusal_of_outputs(const Signals& outputs) const noexcept {
-  for (std::size_t i = 0; i < outputs.analog.size(); ++i)
-    if (!std::isfinite(outputs.analog[i]))
-      return make_report(ErrorClass::non_fatal, ErrorCode::not_finite, "analogue output %d is %g", static_cast<int>(i),
-                         outputs.analog[i]);
-  return {};
-}
-
-ErrorReport Effector::refusal_of_change(const RobotCommand& command) const noexcept {
-  if (forced_ || !end_.at_rest()) return make_report(ErrorClass::non_fatal, ErrorCode::busy, "only at rest");
-  switch (command.kind) {
-    case CommandKind::set_tool:
-      if (!is_rigid(command.pose))
-        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "the tool is not a rigid frame");
-      return {};
-    case CommandKind::use_model:
-      if (!snapshot_->synchronised)
-        return make_report(ErrorClass::non_fatal, ErrorCode::not_synchronised, "no model before");
-      if (command.choice >= models_.size())
-        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "model %d, expected 0..%d",
-                           int{command.choice}, static_cast<int>(models_.size()) - 1);
-      return {};
-    case CommandKind::synchronise:
-      if (snapshot_->synchronised)
-        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "already synchronised");
-      for (const AxisParameters& axis : models_.parameters().axes)
-        if (axis.synchro_coarse == 0)
-          return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
-                             "axis %s has no synchronisation switch", axis.name.c_str());
-      return {};
-    case CommandKind::use_regulators: {
-      const std::size_t count = models_.parameters().regulators.size();
-      if (command.choice >= count)
-        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "regulator set %d, expected below %d",
-                           int{command.choice}, static_cast<int>(count));
-      return {};
-    }
-    case CommandKind::bias_force:
-      if (!mount_)
-        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
-                           "the robot has no force_sensor in the deployment");
-      return {};
-    default:
-      return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "kind %d is unknown",
-                         static_cast<int>(command.kind));
-  }
+/// The answer to a motion or change that is not possible; with it an interruption is told.
+ErrorReport Effector::refuse(const RobotCommand& command) noexcept {
+  const ErrorReport error = refusal(command);
+  if (bad(error)) interruptions_told_ = snapshot_->interruptions;
+  return error;
 }
 
 Effector::Outstanding* Effector::free_place() noexcept {
@@ -222,7 +161,7 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   } else {
     const Pace pace = entry.late || entry.after_force ? Pace::stretched : Pace::as_commanded;
     const ErrorReport error = planner_.plan(command, from, pace, macrostep_);
-    if (error.error_class != ErrorClass::none) return error;
+    if (bad(error)) return error;
   }
   if (moves && macrostep_.steps > command.motion_steps) ++counters_.stretched;
   macrostep_.ticket = entry.ticket;
@@ -256,9 +195,11 @@ bool Effector::poll(Reply& reply) noexcept {
     const Report::Outcome outcome = report->outcome;
     bool answered = entry != nullptr;
     if (entry != nullptr && outcome == Report::Outcome::refused) {
-      ErrorReport error = refusal(entry->command);
-      if (error.error_class == ErrorClass::none) error = hand_over(*entry);
-      answered = error.error_class != ErrorClass::none;
+      ErrorReport error = refuse(entry->command);
+      if (!bad(error) && snapshot_->interruptions != entry->interruptions)
+        error = snapshot_->interruption;  // told to the command before, which its sender had not heard of
+      if (!bad(error)) error = hand_over(*entry);
+      answered = bad(error);
       if (answered) {
         entry->used = false;
         answer(entry->number, error, reply);
@@ -288,10 +229,9 @@ void Effector::answer(std::uint64_t number, const ErrorReport& error, Reply& rep
   reply.command = number;
   reply.state = RobotState{};
   fill_present(reply.state);
-  if (error.error_class != ErrorClass::none) {
+  if (bad(error)) {
     reply.state.error = error;
     ++counters_.refused;
-    if (snapshot_ != nullptr) interruptions_told_ = snapshot_->interruptions;
   }
   untold_ = false;
 }

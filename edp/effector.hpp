@@ -12,6 +12,9 @@
 
 namespace mrroc::edp {
 
+/// Whether a command changes the robot instead of moving it. Unknown kinds do: they are refused as such.
+constexpr bool is_change(CommandKind kind) noexcept { return kind >= CommandKind::set_tool; }
+
 /// The answer to one command.
 struct Reply {
   std::uint64_t command = 0;  ///< the number that `accept` was given
@@ -77,13 +80,16 @@ class Effector {
     bool used = false;
     bool replied = false;
     bool late = false;
-    bool after_force = false;  ///< planned from a stop that its sender did not know of
+    bool after_force = false;         ///< planned from a stop that its sender did not know of
+    std::uint32_t interruptions = 0;  ///< of which its sender knew
     std::uint64_t ticket = 0;
     std::uint64_t number = 0;
     RobotCommand command;
   };
 
   void refresh() noexcept;
+  ErrorReport take_outputs(const Signals& outputs) noexcept;
+  ErrorReport refuse(const RobotCommand& command) noexcept;
   ErrorReport refusal(const RobotCommand& command) const noexcept;
   ErrorReport refusal_of_outputs(const Signals& outputs) const noexcept;
   ErrorReport refusal_of_change(const RobotCommand& command) const noexcept;

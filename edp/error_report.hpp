@@ -10,6 +10,8 @@ namespace mrroc::edp {
 [[gnu::format(printf, 3, 4)]] ErrorReport make_report(ErrorClass error_class, ErrorCode code, const char* format,
                                                       ...) noexcept;
 
+inline bool bad(const ErrorReport& report) noexcept { return report.error_class != ErrorClass::none; }
+
 /// A latched fault as the hardware error that the replies carry.
 ErrorReport make_report(const Fault& fault, const RobotParameters& parameters) noexcept;
 

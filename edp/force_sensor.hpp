@@ -27,8 +27,8 @@ class ForceSensor {
   virtual void bias() noexcept = 0;
 };
 
-/// Largest wrench that the robot may meet in a motion, in the axes of the sensor frame: beyond it, it stops. Defaults:
-/// the original's.
+/// Largest wrench that the robot may meet in a motion, N and N m in the axes of the sensor frame: beyond it, it stops.
+/// Defaults: the original's.
 using ForceLimits = Wrench;
 
 }  // namespace mrroc::edp

@@ -13,8 +13,6 @@ constexpr double kJerkRounding = 1e-4;  // in task space accelerations are diffe
 constexpr std::uint32_t kSamples = 8;   // per macrostep, at least
 constexpr double kRatioGrowth = 4;      // no transmission ratio grows more than that during one stop
 
-bool bad(const ErrorReport& report) noexcept { return report.error_class != ErrorClass::none; }
-
 }  // namespace
 
 LimitCheck::LimitCheck(const RobotModel& model, double period)

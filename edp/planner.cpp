@@ -11,8 +11,6 @@ namespace {
 constexpr std::uint32_t kMaxStretchedSteps = 4 * kMaxMotionSteps;
 constexpr double kSameBranch = 1e-6;  // rad or m, between the end of a path and the joints of its goal
 
-bool bad(const ErrorReport& report) noexcept { return report.error_class != ErrorClass::none; }
-
 }  // namespace
 
 Planner::Planner(const RobotModel& model, double period)

@@ -96,14 +96,14 @@ void Servo::measure(Tick tick) noexcept {
   if (!ticked_) {
     last_ = tick == 0 ? 0 : tick - 1;
     measured_motors_ = desired_motors_ = input_.motors;
-    if (!use(input_.synchronised ? 0 : ModelSet::kShafts)) latch(ErrorCode::motor_limit, -1, 0, 0, tick);
+    if (!use(input_.synchronised ? 0 : ModelSet::kShafts)) find_fault(ErrorCode::motor_limit);
   } else if (!input_.synchronised && model_index_ != ModelSet::kShafts) {
-    latch(ErrorCode::drive_fault, -1, 0, 0, tick);  // the drives have lost their positions
+    find_fault(ErrorCode::drive_fault);  // the drives have lost their positions
   }
   JointVector joints = joints_;
   if (model_->motors_to_joints(input_.motors, joints) != ErrorCode::none) {
     joints = joints_;
-    latch(ErrorCode::motor_limit, -1, 0, 0, tick);
+    find_fault(ErrorCode::motor_limit);
   }
   if (ticked_) {
     measured_increment_ = input_.motors - measured_motors_;
@@ -113,6 +113,11 @@ void Servo::measure(Tick tick) noexcept {
   joints_ = joints;
   ++counters_.ticks;
   counters_.missed += elapsed_ - 1;
+}
+
+/// A fault that the readings show, as if the drives had reported it; theirs come first.
+void Servo::find_fault(ErrorCode code) noexcept {
+  if (input_.fault == ErrorCode::none) input_.fault = code;
 }
 
 void Servo::switch_off() noexcept {

@@ -53,6 +53,8 @@ class Servo {
 
   /// The process ends: from the next tick on the robot stops, then its drives go off. The servo's thread.
   void switch_off() noexcept;
+  /// Whether the drives wait for each tick (Hardware::waits), so that none may be skipped.
+  bool drives_wait() const noexcept { return hardware_.waits(); }
   /// False once nothing moves any more. The servo's thread.
   bool drives_on() const noexcept { return enabled_; }
 
@@ -74,6 +76,7 @@ class Servo {
   bool use(std::uint8_t model) noexcept;
   void widen_limits() noexcept;
   void measure(Tick tick) noexcept;
+  void find_fault(ErrorCode code) noexcept;
   void switch_on() noexcept;
   void obey_order() noexcept;
   void watch(Tick tick) noexcept;

@@ -12,7 +12,6 @@ Synchroniser::Synchroniser(const RobotParameters& robot, const RobotParameters& 
     axes_[i] = {axis.synchro_coarse, axis.synchro_fine, axis.motor_synchro, shafts.axes[i].acceleration_max,
                 shafts.axes[i].jerk_max};
     order_[i] = robot.synchro_order.empty() ? i : static_cast<std::size_t>(robot.synchro_order[i]);
-    possible_ = possible_ && axis.synchro_coarse != 0 && axis.synchro_fine != 0;
   }
 }
 

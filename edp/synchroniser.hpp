@@ -25,8 +25,6 @@ class Synchroniser {
   /// `robot`: the robot's parameters; `shafts`: those of its ShaftModel.
   Synchroniser(const RobotParameters& robot, const RobotParameters& shafts, double period) noexcept;
 
-  /// Every axis has a synchronisation speed.
-  bool possible() const noexcept { return possible_; }
   /// From rest at `shafts`.
   void start(const JointVector& shafts) noexcept;
   /// One tick: what the drives said, and the set-point of the shafts that follows. `failed`: an axis has met a limit
@@ -65,7 +63,6 @@ class Synchroniser {
   std::array<std::size_t, kMaxJoints> order_{};
   std::size_t count_;
   double period_;
-  bool possible_ = true;
 
   std::size_t place_ = 0;  ///< in `order_`
   Phase phase_ = Phase::begin;

@@ -164,6 +164,43 @@ TEST(Change, RecoverClearsAFaultAndTheRobotStandsWhereItIs) {
   EXPECT_NEAR(rig.seen().joints[0], 0.5, 1e-3);
 }
 
+TEST(Change, NoRecoveryPowersDrivesThatHaveLostTheirPositions) {
+  Rig<Slide> rig;
+  rig.run(10);
+  rig.hardware.positions_lost = true;
+  rig.run(300);
+  ASSERT_FALSE(rig.hardware.powered);
+  RobotCommand recover;
+  recover.kind = CommandKind::recover;
+  rig.replies.clear();
+  ASSERT_FALSE(rig.send(recover));
+  ASSERT_TRUE(rig.send(recover)) << "one at a time";
+  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::busy);
+  for (int i = 0; i < 300; ++i) {
+    rig.tick();
+    ASSERT_FALSE(rig.hardware.powered);
+  }
+  ASSERT_EQ(rig.replies.size(), 1u);
+  EXPECT_EQ(rig.replies[0].state.error.code, ErrorCode::drive_fault);
+  rig.hardware.positions_lost = false;
+  ASSERT_FALSE(rig.send(recover));
+  rig.run(3);
+  ASSERT_EQ(rig.replies.size(), 2u);
+  EXPECT_EQ(rig.replies[1].state.error.code, ErrorCode::none);
+  EXPECT_TRUE(rig.hardware.powered);
+}
+
+TEST(Change, AStartTickThatNeverComesIsRefused) {
+  Rig<Slide> rig;
+  for (const CommandKind kind : {CommandKind::use_regulators, CommandKind::use_model, CommandKind::joint}) {
+    RobotCommand command = joint_command(one(0.3), 100, 100);
+    command.kind = kind;
+    command.start_tick = kNever;
+    ASSERT_TRUE(rig.send(command));
+    EXPECT_EQ(rig.answer.state.error.code, ErrorCode::invalid_argument);
+  }
+}
+
 TEST(Change, OutputsAreSetAtAnyTimeAndSeenInTheState) {
   Rig<Slide> rig(false);  // the drives are off
   RobotCommand set;

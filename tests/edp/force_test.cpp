@@ -169,6 +169,29 @@ TEST(ForceLimit, AnInterruptionAfterTheReplyIsTheAnswerToTheNextCommand) {
   EXPECT_TRUE(well(rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000)))) << "told once";
 }
 
+TEST(ForceLimit, ACommandThatWaitedBehindTheInterruptedOneIsNotExecuted) {
+  GantryBeforeWall rig;
+  ASSERT_FALSE(rig.send(joint_command((JointVector(4) << 0.4, 0, 0, 0).finished(), 500, 500)));
+  rig.run(20);
+  ASSERT_FALSE(rig.send(joint_command((JointVector(4) << 0, 0.2, 0, 0).finished(), 1000, 1000)));
+  rig.run(2000);
+  ASSERT_EQ(rig.replies.size(), 2u);
+  for (const Reply& reply : rig.replies) EXPECT_EQ(reply.state.error.code, ErrorCode::force_limit);
+  EXPECT_NEAR(rig.seen().desired.position[1], 0, 1e-9) << "its sender did not know of the wall";
+  EXPECT_TRUE(well(rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000)))) << "told by now";
+}
+
+TEST(ForceLimit, OutputsThatAreRefusedDoNotSwallowAnInterruption) {
+  GantryBeforeWall rig;
+  ASSERT_TRUE(well(rig.exchange(joint_command((JointVector(4) << 0.4, 0, 0, 0).finished(), 500, 1))));
+  rig.run(700);
+  RobotCommand outputs;
+  outputs.kind = CommandKind::set_outputs;
+  outputs.outputs.analog[0] = std::nan("");
+  EXPECT_EQ(rig.exchange(outputs).error.code, ErrorCode::not_finite);
+  EXPECT_EQ(rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000)).error.code, ErrorCode::force_limit);
+}
+
 TEST(ForceLimit, ARobotAtRestIsNotDisturbed) {
   GantryBeforeWall rig;
   rig.sensor.extra[2] = 500;
