@@ -27,6 +27,8 @@ namespace {
   const int null = open("/dev/null", O_RDONLY);
   if (null >= 0) dup2(null, STDIN_FILENO);
   execv(program.c_str(), words);
+  constexpr char kReason[] = "cannot be executed\n";
+  if (write(STDERR_FILENO, kReason, sizeof kReason - 1) < 0) _exit(126);
   _exit(127);
 }
 
@@ -95,12 +97,10 @@ void Child::signal(int number) noexcept {
 }
 
 std::vector<std::string> Child::read_lines() {
-  char buffer[4096];
-  for (;;) {
-    const ssize_t size = read(output_, buffer, sizeof buffer);
-    if (size <= 0) break;
+  // no more than a pipe holds: a process that never stops printing shall not hold the runner
+  char buffer[65536];
+  if (const ssize_t size = read(output_, buffer, sizeof buffer); size > 0)
     unfinished_.append(buffer, static_cast<std::size_t>(size));
-  }
   std::vector<std::string> lines;
   std::size_t end = 0;
   while ((end = unfinished_.find('\n')) != std::string::npos) {

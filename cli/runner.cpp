@@ -88,7 +88,7 @@ RunResult Runner::run() {
   // before anything is started: a run whose trace is lost would be in vain
   if (!options_.trace.empty()) create_trace(options_.trace);
   if (!options_.snapshots.empty()) std::filesystem::create_directories(options_.snapshots);
-  // lockstep is serial by nature: one CPU for all is several times faster than two (DESIGN 5)
+  // lockstep is serial by nature: one CPU for all is several times faster than two
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
   try {
     start_processes();
@@ -99,16 +99,22 @@ RunResult Runner::run() {
   }
   end_processes();
   result_.statuses = statuses_;
-  if (!options_.trace.empty()) {
-    std::vector<std::filesystem::path> parts;
-    for (const PlannedProcess& process : plan_) {
-      const std::filesystem::path part = trace_part(process.name);
-      if (process.has_task && std::filesystem::exists(part)) parts.push_back(part);
-    }
+  if (!options_.trace.empty()) collect_trace();
+  return result_;
+}
+
+void Runner::collect_trace() {
+  std::vector<std::filesystem::path> parts;
+  for (const PlannedProcess& process : plan_) {
+    const std::filesystem::path part = trace_part(process.name);
+    if (process.has_task && std::filesystem::exists(part)) parts.push_back(part);
+  }
+  try {
     merge_traces(parts, options_.trace);
     for (const std::filesystem::path& part : parts) std::filesystem::remove(part);
+  } catch (const std::exception& error) {  // what the run has come to is not lost with its trace
+    fail(process::ExitCode::system, error.what());
   }
-  return result_;
 }
 
 void Runner::start_processes() {
@@ -129,7 +135,7 @@ void Runner::start_processes() {
     if (process.name == "sim") arguments.snapshots = options_.snapshots;
     crew_.start(process.name, process.program.string(), process::to_command_line(arguments));
   }
-  // after the children: they would inherit the domain's sockets (dds.md, trap 5)
+  // after the children: they would inherit the domain's sockets
   links::DomainOptions options;
   options.id = domain_lock_.domain();
   if (deployment_.clock != config::ClockMode::real) options.lease = 0;

@@ -52,6 +52,7 @@ class Runner {
 
  private:
   void start_processes();
+  void collect_trace();
   void pass_barrier();
   /// Shakes hands with the MP, and sees meanwhile who dies and what the operator wants; false when all is to end.
   bool connect_to_mp(double deadline);

@@ -18,9 +18,10 @@ struct Line {
   std::string text;
 };
 
-std::uint64_t tick_of(const std::string& text) {
+/// A line without a tick belongs to the line before.
+std::uint64_t tick_of(const std::string& text, std::uint64_t before) {
   constexpr std::string_view key = "tick=";
-  std::uint64_t tick = 0;
+  std::uint64_t tick = before;
   if (text.starts_with(key)) std::from_chars(text.data() + key.size(), text.data() + text.size(), tick);
   return tick;
 }
@@ -39,7 +40,8 @@ void merge_traces(const std::vector<std::filesystem::path>& parts, const std::fi
   for (const std::filesystem::path& part : sorted) {
     std::ifstream file(part);
     if (!file) throw std::runtime_error("cannot read the trace " + part.string());
-    for (std::string text; std::getline(file, text);) lines.push_back({tick_of(text), text});
+    std::uint64_t tick = 0;
+    for (std::string text; std::getline(file, text);) lines.push_back({tick = tick_of(text, tick), text});
   }
   std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.tick < b.tick; });
   std::ofstream file(merged);

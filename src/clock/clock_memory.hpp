@@ -31,7 +31,7 @@ enum class Membership : std::uint32_t {
 inline constexpr std::size_t kMaxParticipants = 64;
 /// Slot of the runner's own links: a sender and receiver that nobody waits for.
 inline constexpr std::uint32_t kOperator = kMaxParticipants;
-inline constexpr std::uint32_t kMaxLinks = 512;
+inline constexpr std::uint32_t kMaxLinks = 2048;
 inline constexpr std::size_t kTopicLength = 95;
 
 /// One process. "Host" or "participant" says who writes.

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kMostRobots = 16;
 constexpr std::size_t kMostSensors = 32;
+constexpr std::size_t kMostProcesses = 60;  // `mrroc` and they have the 61 participants that DDS finds on one machine
 
 ClockMode read_clock(const Table& table) {
   if (!table.has("clock")) return ClockMode::lockstep;
@@ -31,12 +32,12 @@ void read_general(const Table& table, Deployment& deployment) {
   check_name(table, "name", deployment.name);
   deployment.clock = read_clock(table);
   deployment.servo_period = table.number_or("servo_period", deployment.servo_period, {0.0005, 0.02});
-  deployment.domain = static_cast<int>(table.integer_or("domain", deployment.domain, 0, 232));
+  deployment.domain = static_cast<int>(table.integer_or("domain", deployment.domain, 0, 230));
   const Range timeouts{0.1, 3600};
   deployment.start_timeout = table.number_or("start_timeout", deployment.start_timeout, timeouts);
-  deployment.heartbeat_timeout = table.number_or("heartbeat_timeout", deployment.heartbeat_timeout, timeouts);
+  deployment.heartbeat_timeout = table.number_or("heartbeat_timeout", deployment.heartbeat_timeout, {0.5, 3600});
   const auto deltas = static_cast<std::int64_t>(deployment.delta_limit);
-  deployment.delta_limit = static_cast<std::size_t>(table.integer_or("delta_limit", deltas, 1, 1'000'000));
+  deployment.delta_limit = static_cast<std::size_t>(table.integer_or("delta_limit", deltas, 2, 1'000'000));
 }
 
 void read_mp(const Table& root, MpEntry& mp) {
@@ -148,6 +149,13 @@ Deployment load_deployment(const std::filesystem::path& file) {
   });
   check_force_sensors(root, deployment);
   refuse_names_of_edps(root, deployment);
+  const std::size_t processes = 2 * deployment.robots.size() + deployment.sensors.size() + 1 + (deployment.sim ? 1 : 0);
+  if (processes > kMostProcesses) {
+    root.fail("",
+              std::to_string(processes) + " processes (two per robot, one per sensor, the MP" +
+                  (deployment.sim ? ", the simulator)" : ")"),
+              "at most " + std::to_string(kMostProcesses));
+  }
   deployment.events = read_events(root);
   if (deployment.robots.empty() && deployment.sensors.empty()) {
     root.fail("", "no robots and no sensors", "at least one [robots.NAME] or [sensors.NAME]");

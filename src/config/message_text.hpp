@@ -22,7 +22,7 @@ std::string alternatives(const std::vector<std::string>& choices);
 /// "a number from 0 to 1", "a number of at least 0", "a number of at most 1", "a number".
 std::string expected_number(Range range);
 
-/// "an integer from 0 to 232", with the open ends of `expected_number`.
+/// "an integer from 0 to 230", with the open ends of `expected_number`.
 std::string expected_integer(std::int64_t min, std::int64_t max);
 
 /// Number of letters to insert, delete, replace or swap with their neighbour to turn one word into the other (optimal

@@ -6,6 +6,7 @@
 
 #include "config/message_text.hpp"
 #include "config/resources.hpp"
+#include "language/rigid_motion.hpp"
 
 namespace mrroc::config {
 
@@ -63,7 +64,7 @@ AxisParameters read_axis(const Table& table) {
   axis.regulator_current_gain = positive(table, "regulator_current_gain");
   axis.torque_constant = positive(table, "torque_constant");
   axis.rotor_inertia = positive(table, "rotor_inertia");
-  axis.viscous_friction = table.number("viscous_friction", {.min = 0});
+  axis.viscous_friction = positive(table, "viscous_friction");
   table.finish();
   return axis;
 }
@@ -157,13 +158,7 @@ Pose read_tool(const Table& geometry) {
   constexpr Range kTurn{-2 * std::numbers::pi, 2 * std::numbers::pi};
   const auto translation = geometry.numbers("tool_translation", 3, kPlace);
   const auto rotation = geometry.numbers("tool_rotation", 3, kTurn);
-  Pose tool = Pose::Identity();
-  tool.translation() << translation[0], translation[1], translation[2];
-  tool.linear() = (Eigen::AngleAxisd(rotation[2], Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(rotation[1], Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(rotation[0], Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
-  return tool;
+  return frame_at(Eigen::Vector3d(translation.data()), Eigen::Vector3d(rotation.data()));
 }
 
 std::filesystem::path robot_file(const std::string& type, const std::string& name) {

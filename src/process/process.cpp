@@ -50,7 +50,7 @@ links::ProcessStatus first_status(const Arguments& arguments, links::ProcessRole
   return status;
 }
 
-/// The original's order (mrrocpp.md 2.1): what is nearer to the drives goes first.
+/// The original's order: what is nearer to the drives goes first.
 int priority_of(links::ProcessRole role) {
   switch (role) {
     case links::ProcessRole::edp:
@@ -93,7 +93,7 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
     : arguments_(arguments), deployment_(config::load_deployment(arguments.deployment)) {
   clock_ = clock::attach_clock(arguments.clock_fd, arguments.name, role == links::ProcessRole::sim);
   interruptible = clock_.get();
-  // before the domain: Cyclone's threads inherit the priority of the thread that creates them (dds.md, trap 7)
+  // before the domain: Cyclone's threads inherit the priority of the thread that creates them
   if (!clock_->simulated()) {
     const std::string warning = clock::request_realtime(priority_of(role));
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());

@@ -41,7 +41,18 @@ const char* name_of(CommandKind kind) noexcept {
   }
 }
 
-constexpr std::array<const char*, 3> kBehaviours{"u", "g", "c"};  // unguarded, guarded, contact
+/// What a generator wrote may be none of them: the EDP refuses it after it is reported.
+constexpr const char* letter_of(AxisBehaviour behaviour) noexcept {
+  switch (behaviour) {
+    case AxisBehaviour::unguarded:
+      return "u";
+    case AxisBehaviour::guarded:
+      return "g";
+    case AxisBehaviour::contact:
+      return "c";
+  }
+  return "?";
+}
 
 void write_target(TextLine& line, const RobotCommand& command) noexcept {
   switch (command.kind) {
@@ -61,7 +72,7 @@ void write_target(TextLine& line, const RobotCommand& command) noexcept {
     case CommandKind::force:
       write_vector(line << ":", command.twist);
       for (std::size_t i = 0; i < command.force.behaviour.size(); ++i)
-        line << (i == 0 ? "," : "") << kBehaviours[static_cast<std::size_t>(command.force.behaviour[i])];
+        line << (i == 0 ? "," : "") << letter_of(command.force.behaviour[i]);
       write_vector(line << ",", command.force.wrench);
       break;
     default:

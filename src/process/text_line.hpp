@@ -8,13 +8,16 @@
 
 namespace mrroc::process {
 
-/// One line of text in a fixed buffer: appending never allocates and never throws; what does not fit is cut and counted
-/// as cut. Numbers are written in the shortest form that reads back exactly (std::to_chars), independent of the locale.
+/// One line of text in a fixed buffer: appending never allocates and never throws; what does not fit is cut. Numbers
+/// are written in the shortest form that reads back exactly (std::to_chars), independent of the locale.
 class TextLine {
  public:
-  static constexpr std::size_t kCapacity = 4096;
+  static constexpr std::size_t kCapacity = 16384;
 
-  void clear() noexcept { size_ = 0; }
+  void clear() noexcept {
+    size_ = 0;
+    cut_ = false;
+  }
   std::string_view view() const noexcept { return {data_.data(), size_}; }
   bool cut() const noexcept { return cut_; }
 

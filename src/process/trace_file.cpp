@@ -18,7 +18,9 @@ TraceFile::~TraceFile() {
   wake();
   thread_.join();
   if (dropped_ != 0) std::fprintf(file_, "# dropped %llu lines\n", static_cast<unsigned long long>(dropped_));
-  std::fclose(file_);
+  if (cut_ != 0) std::fprintf(file_, "# cut %llu lines\n", static_cast<unsigned long long>(cut_));
+  const bool failed = std::ferror(file_) != 0;
+  if (std::fclose(file_) != 0 || failed) std::fprintf(stderr, "the trace is not complete: %s\n", std::strerror(errno));
 }
 
 TextLine* TraceFile::begin() noexcept {
@@ -38,6 +40,7 @@ TextLine* TraceFile::begin() noexcept {
 }
 
 void TraceFile::commit() noexcept {
+  if (ring_[written_.load(std::memory_order_relaxed) % kLines].cut()) ++cut_;
   written_.fetch_add(1, std::memory_order_release);
   wake();
 }

@@ -18,7 +18,7 @@ class TraceFile {
  public:
   /// Throws std::runtime_error when the file cannot be written.
   TraceFile(const std::filesystem::path& path, bool lossless);
-  /// Writes what is left, and as last line how many lines were dropped if any were.
+  /// Writes what is left, and below it how many lines were dropped and how many were too long and cut, if any.
   ~TraceFile();
   TraceFile(const TraceFile&) = delete;
   TraceFile& operator=(const TraceFile&) = delete;
@@ -42,6 +42,7 @@ class TraceFile {
   std::atomic<std::uint64_t> signals_{0};  // what the file's thread sleeps on: lines and the end
   std::atomic<bool> ended_{false};
   std::uint64_t dropped_ = 0;
+  std::uint64_t cut_ = 0;
   std::thread thread_;
 };
 

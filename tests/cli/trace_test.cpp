@@ -36,6 +36,15 @@ TEST_F(Trace, PartsAreMergedByTickThenProcessThenOrder) {
             "tick=9 process=b step=2\ntick=10 process=a step=1\n");
 }
 
+TEST_F(Trace, ALineWithoutATickStaysBelowTheOneBefore) {
+  const auto a = write("t.a.part", "tick=5 process=a step=0\n# dropped 3 lines\n");
+  const auto b = write("t.b.part", "tick=1 process=b step=0\ntick=7 process=b step=1\n");
+  merge_traces({a, b}, folder_ / "t");
+  EXPECT_EQ(read(folder_ / "t"),
+            "# mrroc trace 1\ntick=1 process=b step=0\ntick=5 process=a step=0\n# dropped 3 lines\n"
+            "tick=7 process=b step=1\n");
+}
+
 TEST_F(Trace, EqualTracesHaveEqualHashesAndOthersDiffer) {
   const auto one = write("one", "# mrroc trace 1\ntick=1\n");
   const auto same = write("same", "# mrroc trace 1\ntick=1\n");
@@ -43,6 +52,10 @@ TEST_F(Trace, EqualTracesHaveEqualHashesAndOthersDiffer) {
   EXPECT_EQ(hash_trace(one), hash_trace(same));
   EXPECT_NE(hash_trace(one), hash_trace(other));
   EXPECT_EQ(hash_trace(one).size(), 16U);
+  const auto ab = write("ab", "# mrroc trace 1\ntick=1\ntick=2\n"),
+             ba = write("ba", "# mrroc trace 1\ntick=2\ntick=1\n");
+  EXPECT_NE(hash_trace(ab), hash_trace(ba)) << "the order counts";
+  EXPECT_NE(hash_trace(ab), hash_trace(one)) << "so does the last line";
 }
 
 TEST_F(Trace, AFileThatIsNoTraceIsRefusedWithItsLine) {

@@ -187,17 +187,20 @@ TEST_F(DeploymentTest, KnowsThisMachineByAllItsNames) {
   }
 }
 
-TEST_F(DeploymentTest, TheLongestNameAndTheLargestFleetAreTaken) {
+TEST_F(DeploymentTest, TheLongestNameAndTheLargestFleetsAreTaken) {
   const Scratch scratch;
-  std::string text = "[deployment]\nname = '" + std::string(31, 'x') + "'\n[sim]\nscene = 'scene.xml'\n";
-  for (int i = 0; i < 16; ++i) {
-    text.append("[robots.r").append(std::to_string(i)).append("]\ntype = 'irb6'\nhardware = 'mujoco'\n");
-  }
-  for (int i = 0; i < 32; ++i) text.append("[sensors.s").append(std::to_string(i)).append("]\ntype = 'force_torque'\n");
+  const std::string text = "[deployment]\nname = '" + std::string(31, 'x') + "'\n[sim]\nscene = 'scene.xml'\n";
   scratch.write("scene.xml", "");
-  const Deployment deployment = load_deployment(scratch.write("d.toml", text));
-  EXPECT_EQ(deployment.robots.size(), 16u);
-  EXPECT_EQ(deployment.sensors.back().name, "s31");
+  for (const auto& [robots, sensors] : {std::pair{16, 26}, {13, 32}}) {  // 60 processes
+    std::string fleet = text;
+    for (int i = 0; i < robots; ++i)
+      fleet.append("[robots.r").append(std::to_string(i)).append("]\ntype = 'irb6'\nhardware = 'mujoco'\n");
+    for (int i = 0; i < sensors; ++i)
+      fleet.append("[sensors.s").append(std::to_string(i)).append("]\ntype = 'force_torque'\n");
+    const Deployment deployment = load_deployment(scratch.write("d.toml", fleet));
+    EXPECT_EQ(deployment.robots.size(), static_cast<std::size_t>(robots));
+    EXPECT_EQ(deployment.sensors.size(), static_cast<std::size_t>(sensors));
+  }
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST_F(RobotParametersFileTest, RefusesNumbersThatMakeNoSense) {
   EXPECT_EQ(message(robot_text(with("motor_synchro", "motor_synchro = 500"))),
             "r.toml:12: axes[0].motor_synchro: 500 is out of range, expected a number from -470 to 450");
   EXPECT_EQ(message(robot_text(with("viscous_friction", "viscous_friction = -1"))),
-            "r.toml:24: axes[0].viscous_friction: -1 is out of range, expected a number of at least 0");
+            "r.toml:24: axes[0].viscous_friction: -1 is not positive, expected a number above 0");
   EXPECT_EQ(message(robot_text(with("name", "name = ''"))),
             "r.toml:4: axes[0].name: '' is no name, expected 1 to 31 characters");
 }

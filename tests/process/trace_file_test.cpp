@@ -54,8 +54,8 @@ TEST(TraceFile, ALossyTraceCountsWhatItDrops) {
     if (!text.starts_with("#")) ++kept;
   }
   EXPECT_EQ(kept + dropped, kLines);
-  const std::string expected = "# dropped " + std::to_string(dropped) + " lines";
-  EXPECT_EQ(last, dropped > 0 ? expected : std::to_string(kLines - 1));
+  EXPECT_GT(dropped, 0U);
+  EXPECT_EQ(last, "# dropped " + std::to_string(dropped) + " lines");
   std::filesystem::remove(path);
 }
 
