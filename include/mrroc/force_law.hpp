@@ -33,13 +33,13 @@ struct ForceLaw {
   Axes inertia = (Axes() << 20, 20, 20, 0.5, 0.5, 0.5).finished();                      ///< m, kg and kg m^2
   Axes reciprocal_damping = (Axes() << 0.005, 0.005, 0.005, 0.1, 0.1, 0.1).finished();  ///< b, m/(N s), rad/(N m s)
 
-  /// Axis `axis` (0..5) gives way to force.
+  /// Axis `axis` gives way to force; std::out_of_range unless it is 0..5.
   ForceLaw& guarded(int axis) {
     behaviour.at(static_cast<std::size_t>(axis)) = AxisBehaviour::guarded;
     return *this;
   }
-  /// Axis `axis` (0..5) seeks the wrench component `desired` of the environment on the tool: pressing with 10 N along
-  /// +z is -10.
+  /// Axis `axis` seeks the wrench component `desired` (N, N m) of the environment on the tool: pressing with 10 N along
+  /// +z is -10. std::out_of_range unless `axis` is 0..5.
   ForceLaw& contact(int axis, double desired) {
     behaviour.at(static_cast<std::size_t>(axis)) = AxisBehaviour::contact;
     wrench[axis] = desired;

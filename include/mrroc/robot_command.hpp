@@ -34,7 +34,7 @@ enum class Interpolation : std::uint8_t {
   task = 2  ///< of the tool's position and rotation vector: straight where the data are
 };
 
-/// e^{i+1} for one effector: one macrostep of N servo ticks (DESIGN 3; original's motion_steps / value_in_step_no).
+/// e^{i+1} for one effector: one macrostep of N servo ticks (the original's motion_steps and value_in_step_no).
 ///
 /// The macrostep begins where the previous one's desired state ends (or at the end of a stop), at tick
 /// max(start_tick, end of the previous macrostep, present tick), and ends N ticks later; its first new set-point is

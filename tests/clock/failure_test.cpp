@@ -249,7 +249,7 @@ TEST(ClockFailure, BadOptionsAndNamesAreRefused) {
   EXPECT_EQ(message([&] {
               for (std::uint32_t i = 0; i <= kMaxLinks; ++i) a->register_receiver("t");
             }),
-            "clock: topic 't': the table of 512 links is full");
+            "clock: topic 't': the table of 2048 links is full");
   EXPECT_NE(message([] { attach_clock(0, "a"); }).find("descriptor 0 is not this version's clock memory"),
             std::string::npos);
   EXPECT_EQ(message([&] { host.participant_died("x"); }), "clock: 'x' is no participant");

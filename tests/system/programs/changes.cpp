@@ -4,14 +4,12 @@
 
 #include "mrroc/ecp.hpp"
 #include "mrroc/robots/irb6.hpp"
+#include "require.hpp"
 
 using namespace mrroc;
+using mrroc::test::require;
 
 namespace {
-
-void require(bool holds, const char* what) {
-  if (!holds) throw NonFatalError(ErrorCode::task_failed, what);
-}
 
 class Changes : public ecp::Task {
   Irb6 arm{*this};

@@ -7,14 +7,12 @@
 #include "mrroc/ecp.hpp"
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/robots/irb6.hpp"
+#include "require.hpp"
 
 using namespace mrroc;
+using mrroc::test::require;
 
 namespace {
-
-void require(bool holds, const std::string& what) {
-  if (!holds) throw NonFatalError(ErrorCode::task_failed, what);
-}
 
 class Recover : public ecp::Task {
   Irb6 arm{*this};

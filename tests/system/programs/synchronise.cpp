@@ -18,14 +18,12 @@
 #include "mrroc/robots/irb6_track.hpp"
 #include "mrroc/robots/serial_parallel.hpp"
 #include "mrroc/robots/two_finger_gripper.hpp"
+#include "require.hpp"
 
 using namespace mrroc;
+using mrroc::test::require;
 
 namespace {
-
-void require(bool holds, const std::string& what) {
-  if (!holds) throw NonFatalError(ErrorCode::task_failed, what);
-}
 
 template <class Type>
 std::unique_ptr<Robot> make(ecp::Task& task) {
