@@ -18,9 +18,10 @@ void raise_priority() noexcept {
 
 }  // namespace
 
-ServoThread::ServoThread(Servo& servo, clock::Clock& clock)
+ServoThread::ServoThread(Servo& servo, clock::Clock& clock, bool notify_always)
     : servo_(servo),
       clock_(clock),
+      notify_always_(notify_always),
       ticker_(clock.epoch_ns(), std::llround(clock.period() * 1e9)),
       thread_([this] { run(); }) {}
 
@@ -38,7 +39,7 @@ void ServoThread::run() noexcept {
     for (; next <= present; ++next) {
       const bool ending = end_.load(std::memory_order_acquire);
       if (ending) servo_.switch_off();
-      if (servo_.tick(next)) clock_.notify();
+      if (servo_.tick(next) || notify_always_) clock_.notify();
       if (ending && !servo_.drives_on()) return;
     }
   }

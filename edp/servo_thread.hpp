@@ -18,8 +18,9 @@ namespace mrroc::edp {
 /// The destructor stops the robot, switches the drives off, and returns when that is done (a stop's duration).
 class ServoThread {
  public:
-  /// After `clock.start()`. `servo` and `clock` must outlive it; nobody else may tick `servo`.
-  ServoThread(Servo& servo, clock::Clock& clock);
+  /// After `clock.start()`. `servo` and `clock` must outlive it; nobody else may tick `servo`. `notify_always`: every
+  /// tick wakes the comms thread, for it passes the state of every tick on.
+  ServoThread(Servo& servo, clock::Clock& clock, bool notify_always = false);
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
@@ -32,6 +33,7 @@ class ServoThread {
 
   Servo& servo_;
   clock::Clock& clock_;
+  bool notify_always_;
   clock::Ticker ticker_;
   std::atomic<bool> end_{false};
   std::thread thread_;

@@ -1,5 +1,6 @@
 #include "edp/shell.hpp"
 
+#include <deque>
 #include <optional>
 
 #include "edp/describe.hpp"
@@ -11,6 +12,7 @@
 #include "edp/servo_thread.hpp"
 #include "edp/wrist_sensor.hpp"
 #include "links/robot_responder.hpp"
+#include "links/state_feed.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "sim/mapped_world.hpp"
@@ -45,6 +47,9 @@ class Shell {
         servo_(model_set_, *hardware_, process.clock().period(), hand_over_),
         effector_(model_set_, process.clock().period(), hand_over_),
         responder_(process.domain(), process.clock(), process.topic(place_.entry.name)) {
+    for (const config::SensorEntry& sensor : process.deployment().sensors)
+      if (sensor.robot == place_.entry.name && sensor.wants_effector_state)
+        feeds_.emplace_back(process.domain(), process.clock(), process.topic(place_.entry.name), sensor.name);
     if (force_sensor_ == nullptr) return;
     servo_.use_force_sensor(*force_sensor_, place_.entry.force_limits);
     effector_.use_force_sensor(force_sensor_->mount());
@@ -69,10 +74,12 @@ class Shell {
 
   std::unique_ptr<ForceSensor> open_force_sensor() {
     const auto& sensors = process_.deployment().sensors;
-    for (std::size_t i = 0; i < sensors.size(); ++i)
-      if (sensors[i].name == place_.entry.force_sensor)
-        return std::make_unique<WristSensor>(sensors[i], sensors[i].source == "simulated" ? &world() : nullptr, i,
-                                             process_.clock().period());
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+      if (sensors[i].name != place_.entry.force_sensor) continue;
+      const sim::WorldMemory* const simulated = sensors[i].source == "simulated" ? &world() : nullptr;
+      return std::make_unique<WristSensor>(
+          vsp::SourceContext{process_.deployment(), sensors[i], i, simulated, process_.clock().period()});
+    }
     return nullptr;
   }
 
@@ -100,6 +107,7 @@ class Shell {
   void serve_simulated() {
     clock::Clock& clock = process_.clock();
     servo_.tick(0);  // so that a command of tick 0 finds the robot's state
+    feed();
     Tick next = 1;
     for (;;) {
       const clock::Wake wake = clock.wait(next);
@@ -107,6 +115,7 @@ class Shell {
       if (clock.tick() >= next) {
         servo_.tick(clock.tick());
         next = clock.tick() + 1;
+        feed();
       }
       exchange();
       process_.status().counters(counters(nullptr));
@@ -115,10 +124,11 @@ class Shell {
 
   void serve_real() {
     clock::Clock& clock = process_.clock();
-    ServoThread thread(servo_, clock);
+    ServoThread thread(servo_, clock, !feeds_.empty());
     while (!switched_on() && clock.wait(clock.tick() + 1) != clock::Wake::interrupted) {
     }
     do {
+      feed();
       exchange();
       process_.status().counters(counters(&thread.ticker()));
     } while (clock.wait(kNever) != clock::Wake::interrupted);
@@ -129,6 +139,12 @@ class Shell {
   bool switched_on() noexcept {
     const Snapshot* snapshot = effector_.snapshot();
     return snapshot != nullptr && (snapshot->enabled || snapshot->fault.code != ErrorCode::none);
+  }
+
+  /// The state e_l of the newest tick, to the sensors that want it.
+  void feed() {
+    if (feeds_.empty() || !effector_.peek(fed_)) return;
+    for (links::StateFeed& each : feeds_) each.send(fed_);
   }
 
   /// Replies that are due, then commands that have come.
@@ -170,6 +186,8 @@ class Shell {
   Servo servo_;
   Effector effector_;
   links::RobotResponder responder_;
+  std::deque<links::StateFeed> feeds_;
+  RobotState fed_;
   RobotCommand command_;
   Reply reply_;
 };

@@ -5,11 +5,10 @@
 #include "vsp/parameters.hpp"
 
 namespace mrroc::edp {
-WristSensor::WristSensor(const config::SensorEntry& entry, const sim::WorldMemory* world, std::size_t slot,
-                         double servo_period)
-    : source_(vsp::make_source(entry, sensor_, world, slot, servo_period)),
-      mount_(frame_at(vsp::vector3(entry, "position"), vsp::vector3(entry, "rotation"))) {
-  sensor_.configure(entry, servo_period);
+WristSensor::WristSensor(const vsp::SourceContext& context)
+    : mount_(frame_at(vsp::vector3(context.entry, "position"), vsp::vector3(context.entry, "rotation"))) {
+  sensor_.configure(context.entry, context.servo_period);
+  source_ = vsp::make_source(sensor_, context);
 }
 
 WrenchReading WristSensor::read(Tick tick, const Pose* flange) noexcept {

@@ -4,7 +4,6 @@
 
 #include "edp/force_sensor.hpp"
 #include "sensors/force_torque/force_torque_sensor.hpp"
-#include "sim/world_memory.hpp"
 #include "vsp/source.hpp"
 
 namespace mrroc::edp {
@@ -14,9 +13,8 @@ namespace mrroc::edp {
 /// and with a zero of its own. Where the reading is out of range the wrench is the raw one.
 class WristSensor final : public ForceSensor {
  public:
-  /// `slot`: the sensor's index in the deployment; `world`: the simulated hardware, null when there is none. Throws
-  /// ConfigurationError, SystemError(configuration) as the VSP does.
-  WristSensor(const config::SensorEntry& entry, const sim::WorldMemory* world, std::size_t slot, double servo_period);
+  /// Throws ConfigurationError, SystemError(configuration) as the VSP does.
+  explicit WristSensor(const vsp::SourceContext& context);
 
   const Pose& mount() const noexcept override { return mount_; }
   WrenchReading read(Tick tick, const Pose* flange) noexcept override;

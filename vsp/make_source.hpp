@@ -2,9 +2,6 @@
 
 #include <memory>
 
-#include "config/deployment.hpp"
-#include "sim/world_memory.hpp"
-#include "vsp/source.hpp"
 #include "vsp/virtual_sensor.hpp"
 
 namespace mrroc::vsp {
@@ -13,10 +10,9 @@ namespace mrroc::vsp {
 /// kPatienceWithWorld behind.
 inline constexpr double kSilentAfter = 1.5 * sim::kPatienceWithWorld;
 
-/// The source that `entry` asks for: `replay` or `simulated`. `slot`: the sensor's index in the deployment; `world`:
-/// the simulated hardware, null when there is none. Throws ConfigurationError for a played file that is wrong,
-/// SystemError(configuration) when a simulated sensor has no world.
-std::unique_ptr<Source> make_source(const config::SensorEntry& entry, const VirtualSensor& sensor,
-                                    const sim::WorldMemory* world, std::size_t slot, double servo_period);
+/// The source that the deployment asks for: the sensor type's own, else a played file or a slot of the simulated world.
+/// Throws what `open_source` throws, ConfigurationError for a played file that is wrong, SystemError(configuration)
+/// when a simulated sensor has no world or the type has no hardware.
+std::unique_ptr<Source> make_source(VirtualSensor& sensor, const SourceContext& context);
 
 }  // namespace mrroc::vsp

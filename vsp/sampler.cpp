@@ -23,12 +23,13 @@ void check_count(const char* what, std::size_t count, std::size_t most) {
 
 }  // namespace
 
-Sampler::Sampler(VirtualSensor& sensor, Source& source, Tick publication_period)
+Sampler::Sampler(VirtualSensor& sensor, Source& source, Tick publication_period, bool follows_effector)
     : sensor_(&sensor),
       source_(&source),
       channels_(sensor.channels()),
       raw_channels_(sensor.raw_channels()),
-      period_(publication_period) {
+      period_(publication_period),
+      follows_(follows_effector) {
   check_count("channels", channels_.size(), kMaxChannels);
   check_count("raw channels", raw_channels_.size(), kMaxRawValues);
   pending_.reserve(kMaxPending);
@@ -52,6 +53,7 @@ void Sampler::on_tick(Tick now, ReadingSink& sink) {
   const bool track = sensor_->continuous() && now >= next_track_;
   const bool publish = period_ != 0 && now >= next_publication_;
   if (!track && !publish && !answer_is_due(now)) return;
+  if (waits_for_state(now)) return;
   read_source(now);
   if (sensor_->continuous()) {
     if (raw_usable()) sensor_->track(raw_);
@@ -65,12 +67,34 @@ void Sampler::on_tick(Tick now, ReadingSink& sink) {
   }
 }
 
+/// Something is due at `now`, and e_l is still to come.
+bool Sampler::waits_for_state(Tick now) noexcept {
+  if (!follows_ || (!effector_.empty() && effector_.newest() >= now)) {
+    patience_ = 0;
+    return false;
+  }
+  if (patience_ == 0) patience_ = now + kStateLate;
+  if (now < patience_) return true;
+  patience_ = 0;
+  return false;
+}
+
+/// Hands the state of r's tick to the sensor.
+void Sampler::find_state() noexcept {
+  if (!follows_ || !raw_usable()) return;
+  const RobotState* state = effector_.at(raw_.tick);
+  if (state != nullptr && raw_.tick - state->tick <= kStateAge) return sensor_->effector_state(*state);
+  report(raw_fault_, ErrorClass::non_fatal, ErrorCode::sensor_not_ready, "no state of its robot at tick %llu",
+         static_cast<unsigned long long>(raw_.tick));
+}
+
 void Sampler::read_source(Tick now) noexcept {
   raw_ = RawReading{};
   raw_.tick = now;
   raw_fault_ = SensorReading{};
   fresh_ = false;
   check_raw(source_->read(now, raw_), now);
+  find_state();
 }
 
 void Sampler::check_raw(SourceState state, Tick now) noexcept {
@@ -133,7 +157,9 @@ void Sampler::schedule_publication(Tick now) noexcept {
   next_publication_ += (passed + 1) * period_;
 }
 
-Tick Sampler::next_wake() const noexcept {
+Tick Sampler::next_wake() const noexcept { return patience_ != 0 ? patience_ : next_due(); }
+
+Tick Sampler::next_due() const noexcept {
   Tick wake = pending_.empty() ? kNever : pending_.front().due;
   if (period_ != 0) wake = std::min(wake, next_publication_);
   if (sensor_->continuous()) wake = std::min(wake, next_track_);

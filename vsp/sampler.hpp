@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mrroc/sensor_link.hpp"
+#include "vsp/effector_states.hpp"
 #include "vsp/source.hpp"
 #include "vsp/virtual_sensor.hpp"
 
@@ -33,7 +34,8 @@ class ReadingSink {
 ///
 /// All answers and the publication of one `on_tick` give one reading (a bias makes a new one). A reading without an
 /// error is complete and finite; a raw reading that is incomplete or not finite, or a silent source, is
-/// HardwareError(sensor_hardware), one that has not come yet NonFatalError(sensor_not_ready).
+/// HardwareError(sensor_hardware), one that has not come yet NonFatalError(sensor_not_ready), and so is an e_l that the
+/// sensor needs and that does not come.
 ///
 /// The shell's loop, on the VSP's thread:
 ///
@@ -49,14 +51,20 @@ class Sampler {
   /// Requests that can wait at the same time; one more is answered at once with NonFatalError(busy).
   static constexpr std::size_t kMaxPending = 64;
 
-  /// `publication_period` in ticks; 0: nothing is published. `sensor` is configured; both outlive the sampler. Throws
-  /// SystemError(configuration) when the sensor has no channels or more than a reading carries.
-  Sampler(VirtualSensor& sensor, Source& source, Tick publication_period);
+  /// `publication_period` in ticks; 0: nothing is published. `follows_effector`: nothing is read at a tick before the
+  /// state e_l of that tick has come, or kStateLate has gone by. `sensor` is configured; both outlive the sampler.
+  /// Throws SystemError(configuration) when the sensor has no channels or more than a reading carries.
+  Sampler(VirtualSensor& sensor, Source& source, Tick publication_period, bool follows_effector = false);
+
+  /// How long, in ticks, what is due waits for e_l; how much older than r it may be (it is of r's own tick unless the
+  /// robot's EDP has missed that one).
+  static constexpr Tick kStateLate = 50;
+  static constexpr Tick kStateAge = 5;
 
   /// Keeps a request until its tick; what is due is answered by the next `on_tick`.
   void on_request(const Caller& caller, const SensorRequest& request, Tick now, ReadingSink& sink);
-  /// e_l has come.
-  void on_effector_state(const RobotState& state) noexcept { sensor_->effector_state(state); }
+  /// e_l has come. Oldest first.
+  void on_effector_state(const RobotState& state) noexcept { effector_.add(state); }
   /// Does what is due at `now`: answers requests, then publishes. May be called at any time, several times at a tick.
   void on_tick(Tick now, ReadingSink& sink);
 
@@ -74,6 +82,9 @@ class Sampler {
 
   bool answer_is_due(Tick now) const noexcept { return !pending_.empty() && pending_.front().due <= now; }
   bool raw_usable() const noexcept { return raw_fault_.error.error_class == ErrorClass::none; }
+  bool waits_for_state(Tick now) noexcept;
+  Tick next_due() const noexcept;
+  void find_state() noexcept;
   void read_source(Tick now) noexcept;
   void check_raw(SourceState state, Tick now) noexcept;
   void answer_due(Tick now, ReadingSink& sink);
@@ -93,6 +104,9 @@ class Sampler {
   SensorReading raw_fault_;  ///< in error when `raw_` cannot be used
   SensorReading reading_;
   bool fresh_ = false;  ///< `reading_` is of the `on_tick` under way
+  bool follows_;
+  EffectorStates effector_;
+  Tick patience_ = 0;  ///< what is due waits for e_l until this tick; 0: it does not wait
 };
 
 /// Ticks between two publications of `entry`: 0 when interactive, else 1 / (rate * servo_period). Throws

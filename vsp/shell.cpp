@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "links/sensor_responder.hpp"
+#include "links/state_follower.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "sim/mapped_world.hpp"
@@ -36,15 +37,21 @@ class Shell : private ReadingSink {
         entry_(process.deployment().sensors[slot_]),
         sensor_(factory()),
         source_(open_source()),
-        sampler_(*sensor_, *source_, publication_period(entry_, process.clock().period())),
+        sampler_(*sensor_, *source_, publication_period(entry_, process.clock().period()), follows()),
         responder_(process.domain(), process.clock(), process.topic(entry_.name),
                    possible_clients(process.deployment()), !entry_.interactive) {}
 
   void serve() {
+    if (follows()) {
+      effector_.emplace(process_.domain(), process_.clock(), process_.topic(entry_.robot), entry_.name,
+                        entry_.robot + "_edp");
+      effector_->connect(process_.deployment().start_timeout);
+    }
     process_.start();
     clock::Clock& clock = process_.clock();
     for (;;) {
       if (clock.wait(sampler_.next_wake()) == clock::Wake::interrupted) throw Stopped{};
+      take_effector_states();
       take_requests();
       sampler_.on_tick(clock.tick(), *this);
     }
@@ -55,7 +62,15 @@ class Shell : private ReadingSink {
     const double period = process_.clock().period();
     sensor_->configure(entry_, period);
     if (process_.arguments().world_fd >= 0) world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
-    return make_source(entry_, *sensor_, world_ ? &**world_ : nullptr, slot_, period);
+    return make_source(*sensor_, {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period});
+  }
+
+  /// Whether e_l comes to this sensor.
+  bool follows() const noexcept { return entry_.wants_effector_state && !entry_.robot.empty(); }
+
+  void take_effector_states() {
+    if (!effector_) return;
+    while (effector_->take(state_)) sampler_.on_effector_state(state_);
   }
 
   void take_requests() {
@@ -80,6 +95,8 @@ class Shell : private ReadingSink {
   std::unique_ptr<Source> source_;
   Sampler sampler_;
   links::SensorResponder responder_;
+  std::optional<links::StateFollower> effector_;
+  RobotState state_;
 };
 
 }  // namespace

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "config/deployment.hpp"
 #include "mrroc/robot_state.hpp"
 #include "mrroc/sensor_link.hpp"
+#include "sim/world_memory.hpp"
 #include "vsp/raw_reading.hpp"
+#include "vsp/source.hpp"
 
 namespace mrroc::vsp {
 
@@ -14,6 +17,16 @@ namespace mrroc::vsp {
 struct Channel {
   std::string name;
   std::string unit;
+};
+
+/// What a source can be opened from. `world`: the simulated hardware, null when there is none; `slot`: the sensor's
+/// index in the deployment. `servo_period` in s.
+struct SourceContext {
+  const config::Deployment& deployment;
+  const config::SensorEntry& entry;
+  std::size_t slot;
+  const sim::WorldMemory* world;
+  double servo_period;
 };
 
 /// The aggregating function of one sensor type, the paper's equation (14): v = f_v(c_0, c_l, e_l, r).
@@ -38,13 +51,20 @@ class VirtualSensor {
   /// SystemError(configuration) when they contradict each other.
   virtual void configure(const config::SensorEntry& entry, double servo_period) = 0;
 
+  /// A source of the type's own, which may hand more than numbers to this object; null: the kit's (a slot of the
+  /// simulated world, a played file). Once, after `configure()`; the source is used by the VSP's thread and destroyed
+  /// before this object. A type that lists the source `hardware` opens it here. Throws ConfigurationError or
+  /// HardwareError.
+  virtual std::unique_ptr<Source> open_source(const SourceContext& /*context*/) { return nullptr; }
+
   /// True: f_v has a memory (a filter) and wants r at every tick, through `track()`, not only when a reading is due.
   virtual bool continuous() const noexcept { return false; }
   /// r of a tick, for the memory. Called before `bias` and `aggregate` of the same tick; a second call at the same tick
   /// changes nothing. `r` is complete and finite.
   virtual void track(const RawReading& /*r*/) noexcept {}
 
-  /// e_l, when a new one has come.
+  /// e_l at the tick of the r that the next `track`, `bias` or `aggregate` gets, where the deployment sends it
+  /// (SensorEntry::wants_effector_state).
   virtual void effector_state(const RobotState& /*e*/) noexcept {}
 
   /// Computes v.values and, if they cannot be had, v.error (with `report`). `r` is complete and finite; v's header is

@@ -39,12 +39,14 @@ struct SensorEntry {
   std::string robot;  ///< the effector it is mounted on; empty: fixed in the world
   bool interactive = true;
   double rate = 0;                   ///< Hz, non-interactive only; 1 / rate is a whole number of servo periods
-  std::string source = "simulated";  ///< simulated | replay
+  std::string source = "simulated";  ///< simulated | replay | hardware
   std::filesystem::path replay;      ///< played file, absolute
   /// The type's own keys, checked against `[parameters]` of sensors/<type>/<type>.toml; defaults filled in.
   std::map<std::string, std::vector<double>> numbers;
   std::map<std::string, std::string> texts;
-  std::string vsp_program;  ///< the type's `<type>_vsp`, absolute path
+  std::vector<std::string> sources{"simulated", "replay"};  ///< that the type has
+  bool wants_effector_state = false;                        ///< e_l of `robot` goes to its VSP at every tick
+  std::string vsp_program;                                  ///< the type's `<type>_vsp`, absolute path
 };
 
 struct SimEntry {

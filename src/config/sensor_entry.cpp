@@ -47,13 +47,17 @@ void read_mode(const Table& table, double servo_period, SensorEntry& sensor) {
 }
 
 void read_source(const Table& table, const Deployment& deployment, SensorEntry& sensor) {
-  if (table.has("source")) sensor.source = table.choice("source", {"simulated", "replay"});
+  if (table.has("source")) sensor.source = table.choice("source", sensor.sources);
   if (sensor.source == "replay") {
     sensor.replay = require_file(table, "replay");
     return;
   }
-  if (table.has("replay")) table.fail("replay", "a simulated sensor plays no file", "source = 'replay' beside it");
-  if (!deployment.sim) table.fail("source", "a simulated sensor needs a simulator", "a table [sim]");
+  if (table.has("replay")) {
+    table.fail("replay", "a sensor with source " + in_quotes(sensor.source) + " plays no file",
+               "source = 'replay' beside it");
+  }
+  if (sensor.source == "simulated" && !deployment.sim)
+    table.fail("source", "a simulated sensor needs a simulator", "a table [sim]");
 }
 
 }  // namespace
@@ -62,7 +66,7 @@ SensorEntry read_sensor(const Table& table, const std::string& name, const Deplo
   SensorEntry sensor;
   sensor.name = name;
   sensor.type = table.choice("type", sensor_types());
-  read_own_parameters(table, sensor);
+  read_sensor_type(table, sensor);
   table.only({"type", "robot", "mode", "rate", "source", "replay"});
   sensor.robot = read_robot_of(table, deployment);
   read_mode(table, deployment.servo_period, sensor);

@@ -57,10 +57,7 @@ void read_value(const Declaration& declaration, const Table& from, std::string_v
   }
 }
 
-}  // namespace
-
-void read_own_parameters(const Table& table, SensorEntry& sensor) {
-  const Table type = Table::load(type_file("sensors", sensor.type, sensor.type + ".toml"));
+void read_own_parameters(const Table& type, const Table& table, SensorEntry& sensor) {
   const auto parameters = type.optional_table("parameters");
   if (!parameters) return;
   for (const auto& key : parameters->table_names()) {
@@ -73,6 +70,37 @@ void read_own_parameters(const Table& table, SensorEntry& sensor) {
     if (declared.has("default")) read_value(declaration, declared, "default", key, sensor);
     if (table.has(key) || !declared.has("default")) read_value(declaration, table, key, key, sensor);
   }
+}
+
+void read_sources(const Table& type, SensorEntry& sensor) {
+  if (!type.has("sources")) return;
+  sensor.sources = type.texts("sources");
+  for (const std::string& source : sensor.sources) {
+    if (source != "simulated" && source != "replay" && source != "hardware")
+      type.fail("sources", "unknown source " + in_quotes(source), alternatives({"simulated", "replay", "hardware"}));
+  }
+  if (sensor.sources.empty()) type.fail("sources", "none", "at least one");
+  sensor.source = sensor.sources.front();
+}
+
+/// After the type's own keys.
+void read_effector_state(const Table& type, SensorEntry& sensor) {
+  sensor.wants_effector_state = type.boolean_or("effector_state", false);
+  const auto key = type.optional_text("effector_state_with");
+  if (!key) return;
+  const auto number = sensor.numbers.find(*key);
+  if (number == sensor.numbers.end() || number->second.size() != 1)
+    type.fail("effector_state_with", in_quotes(*key) + " is no parameter of kind number", "one of this file");
+  sensor.wants_effector_state = sensor.wants_effector_state || number->second[0] != 0;
+}
+
+}  // namespace
+
+void read_sensor_type(const Table& table, SensorEntry& sensor) {
+  const Table type = Table::load(type_file("sensors", sensor.type, sensor.type + ".toml"));
+  read_sources(type, sensor);
+  read_own_parameters(type, table, sensor);
+  read_effector_state(type, sensor);
 }
 
 }  // namespace mrroc::config

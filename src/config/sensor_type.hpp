@@ -5,8 +5,14 @@
 
 namespace mrroc::config {
 
-/// Reads the keys of [sensors.NAME] that are of its type's own into `sensor.numbers` and `sensor.texts`. They are
-/// declared in sensors/<type>/<type>.toml of the share folder, one table each:
+/// Reads what sensors/<type>/<type>.toml of the share folder says of the sensor's type, and the keys of [sensors.NAME]
+/// that are of its type's own into `sensor.numbers` and `sensor.texts`.
+///
+///     sources = ["simulated", "hardware"]  # that it can read; left out: simulated, replay
+///     effector_state = true                # its VSP needs the state of the sensor's robot at every tick; left out:
+///     false effector_state_with = "tool_mass"    # or only where this parameter of the type's is not 0
+///
+/// The type's own keys are declared in one table each:
 ///
 ///     [parameters.range]
 ///     kind = "number"      # number | numbers | text
@@ -18,6 +24,6 @@ namespace mrroc::config {
 ///
 /// `size` fixes how many `numbers` there are. Throws ConfigurationError, which names the deployment file if a value is
 /// wrong there and the type's file if a declaration is.
-void read_own_parameters(const Table& table, SensorEntry& sensor);
+void read_sensor_type(const Table& table, SensorEntry& sensor);
 
 }  // namespace mrroc::config

@@ -19,7 +19,7 @@ class SensorTypeTest : public testing::Test {
     SensorEntry sensor;
     sensor.type = "sonar";
     const Table table = Table::load(scratch_.write("d.toml", text));
-    read_own_parameters(table, sensor);
+    read_sensor_type(table, sensor);
     table.finish();
     return sensor;
   }
@@ -72,6 +72,29 @@ TEST_F(SensorTypeTest, WrongDeclarationsNameTheTypesFile) {
   EXPECT_EQ(message("[parameters.rate]\nkind = 'number'\n"),
             place + "1: parameters.rate: every sensor has this key, expected a key of the type's own");
   EXPECT_EQ(message("parameters = 3"), place + "1: parameters: 3 is an integer, expected a table [parameters]");
+}
+
+TEST_F(SensorTypeTest, SourcesAreTheTypes) {
+  EXPECT_EQ(read("").sources, (std::vector<std::string>{"simulated", "replay"}));
+  const SensorEntry camera = read("sources = ['hardware', 'simulated']\n");
+  EXPECT_EQ(camera.sources, (std::vector<std::string>{"hardware", "simulated"}));
+  EXPECT_EQ(camera.source, "hardware") << "the first is the default";
+  EXPECT_EQ(
+      message("sources = ['simulated', 'guessed']\n"),
+      "sensors/sonar/sonar.toml:1: sources: unknown source 'guessed', expected 'simulated', 'replay' or 'hardware'");
+  EXPECT_EQ(message("sources = []\n"), "sensors/sonar/sonar.toml:1: sources: none, expected at least one");
+}
+
+TEST_F(SensorTypeTest, ATypeSaysWhenItNeedsTheStateOfItsRobot) {
+  const std::string mass = "[parameters.mass]\nkind = 'number'\ndefault = 0\n";
+  EXPECT_FALSE(read(mass).wants_effector_state);
+  EXPECT_TRUE(read("effector_state = true\n" + mass).wants_effector_state);
+  EXPECT_FALSE(read("effector_state_with = 'mass'\n" + mass).wants_effector_state);
+  EXPECT_TRUE(read("effector_state_with = 'mass'\n" + mass, "mass = 2").wants_effector_state);
+  EXPECT_EQ(
+      message("effector_state_with = 'mas'\n" + mass),
+      "sensors/sonar/sonar.toml:1: effector_state_with: 'mas' is no parameter of kind number, expected one of this "
+      "file");
 }
 
 }  // namespace

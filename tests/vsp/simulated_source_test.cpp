@@ -73,7 +73,8 @@ TEST(MakeSource, ChoosesWhatTheDeploymentAsksFor) {
   FakeSensor sensor;
   RawReading raw;
 
-  const auto simulated = make_source(entry, sensor, world.get(), 1, 0.002);
+  const config::Deployment deployment;
+  const auto simulated = make_source(sensor, {deployment, entry, 1, world.get(), 0.002});
   EXPECT_EQ(simulated->read(50, raw), SourceState::ready);
   EXPECT_EQ(raw.values[0], 4);
   EXPECT_EQ(simulated->read(1501, raw), SourceState::silent);  // 3 s at 2 ms
@@ -81,14 +82,18 @@ TEST(MakeSource, ChoosesWhatTheDeploymentAsksFor) {
   const config::Scratch scratch;
   entry.source = "replay";
   entry.replay = scratch.write("played.txt", "# mrroc readings in\n0 5\n");
-  ASSERT_EQ(make_source(entry, sensor, nullptr, 0, 0.002)->read(0, raw), SourceState::ready);
+  ASSERT_EQ(make_source(sensor, {deployment, entry, 0, nullptr, 0.002})->read(0, raw), SourceState::ready);
   EXPECT_EQ(raw.values[0], 5);
 }
 
 TEST(MakeSource, RefusesASimulatedSensorWithoutAWorld) {
   config::SensorEntry entry;
   entry.name = "gate";
-  EXPECT_THROW(make_source(entry, FakeSensor{}, nullptr, 0, 0.002), SystemError);
+  FakeSensor sensor;
+  const config::Deployment deployment;
+  EXPECT_THROW(make_source(sensor, {deployment, entry, 0, nullptr, 0.002}), SystemError);
+  entry.source = "hardware";
+  EXPECT_THROW(make_source(sensor, {deployment, entry, 0, nullptr, 0.002}), SystemError);
 }
 
 }  // namespace
