@@ -8,12 +8,13 @@ install(TARGETS ruckig EXPORT mrroc ARCHIVE DESTINATION lib/mrroc)
 set(package ${CMAKE_BINARY_DIR}/lib/cmake/mrroc)
 configure_file(cmake/mrrocConfig.cmake ${package}/mrrocConfig.cmake COPYONLY)
 configure_file(cmake/MrrocTargets.cmake ${package}/MrrocTargets.cmake COPYONLY)
+configure_file(cmake/MrrocSensorClass.cmake ${package}/MrrocSensorClass.cmake COPYONLY)
 write_basic_package_version_file(${package}/mrrocConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 export(EXPORT mrroc NAMESPACE mrroc:: FILE ${package}/mrrocLibraries.cmake)
 
 install(EXPORT mrroc NAMESPACE mrroc:: FILE mrrocLibraries.cmake DESTINATION lib/cmake/mrroc)
-install(FILES ${package}/mrrocConfig.cmake ${package}/MrrocTargets.cmake ${package}/mrrocConfigVersion.cmake
-  DESTINATION lib/cmake/mrroc)
+install(FILES ${package}/mrrocConfig.cmake ${package}/MrrocTargets.cmake ${package}/MrrocSensorClass.cmake
+  ${package}/mrrocConfigVersion.cmake DESTINATION lib/cmake/mrroc)
 
 # headers as they are included: "mrroc/move.hpp", "config/table.hpp", "robots/irb6/irb6_model.hpp"
 file(GLOB type_headers robots/*/include sensors/*/include)

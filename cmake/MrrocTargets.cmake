@@ -1,3 +1,5 @@
+include(${CMAKE_CURRENT_LIST_DIR}/MrrocSensorClass.cmake)
+
 # The framework's few kinds of target, for its own folders and, after find_package(mrroc), for those of its users. Programs go to
 # bin/ and data to share/mrroc/ of the build folder, as in an installation: `mrroc run` finds them there.
 
@@ -54,16 +56,31 @@ function(mrroc_add_robot name)
   endif()
 endfunction()
 
-# mrroc_add_sensor(TYPE CLIENT ... SOURCES ... [EXECUTABLE main.cpp]): a sensor type's folder. CLIENT are the sources of
-# mrroc_sensor_TYPE, what a task program links (public headers in include/); SOURCES those of mrroc_sensor_TYPE_vsp, its
-# aggregating function; its data files are in share/mrroc/sensors/TYPE. EXECUTABLE is main() of its process TYPE_vsp.
+# mrroc_add_sensor(TYPE [CLIENT ...] [SOURCES ...] [EXECUTABLE main.cpp]): a sensor type's folder. The class that a task program declares is
+# made from the channels in TYPE.toml: <mrroc/sensors/TYPE.hpp>; a folder that writes that header itself (in include/, for conditions
+# and the like) gets the base class from <mrroc/sensors/TYPE_channels.hpp>. CLIENT are further sources of mrroc_sensor_TYPE, what a
+# task program links; SOURCES those of mrroc_sensor_TYPE_vsp, its aggregating function, which tests link; its data files are in
+# share/mrroc/sensors/TYPE. EXECUTABLE is main() of its process TYPE_vsp, with the aggregating function where there are no SOURCES.
 function(mrroc_add_sensor type)
   cmake_parse_arguments(ARG "" "EXECUTABLE" "CLIENT;SOURCES" ${ARGN})
+  set(made ${CMAKE_CURRENT_BINARY_DIR}/include)
+  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/include/mrroc/sensors/${type}.hpp)
+    mrroc_sensor_class(${type} ${CMAKE_CURRENT_SOURCE_DIR}/${type}.toml ${made} Channels _channels)
+  else()
+    mrroc_sensor_class(${type} ${CMAKE_CURRENT_SOURCE_DIR}/${type}.toml ${made} "" "")
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${type}.cpp CONTENT "#include \"mrroc/sensors/${type}.hpp\"\n")
+    list(APPEND ARG_CLIENT ${CMAKE_CURRENT_BINARY_DIR}/${type}.cpp)
+  endif()
   mrroc_library(mrroc_sensor_${type} SOURCES ${ARG_CLIENT} LINKS mrroc::language)
-  mrroc_library(mrroc_sensor_${type}_vsp SOURCES ${ARG_SOURCES} LINKS mrroc::vsp)
+  target_include_directories(mrroc_sensor_${type} PUBLIC $<BUILD_INTERFACE:${made}>)
+  install(DIRECTORY ${made}/ DESTINATION include/mrroc)
   mrroc_data(sensors ${type})
+  if(ARG_SOURCES)
+    mrroc_library(mrroc_sensor_${type}_vsp SOURCES ${ARG_SOURCES} LINKS mrroc::vsp)
+    list(APPEND ARG_EXECUTABLE_LINKS mrroc::sensor_${type}_vsp)
+  endif()
   if(ARG_EXECUTABLE)
-    mrroc_program(${type}_vsp SOURCES ${ARG_EXECUTABLE} LINKS mrroc::sensor_${type}_vsp mrroc::vsp_shell)
+    mrroc_program(${type}_vsp SOURCES ${ARG_EXECUTABLE} LINKS ${ARG_EXECUTABLE_LINKS} mrroc::vsp_shell)
   endif()
 endfunction()
 

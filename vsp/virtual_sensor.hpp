@@ -13,11 +13,7 @@
 
 namespace mrroc::vsp {
 
-/// Name and unit of one value. Names are unique within a sensor, without spaces.
-struct Channel {
-  std::string name;
-  std::string unit;
-};
+using config::Channel;
 
 /// What a source can be opened from. `world`: the simulated hardware, null when there is none; `slot`: the sensor's
 /// index in the deployment. `servo_period` in s.
@@ -42,12 +38,17 @@ class VirtualSensor {
  public:
   virtual ~VirtualSensor() = default;
 
-  /// Channels of v, at most kMaxChannels. The same before and after `configure()`.
-  virtual std::vector<Channel> channels() const = 0;
-  /// Channels of r, at most kMaxRawValues.
-  virtual std::vector<Channel> raw_channels() const = 0;
+  /// Takes the channels that the type's TOML declares; the kit, before `configure()`.
+  void declare(const config::SensorEntry& entry) {
+    channels_ = entry.channels;
+    raw_channels_ = entry.raw_channels;
+  }
+  /// Channels of v, at most kMaxChannels: the declared ones.
+  virtual std::vector<Channel> channels() const { return channels_; }
+  /// Channels of r, at most kMaxRawValues: the declared ones, or what the parameters make of them.
+  virtual std::vector<Channel> raw_channels() const { return raw_channels_; }
 
-  /// Takes the deployment's parameters; once, before anything else. `servo_period` in s. Throws
+  /// Takes the deployment's parameters; once, before what follows. `servo_period` in s. Throws
   /// SystemError(configuration) when they contradict each other.
   virtual void configure(const config::SensorEntry& entry, double servo_period) = 0;
 
@@ -74,6 +75,9 @@ class VirtualSensor {
   /// Takes the values that `r` gives as zero from now on. When `r` gives none (out of range) the zero stays and
   /// `aggregate` of the same r reports why. False: this type has no zero to set.
   virtual bool bias(const RawReading& /*r*/) noexcept { return false; }
+
+ private:
+  std::vector<Channel> channels_, raw_channels_;
 };
 
 }  // namespace mrroc::vsp

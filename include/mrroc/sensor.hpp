@@ -9,9 +9,11 @@ namespace mrroc {
 class Task;
 
 /// One virtual sensor v_p as a task program sees it. *Interactive*: `Move` requests a reading before the robots are
-/// commanded and collects it after their replies, so that measuring overlaps motion; *non-interactive*: the newest
-/// published reading is read from a local buffer, never waiting. Which of the two is the deployment's choice. A sensor
-/// of a given type is a class derived from this one that names the channels. Task's thread only.
+/// commanded and collects it after their replies, so that measuring overlaps motion; *polled*: likewise, but a reading
+/// that has not come by then is not waited for: it is collected at the first step at which it is there, and requested
+/// anew after that; *non-interactive*: the newest published reading is read from a local buffer, never waiting. Which
+/// of the three is the deployment's choice. A sensor of a given type is a class derived from this one that names the
+/// channels. Task's thread only.
 class Sensor {
  public:
   /// Throws NonFatalError when the deployment has no sensor `name` of `type`.
@@ -27,21 +29,30 @@ class Sensor {
   const SensorReading& reading() const noexcept { return reading_; }
   /// Channel `channel` of the reading; NaN when it does not have it.
   double value(std::size_t channel) const noexcept;
+  /// Whether the last collection brought a reading that was not there before. Of a polled or non-interactive sensor it
+  /// may be false: not ready is a value there, no error, and `reading()` stays (of a polled sensor: empty, all values
+  /// NaN, before the first one).
+  bool fresh() const noexcept { return fresh_; }
+  /// Time since the hardware was read for `reading()`, s; infinite before the first one.
+  double age() const noexcept;
 
   /// A new reading every `steps` steps of a Move or Wait (1: every step). Throws NonFatalError when 0.
   void set_period(std::uint32_t steps);
   std::uint32_t period() const noexcept { return period_; }
 
-  /// Takes the present reading as zero; interactive sensors only (NonFatalError otherwise). Waits for the reply.
+  /// Takes the present reading as zero and waits for the new one, which `reading()` then is. Throws NonFatalError
+  /// (invalid_argument) when the sensor is non-interactive, the reading's error when it has one, SystemError when the
+  /// VSP died or is silent.
   void bias();
 
   // ---- the exchange, used by Move and Wait
   // -----------------------------------------------------------------------------
   /// Whether v^i is renewed at step i of an instruction: i is a multiple of the period.
   bool due(std::uint64_t step) const noexcept { return step % period_ == 0; }
-  /// Requests a reading of the hardware at `measure_at`; a non-interactive sensor does nothing.
+  /// Requests a reading of the hardware at `measure_at`, of a polled sensor at once, unless one is under way; a
+  /// non-interactive sensor does nothing.
   void initiate_reading(Tick measure_at);
-  /// Stores the reading: awaits the reply to the request, or reads the buffer.
+  /// Stores the reading: awaits the reply to the request, looks whether it has come, or reads the buffer.
   void collect_reading();
 
  private:
@@ -51,6 +62,8 @@ class Sensor {
   SensorLink* link_;
   SensorReading reading_;
   std::uint32_t period_ = 1;
+  bool asked_ = false;  ///< a polled sensor's reading is under way
+  bool fresh_ = false;
 };
 
 }  // namespace mrroc

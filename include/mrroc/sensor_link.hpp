@@ -10,6 +10,7 @@ namespace mrroc {
 inline constexpr std::size_t kMaxChannels = 16;
 
 /// v^i of one virtual sensor: the header and the values of its declared channels (names and units: `VirtualSensor`).
+/// Its time-stamp is `tick`, its status `error`; its age is `Sensor::age()`.
 struct SensorReading {
   std::uint64_t sequence = 0;  ///< counts readings of this VSP since its start, from 1
   Tick tick = 0;               ///< tick of the hardware reading that was aggregated
@@ -38,6 +39,11 @@ class SensorLink {
   virtual void request(const SensorRequest& request) = 0;
   /// Waits for the reply to the last `request`. Throws SystemError when the VSP died or is silent.
   virtual void receive(SensorReading& reading) = 0;
+  /// Whether the deployment wants this sensor polled: asked for readings, but never waited for.
+  virtual bool polled() const noexcept { return false; }
+  /// The reply to the last `request` if it has come, else false and `reading` as it was. Never waits. Throws as
+  /// `receive`.
+  virtual bool poll(SensorReading& /*reading*/) { return false; }
   /// The newest published reading (non-interactive); never waits. False when none has come yet.
   virtual bool latest(SensorReading& reading) = 0;
 };

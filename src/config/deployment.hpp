@@ -33,18 +33,27 @@ struct RobotEntry {
   std::string edp_program;  ///< the type's `<type>_edp`, absolute path
 };
 
+/// Name and unit of one value of a sensor's reading. Names are unique within a sensor, without spaces.
+struct Channel {
+  std::string name;
+  std::string unit;
+};
+
 struct SensorEntry {
   std::string name;
   std::string type;   ///< folder sensors/<type>
   std::string robot;  ///< the effector it is mounted on; empty: fixed in the world
   bool interactive = true;
+  bool polled = false;               ///< interactive, but its readings are not waited for
   double rate = 0;                   ///< Hz, non-interactive only; 1 / rate is a whole number of servo periods
   std::string source = "simulated";  ///< simulated | replay | hardware
   std::filesystem::path replay;      ///< played file, absolute
   /// The type's own keys, checked against `[parameters]` of sensors/<type>/<type>.toml; defaults filled in.
   std::map<std::string, std::vector<double>> numbers;
   std::map<std::string, std::string> texts;
-  std::vector<std::string> sources{"simulated", "replay"};  ///< that the type has
+  // what sensors/<type>/<type>.toml declares of the type
+  std::vector<Channel> channels, raw_channels;              ///< of v and of r
+  std::vector<std::string> sources{"simulated", "replay"};  ///< that it has
   bool wants_effector_state = false;                        ///< e_l of `robot` goes to its VSP at every tick
   std::string vsp_program;                                  ///< the type's `<type>_vsp`, absolute path
 };

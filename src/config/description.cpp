@@ -31,7 +31,8 @@ std::string describe(const RobotEntry& robot) {
 std::string describe(const SensorEntry& sensor) {
   std::string text = sensor.type;
   if (!sensor.robot.empty()) text += " on " + sensor.robot;
-  text += sensor.interactive ? ", interactive, " : ", non-interactive at " + number_text(sensor.rate) + " Hz, ";
+  text += sensor.interactive ? (sensor.polled ? ", polled, " : ", interactive, ")
+                             : ", non-interactive at " + number_text(sensor.rate) + " Hz, ";
   text += sensor.source;
   if (!sensor.replay.empty()) text += " of " + sensor.replay.string();
   return text + ": VSP " + sensor.vsp_program;

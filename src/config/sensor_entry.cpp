@@ -38,7 +38,10 @@ double read_rate(const Table& table, double servo_period) {
 }
 
 void read_mode(const Table& table, double servo_period, SensorEntry& sensor) {
-  sensor.interactive = !table.has("mode") || table.choice("mode", {"interactive", "non-interactive"}) == "interactive";
+  const std::string mode =
+      table.has("mode") ? table.choice("mode", {"interactive", "polled", "non-interactive"}) : "interactive";
+  sensor.interactive = mode != "non-interactive";
+  sensor.polled = mode == "polled";
   if (!sensor.interactive) {
     sensor.rate = read_rate(table, servo_period);
   } else if (table.has("rate")) {

@@ -72,6 +72,20 @@ void read_own_parameters(const Table& type, const Table& table, SensorEntry& sen
   }
 }
 
+std::vector<Channel> read_channels(const Table& type, const char* kind) {
+  std::vector<Channel> channels;
+  if (!type.has(kind)) return channels;
+  for (const Table& table : type.tables(kind)) {
+    channels.push_back({table.text("name"), table.text("unit")});
+    const std::string& name = channels.back().name;
+    const auto same = [&name](const Channel& channel) { return channel.name == name; };
+    if (std::any_of(channels.begin(), channels.end() - 1, same))
+      table.fail("name", in_quotes(name) + " is the name of an earlier channel", "a name of its own");
+    table.finish();
+  }
+  return channels;
+}
+
 void read_sources(const Table& type, SensorEntry& sensor) {
   if (!type.has("sources")) return;
   sensor.sources = type.texts("sources");
@@ -98,6 +112,8 @@ void read_effector_state(const Table& type, SensorEntry& sensor) {
 
 void read_sensor_type(const Table& table, SensorEntry& sensor) {
   const Table type = Table::load(type_file("sensors", sensor.type, sensor.type + ".toml"));
+  sensor.channels = read_channels(type, "channels");
+  sensor.raw_channels = read_channels(type, "raw_channels");
   read_sources(type, sensor);
   read_own_parameters(type, table, sensor);
   read_effector_state(type, sensor);

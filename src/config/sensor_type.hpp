@@ -8,6 +8,10 @@ namespace mrroc::config {
 /// Reads what sensors/<type>/<type>.toml of the share folder says of the sensor's type, and the keys of [sensors.NAME]
 /// that are of its type's own into `sensor.numbers` and `sensor.texts`.
 ///
+///     [[channels]]                         # of its readings; [[raw_channels]], of the hardware's, likewise
+///     name = "distance"
+///     unit = "m"
+///
 ///     sources = ["simulated", "hardware"]  # that it can read; left out: simulated, replay
 ///     effector_state = true                # its VSP needs the state of the sensor's robot at every tick; left out:
 ///     false effector_state_with = "tool_mass"    # or only where this parameter of the type's is not 0

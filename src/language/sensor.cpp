@@ -26,6 +26,7 @@ void Sensor::bias() {
     throw NonFatalError(ErrorCode::invalid_argument, "bias needs a sensor in interactive mode",
                         {task_->process_name(), name_, 0, 0});
   }
+  asked_ = false;  // the reply to a request that is overtaken is not waited for
   link_->request({SensorRequestKind::bias, 0});
   link_->receive(reading_);
   const ErrorReport& error = reading_.error;
@@ -35,16 +36,28 @@ void Sensor::bias() {
   }
 }
 
+double Sensor::age() const noexcept {
+  if (reading_.sequence == 0) return std::numeric_limits<double>::infinity();
+  const Tick now = task_->tick();
+  return now > reading_.tick ? static_cast<double>(now - reading_.tick) * task_->servo_period() : 0.0;
+}
+
 void Sensor::initiate_reading(Tick measure_at) {
-  if (interactive_) link_->request({SensorRequestKind::reading, measure_at});
+  if (!interactive_ || asked_) return;
+  asked_ = link_->polled();
+  link_->request({SensorRequestKind::reading, asked_ ? 0 : measure_at});
 }
 
 void Sensor::collect_reading() {
-  if (interactive_) {
+  const std::uint64_t before = reading_.sequence;
+  if (link_->polled()) {
+    asked_ = !link_->poll(reading_);
+  } else if (interactive_) {
     link_->receive(reading_);
   } else if (!link_->latest(reading_)) {
     reading_.error = {ErrorClass::non_fatal, ErrorCode::sensor_not_ready, {}};
   }
+  fresh_ = reading_.sequence != before;
 }
 
 }  // namespace mrroc

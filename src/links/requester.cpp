@@ -31,20 +31,24 @@ void Requester<Request, Reply>::send(const Request& request, Tick deadline) {
 
 template <class Request, class Reply>
 void Requester<Request, Reply>::receive(Reply& reply) {
-  for (;;) {
-    if (take_reply(reply)) return;
-    if (!clock_.simulated()) {
-      if (!reader_.peer_alive()) {
-        if (take_reply(reply)) return;  // its last word
-        throw_lost();
-      }
-      if (clock_.tick() >= deadline_) {
-        throw SystemError(ErrorCode::process_silent, peer_ + " has not answered on topic " + reader_.topic(),
-                          {{}, {}, 0, clock_.tick()});
-      }
-    }
+  while (!poll(reply)) {
     if (clock_.wait(deadline_) == clock::Wake::interrupted) throw Stopped();
   }
+}
+
+template <class Request, class Reply>
+bool Requester<Request, Reply>::poll(Reply& reply) {
+  if (take_reply(reply)) return true;
+  if (clock_.simulated()) return false;
+  if (!reader_.peer_alive()) {
+    if (take_reply(reply)) return true;  // its last word
+    throw_lost();
+  }
+  if (clock_.tick() >= deadline_) {
+    throw SystemError(ErrorCode::process_silent, peer_ + " has not answered on topic " + reader_.topic(),
+                      {{}, {}, 0, clock_.tick()});
+  }
+  return false;
 }
 
 template <class Request, class Reply>

@@ -30,6 +30,8 @@ class Requester {
   /// (link_lost when other machines take part) when the peer is lost, process_silent when the deadline has passed; in
   /// simulated time neither, there the clock's host notices. Throws Stopped when the clock is interrupted.
   void receive(Reply& reply);
+  /// As `receive`, but does not wait: false when the reply has not come yet.
+  bool poll(Reply& reply);
 
   bool peer_alive() const noexcept { return reader_.peer_alive(); }
   std::uint64_t stale_replies() const noexcept { return stale_replies_; }

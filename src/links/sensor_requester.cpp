@@ -10,6 +10,7 @@ SensorRequester::SensorRequester(Domain& domain, clock::Clock& clock, const std:
                                  const std::string& client, std::string peer, SensorRequesterOptions options)
     : clock_(clock),
       timeout_(options.timeout),
+      polled_(options.polled),
       exchange_(domain, clock, topic_name(prefix, client + "/request"), topic_name(prefix, client + "/reading"),
                 std::move(peer)) {
   if (options.published) published_.emplace(domain, clock, topic_name(prefix, "published"));

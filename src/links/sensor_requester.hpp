@@ -9,6 +9,7 @@ namespace mrroc::links {
 
 struct SensorRequesterOptions {
   bool published = false;  ///< reads the published readings too (`latest`)
+  bool polled = false;     ///< what `polled()` says
   Tick timeout = 500;      ///< how many ticks a reply may be late (real time only)
 };
 
@@ -26,6 +27,8 @@ class SensorRequester final : public SensorLink {
   /// The reply is due at `measure_at`, or at once; the time-out later it is missed.
   void request(const SensorRequest& request) override;
   void receive(SensorReading& reading) override { exchange_.receive(reading); }
+  bool polled() const noexcept override { return polled_; }
+  bool poll(SensorReading& reading) override { return exchange_.poll(reading); }
   /// False also when `published` was not asked for. Neither waits, locks nor allocates.
   bool latest(SensorReading& reading) override { return published_ && published_->latest(reading); }
 
@@ -36,6 +39,7 @@ class SensorRequester final : public SensorLink {
  private:
   clock::Clock& clock_;
   const Tick timeout_;
+  const bool polled_;
   Requester<SensorRequest, SensorReading> exchange_;
   std::optional<Reader<SensorReading>> published_;
 };

@@ -56,6 +56,7 @@ SensorLink& TaskProcess::sensor_link(const std::string& name, const std::string&
   if (link == nullptr) {
     links::SensorRequesterOptions options;
     options.published = !entry.interactive;
+    options.polled = entry.polled;
     link = std::make_unique<links::SensorRequester>(process_.domain(), process_.clock(), process_.topic(name),
                                                     process_.name(), name, options);
   }

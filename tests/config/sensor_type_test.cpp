@@ -32,7 +32,7 @@ class SensorTypeTest : public testing::Test {
 };
 
 TEST_F(SensorTypeTest, ATypeMayHaveOtherTablesAndNoParameters) {
-  const SensorEntry sensor = read("channels = ['distance']\n[other]\nkey = 1\n");
+  const SensorEntry sensor = read("[other]\nkey = 1\n");
   EXPECT_TRUE(sensor.numbers.empty());
   EXPECT_TRUE(sensor.texts.empty());
 }
@@ -95,6 +95,21 @@ TEST_F(SensorTypeTest, ATypeSaysWhenItNeedsTheStateOfItsRobot) {
       message("effector_state_with = 'mas'\n" + mass),
       "sensors/sonar/sonar.toml:1: effector_state_with: 'mas' is no parameter of kind number, expected one of this "
       "file");
+}
+
+TEST_F(SensorTypeTest, ChannelsAreDeclared) {
+  const std::string two = "[[channels]]\nname = 'x'\nunit = 'm'\n[[channels]]\nname = 'y'\nunit = 'm'\n";
+  const SensorEntry sensor = read(two + "[[raw_channels]]\nname = 'echo'\nunit = 's'\n");
+  ASSERT_EQ(sensor.channels.size(), 2u);
+  EXPECT_EQ(sensor.channels[1].name, "y");
+  ASSERT_EQ(sensor.raw_channels.size(), 1u);
+  EXPECT_EQ(sensor.raw_channels[0].unit, "s");
+  EXPECT_EQ(message("[[channels]]\nname = 'x'\n"),
+            "sensors/sonar/sonar.toml:1: channels[0].unit: missing, expected a text");
+  EXPECT_EQ(
+      message(two + "[[channels]]\nname = 'x'\nunit = 's'\n"),
+      "sensors/sonar/sonar.toml:8: channels[2].name: 'x' is the name of an earlier channel, expected a name of its "
+      "own");
 }
 
 }  // namespace

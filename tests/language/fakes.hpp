@@ -121,7 +121,17 @@ class FakeSensorLink : public SensorLink {
     return true;
   }
 
+  bool polled() const noexcept override { return is_polled; }
+  bool poll(SensorReading& reading) override {
+    log_.add({Action::collect, name_});
+    if (late > 0) return --late, false;
+    read(reading, measure_at_);
+    return true;
+  }
+
   bool interactive = true;
+  bool is_polled = false;
+  int late = 0;                                 ///< polled: so many looks find nothing
   std::uint64_t ready_from = 0;                 ///< non-interactive: number of the first reading that is there
   std::map<std::uint64_t, ErrorReport> errors;  ///< by number of the reading, from 0
 

@@ -97,6 +97,40 @@ TEST(Sensor, WithoutAReadingIsNotReady) {
   EXPECT_EQ(Wait({}, {*gate}, ElapsedSteps{0}).steps, 0u);  // by now it has one
 }
 
+TEST(Sensor, PolledItIsNeverWaitedFor) {
+  FakeTask task;
+  task.add_sensor("camera").is_polled = true;
+  const auto arm = task.robot("arm");
+  const auto camera = task.sensor("camera");
+  EXPECT_EQ(camera->age(), std::numeric_limits<double>::infinity());
+  task.sensor_fake("camera").late = 2;
+  std::vector<bool> fresh;
+  std::vector<double> values;
+  Wait({*arm}, {*camera}, When{"five steps", [&] {
+                                 fresh.push_back(camera->fresh());
+                                 values.push_back(camera->value(0));
+                                 return fresh.size() == 5;
+                               }});
+  EXPECT_EQ(fresh, (std::vector<bool>{false, false, true, true, true})) << "not ready is a value";
+  EXPECT_TRUE(std::isnan(values[0]) && std::isnan(values[1]));
+  EXPECT_EQ(values[2], 0);
+  EXPECT_EQ(values[4], 2);
+  std::vector<Tick> asked;
+  for (const fakes::Call& call : task.log.calls)
+    if (call.action == fakes::Action::request) asked.push_back(call.tick);
+  EXPECT_EQ(asked, (std::vector<Tick>{0, 0, 0})) << "at once, and one request at a time";
+}
+
+TEST(Sensor, KnowsTheAgeOfItsReading) {
+  FakeTask task;
+  const auto gate = task.sensor("gate");
+  Wait({}, {*gate}, ElapsedSteps{0});
+  EXPECT_TRUE(gate->fresh());
+  EXPECT_EQ(gate->age(), 0);
+  task.time.tick += 50;
+  EXPECT_DOUBLE_EQ(gate->age(), 0.1);
+}
+
 TEST(Sensor, BiasesWhenInteractive) {
   FakeTask task;
   const auto wrist = task.sensor("wrist");
