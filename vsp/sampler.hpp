@@ -5,6 +5,7 @@
 
 #include "mrroc/sensor_link.hpp"
 #include "vsp/effector_states.hpp"
+#include "vsp/raw_watch.hpp"
 #include "vsp/source.hpp"
 #include "vsp/virtual_sensor.hpp"
 
@@ -63,6 +64,8 @@ class Sampler {
 
   /// Keeps a request until its tick; what is due is answered by the next `on_tick`.
   void on_request(const Caller& caller, const SensorRequest& request, Tick now, ReadingSink& sink);
+  /// Hardware that answers is looked at for being frozen or noisy, too. Before the first tick.
+  void watch(const RawWatch& watch) { watch_ = watch; }
   /// e_l has come. Oldest first.
   void on_effector_state(const RobotState& state) noexcept { effector_.add(state); }
   /// Does what is due at `now`: answers requests, then publishes. May be called at any time, several times at a tick.
@@ -104,6 +107,7 @@ class Sampler {
   SensorReading raw_fault_;  ///< in error when `raw_` cannot be used
   SensorReading reading_;
   bool fresh_ = false;  ///< `reading_` is of the `on_tick` under way
+  RawWatch watch_;
   bool follows_;
   EffectorStates effector_;
   Tick patience_ = 0;  ///< what is due waits for e_l until this tick; 0: it does not wait

@@ -42,6 +42,7 @@ class Shell : private ReadingSink {
                    possible_clients(process.deployment()), !entry_.interactive) {}
 
   void serve() {
+    sampler_.watch(RawWatch(entry_, sensor_->raw_channels(), process_.clock().period()));
     if (follows()) {
       effector_.emplace(process_.domain(), process_.clock(), process_.topic(entry_.robot), entry_.name,
                         entry_.robot + "_edp");

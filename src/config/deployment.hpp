@@ -48,6 +48,8 @@ struct SensorEntry {
   double rate = 0;                   ///< Hz, non-interactive only; 1 / rate is a whole number of servo periods
   std::string source = "simulated";  ///< simulated | replay | hardware
   std::filesystem::path replay;      ///< played file, absolute
+  double frozen_after = 0;           ///< s after which hardware that always reads the same is broken; 0: never
+  std::vector<double> noise_max;     ///< largest standard deviation of each raw channel; empty, or 0: any
   /// The type's own keys, checked against `[parameters]` of sensors/<type>/<type>.toml; defaults filled in.
   std::map<std::string, std::vector<double>> numbers;
   std::map<std::string, std::string> texts;

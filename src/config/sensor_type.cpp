@@ -11,7 +11,8 @@ namespace mrroc::config {
 namespace {
 
 /// Keys that every sensor has.
-constexpr std::array<std::string_view, 6> kCommonKeys{"type", "robot", "mode", "rate", "source", "replay"};
+constexpr std::array<std::string_view, 8> kCommonKeys{"type",   "robot",  "mode",         "rate",
+                                                      "source", "replay", "frozen_after", "noise_max"};
 constexpr std::int64_t kMostNumbers = 1000;
 
 /// What the keys of one declaration allow.

@@ -15,7 +15,7 @@ inline config::SensorEntry entry_of(const std::string& type, const std::string& 
   entry.name = name;
   entry.type = type;
   entry.robot = "arm";
-  config::read_own_parameters(config::Table::load(scratch.write("sensor.toml", toml)), entry);
+  config::read_sensor_type(config::Table::load(scratch.write("sensor.toml", toml)), entry);
   return entry;
 }
 
