@@ -1,0 +1,38 @@
+"""Reads the trace of this folder's demo and plots what the stop watch showed over the deployment's time with gnuplot.
+
+Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
+"""
+
+import re
+import subprocess
+import sys
+
+SERVO_PERIOD = 0.002  # s, the deployment's
+
+
+def main():
+    trace, out = sys.argv[1:3]
+    with open(trace, encoding="ascii") as lines:
+        readings = re.findall(r" instruction=(\d+) .* sensor=watch tick=\d+ values=([^ ,]+),([^ \n]+)", lines.read())
+    with open(out + ".dat", "w", encoding="ascii") as data:
+        before = None
+        for instruction, time, tick in readings:
+            if before not in (None, instruction):
+                data.write("\n")  # zeroed: no line from there to here
+            before = instruction
+            data.write(f"{float(tick) * SERVO_PERIOD} {time}\n")
+    script = f"""
+set terminal pngcairo size 900,420 font 'sans,11'
+set output '{out}.png'
+set title 'time: a stop watch, set to zero twice'
+set xlabel 'time of the deployment (s)'
+set ylabel 'channel time (s)'
+set grid
+plot '{out}.dat' with lines linewidth 2 linecolor '#0072bd' notitle
+"""
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+    print(f"{len(readings)} readings, the last at tick {readings[-1][2]}")
+
+
+if __name__ == "__main__":
+    main()
