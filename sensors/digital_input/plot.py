@@ -1,0 +1,43 @@
+"""Reads the trace of this folder's demo and plots both sensors' rises and the force on the plate with gnuplot.
+
+Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
+"""
+
+import re
+import subprocess
+import sys
+
+SERVO_PERIOD = 0.002  # s, the deployment's
+
+
+def values(line, sensor):
+    """(tick, on, rises, level) of a sensor in one line of the trace."""
+    tick, channels = re.search(rf" sensor={sensor} tick=(\d+) values=([^ \n]+)", line).groups()
+    return (int(tick), *(float(channel) for channel in channels.split(",")))
+
+
+def main():
+    trace, out = sys.argv[1:3]
+    with open(trace, encoding="ascii") as lines:
+        steps = [(values(line, "touched"), values(line, "settled")) for line in lines if " sensor=" in line]
+    with open(out + ".dat", "w", encoding="ascii") as data:
+        for touched, settled in steps:
+            data.write(f"{touched[0] * SERVO_PERIOD} {touched[2]} {settled[2]} {settled[1]} {touched[3]}\n")
+    script = f"""
+set terminal pngcairo size 900,420 font 'sans,11'
+set output '{out}.png'
+set title 'digital\\_input: a ball bounces on a switch'
+set xlabel 'time (s)'
+set ylabel 'rises'
+set grid
+set key center right
+set yrange [0:*]
+plot '{out}.dat' using 1:2 with steps linewidth 2 linecolor '#0072bd' title 'touched: every touch', \\
+     '{out}.dat' using 1:3 with steps linewidth 2 linecolor '#d95319' title 'settled: debounced by 0.5 s'
+"""
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+    print(f"{steps[-1][0][2]:.0f} rises, {steps[-1][1][2]:.0f} when debounced, after {steps[-1][0][0] * SERVO_PERIOD:.2f} s")
+
+
+if __name__ == "__main__":
+    main()
