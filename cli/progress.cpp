@@ -76,7 +76,7 @@ void Progress::error(const std::string& text) {
 }
 
 void Progress::draw() {
-  if (!live_) return;
+  if (!live_ || paused_) return;
   erase();
   for (const std::string& name : names_) {
     const auto found = statuses_.find(name);
@@ -96,6 +96,11 @@ void Progress::erase() {
   if (drawn_lines_ == 0) return;
   fmt::print("\x1b[{}A\x1b[J", drawn_lines_);
   drawn_lines_ = 0;
+}
+
+void Progress::pause(bool paused) {
+  if (paused) erase();
+  paused_ = paused;
 }
 
 void Progress::finish() {

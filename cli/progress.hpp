@@ -23,6 +23,8 @@ class Progress {
   void error(const std::string& text);
   /// Redraws the live lines; call it a few times per second.
   void draw();
+  /// While paused there are no live lines: what the operator types is not overwritten.
+  void pause(bool paused);
   /// Leaves the live lines as they are and writes below from now on.
   void finish();
 
@@ -34,6 +36,7 @@ class Progress {
   double servo_period_;
   bool quiet_;
   bool live_;  // stdout is a terminal
+  bool paused_ = false;
   std::map<std::string, links::ProcessStatus> statuses_;
   std::size_t drawn_lines_ = 0;
 };

@@ -74,17 +74,19 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       clock_(host_options(deployment_, plan_)),
       signals_(open_signals()),
       crew_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
-      operator_clock_(clock_.operator_clock()) {
+      operator_clock_(clock_.operator_clock()),
+      input_(STDIN_FILENO) {
   if (deployment_.sim) world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
 }
 
 Runner::~Runner() {
   clock_.end();
-  clock_.join();  // its events use the links to the MP
+  clock_.join();  // its events use the links
   if (signals_ >= 0) close(signals_);
 }
 
 RunResult Runner::run() {
+  check_somebody_answers(deployment_, input_.attended());
   // before anything is started: a run whose trace is lost would be in vain
   if (!options_.trace.empty()) create_trace(options_.trace);
   if (!options_.snapshots.empty()) std::filesystem::create_directories(options_.snapshots);
@@ -142,6 +144,8 @@ void Runner::start_processes() {
   domain_ = std::make_unique<links::Domain>(options);
   collector_ = std::make_unique<links::StatusCollector>(*domain_, deployment_.name);
   mp_ = std::make_unique<links::TaskSuperior>(*domain_, *operator_clock_, deployment_.name + "/mp", "mp");
+  desk_ = std::make_unique<OperatorDesk>(deployment_, *domain_, *operator_clock_, input_,
+                                         [this](const std::string& line) { progress_.message(line); });
 }
 
 void Runner::pass_barrier() {
@@ -179,6 +183,10 @@ bool Runner::connect_to_mp(double deadline) {
 void Runner::schedule_commands() {
   clock_.at_tick(0, [this] { command(links::TaskCommandKind::start); });
   for (const config::Event& event : deployment_.events) {
+    if (event.command == "answer") {
+      clock_.at_tick(event.tick, [this, &event] { desk_->answer(event); });
+      continue;
+    }
     links::TaskCommandKind kind = links::TaskCommandKind::trigger;
     if (event.command == "pause") kind = links::TaskCommandKind::pause;
     if (event.command == "resume") kind = links::TaskCommandKind::resume;
@@ -199,6 +207,7 @@ bool Runner::turn(int milliseconds) {
   check_children();
   check_clock();
   if (task_started_) read_task_status();
+  if (task_started_ && !stopping_) look_at_desk();
   progress_.draw();
   return !stopping_;
 }
@@ -252,6 +261,11 @@ void Runner::read_task_status() {
       stopping_ = true;
     }
   }
+}
+
+void Runner::look_at_desk() {
+  desk_->look();
+  progress_.pause(desk_->waits_for_line());
 }
 
 void Runner::check_children() {

@@ -11,8 +11,10 @@
 
 #include "cli/crew.hpp"
 #include "cli/domain_lock.hpp"
+#include "cli/operator_desk.hpp"
 #include "cli/process_plan.hpp"
 #include "cli/progress.hpp"
+#include "cli/typed_lines.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
 #include "links/domain.hpp"
@@ -42,8 +44,8 @@ struct RunResult {
 };
 
 /// `mrroc run`: starts every process of a deployment, opens the clock when all are ready, starts the MP, shows
-/// progress, forwards Ctrl-C, notices a process that dies or is silent, and ends every process whatever happens. Main
-/// thread.
+/// progress, forwards Ctrl-C and the operator's answers, notices a process that dies or is silent, and ends every
+/// process whatever happens. Main thread.
 class Runner {
  public:
   Runner(const config::Deployment& deployment, RunOptions options);
@@ -72,6 +74,7 @@ class Runner {
   process::ExitCode code_of_death(const Child& child) const;
   void check_heartbeats();
   void check_clock();
+  void look_at_desk();
   void interrupt_by_operator();
   void fail(process::ExitCode code, std::string reason);
   std::filesystem::path trace_part(const std::string& process) const;
@@ -89,6 +92,8 @@ class Runner {
   std::unique_ptr<links::Domain> domain_;
   std::unique_ptr<links::StatusCollector> collector_;
   std::unique_ptr<links::TaskSuperior> mp_;
+  TypedLines input_;
+  std::unique_ptr<OperatorDesk> desk_;
   std::mutex command_mutex_;
 
   std::map<std::string, links::ProcessStatus> statuses_;

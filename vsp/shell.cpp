@@ -64,7 +64,8 @@ class Shell : private ReadingSink {
     sensor_->declare(entry_);
     sensor_->configure(entry_, period);
     if (process_.arguments().world_fd >= 0) world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
-    return make_source(*sensor_, {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period});
+    return make_source(*sensor_, {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period,
+                                  &process_.clock(), &process_.domain()});
   }
 
   /// Whether e_l comes to this sensor.

@@ -11,18 +11,28 @@
 #include "vsp/raw_reading.hpp"
 #include "vsp/source.hpp"
 
+namespace mrroc::clock {
+class Clock;
+}
+namespace mrroc::links {
+class Domain;
+}
+
 namespace mrroc::vsp {
 
 using config::Channel;
 
 /// What a source can be opened from. `world`: the simulated hardware, null when there is none; `slot`: the sensor's
-/// index in the deployment. `servo_period` in s.
+/// index in the deployment. `servo_period` in s. `clock` and `domain`: for a source that has a link of its own to
+/// somebody; null in tests without a process.
 struct SourceContext {
   const config::Deployment& deployment;
   const config::SensorEntry& entry;
   std::size_t slot;
   const sim::WorldMemory* world;
   double servo_period;
+  clock::Clock* clock = nullptr;
+  links::Domain* domain = nullptr;
 };
 
 /// The aggregating function of one sensor type, the paper's equation (14): v = f_v(c_0, c_l, e_l, r).

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/device_name.hpp"
+#include "config/events.hpp"
 #include "config/force_sensors.hpp"
 #include "config/message_text.hpp"
 #include "config/mounts.hpp"
@@ -99,17 +100,6 @@ void refuse_names_of_edps(const Table& root, const Deployment& deployment) {
   for (const auto& sensor : deployment.sensors) check("sensors", sensor.name);
 }
 
-std::vector<Event> read_events(const Table& root) {
-  std::vector<Event> events;
-  for (const auto& table : root.tables("events")) {
-    table.only({"tick", "command"});
-    const auto tick = table.integer("tick", 0, std::numeric_limits<std::int64_t>::max());
-    events.push_back({static_cast<Tick>(tick), table.choice("command", {"pause", "resume", "trigger", "stop"})});
-  }
-  std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.tick < b.tick; });
-  return events;
-}
-
 template <typename Entry>
 const Entry& find(const std::vector<Entry>& entries, const std::string& name, const std::string& kind,
                   const Deployment& deployment) {
@@ -156,7 +146,7 @@ Deployment load_deployment(const std::filesystem::path& file) {
                   (deployment.sim ? ", the simulator)" : ")"),
               "at most " + std::to_string(kMostProcesses));
   }
-  deployment.events = read_events(root);
+  deployment.events = read_events(root, deployment);
   if (deployment.robots.empty() && deployment.sensors.empty()) {
     root.fail("", "no robots and no sensors", "at least one [robots.NAME] or [sensors.NAME]");
   }

@@ -69,7 +69,9 @@ struct SimEntry {
 /// An operator command at a given tick: lockstep's way to press a button.
 struct Event {
   Tick tick = 0;
-  std::string command;  ///< pause | resume | trigger | stop
+  std::string command;  ///< pause | resume | trigger | stop | answer
+  std::string sensor;   ///< that is answered; empty for the other commands
+  double value = 0;     ///< the answer
 };
 
 /// A deployment file, validated as a whole: names are unique and at most 31 characters of letters, digits and `_`,

@@ -254,6 +254,29 @@ bool decode(const mrroc_wire_TaskStatus& wire, TaskStatus& message) noexcept {
   return true;
 }
 
+void encode(const OperatorQuestion& message, mrroc_wire_OperatorQuestion& wire) noexcept {
+  encode_text(message.text, wire.text);
+  wire.tick = message.tick;
+}
+
+bool decode(const mrroc_wire_OperatorQuestion& wire, OperatorQuestion& message) noexcept {
+  if (!terminated(wire.text)) return false;
+  message.text.assign(wire.text);
+  message.tick = wire.tick;
+  return true;
+}
+
+void encode(const OperatorAnswer& message, mrroc_wire_OperatorAnswer& wire) noexcept {
+  wire.question = message.question;
+  wire.value = message.value;
+}
+
+bool decode(const mrroc_wire_OperatorAnswer& wire, OperatorAnswer& message) noexcept {
+  message.question = wire.question;
+  message.value = wire.value;
+  return true;
+}
+
 void encode(const ProcessStatus& message, mrroc_wire_ProcessStatus& wire) noexcept {
   encode_text(message.process, wire.process);
   wire.process_role = static_cast<std::uint8_t>(message.role);

@@ -2,6 +2,7 @@
 
 // internal to src/links: includes what idlc generates
 
+#include "links/operator_messages.hpp"
 #include "links/process_status.hpp"
 #include "links/task_messages.hpp"
 #include "messages.h"
@@ -45,6 +46,16 @@ struct WireOf<TaskStatus> {
   static const dds_topic_descriptor_t& descriptor() noexcept { return mrroc_wire_TaskStatus_desc; }
 };
 template <>
+struct WireOf<OperatorQuestion> {
+  using Type = mrroc_wire_OperatorQuestion;
+  static const dds_topic_descriptor_t& descriptor() noexcept { return mrroc_wire_OperatorQuestion_desc; }
+};
+template <>
+struct WireOf<OperatorAnswer> {
+  using Type = mrroc_wire_OperatorAnswer;
+  static const dds_topic_descriptor_t& descriptor() noexcept { return mrroc_wire_OperatorAnswer_desc; }
+};
+template <>
 struct WireOf<ProcessStatus> {
   using Type = mrroc_wire_ProcessStatus;
   static const dds_topic_descriptor_t& descriptor() noexcept { return mrroc_wire_ProcessStatus_desc; }
@@ -69,6 +80,8 @@ void encode(const SensorRequest& message, mrroc_wire_SensorRequest& wire) noexce
 void encode(const SensorReading& message, mrroc_wire_SensorReading& wire) noexcept;
 void encode(const TaskCommand& message, mrroc_wire_TaskCommand& wire) noexcept;
 void encode(const TaskStatus& message, mrroc_wire_TaskStatus& wire) noexcept;
+void encode(const OperatorQuestion& message, mrroc_wire_OperatorQuestion& wire) noexcept;
+void encode(const OperatorAnswer& message, mrroc_wire_OperatorAnswer& wire) noexcept;
 void encode(const ProcessStatus& message, mrroc_wire_ProcessStatus& wire) noexcept;
 
 bool decode(const mrroc_wire_RobotCommand& wire, RobotCommand& message) noexcept;
@@ -77,6 +90,8 @@ bool decode(const mrroc_wire_SensorRequest& wire, SensorRequest& message) noexce
 bool decode(const mrroc_wire_SensorReading& wire, SensorReading& message) noexcept;
 bool decode(const mrroc_wire_TaskCommand& wire, TaskCommand& message) noexcept;
 bool decode(const mrroc_wire_TaskStatus& wire, TaskStatus& message) noexcept;
+bool decode(const mrroc_wire_OperatorQuestion& wire, OperatorQuestion& message) noexcept;
+bool decode(const mrroc_wire_OperatorAnswer& wire, OperatorAnswer& message) noexcept;
 bool decode(const mrroc_wire_ProcessStatus& wire, ProcessStatus& message) noexcept;
 
 }  // namespace mrroc::links

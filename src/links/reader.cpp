@@ -250,5 +250,7 @@ template class Reader<SensorRequest>;
 template class Reader<SensorReading>;
 template class Reader<TaskCommand>;
 template class Reader<TaskStatus>;
+template class Reader<OperatorQuestion>;
+template class Reader<OperatorAnswer>;
 
 }  // namespace mrroc::links

@@ -103,5 +103,7 @@ template class Writer<SensorRequest>;
 template class Writer<SensorReading>;
 template class Writer<TaskCommand>;
 template class Writer<TaskStatus>;
+template class Writer<OperatorQuestion>;
+template class Writer<OperatorAnswer>;
 
 }  // namespace mrroc::links

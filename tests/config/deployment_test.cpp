@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <limits>
 
 #include "config/deployment_fixture.hpp"
+#include "config/operator_answer.hpp"
 
 namespace mrroc::config {
 namespace {
@@ -104,6 +106,39 @@ TEST_F(DeploymentTest, SortsEventsByTick) {
   EXPECT_EQ(events[1].tick, 500u);
   EXPECT_EQ(events[1].command, "resume");
   EXPECT_EQ(events[2].command, "trigger");
+}
+
+TEST_F(DeploymentTest, AnAnswerGoesToASensorThatAsksTheOperator) {
+  const Scratch scratch;
+  const auto file = scratch.write("asks.toml", R"([deployment]
+name = "asks"
+[sensors.parts]
+type = "operator_input"
+max = 10
+[[events]]
+tick = 300
+command = "answer"
+sensor = "parts"
+value = 2.5
+)");
+  const Deployment deployment = load_deployment(file);
+  ASSERT_EQ(deployment.events.size(), 1u);
+  EXPECT_EQ(deployment.events[0].tick, 300u);
+  EXPECT_EQ(deployment.events[0].command, "answer");
+  EXPECT_EQ(deployment.events[0].sensor, "parts");
+  EXPECT_EQ(deployment.events[0].value, 2.5);
+  const SensorEntry& parts = deployment.sensor("parts");
+  EXPECT_TRUE(asks_operator(parts));
+  EXPECT_TRUE(is_answer(parts, -100) && is_answer(parts, 10));
+  EXPECT_FALSE(is_answer(parts, -100.5) || is_answer(parts, 10.5));
+  EXPECT_FALSE(is_answer(parts, std::numeric_limits<double>::quiet_NaN()));
+}
+
+TEST_F(DeploymentTest, APlayedSensorAsksNobody) {
+  SensorEntry played;
+  played.type = "operator_input";
+  played.source = "replay";
+  EXPECT_FALSE(asks_operator(played));
 }
 
 TEST_F(DeploymentTest, MostMayBeLeftOut) {

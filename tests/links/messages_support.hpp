@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "links/operator_messages.hpp"
 #include "links/process_status.hpp"
 #include "links/task_messages.hpp"
 #include "mrroc/robot_command.hpp"
@@ -54,6 +55,10 @@ inline bool same(const SensorReading& a, const SensorReading& b) {
 inline bool same(const TaskCommand& a, const TaskCommand& b) { return a.kind == b.kind; }
 inline bool same(const TaskStatus& a, const TaskStatus& b) {
   return a.state == b.state && same(a.error, b.error) && a.process == b.process && a.step == b.step && a.tick == b.tick;
+}
+inline bool same(const OperatorQuestion& a, const OperatorQuestion& b) { return a.text == b.text && a.tick == b.tick; }
+inline bool same(const OperatorAnswer& a, const OperatorAnswer& b) {
+  return a.question == b.question && std::memcmp(&a.value, &b.value, sizeof a.value) == 0;
 }
 inline bool same(const Counters& a, const Counters& b) {
   static_assert(sizeof(Counters) == 12 * 8, "no padding to compare");
@@ -206,6 +211,22 @@ struct Arbitrary<mrroc::links::TaskStatus> {
     using T = mrroc::links::TaskStatus;
     return gen::build<T>(gen::set(&T::state, any_enum(mrroc::links::TaskState::stopped)), gen::set(&T::error),
                          gen::set(&T::process), gen::set(&T::step), gen::set(&T::tick));
+  }
+};
+
+template <>
+struct Arbitrary<mrroc::links::OperatorQuestion> {
+  static Gen<mrroc::links::OperatorQuestion> arbitrary() {
+    using T = mrroc::links::OperatorQuestion;
+    return gen::build<T>(gen::set(&T::text), gen::set(&T::tick));
+  }
+};
+
+template <>
+struct Arbitrary<mrroc::links::OperatorAnswer> {
+  static Gen<mrroc::links::OperatorAnswer> arbitrary() {
+    using T = mrroc::links::OperatorAnswer;
+    return gen::build<T>(gen::set(&T::question), gen::set(&T::value));
   }
 };
 

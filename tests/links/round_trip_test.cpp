@@ -20,7 +20,8 @@ namespace {
 
 template <class T>
 class RoundTrip : public ::testing::Test {};
-using Messages = ::testing::Types<RobotCommand, RobotState, SensorRequest, SensorReading, TaskCommand, TaskStatus>;
+using Messages = ::testing::Types<RobotCommand, RobotState, SensorRequest, SensorReading, TaskCommand, TaskStatus,
+                                  OperatorQuestion, OperatorAnswer>;
 TYPED_TEST_SUITE(RoundTrip, Messages);
 
 TYPED_TEST(RoundTrip, KeepsEveryBit) {
@@ -146,6 +147,10 @@ TEST(Malformed, Task) {
   expect_dropped<TaskStatus>({{"state", [](auto& w) { w.state = 6; }},
                               {"error class", [](auto& w) { w.error.error_class = 9; }},
                               {"process", [](auto& w) { fill(w.process); }}});
+}
+
+TEST(Malformed, Operator) {
+  expect_dropped<OperatorQuestion>({{"text", [](auto& w) { fill(w.text); }}});
 }
 
 TEST(Malformed, ProcessStatus) {

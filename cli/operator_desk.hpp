@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "cli/typed_lines.hpp"
+#include "clock/clock.hpp"
+#include "config/deployment.hpp"
+#include "links/domain.hpp"
+#include "links/operator_responder.hpp"
+
+namespace mrroc::cli {
+
+/// Throws ConfigurationError when a sensor asks the operator and nobody could ever answer it: no event of the
+/// deployment does, and `attended` is false or time is lockstep's, where a typed answer would come at another tick on
+/// every run.
+void check_somebody_answers(const config::Deployment& deployment, bool attended);
+
+/// Where what the task programs ask the operator comes together, and his answers leave: those of the deployment's
+/// events at their ticks, those that he types as soon as he has. A question is answered by the first event for its
+/// sensor at a later tick; without one it is shown, the oldest first, and asked again until the line typed is an
+/// answer. The main thread, but for `answer`.
+class OperatorDesk {
+ public:
+  using Show = std::function<void(const std::string& line)>;
+
+  /// `clock`: the operator's; `input`: where answers are typed; `show`: a line for him to read. All outlive the desk.
+  OperatorDesk(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock, TypedLines& input,
+               Show show);
+
+  /// Sends the answer of an event. The clock's thread, at the event's tick.
+  void answer(const config::Event& event);
+  /// Looks for questions and for what has been typed. Throws NonFatalError(sensor_not_ready) for a question that nobody
+  /// is left to answer.
+  void look();
+  /// Whether a question waits for a line to be typed.
+  bool waits_for_line() const noexcept { return !open_.empty(); }
+
+ private:
+  struct Open {
+    const config::SensorEntry* sensor = nullptr;
+    std::uint64_t number = 0;
+    std::string text;
+    friend bool operator==(const Open&, const Open&) = default;
+  };
+
+  void take_question(const config::SensorEntry& sensor, const links::OperatorQuestion& question, std::uint64_t number);
+  const config::Event* event_for(const std::string& sensor, Tick asked) const noexcept;
+  bool somebody_types() const noexcept;
+  [[noreturn]] void refuse(const Open& question) const;
+  void ask_aloud();
+  void read_lines();
+  void send(const std::string& sensor, const links::OperatorAnswer& answer);
+
+  const config::Deployment& deployment_;
+  TypedLines& input_;
+  Show show_;
+  std::map<std::string, std::unique_ptr<links::OperatorResponder>> links_;  // by sensor
+  std::deque<Open> open_;                                                   // the first is the one shown
+  Open shown_;
+  std::mutex sending_;
+};
+
+}  // namespace mrroc::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "vsp/virtual_sensor.hpp"
+
+namespace mrroc::vsp {
+
+class OperatorSource;
+
+/// What the operator answers. r is `answers`, a count, and `value`, the last answer; v is
+///
+///     answered = 1 when answers > zero, else 0
+///     value    = the last answer when answered, else 0
+///
+/// `bias` asks: it makes the present count zero, so that an earlier answer counts no more, and puts the question to the
+/// operator. Nothing is asked before the first `bias`. Played readings are the operator's answers likewise.
+class OperatorInputSensor final : public VirtualSensor {
+ public:
+  std::vector<Channel> channels() const override { return {{"answered", "0 or 1"}, {"value", "of the question"}}; }
+  std::vector<Channel> raw_channels() const override { return {{"answers", "1"}, {"value", "of the question"}}; }
+  void configure(const config::SensorEntry& entry, double servo_period) override;
+  std::unique_ptr<Source> open_source(const SourceContext& context) override;
+  void aggregate(const RawReading& r, SensorReading& v) noexcept override;
+  bool bias(const RawReading& r) noexcept override;
+
+ private:
+  OperatorSource* operator_ = nullptr;  // null: played
+  double zero_ = 0;
+};
+
+}  // namespace mrroc::vsp

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "config/deployment.hpp"
+#include "config/table.hpp"
+
+namespace mrroc::config {
+
+/// Reads the tables [[events]], by tick, those of one tick in file order; `deployment` holds the sensors, whom an
+/// `answer` may go to. Throws ConfigurationError.
+std::vector<Event> read_events(const Table& root, const Deployment& deployment);
+
+}  // namespace mrroc::config

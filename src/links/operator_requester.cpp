@@ -1,0 +1,23 @@
+#include "links/operator_requester.hpp"
+
+#include "links/connect.hpp"
+#include "links/topic_name.hpp"
+
+namespace mrroc::links {
+
+OperatorRequester::OperatorRequester(Domain& domain, clock::Clock& clock, const std::string& prefix)
+    : writer_(domain, clock, topic_name(prefix, "question")), reader_(domain, clock, topic_name(prefix, "answer")) {}
+
+void OperatorRequester::connect(double timeout) { links::connect(writer_, {&reader_}, timeout, "the operator"); }
+
+std::uint64_t OperatorRequester::ask(std::string_view text, Tick tick) {
+  writer_.write({text, tick}, ++asked_);
+  return asked_;
+}
+
+bool OperatorRequester::take(OperatorAnswer& answer) {
+  Header header;
+  return reader_.take(answer, header);
+}
+
+}  // namespace mrroc::links

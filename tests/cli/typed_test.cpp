@@ -1,0 +1,93 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+
+#include "cli/typed_answer.hpp"
+#include "cli/typed_lines.hpp"
+
+namespace mrroc::cli {
+namespace {
+
+config::SensorEntry parts() {
+  config::SensorEntry sensor;
+  sensor.name = "parts";
+  sensor.type = "operator_input";
+  sensor.source = "hardware";
+  sensor.numbers = {{"min", {-5}}, {"max", {10}}};
+  return sensor;
+}
+
+class Pipe {
+ public:
+  Pipe() { EXPECT_EQ(pipe2(ends_.data(), O_CLOEXEC), 0); }
+  ~Pipe() {
+    end();
+    close(ends_[0]);
+  }
+  int fd() const { return ends_[0]; }
+  void write(const std::string& text) { ASSERT_EQ(::write(ends_[1], text.data(), text.size()), std::ssize(text)); }
+  void end() {
+    if (ends_[1] >= 0) close(ends_[1]);
+    ends_[1] = -1;
+  }
+
+ private:
+  std::array<int, 2> ends_{};
+};
+
+TEST(TypedLines, ComeWholeAndInOrderHoweverTheyWereWritten) {
+  Pipe pipe;
+  TypedLines lines(pipe.fd());
+  EXPECT_TRUE(lines.attended());
+  EXPECT_FALSE(lines.next());
+  pipe.write("thr");
+  EXPECT_FALSE(lines.next());
+  pipe.write("ee\n\nfour\nfi");
+  EXPECT_EQ(lines.next(), "three");
+  EXPECT_EQ(lines.next(), "");
+  EXPECT_EQ(lines.next(), "four");
+  EXPECT_FALSE(lines.next());
+  pipe.end();
+  EXPECT_EQ(lines.next(), "fi");
+  EXPECT_FALSE(lines.next());
+  EXPECT_FALSE(lines.attended());
+}
+
+TEST(TypedLines, NobodyIsAtTheNullDeviceNorAtAClosedDescriptor) {
+  const int null = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  EXPECT_FALSE(TypedLines(null).attended());
+  close(null);
+  EXPECT_FALSE(TypedLines(-1).attended());
+}
+
+TEST(TypedAnswer, EveryNumberInRangeIsTaken) {
+  EXPECT_TRUE(rc::check([] {
+    const double value = *rc::gen::inRange(-500'000, 1'000'001) * 1e-5;
+    std::array<char, 40> text{};
+    *std::to_chars(text.data(), text.data() + text.size(), value).ptr = '\0';
+    std::string refusal;
+    const auto answer = read_answer(parts(), std::string{" \t"} + text.data() + " \r", refusal);
+    RC_ASSERT(answer == value);
+    RC_ASSERT(refusal.empty());
+  }));
+}
+
+TEST(TypedAnswer, WhatIsNoneIsRefusedWithTheReason) {
+  for (const char* line : {"", "  ", "three", "3 4", "3,5", "0x10", "nan", "inf", "1e999", "--1", "3;"}) {
+    std::string refusal;
+    EXPECT_FALSE(read_answer(parts(), line, refusal)) << line;
+    EXPECT_NE(refusal.find("is no number, expected a number from -5 to 10"), std::string::npos) << refusal;
+  }
+  for (const char* line : {"-5.001", "10.5", "1e9"}) {
+    std::string refusal;
+    EXPECT_FALSE(read_answer(parts(), line, refusal)) << line;
+    EXPECT_NE(refusal.find(" is out of range, expected a number from -5 to 10"), std::string::npos) << refusal;
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::cli

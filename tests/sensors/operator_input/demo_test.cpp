@@ -1,0 +1,137 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+constexpr const char* kDemo = "sensors/operator_input/demo.toml";
+
+/// Puts another file in the place of this process's standard input, which `mrroc` inherits.
+class StandardInput {
+ public:
+  explicit StandardInput(int fd) : before_(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)) { dup2(fd, STDIN_FILENO); }
+  ~StandardInput() {
+    dup2(before_, STDIN_FILENO);
+    close(before_);
+  }
+  StandardInput(const StandardInput&) = delete;
+  StandardInput& operator=(const StandardInput&) = delete;
+
+ private:
+  int before_;
+};
+
+/// A pipe on which the test types.
+class Keyboard {
+ public:
+  Keyboard() {
+    if (pipe2(ends_, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    input_.emplace(ends_[0]);
+  }
+  ~Keyboard() {
+    input_.reset();
+    leave();
+    close(ends_[0]);
+  }
+  void type(const std::string& line) { ASSERT_EQ(write(ends_[1], line.data(), line.size()), std::ssize(line)); }
+  void leave() {
+    if (ends_[1] >= 0) close(ends_[1]);
+    ends_[1] = -1;
+  }
+
+ private:
+  int ends_[2] = {-1, -1};
+  std::optional<StandardInput> input_;
+};
+
+/// The demo without its events, or with only the first `events` of them.
+std::filesystem::path demo_with(const ScratchFolder& folder, std::size_t events) {
+  std::ifstream original(std::string{MRROC_SOURCE_DIR} + "/" + kDemo);
+  const std::string text{std::istreambuf_iterator<char>(original), {}};
+  std::size_t end = text.find("[[events]]");
+  for (std::size_t i = 0; i < events; ++i) end = text.find("[[events]]", end + 1);
+  return folder.write("demo.toml", text.substr(0, end));
+}
+
+TEST(OperatorInputDemo, EventsAnswerAtTheirTicksOnEveryRun) {
+  const ScratchFolder folder;
+  std::string first;
+  for (int run = 0; run < 5; ++run) {
+    const auto trace = folder.path() / "trace";
+    const std::string output = run_mrroc({"run", kDemo, "--quiet", "--trace", trace.string()}, 0);
+    EXPECT_NE(output.find("2 parts of 3.75 kg together"), std::string::npos) << output;
+    if (run == 0) first = trace_hash(trace);
+    ASSERT_EQ(trace_hash(trace), first) << "run " << run;
+    std::ifstream file(trace);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (const char* answer : {"sensor=parts tick=500 values=1,2 ", "sensor=weight tick=800 values=1,1.5 ",
+                               "sensor=weight tick=1000 values=1,2.25 "})
+      EXPECT_NE(text.find(answer), std::string::npos) << answer;
+  }
+}
+
+class Typed : public testing::TestWithParam<const char*> {};
+
+TEST_P(Typed, AnswersAreTakenAndBadOnesAskedForAgain) {
+  const ScratchFolder folder;
+  Keyboard keyboard;
+  MrrocRun run({"run", demo_with(folder, 0).string(), "--clock", GetParam()});
+  ASSERT_TRUE(run.wait_for_output("parts: How many parts are there? (a number from 1 to 10)"))
+      << run.out() << run.err();
+  keyboard.type("many\n");
+  ASSERT_TRUE(run.wait_for_output("parts: 'many' is no number, expected a number from 1 to 10")) << run.out();
+  keyboard.type("11\n");
+  ASSERT_TRUE(run.wait_for_output("parts: '11' is out of range, expected a number from 1 to 10")) << run.out();
+  keyboard.type(" 2 \n");
+  ASSERT_TRUE(run.wait_for_output("weight: What does the next part weigh, in kg? (a number from 0 to 50)"))
+      << run.out();
+  keyboard.type("1.5\n2.25\n");
+  EXPECT_EQ(run.wait(), 0) << run.out() << run.err();
+  EXPECT_NE(run.out().find("2 parts of 3.75 kg together"), std::string::npos) << run.out();
+}
+
+TEST_P(Typed, AnOperatorWhoLeavesEndsTheRunWithTheQuestion) {
+  const ScratchFolder folder;
+  Keyboard keyboard;
+  MrrocRun run({"run", demo_with(folder, 1).string(), "--clock", GetParam()});
+  ASSERT_TRUE(run.wait_for_output("weight: What does")) << run.out() << run.err();
+  keyboard.leave();
+  EXPECT_EQ(run.wait(), 1) << run.out() << run.err();
+  EXPECT_NE(run.err().find("weight: What does the next part weigh, in kg? Nobody is left to answer"), std::string::npos)
+      << run.err();
+}
+
+INSTANTIATE_TEST_SUITE_P(Clocks, Typed, testing::Values("paced", "real"),
+                         [](const auto& test) { return std::string{test.param}; });
+
+TEST(OperatorInputDemo, WithoutAnybodyToAnswerNothingIsStarted) {
+  const ScratchFolder folder;
+  const int null = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const StandardInput nobody(null);
+  const std::string demo = demo_with(folder, 0).string();
+  for (const std::string clock : {"lockstep", "paced", "real"}) {
+    const std::string output = run_mrroc({"run", demo, "--clock", clock}, 2);
+    EXPECT_NE(output.find("sensors.parts: asks the operator, and nobody answers"), std::string::npos) << output;
+    EXPECT_EQ(output.find("starting"), std::string::npos) << output;
+  }
+  close(null);
+}
+
+TEST(OperatorInputDemo, InLockstepAQuestionAfterTheLastEventEndsTheRun) {
+  const ScratchFolder folder;
+  Keyboard keyboard;  // what is typed would come at another tick on every run
+  keyboard.type("1\n1\n");
+  const std::string output = run_mrroc({"run", demo_with(folder, 2).string()}, 1);
+  EXPECT_NE(output.find("weight: What does the next part weigh, in kg? Nobody is left to answer"), std::string::npos)
+      << output;
+}
+
+}  // namespace
+}  // namespace mrroc::test
