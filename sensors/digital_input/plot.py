@@ -30,7 +30,7 @@ set title 'digital\\_input: a ball bounces on a switch'
 set xlabel 'time (s)'
 set ylabel 'rises'
 set grid
-set key center right
+set key top left
 set yrange [0:*]
 plot '{out}.dat' using 1:2 with steps linewidth 2 linecolor '#0072bd' title 'touched: every touch', \\
      '{out}.dat' using 1:3 with steps linewidth 2 linecolor '#d95319' title 'settled: debounced by 0.5 s'
