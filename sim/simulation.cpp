@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
@@ -13,6 +14,20 @@ namespace {
 bool in_world(const config::RobotEntry& robot) { return robot.hardware == "mujoco"; }
 
 bool in_world(const config::SensorEntry& sensor) { return sensor.source == "simulated"; }
+
+bool looks_at_world(const config::SensorEntry& sensor) { return sensor.texts.contains("camera"); }
+
+std::size_t snapshot_values(const mjModel& model) {
+  return static_cast<std::size_t>(model.nq) + 7 * static_cast<std::size_t>(model.nmocap);
+}
+
+void check_snapshot(const mjModel& model, const config::SensorEntry& sensor) {
+  const std::size_t count = snapshot_values(model);
+  if (count <= kMaxSnapshotValues) return;
+  throw config::ConfigurationError({}, 0, "sensors." + sensor.name,
+                                   "looks at a world with " + std::to_string(count) + " positions",
+                                   "at most " + std::to_string(kMaxSnapshotValues));
+}
 
 const config::SimEntry& sim_entry(const config::Deployment& deployment) {
   if (!deployment.sim) throw config::ConfigurationError(deployment.file, 0, "sim", "missing", "a table [sim]");
@@ -54,6 +69,11 @@ Simulation::Simulation(const config::Deployment& deployment, WorldMemory& memory
   for (std::size_t j = 0; j < deployment.sensors.size(); ++j) {
     const config::SensorEntry& sensor = deployment.sensors[j];
     if (!in_world(sensor)) continue;
+    if (looks_at_world(sensor)) {
+      check_snapshot(world_.model(), sensor);
+      looked_at_ = true;
+      continue;
+    }
     sensors_.push_back({j, SensorSource(world_.model(), sensor.name, sensor.type, sensor.robot)});
   }
   world_.start();
@@ -108,6 +128,7 @@ void Simulation::publish(Tick tick) {
     slot.source.read(world_.data(), reading);
     memory_.readings[slot.memory].store(reading);
   }
+  if (looked_at_) store_snapshot(tick);
   // last: a servo that sees them looks at its force sensor's reading, too
   for (const Slot& slot : robots_) {
     JointMeasurement measurement{};
@@ -115,6 +136,18 @@ void Simulation::publish(Tick tick) {
     world_.measure(slot.world, measurement);
     memory_.measurements[slot.memory].store(measurement);
   }
+}
+
+void Simulation::store_snapshot(Tick tick) noexcept {
+  const mjModel& model = world_.model();
+  const mjData& data = std::as_const(world_).data();
+  snapshot_.tick = tick;
+  snapshot_.position_count = static_cast<std::uint32_t>(model.nq);
+  snapshot_.mocap_count = static_cast<std::uint32_t>(model.nmocap);
+  double* values = std::copy_n(data.qpos, model.nq, snapshot_.values.data());
+  values = std::copy_n(data.mocap_pos, 3 * model.nmocap, values);
+  std::copy_n(data.mocap_quat, 4 * model.nmocap, values);
+  memory_.snapshot.store(snapshot_);
 }
 
 WorldState Simulation::state() const {

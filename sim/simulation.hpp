@@ -16,7 +16,8 @@ Composition compose(const config::Deployment& deployment);
 
 /// The simulated world of one deployment, tied to the memory through which drivers and VSPs reach it. Slot i of
 /// `drives` and `measurements` is deployment.robots[i] (unused for other hardware than `mujoco`), slot j of `readings`
-/// deployment.sensors[j] (unused for other sources than `simulated`).
+/// deployment.sensors[j] (unused for other sources than `simulated`). A simulated sensor whose type has the parameter
+/// `camera` looks at the world itself: it needs no MJCF sensor, and for its sake `snapshot` is stored at every tick.
 ///
 /// One thread. `step` allocates nothing.
 class Simulation {
@@ -57,11 +58,14 @@ class Simulation {
   bool is_due(Slot& slot, Tick tick) noexcept;
   void take_drive(Slot& slot, Tick tick);
   void publish(Tick tick);
+  void store_snapshot(Tick tick) noexcept;
 
   WorldMemory& memory_;
   World world_;
   std::vector<Slot> robots_;
   std::vector<SensorSlot> sensors_;
+  bool looked_at_ = false;    ///< some sensor wants the snapshot
+  WorldSnapshot snapshot_{};  ///< the last one stored
   Tick tick_ = 0;
 };
 

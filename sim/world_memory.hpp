@@ -20,6 +20,8 @@ namespace mrroc::sim {
 inline constexpr std::size_t kMaxRobots = 16;
 inline constexpr std::size_t kMaxSensors = 32;
 inline constexpr std::size_t kMaxHardwareValues = 16;
+/// Positions and mocap poses of the largest world that a camera may look at: robots' joints and some 100 free objects.
+inline constexpr std::size_t kMaxSnapshotValues = 1024;
 
 /// Real time: how long the simulator waits for an EDP's drive, then how long an EDP waits for the simulator, which may
 /// just be waiting for other EDPs; s of wall time.
@@ -54,11 +56,23 @@ struct HardwareReading {
   std::array<double, kMaxHardwareValues> values{};
 };
 
+/// sim -> VSPs that look at the world (cameras), every tick if there is one: all that a picture of it depends on. The
+/// poses of bodies follow from it and the model, which every process composes from the deployment. An endless belt
+/// stands at its origin here, whatever its travel.
+struct WorldSnapshot {
+  Tick tick = 0;
+  std::uint32_t position_count = 0;
+  std::uint32_t mocap_count = 0;  ///< bodies
+  std::array<double, kMaxSnapshotValues>
+      values{};  ///< MuJoCo's qpos, then mocap_pos (3 each), then mocap_quat (4 each)
+};
+
 /// The whole memory. Robot slot i is deployment.robots[i]; sensor slot j is deployment.sensors[j].
 struct WorldMemory {
   std::array<clock::SharedSlot<JointDrive>, kMaxRobots> drives;
   std::array<clock::SharedSlot<JointMeasurement>, kMaxRobots> measurements;
   std::array<clock::SharedSlot<HardwareReading>, kMaxSensors> readings;
+  clock::SharedSlot<WorldSnapshot> snapshot;
   clock::Gate driven;    ///< real time: opened after each store into `drives`
   clock::Gate measured;  ///< real time: opened when a tick's measurements and readings are stored
 };

@@ -1,0 +1,122 @@
+#include "sensors/camera/camera_sensor.hpp"
+
+#include <algorithm>
+#include <opencv2/core/utility.hpp>
+#include <string>
+
+#include "sensors/camera/hardware_camera.hpp"
+#include "sensors/camera/keys.hpp"
+#include "sensors/camera/simulated_camera.hpp"
+#include "vsp/parameters.hpp"
+#include "vsp/reading_error.hpp"
+
+namespace mrroc::vsp {
+
+namespace {
+
+void fill(SensorReading& v, const Detection& found, const Pose& camera) {
+  const Eigen::Vector3d position = camera * found.pose.translation();
+  Eigen::Quaterniond q(Eigen::Matrix3d(camera.linear() * found.pose.linear()));
+  if (q.w() < 0) q.coeffs() *= -1;
+  const Eigen::Vector3d deviation =
+      (camera.linear() * found.covariance * camera.linear().transpose()).diagonal().cwiseMax(0).cwiseSqrt();
+  v.values = {1,
+              position.x(),
+              position.y(),
+              position.z(),
+              q.w(),
+              q.x(),
+              q.y(),
+              q.z(),
+              deviation.x(),
+              deviation.y(),
+              deviation.z(),
+              found.rotation_deviation,
+              found.pixel.x(),
+              found.pixel.y(),
+              found.reprojection_error,
+              found.area};
+}
+
+}  // namespace
+
+std::vector<Channel> CameraSensor::channels() const {
+  return {{"detected", "0 or 1"},
+          {"x", "m"},
+          {"y", "m"},
+          {"z", "m"},
+          {"qw", "1"},
+          {"qx", "1"},
+          {"qy", "1"},
+          {"qz", "1"},
+          {"deviation_x", "m"},
+          {"deviation_y", "m"},
+          {"deviation_z", "m"},
+          {"deviation_rotation", "rad"},
+          {"u", "px"},
+          {"v", "px"},
+          {"reprojection_error", "px"},
+          {"area", "m^2"}};
+}
+
+void CameraSensor::configure(const config::SensorEntry& entry, double /*servo_period*/) {
+  cv::setNumThreads(1);  // small pictures: threads cost more than they bring, and lockstep runs on one CPU
+  detector_ = make_detector(entry);
+}
+
+std::unique_ptr<Source> CameraSensor::open_source(const SourceContext& context) {
+  const config::SensorEntry& entry = context.entry;
+  std::unique_ptr<PictureSource> source;
+  if (entry.source == "hardware") {
+    source = open_device(context, picture_);
+  } else {
+    source = std::make_unique<SimulatedCamera>(context, picture_);
+  }
+  intrinsics_ = source->intrinsics();
+  frame_ = ReadingFrame(context.deployment, entry, source->mount());
+  if (!frame_.moves()) {
+    const std::string_view obstacle = detector_->obstacle(intrinsics_, frame_.of_camera(Pose::Identity()).inverse());
+    if (!obstacle.empty()) refuse(entry, "plane", std::string(obstacle), "a plane that the camera sees");
+  }
+  if (!text(entry, "debug").empty()) {
+    debug_.emplace(text(entry, "debug"), entry.name, whole(entry, "debug_every"), intrinsics_);
+  }
+  return source;
+}
+
+void CameraSensor::effector_state(const RobotState& e) noexcept {
+  flange_.reset();  // a robot that has lost its synchronisation has no pose
+  if (e.synchronised) flange_ = e.pose * e.tool.inverse();
+}
+
+void CameraSensor::aggregate(const RawReading& /*r*/, SensorReading& v) noexcept {
+  if (frame_.moves() && !flange_) {
+    return report(v, ErrorClass::non_fatal, ErrorCode::sensor_not_ready,
+                  "the camera's pose needs the pose of a synchronised robot");
+  }
+  try {
+    detect(v);
+  } catch (const std::exception& error) {
+    report(v, ErrorClass::hardware, ErrorCode::sensor_hardware, "%s", error.what());
+  }
+}
+
+void CameraSensor::detect(SensorReading& v) {
+  const Pose camera = frame_.of_camera(flange_.value_or(Pose::Identity()));
+  const Pose reference = camera.inverse();
+  if (frame_.moves()) {
+    const std::string obstacle(detector_->obstacle(intrinsics_, reference));
+    if (!obstacle.empty()) {
+      return report(v, ErrorClass::non_fatal, ErrorCode::sensor_out_of_range, "%s", obstacle.c_str());
+    }
+  }
+  const std::optional<Detection> found = detector_->find(picture_, intrinsics_, reference);
+  if (found) {
+    fill(v, *found, camera);
+  } else {
+    std::fill_n(v.values.begin(), channels().size(), 0.0);
+  }
+  if (debug_) debug_->show(picture_, found ? &*found : nullptr, v);
+}
+
+}  // namespace mrroc::vsp

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+#include "mrroc/sensor_link.hpp"
+#include "sensors/camera/detection.hpp"
+
+namespace mrroc::vsp {
+
+/// Pictures of what a camera has found, for people: `<folder>/<sensor>_<tick>.png` (the tick with eight digits) of
+/// every n-th reading, with the outline, the axes of the pose (x red, y green, z blue) and the reading's figures; and
+/// `<sensor>.toml` with the camera's intrinsics. A picture that cannot be written is told once on stderr and costs no
+/// reading.
+class DebugView {
+ public:
+  /// Makes the folder; throws SystemError(resources) when it cannot.
+  DebugView(const std::filesystem::path& folder, std::string sensor, int every, const Intrinsics& intrinsics);
+
+  /// `found`: null when nothing was. `v`: the reading that came of it, in `frame`.
+  void show(const cv::Mat& picture, const Detection* found, const SensorReading& v);
+
+ private:
+  void write(const cv::Mat& picture, Tick tick);
+
+  std::filesystem::path folder_;
+  std::string sensor_;
+  int every_;
+  Intrinsics intrinsics_;
+  std::uint64_t readings_ = 0;
+  bool told_ = false;
+};
+
+}  // namespace mrroc::vsp

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/deployment.hpp"
+#include "sensors/camera/detection.hpp"
+
+/// What a deployment's keys of a camera mean (camera.toml declares them). All throw SystemError(configuration) naming
+/// the key, the value and what was expected.
+namespace mrroc::vsp {
+
+const std::string& text(const config::SensorEntry& entry, const std::string& key);
+/// A whole number.
+int whole(const config::SensorEntry& entry, const std::string& key);
+/// None when the key is left out; else exactly `size` numbers.
+std::optional<std::vector<double>> optional_numbers(const config::SensorEntry& entry, const std::string& key,
+                                                    std::size_t size);
+/// `position` and `rotation`; none when both are left out.
+std::optional<Pose> mount_pose(const config::SensorEntry& entry);
+/// `detect` and the keys of its way of detecting.
+std::unique_ptr<Detector> make_detector(const config::SensorEntry& entry);
+/// "a, b, c".
+std::string listed(const std::vector<std::string>& names);
+
+}  // namespace mrroc::vsp

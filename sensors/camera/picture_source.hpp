@@ -1,0 +1,21 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "mrroc/types.hpp"
+#include "sensors/camera/intrinsics.hpp"
+#include "vsp/source.hpp"
+
+namespace mrroc::vsp {
+
+/// Where pictures come from. `read` leaves the picture of `raw.tick` in the matrix that the source was made with, 8-bit
+/// RGB; r itself counts pictures. Unlike other sources it takes milliseconds and allocates.
+class PictureSource : public Source {
+ public:
+  virtual const Intrinsics& intrinsics() const noexcept = 0;
+  /// Of the camera (z along the view, x right, y down) in the flange frame of the robot that carries it, or in the
+  /// world.
+  virtual const Pose& mount() const noexcept = 0;
+};
+
+}  // namespace mrroc::vsp

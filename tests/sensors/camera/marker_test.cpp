@@ -1,0 +1,89 @@
+#include <cmath>
+#include <numbers>
+
+#include "sensors/camera/seen_world.hpp"
+
+namespace mrroc::vsp {
+namespace {
+
+constexpr int kPlacements = 50;
+const std::string kKeys = "detect = 'marker'\nmarker = 7\nmarker_size = 0.06\n";
+/// Looks down from 0.45 m.
+constexpr const char* kNear = "<camera name='eye' pos='0 0 0.45' fovy='45'/>";
+
+double angle_between(const Eigen::Quaterniond& a, const Pose& b) {
+  return a.angularDistance(Eigen::Quaterniond(b.linear()));
+}
+
+struct Worst {
+  double position = 0;  ///< m
+  double angle = 0;     ///< rad
+  int beyond = 0;       ///< readings whose error is above three of the stated deviations, position or angle
+};
+
+/// Placements turned about the vertical and tilted by up to 0.4 rad.
+Worst worst_over_placements(SeenWorld& world, unsigned seed) {
+  Draw draw(seed);
+  Worst worst;
+  for (int i = 0; i < kPlacements; ++i) {
+    const Pose pose = frame_at({draw(-0.1, 0.1), draw(-0.08, 0.08), draw(0.02, 0.06)},
+                               {draw(-0.4, 0.4), draw(-0.4, 0.4), draw(-std::numbers::pi, std::numbers::pi)});
+    world.place("marker", pose);
+    const SensorReading v = world.look(static_cast<Tick>(i) + 1);
+    EXPECT_TRUE(detected(v)) << i;
+    const Eigen::Vector3d error = position_of(v) - pose.translation();
+    const double angle = angle_between(orientation_of(v), pose);
+    worst.position = std::max(worst.position, error.norm());
+    worst.angle = std::max(worst.angle, angle);
+    if (error.norm() > 3 * deviation_of(v).norm() || angle > 3 * std::sqrt(3) * v.values[11]) ++worst.beyond;
+    EXPECT_LT(v.values[14], 0.5) << "reprojection error, px";
+    EXPECT_GE(v.values[4], 0);
+  }
+  std::printf("worst %.2f mm, %.2f deg; %d beyond three deviations\n", 1e3 * worst.position,
+              worst.angle * 180 / std::numbers::pi, worst.beyond);
+  return worst;
+}
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+TEST(Marker, PoseIsWithinTwoMillimetresAndOneDegreeOverFiftyPlacements) {
+  SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kKeys);
+  world.open();
+  const Worst worst = worst_over_placements(world, 11);
+  EXPECT_LT(worst.position, 0.002);
+  EXPECT_LT(worst.angle, kDegree);
+  EXPECT_LE(worst.beyond, 5);
+}
+
+TEST(Marker, ItsAxesAreTheMarkersOwn) {
+  SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kKeys);
+  world.open();
+  world.place("marker", frame_at({0.05, 0.02, 0.001}, {0, 0, 0}));
+  const SensorReading v = world.look();
+  ASSERT_TRUE(detected(v));
+  EXPECT_LT(angle_between(orientation_of(v), Pose::Identity()), kDegree);
+  EXPECT_NEAR(v.values[15], 0.06 * 0.06, 1e-12);
+}
+
+TEST(Marker, AnotherNumberIsNotTheMarker) {
+  SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), "detect = 'marker'\nmarker = 8\n");
+  world.open();
+  EXPECT_FALSE(detected(world.look()));
+}
+
+TEST(Marker, ACoveredMarkerIsNotSeen) {
+  SeenWorld world(
+      scene_of(
+          std::string(kNear) + kMarker +
+              "<body name='lid'><freejoint name='lid'/><geom type='box' size='0.02 0.05 0.001' mass='0.1'/></body>",
+          marker_assets()),
+      kKeys);
+  world.open();
+  world.place("lid", frame_at({0.3, 0, 0.1}, {0, 0, 0}));
+  EXPECT_TRUE(detected(world.look(1)));
+  world.place("lid", frame_at({0.02, 0, 0.02}, {0, 0, 0}));
+  EXPECT_FALSE(detected(world.look(2)));
+}
+
+}  // namespace
+}  // namespace mrroc::vsp
