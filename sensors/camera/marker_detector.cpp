@@ -1,7 +1,10 @@
 #include "sensors/camera/marker_detector.hpp"
 
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <utility>
+
+#include "sensors/camera/square_edges.hpp"
 
 namespace mrroc::vsp {
 
@@ -28,7 +31,9 @@ std::vector<Eigen::Vector2d> MarkerDetector::corners_in(const cv::Mat& picture) 
     corners.clear();
     for (const cv::Point2f& corner : all[i]) corners.emplace_back(corner.x, corner.y);
   }
-  return corners;
+  if (corners.empty()) return corners;
+  const double cell = std::sqrt(area) / (dictionary_->markerSize + 2);
+  return refine_square(grey, corners, cell);
 }
 
 std::optional<Detection> MarkerDetector::find(const cv::Mat& picture, const Intrinsics& intrinsics,

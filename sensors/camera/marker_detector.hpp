@@ -7,8 +7,8 @@
 namespace mrroc::vsp {
 
 /// One ArUco marker of known size (S. Garrido-Jurado et al.: "Automatic generation and detection of highly reliable
-/// fiducial markers under occlusion", Pattern Recognition 2014; OpenCV's aruco module), its corners refined to a
-/// fraction of a pixel. Its pose is the one of the two that fit a square (T. Collins, A. Bartoli: "Infinitesimal
+/// fiducial markers under occlusion", Pattern Recognition 2014; OpenCV's aruco module), its corners refined by
+/// `refine_square`. Its pose is the one of the two that fit a square (T. Collins, A. Bartoli: "Infinitesimal
 /// plane-based pose estimation", IJCV 2014) with the smaller reprojection error, then refined. With J the corners'
 /// derivative by position and rotation and s the standard deviation of a corner's coordinate, at least
 /// kCornerDeviation:
@@ -21,7 +21,7 @@ namespace mrroc::vsp {
 /// The number seen twice: the greater one is taken.
 class MarkerDetector final : public Detector {
  public:
-  static constexpr double kCornerDeviation = 0.1;  ///< px
+  static constexpr double kCornerDeviation = 0.05;  ///< px
 
   /// `size`: side of the black square, m.
   MarkerDetector(cv::Ptr<cv::aruco::Dictionary> dictionary, int marker, double size);

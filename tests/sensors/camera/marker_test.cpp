@@ -50,8 +50,8 @@ TEST(Marker, PoseIsWithinTwoMillimetresAndOneDegreeOverFiftyPlacements) {
   SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kKeys);
   world.open();
   const Worst worst = worst_over_placements(world, 11);
-  EXPECT_LT(worst.position, 0.002);
-  EXPECT_LT(worst.angle, kDegree);
+  EXPECT_LT(worst.position, 0.0005);  // 2 mm and 1 degree are asked for
+  EXPECT_LT(worst.angle, 0.5 * kDegree);
   EXPECT_LE(worst.beyond, 5);
 }
 

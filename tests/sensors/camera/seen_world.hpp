@@ -33,6 +33,10 @@ inline constexpr const char* kOblique =
 inline constexpr const char* kPart =
     "<body name='part'><freejoint name='part'/><geom type='box' size='0.03 0.02 0.002' pos='0 0 -0.002' mass='0.1' "
     "rgba='0.8 0.1 0.1 1' contype='0' conaffinity='0'/></body>";
+/// The same as a label, 0.2 mm thick: nothing of its sides is seen.
+inline constexpr const char* kLabel =
+    "<body name='part'><freejoint name='part'/><geom type='box' size='0.03 0.02 0.0001' pos='0 0 -0.0001' mass='0.1' "
+    "rgba='0.8 0.1 0.1 1' contype='0' conaffinity='0'/></body>";
 /// The committed marker, number 7 of 4X4_50: its black square is 60 mm wide, its frame the one that is reported.
 inline constexpr const char* kMarker =
     "<body name='marker'><freejoint name='marker'/><geom type='box' size='0.04 0.04 0.001' pos='0 0 -0.001' mass='0.1' "

@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "'camera'"},
         Mistake{"hardware_with_noise", "", kHardware + kIntrinsics + "noise = 2.0",
                 "sensors.eye.noise: added to a camera of hardware, expected 0"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& test) { return std::string(test.param.name); });
 
 TEST(WrongCameraKeys, AreRefusedByTheTypesDeclarations) {
   for (const char* keys : {"width = 8", "min_area = 0", "hue = [0.0, 400.0]", "noise = -1.0", "marker_size = 0.0",
