@@ -81,6 +81,7 @@ Picture Renderer::render(const std::vector<double>& positions, const std::string
 bool Renderer::place(const WorldSnapshot& snapshot) {
   if (static_cast<int>(snapshot.position_count) != model_.nq || static_cast<int>(snapshot.mocap_count) != model_.nmocap)
     return false;
+  const MujocoMessages messages;
   const double* values = snapshot.values.data();
   std::copy_n(values, model_.nq, data_->qpos);
   std::copy_n(values + model_.nq, 3 * model_.nmocap, data_->mocap_pos);
