@@ -1,6 +1,9 @@
 #include "sensors/ultrasonic/ultrasonic_sensor.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
 #include <string>
 
 #include "vsp/parameters.hpp"
@@ -10,11 +13,17 @@ namespace mrroc::vsp {
 
 namespace {
 
-constexpr double kNothingHit = -1;
 constexpr std::uint32_t kDistanceStream = 0;
 constexpr std::uint32_t kDropoutStream = 1;
 
 }  // namespace
+
+std::vector<Channel> UltrasonicSensor::raw_channels() const {
+  if (rays_ == 1) return {{"range", "m"}};
+  std::vector<Channel> channels;
+  for (std::size_t i = 0; i < rays_; ++i) channels.push_back({std::string("range_").append(std::to_string(i)), "m"});
+  return channels;
+}
 
 void UltrasonicSensor::configure(const config::SensorEntry& entry, double /*servo_period*/) {
   max_range_ = number(entry, "max_range");
@@ -26,13 +35,35 @@ void UltrasonicSensor::configure(const config::SensorEntry& entry, double /*serv
     refuse(entry, "dead_zone", std::to_string(dead_zone_) + " m",
            "less than max_range, " + std::to_string(max_range_) + " m");
   }
+  configure_beam(entry);
+}
+
+void UltrasonicSensor::configure_beam(const config::SensorEntry& entry) {
+  const double rays = number(entry, "rays");
+  if (rays != std::floor(rays)) refuse(entry, "rays", std::to_string(rays), "a whole number");
+  rays_ = static_cast<std::size_t>(rays);
+  beam_ = {number(entry, "beam_angle"), number(entry, "max_incidence")};
+  if (rays_ == 1 && beam_.opening > 0) {
+    refuse(entry, "beam_angle", std::to_string(beam_.opening).append(" rad of one ray"), "the key 'rays' beside it");
+  }
+  if (rays_ > 1 && !(beam_.opening > 0)) {
+    refuse(entry, "beam_angle", std::string("0 rad of ").append(std::to_string(rays_)).append(" rays"),
+           "the full opening of the beam");
+  }
+  if (rays_ < 3 && beam_.max_incidence < std::numbers::pi / 2) {
+    refuse(entry, "max_incidence", std::to_string(rays_).append(" rays, which show no surface's slope"),
+           "at least 3 rays");
+  }
 }
 
 void UltrasonicSensor::aggregate(const RawReading& r, SensorReading& v) noexcept {
-  const double range = r.values[0];
-  if (range < 0 && range != kNothingHit) {
-    return report(v, ErrorClass::hardware, ErrorCode::sensor_hardware, "range %g m, expected at least 0 or -1", range);
+  const std::span<const double> ranges{r.values.data(), rays_};
+  const auto wrong =
+      std::find_if(ranges.begin(), ranges.end(), [](double range) { return range < 0 && range != kNothingHit; });
+  if (wrong != ranges.end()) {
+    return report(v, ErrorClass::hardware, ErrorCode::sensor_hardware, "range %g m, expected at least 0 or -1", *wrong);
   }
+  const double range = nearest_echo(ranges, beam_);
   const bool hit = range >= 0 && range <= max_range_;
   const bool lost = noise_.uniform(r.tick, kDropoutStream) < dropout_;
   if (!hit || lost) {
