@@ -24,13 +24,12 @@ WrenchReading WristSensor::read(Tick tick, const Pose* flange) noexcept {
     case vsp::SourceState::ready:
       break;
   }
-  const Eigen::Map<const Wrench> support(raw_.values.data());
-  if (raw_.count < 6 || !support.allFinite()) {
+  if (raw_.count < 6 || !Eigen::Map<const Wrench>(raw_.values.data()).allFinite()) {
     result.error = ErrorCode::sensor_hardware;
     return result;
   }
   effector_state_.synchronised = flange != nullptr;
-  if (flange != nullptr) effector_state_.pose = *flange * mount_;
+  if (flange != nullptr) effector_state_.pose = *flange;  // a robot without a tool
   sensor_.effector_state(effector_state_);
   SensorReading reading;
   sensor_.aggregate(raw_, reading);
@@ -38,7 +37,7 @@ WrenchReading WristSensor::read(Tick tick, const Pose* flange) noexcept {
   if (result.error == ErrorCode::none)
     result.wrench = Eigen::Map<const Wrench>(reading.values.data());
   else if (result.error == ErrorCode::sensor_out_of_range)
-    result.wrench = -support;
+    result.wrench = sensor_.load(raw_);
   return result;
 }
 

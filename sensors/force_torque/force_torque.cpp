@@ -30,6 +30,13 @@ Eigen::Vector3d ForceTorque::force() const noexcept { return {value(0), value(1)
 
 Eigen::Vector3d ForceTorque::torque() const noexcept { return {value(3), value(4), value(5)}; }
 
+Wrench ForceTorque::in(const Pose& frame) const noexcept {
+  const Eigen::Matrix3d to_frame = frame.linear().transpose();
+  Wrench wrench;
+  wrench << to_frame * force(), to_frame * (torque() - frame.translation().cross(force()));
+  return wrench;
+}
+
 ForceAbove::ForceAbove(const ForceTorque& sensor, double newtons)
     : Condition(condition_name(sensor, "force", newtons)), sensor_(&sensor), newtons_(newtons) {
   if (!std::isfinite(newtons) || newtons < 0) {

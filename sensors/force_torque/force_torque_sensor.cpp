@@ -2,14 +2,19 @@
 
 #include <cmath>
 
+#include "language/rigid_motion.hpp"
+#include "sensors/force_torque/simulated_gauges.hpp"
+#include "vsp/make_source.hpp"
 #include "vsp/parameters.hpp"
 #include "vsp/reading_error.hpp"
+#include "vsp/simulated_source.hpp"
 
 namespace mrroc::vsp {
 
 namespace {
 
-Wrench support(const RawReading& r) noexcept { return Eigen::Map<const Wrench>(r.values.data()); }
+/// The six values of r: a supporting wrench or voltages.
+Eigen::Map<const Wrench> six_values(const RawReading& r) noexcept { return Eigen::Map<const Wrench>(r.values.data()); }
 
 }  // namespace
 
@@ -19,6 +24,8 @@ std::vector<Channel> ForceTorqueSensor::channels() const {
 }
 
 std::vector<Channel> ForceTorqueSensor::raw_channels() const {
+  if (gauges_)
+    return {{"gauge_0", "V"}, {"gauge_1", "V"}, {"gauge_2", "V"}, {"gauge_3", "V"}, {"gauge_4", "V"}, {"gauge_5", "V"}};
   return {{"support_force_x", "N"},    {"support_force_y", "N"},    {"support_force_z", "N"},
           {"support_torque_x", "N m"}, {"support_torque_y", "N m"}, {"support_torque_z", "N m"}};
 }
@@ -31,6 +38,8 @@ void ForceTorqueSensor::configure(const config::SensorEntry& entry, double servo
   tool_centre_ = vector3(entry, "tool_centre");
   gravity_ = vector3(entry, "gravity");
   noise_ = Noise{entry.name};
+  gauges_ = Gauges::of(entry);
+  mount_ = frame_at(Eigen::Vector3d::Zero(), vector3(entry, "rotation")).linear();
   const double cutoff = number(entry, "cutoff");
   if (cutoff > 0.5 / servo_period) {
     refuse(entry, "cutoff", std::to_string(cutoff) + " Hz",
@@ -42,23 +51,24 @@ void ForceTorqueSensor::configure(const config::SensorEntry& entry, double servo
   }
 }
 
+std::unique_ptr<Source> ForceTorqueSensor::open_source(const SourceContext& context) {
+  if (!gauges_ || context.entry.source != "simulated" || context.world == nullptr) return nullptr;
+  const auto silent_after = static_cast<Tick>(std::ceil(kSilentAfter / context.servo_period));
+  return std::make_unique<SimulatedGauges>(
+      *gauges_, std::make_unique<SimulatedSource>(*context.world, context.slot, silent_after));
+}
+
 void ForceTorqueSensor::effector_state(const RobotState& e) noexcept {
-  tool_orientation_.reset();  // a robot that has lost its synchronisation has no pose
-  if (e.synchronised) tool_orientation_ = e.pose.linear();
+  orientation_.reset();  // a robot that has lost its synchronisation has no pose
+  if (e.synchronised) orientation_ = e.pose.linear() * e.tool.linear().transpose() * mount_;
 }
 
 void ForceTorqueSensor::track(const RawReading& r) noexcept {
-  if (usable(r)) filter_.update(r.tick, -support(r) - tool_weight() + noise(r.tick));
+  if (measurable(r) && !weight_unknown()) filter_.update(r.tick, load(r) - tool_weight() + noise(r.tick));
 }
 
 void ForceTorqueSensor::aggregate(const RawReading& r, SensorReading& v) noexcept {
-  if (const std::optional<int> i = beyond_range(r)) {
-    static constexpr std::array<const char*, 6> kNames{"force x",  "force y",  "force z",
-                                                       "torque x", "torque y", "torque z"};
-    const auto axis = static_cast<std::size_t>(*i);
-    return report(v, ErrorClass::non_fatal, ErrorCode::sensor_out_of_range, "%s %g %s, expected at most %g",
-                  kNames[axis], -r.values[axis], *i < 3 ? "N" : "N m", range_[*i]);
-  }
+  if (!measurable(r)) return report_out_of_range(r, v);
   if (weight_unknown()) {
     return report(v, ErrorClass::non_fatal, ErrorCode::sensor_not_ready,
                   "the tool's weight needs the pose of a synchronised robot");
@@ -68,24 +78,46 @@ void ForceTorqueSensor::aggregate(const RawReading& r, SensorReading& v) noexcep
 }
 
 bool ForceTorqueSensor::bias(const RawReading& r) noexcept {
-  if (usable(r)) {
+  if (measurable(r) && !weight_unknown()) {
     track(r);
     bias_ = filter_.value();
   }
   return true;
 }
 
-std::optional<int> ForceTorqueSensor::beyond_range(const RawReading& r) const noexcept {
+Wrench ForceTorqueSensor::load(const RawReading& r) const noexcept {
+  return gauges_ ? gauges_->load(six_values(r)) : Wrench{-six_values(r)};
+}
+
+std::optional<int> ForceTorqueSensor::saturated_gauge(const RawReading& r) const noexcept {
+  return gauges_ ? gauges_->saturated(six_values(r)) : std::nullopt;
+}
+
+std::optional<int> ForceTorqueSensor::beyond_range(const Wrench& load) const noexcept {
   for (int i = 0; i < 6; ++i) {
-    if (std::abs(r.values[static_cast<std::size_t>(i)]) > range_[i]) return i;
+    if (std::abs(load[i]) > range_[i]) return i;
   }
   return std::nullopt;
+}
+
+void ForceTorqueSensor::report_out_of_range(const RawReading& r, SensorReading& v) const noexcept {
+  if (const std::optional<int> gauge = saturated_gauge(r)) {
+    return report(v, ErrorClass::non_fatal, ErrorCode::sensor_out_of_range,
+                  "gauge %d is saturated at %g V, expected less than %g", *gauge,
+                  r.values[static_cast<std::size_t>(*gauge)], gauges_->limit());
+  }
+  static constexpr std::array<const char*, 6> kNames{"force x",  "force y",  "force z",
+                                                     "torque x", "torque y", "torque z"};
+  const Wrench wrench = load(r);
+  const int axis = beyond_range(wrench).value_or(0);
+  report(v, ErrorClass::non_fatal, ErrorCode::sensor_out_of_range, "%s %g %s, expected at most %g",
+         kNames[static_cast<std::size_t>(axis)], wrench[axis], axis < 3 ? "N" : "N m", range_[axis]);
 }
 
 Wrench ForceTorqueSensor::tool_weight() const noexcept {
   Wrench weight = Wrench::Zero();
   if (tool_mass_ > 0) {
-    const Eigen::Vector3d force = tool_orientation_->transpose() * (tool_mass_ * gravity_);
+    const Eigen::Vector3d force = orientation_->transpose() * (tool_mass_ * gravity_);
     weight << force, tool_centre_.cross(force);
   }
   return weight;

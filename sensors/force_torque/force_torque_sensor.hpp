@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "sensors/force_torque/gauges.hpp"
 #include "sensors/force_torque/low_pass.hpp"
 #include "vsp/noise.hpp"
 #include "vsp/virtual_sensor.hpp"
@@ -12,34 +13,48 @@ namespace mrroc::vsp {
 /// tool, in the axes of the sensor frame and about its origin (N, N m), after bias: a tool that points down, its z axis
 /// downward, and presses on a table reads a *negative* force_z.
 ///
-/// r is what the hardware measures (and MuJoCo's `force` and `torque` sensors give): the wrench s that the wrist exerts
-/// on the tool to support it. At rest the wrenches on the tool add up to zero, w + g + s = 0, g being its weight, so
+/// r is what the hardware measures. Without a `calibration` (and as MuJoCo's `force` and `torque` sensors give it) the
+/// wrench s that the wrist exerts on the tool to support it; with one, the voltages of six strain gauges (gauges.hpp).
+/// The load on the sensor is l = -s, or M (gauges - zero). At rest the wrenches on the tool add up to zero, w + g + s =
+/// 0, g being its weight, so
 ///
-///     u = -s - g + noise        v = low_pass(u) - bias
+///     u = l - g + noise         v = low_pass(u) - bias
 ///     g = (f, c x f),  f = R^T (m a)
 ///
-/// with m `tool_mass`, c `tool_centre`, a `gravity`, R the tool's orientation in the robot's base frame, from e_l: the
-/// sensor's axes are taken as parallel to the tool frame's. With tool_mass 0, g is left in the reading and `bias` takes
-/// it out for the present orientation. Inertial forces of the tool are part of w.
+/// with m `tool_mass`, c `tool_centre`, a `gravity`, R the orientation of the sensor frame in the robot's base frame:
+/// the flange's, from e_l (pose and tool frame in use), times that of the key `rotation`. With tool_mass 0, g is left
+/// in the reading and `bias` takes it out for the present orientation. Inertial forces of the tool are part of w.
 ///
-/// A component of s beyond its range is NonFatalError(sensor_out_of_range) at that reading, and the filter does not see
-/// it. With a mass, before the pose of a synchronised robot is known: NonFatalError(sensor_not_ready).
+/// A saturated gauge, or a component of l beyond its range, is NonFatalError(sensor_out_of_range) at that reading: no
+/// value of it or of another reading is given, and the filter does not see it. With a mass, before the pose of a
+/// synchronised robot is known: NonFatalError(sensor_not_ready).
 class ForceTorqueSensor final : public VirtualSensor {
  public:
   std::vector<Channel> channels() const override;
+  /// `support_force_x` ... `support_torque_z`, or `gauge_0` ... `gauge_5` when the deployment gives a calibration:
+  /// after `configure()`.
   std::vector<Channel> raw_channels() const override;
   void configure(const config::SensorEntry& entry, double servo_period) override;
+  /// With a calibration, gauges for the simulated world's wrist.
+  std::unique_ptr<Source> open_source(const SourceContext& context) override;
   bool continuous() const noexcept override { return filter_.enabled(); }
   void track(const RawReading& r) noexcept override;
   void effector_state(const RobotState& e) noexcept override;
   void aggregate(const RawReading& r, SensorReading& v) noexcept override;
   bool bias(const RawReading& r) noexcept override;
 
+  /// l of a complete and finite r, N and N m, whatever its ranges.
+  Wrench load(const RawReading& r) const noexcept;
+  /// Group delay of the low-pass for slow changes, s (`LowPass::delay`); 0 without.
+  double delay() const noexcept { return filter_.delay(); }
+
  private:
-  /// Index of the first value beyond its range.
-  std::optional<int> beyond_range(const RawReading& r) const noexcept;
-  bool weight_unknown() const noexcept { return tool_mass_ > 0 && !tool_orientation_; }
-  bool usable(const RawReading& r) const noexcept { return !beyond_range(r) && !weight_unknown(); }
+  std::optional<int> saturated_gauge(const RawReading& r) const noexcept;
+  /// Index of the first component beyond its range.
+  std::optional<int> beyond_range(const Wrench& load) const noexcept;
+  void report_out_of_range(const RawReading& r, SensorReading& v) const noexcept;
+  bool weight_unknown() const noexcept { return tool_mass_ > 0 && !orientation_; }
+  bool measurable(const RawReading& r) const noexcept { return !saturated_gauge(r) && !beyond_range(load(r)); }
   Wrench tool_weight() const noexcept;
   Wrench noise(Tick tick) const noexcept;
 
@@ -51,7 +66,9 @@ class ForceTorqueSensor final : public VirtualSensor {
   Eigen::Vector3d gravity_ = Eigen::Vector3d::Zero();
   Noise noise_{""};
   LowPass filter_;
-  std::optional<Eigen::Matrix3d> tool_orientation_;
+  std::optional<Gauges> gauges_;
+  Eigen::Matrix3d mount_ = Eigen::Matrix3d::Identity();  ///< axes of the sensor frame in the flange frame
+  std::optional<Eigen::Matrix3d> orientation_;           ///< of the sensor frame in the base frame
   Wrench bias_ = Wrench::Zero();
 };
 

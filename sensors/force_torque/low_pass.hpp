@@ -9,11 +9,14 @@ namespace mrroc::vsp {
 ///     y_k = y_j + (1 - exp(-2 pi f (k - j) T)) (u_k - y_j)
 ///
 /// f: cut-off (-3 dB), Hz; T: servo period, s; j: the tick of the update before. The first update gives y = u. f = 0:
-/// y = u always. Allocates nothing, never throws.
+/// y = u always. It delays what changes slowly by `delay()`. Allocates nothing, never throws.
 class LowPass {
  public:
   void configure(double cutoff, double servo_period) noexcept;
   bool enabled() const noexcept { return rate_ > 0; }
+  /// Group delay at frequency 0, s: how far y lags behind a ramp, updated at every tick. T / (exp(2 pi f T) - 1), for f
+  /// well below the servo rate that is 1 / (2 pi f) - T / 2; 0 without a filter.
+  double delay() const noexcept;
   /// An update at the same tick as the last, or before it, changes nothing.
   void update(Tick tick, const Wrench& u) noexcept;
   const Wrench& value() const noexcept { return y_; }
@@ -22,6 +25,7 @@ class LowPass {
 
  private:
   double rate_ = 0;  ///< 2 pi f T, per tick
+  double servo_period_ = 0;
   bool started_ = false;
   Tick tick_ = 0;
   Wrench y_ = Wrench::Zero();

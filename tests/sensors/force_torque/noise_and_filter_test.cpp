@@ -58,6 +58,20 @@ TEST(ForceTorqueFilter, DampsASineOfItsCutOffByThreeDecibels) {
   EXPECT_NEAR(20 * std::log10(largest), -3.01, 0.12);
 }
 
+TEST(ForceTorqueFilter, LagsBehindARampByItsStatedDelay) {
+  for (const double cutoff : {0.5, 5.0, 40.0, 250.0}) {
+    ForceTorqueSensor sensor = made_sensor("cutoff = " + std::to_string(cutoff));
+    const double slope = 3;  // N/s
+    Tick tick = 0;
+    for (; tick < 5000; ++tick) sensor.track(raw_of(force_z(slope * static_cast<double>(tick) * kServoPeriod), tick));
+    const double force = slope * static_cast<double>(tick) * kServoPeriod;
+    const double lag = (force - wrench_of(aggregated(sensor, raw_of(force_z(force), tick)))[2]) / slope;
+    EXPECT_NEAR(lag, sensor.delay(), 1e-9) << cutoff;
+    EXPECT_NEAR(sensor.delay(), 1 / (2 * std::numbers::pi * cutoff) - kServoPeriod / 2, 0.3 * kServoPeriod) << cutoff;
+  }
+  EXPECT_EQ(made_sensor().delay(), 0);
+}
+
 TEST(ForceTorqueFilter, DoesNotSeeWhatIsBeyondTheRange) {
   ForceTorqueSensor with = made_sensor("cutoff = 5.0"), without = made_sensor("cutoff = 5.0");
   for (Tick tick = 0; tick < 20; ++tick) {

@@ -19,6 +19,13 @@ class ForceTorque : public Sensor {
   Wrench wrench() const noexcept;           ///< N, N m
   Eigen::Vector3d force() const noexcept;   ///< N
   Eigen::Vector3d torque() const noexcept;  ///< N m
+  /// The same wrench in another frame that is fixed to the sensor frame: in its axes, about its origin. With `frame` =
+  /// (R, p), its orientation and position in the sensor frame (m),
+  ///
+  ///     force' = R^T force        torque' = R^T (torque - p x force)
+  ///
+  /// `frame` is taken as rigid.
+  Wrench in(const Pose& frame) const noexcept;
 };
 
 /// The force is larger than `newtons`, whatever its direction: |f| > newtons.
