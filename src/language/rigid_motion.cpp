@@ -1,5 +1,7 @@
 #include "language/rigid_motion.hpp"
 
+#include <cmath>
+
 namespace mrroc {
 
 bool is_rigid(const Pose& pose) noexcept {
@@ -25,6 +27,38 @@ Twist turned(const Eigen::Matrix3d& rotation, const Twist& twist) noexcept {
   Twist result;
   result << rotation * twist.head<3>(), rotation * twist.tail<3>();
   return result;
+}
+
+Pose exponential(const Twist& displacement) noexcept {
+  const Eigen::Vector3d linear = displacement.head<3>();
+  const Eigen::Vector3d angular = displacement.tail<3>();
+  Pose pose = Pose::Identity();
+  const double angle = angular.norm();
+  if (angle < 1e-12) {
+    pose.translation() = linear;
+    return pose;
+  }
+  const Eigen::Vector3d axis = angular / angle;
+  pose.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+  const Eigen::Vector3d v = linear / angle;
+  pose.translation() =
+      v * angle + (1 - std::cos(angle)) * axis.cross(v) + (angle - std::sin(angle)) * axis.cross(axis.cross(v));
+  return pose;
+}
+
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept {
+  const double angle = vector.norm();
+  if (angle == 0) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
+}
+
+Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept {
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() * turn.axis();
+}
+
+Eigen::Matrix3d orthonormal(const Eigen::Matrix3d& rotation) noexcept {
+  return Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
 }
 
 }  // namespace mrroc

@@ -15,4 +15,16 @@ Pose frame_at(const Eigen::Vector3d& position, const Eigen::Vector3d& turns) noe
 /// The same twist of the same point in axes turned by `rotation`: (R v, R w).
 Twist turned(const Eigen::Matrix3d& rotation, const Twist& twist) noexcept;
 
+/// exp of a twist (times seconds) in body axes: the displacement of a constant screw motion (Lynch and Park, Modern
+/// Robotics, eq. 3.88).
+Pose exponential(const Twist& displacement) noexcept;
+
+/// The turn by the norm of `vector` (rad) about its direction.
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept;
+/// Its inverse: the rotation vector of `rotation`, of norm 0..pi.
+Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept;
+
+/// The rotation next to a product of rotations: products drift off the orthonormal matrices.
+Eigen::Matrix3d orthonormal(const Eigen::Matrix3d& rotation) noexcept;
+
 }  // namespace mrroc

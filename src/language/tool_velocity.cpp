@@ -12,25 +12,6 @@ namespace {
 
 constexpr double kJerkRate = 10;  // 1/s: the jerk of a ramp is this times its acceleration
 
-/// exp of a twist (times seconds) in body axes: the displacement of a constant screw motion (Lynch and Park, Modern
-/// Robotics, eq. 3.88).
-Pose exponential(const Twist& displacement) {
-  const Eigen::Vector3d linear = displacement.head<3>();
-  const Eigen::Vector3d angular = displacement.tail<3>();
-  Pose pose = Pose::Identity();
-  const double angle = angular.norm();
-  if (angle < 1e-12) {
-    pose.translation() = linear;
-    return pose;
-  }
-  const Eigen::Vector3d axis = angular / angle;
-  pose.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-  const Eigen::Vector3d v = linear / angle;
-  pose.translation() =
-      v * angle + (1 - std::cos(angle)) * axis.cross(v) + (angle - std::sin(angle)) * axis.cross(axis.cross(v));
-  return pose;
-}
-
 }  // namespace
 
 ToolVelocity::ToolVelocity(Robot& robot, const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
@@ -62,8 +43,7 @@ void ToolVelocity::next_state() {
   const Twist missing = target_ - start_;
   const Twist way = start_ * (time_ - before) + missing * (blend_integral(time_) - blend_integral(before));
   reference_ = reference_ * exponential(way);
-  // products of rotations drift off the orthonormal matrices
-  reference_.linear() = Eigen::Quaterniond(reference_.linear()).normalized().toRotationMatrix();
+  reference_.linear() = orthonormal(reference_.linear());
 
   const double u = ramp_ > 0 ? std::min(time_ / ramp_, 1.0) : 1.0;
   const Twist twist = start_ + missing * (u * u * (3 - 2 * u));
