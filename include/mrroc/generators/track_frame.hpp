@@ -1,0 +1,79 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mrroc/generator.hpp"
+#include "mrroc/moving_frame.hpp"
+#include "mrroc/robot.hpp"
+
+namespace mrroc {
+
+/// A place of the tool in a moving frame, and how long it stays there.
+struct FramePoint {
+  Pose pose = Pose::Identity();  ///< of the tool frame in the moving frame
+  double dwell = 0;              ///< s; infinity: until a condition of `.until(...)` holds
+};
+
+/// Of the motion relative to the frame, per axis of the frame; the jerks are 10 / s times the accelerations.
+struct FrameLimits {
+  double speed = 0.2;                 ///< m/s
+  double acceleration = 0.3;          ///< m/s^2
+  double angular_speed = 0.5;         ///< rad/s
+  double angular_acceleration = 1.0;  ///< rad/s^2
+  double tolerance = 1e-3;            ///< m; a point is reached when the measured tool is as near to it
+};
+
+/// The tool catches up with a moving frame, a part on a conveyor for one, and moves along a path that is given in that
+/// frame: its pose is F(t) X(t), commanded with twist and twist rate.
+///
+/// F is the frame as a sensor tells it, extrapolated from the reading's tick to the end of the macrostep and smoothed
+/// (w = 10 / s: src/language/frame_observer.hpp): at constant velocity it is exact, at an acceleration a it lags a /
+/// w^2. X goes from where the tool is in the frame, with its velocity relative to it (a tool at rest begins with minus
+/// the frame's), to the first point and from point to point, at rest in each, time-optimal under the limits (Ruckig).
+///
+/// Drives lag behind their set-points, by some mm at conveyor speeds. So X is shifted by a correction c in frame axes,
+///   dc/dt = 4 / s (F X - measured tool position),  |c| <= 20 mm,
+///
+/// dc/dt itself through a low-pass of 60 ms. The dwell at a point begins when X has come to it and the measured tool is
+/// within the tolerance of it. The motion ends by itself after the last dwell, *moving with the frame*: the next Move
+/// goes on from there; without one the EDP brakes.
+///
+/// A reading that is lost (the function gives nothing) is replaced by the frame's constant motion; after `patience`
+/// steps in a row NonFatalError(sensor_not_ready) is thrown. Limits of the joints are the EDP's business: it refuses
+/// what is too fast, and the Move throws.
+class TrackFrame : public Generator {
+ public:
+  /// The frame in the robot's base frame; nothing while it is not known. Called once per step, must not allocate.
+  using Frame = std::function<std::optional<MovingFrame>()>;
+
+  /// Throws NonFatalError: invalid_argument (no points, no function, a pose that is not rigid, a limit, dwell or
+  /// patience that is none).
+  TrackFrame(Robot& robot, Frame frame, std::vector<FramePoint> path, const FrameLimits& limits = {},
+             int patience = 10);
+  /// To one point, without dwell.
+  TrackFrame(Robot& robot, Frame frame, const Pose& point, const FrameLimits& limits = {}, int patience = 10);
+  ~TrackFrame() override;
+  TrackFrame(TrackFrame&&) noexcept;
+  TrackFrame& operator=(TrackFrame&&) noexcept;
+
+  /// From the point that was under way. Throws NonFatalError(sensor_not_ready) when there is no reading.
+  void resume() override;
+  void start() override;
+  bool terminal_condition() override;
+  void next_state() override;
+
+  /// The point under way; their number when all is over.
+  std::size_t point() const noexcept;
+  /// Of the last step: from the measured tool to where it should be, F X, in frame axes, m.
+  const Eigen::Vector3d& error() const noexcept;
+
+ private:
+  struct Plan;
+  Robot* robot_;
+  std::unique_ptr<Plan> plan_;
+};
+
+}  // namespace mrroc
