@@ -1,0 +1,37 @@
+#include "mrroc/generators/spiral_search.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace mrroc {
+
+SpiralSearch::SpiralSearch(Robot& robot, const ForceLaw& law, double pitch, double radius, double speed)
+    : Generator("SpiralSearch"), robot_(&robot), law_(law), pitch_(pitch), radius_(radius), speed_(speed) {
+  const auto require = [](double value, const char* what) {
+    if (value > 0 && std::isfinite(value)) return;
+    throw NonFatalError(ErrorCode::invalid_argument, std::string("SpiralSearch: ") + what + " " +
+                                                         std::to_string(value) + ", expected a finite number above 0");
+  };
+  require(pitch, "pitch");
+  require(radius, "radius");
+  require(speed, "speed");
+}
+
+Eigen::Vector2d SpiralSearch::spiral(double angle) const noexcept {
+  return pitch_ * angle / (2 * std::numbers::pi) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+}
+
+void SpiralSearch::next_state() {
+  const double duration = robot_->step_duration();
+  const Eigen::Vector2d before = spiral(angle_);
+  const double growth = pitch_ / (2 * std::numbers::pi);
+  // the angle's rate at the middle of the macrostep (Runge and Kutta, second order)
+  const auto rate = [&](double angle) { return speed_ / (growth * std::hypot(angle, 1.0)); };
+  angle_ += duration * rate(angle_ + 0.5 * duration * rate(angle_));
+  RobotCommand& command = robot_->command();
+  command.kind = CommandKind::force;
+  command.twist.head<2>() = (spiral(angle_) - before) / duration;
+  command.force = law_;
+}
+
+}  // namespace mrroc
