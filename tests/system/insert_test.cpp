@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+constexpr const char* kDeployment = "tasks/insert/insert.toml";
+
+std::vector<double> numbers_after(const std::string& line, const std::string& field) {
+  std::vector<double> values;
+  const auto at = line.find(field);
+  if (at == std::string::npos) return values;
+  const auto begin = at + field.size();
+  std::istringstream text(line.substr(begin, line.find(' ', begin) - begin));
+  for (std::string value; std::getline(text, value, ',');) values.push_back(std::stod(value));
+  return values;
+}
+
+/// A search and what follows it until the next one: where the tip began beside the hole, its lowest point below that,
+/// the largest force sideways on the way in.
+struct Trial {
+  double error = 0, depth = 0, sideways = 0;
+};
+
+std::vector<Trial> trials_of(const std::filesystem::path& trace) {
+  std::vector<Trial> trials;
+  std::ifstream file(trace);
+  std::string before;
+  double top = 0;
+  for (std::string line; std::getline(file, line);) {
+    const bool search = line.find("move=\"SpiralSearch\"") != std::string::npos;
+    const bool force = line.find("move=\"ForceControl\"") != std::string::npos;
+    const auto pose = numbers_after(line, " pose="), wrench = numbers_after(line, " wrench=");
+    if (!search && !force) continue;
+    const std::string instruction = line.substr(line.find("instruction="), 16);
+    if (search && instruction != before) {
+      trials.push_back({std::hypot(pose.at(0) - 0.75, pose.at(1)), 0, 0});
+      top = pose.at(2);
+    }
+    before = instruction;
+    if (trials.empty()) continue;
+    trials.back().depth = std::max(trials.back().depth, top - pose.at(2));
+    if (wrench.size() == 6) trials.back().sideways = std::max(trials.back().sideways, std::hypot(wrench[0], wrench[1]));
+  }
+  return trials;
+}
+
+TEST(Insert, PutsThePegIntoTheHoleFromTenPlacesUpTo2MillimetresBesideIt) {
+  const ScratchFolder folder;
+  const auto first = folder.path() / "first", second = folder.path() / "second";
+  for (const auto& trace : {first, second})
+    run_mrroc({"run", kDeployment, "--quiet", "--trace", trace.string()}, 0, 600);
+  EXPECT_EQ(trace_hash(first), trace_hash(second));
+
+  const std::vector<Trial> trials = trials_of(first);
+  ASSERT_EQ(trials.size(), 10u);
+  double farthest = 0;
+  for (const Trial& trial : trials) {
+    std::printf("%.2f mm beside the hole, %.1f mm deep, at most %.1f N sideways\n", 1000 * trial.error,
+                1000 * trial.depth, trial.sideways);
+    EXPECT_GT(trial.depth, 0.024);
+    EXPECT_LT(trial.sideways, 30);
+    farthest = std::max(farthest, trial.error);
+  }
+  EXPECT_GT(farthest, 0.0015) << "the errors are not all small";
+}
+
+TEST(Insert, WithoutAHoleTheTaskSaysSo) {
+  const ScratchFolder folder;
+  const std::filesystem::path tasks = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/insert";
+  const auto text_of = [](const std::filesystem::path& path) {
+    std::ifstream file(path);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  std::string scene = text_of(tasks / "insert.xml");
+  const std::string joint = "<joint name=\"bush_z\"";
+  ASSERT_NE(scene.find(joint), std::string::npos);
+  scene.insert(scene.find('\n', scene.find(joint)) + 1,
+               "<geom class=\"wall\" type=\"cylinder\" size=\"0.015 0.02\"/>\n");  // a plug
+  folder.write("insert.xml", scene);
+  const std::string output =
+      run_mrroc({"run", folder.write("insert.toml", text_of(tasks / "insert.toml")).string()}, 1);
+  EXPECT_NE(output.find("there is no hole"), std::string::npos) << output;
+}
+
+}  // namespace
+}  // namespace mrroc::test
