@@ -7,8 +7,13 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
 #include "mrroc/conditions/travelled.hpp"
+#include "mrroc/generators/guarded_approach.hpp"
+#include "mrroc/generators/image_servo.hpp"
 #include "mrroc/generators/joint_line.hpp"
+#include "mrroc/generators/position_servo.hpp"
+#include "mrroc/generators/spiral_search.hpp"
 #include "mrroc/generators/tool_velocity.hpp"
+#include "mrroc/generators/track_frame.hpp"
 #include "mrroc/move.hpp"
 
 namespace {
@@ -129,6 +134,32 @@ TEST(Allocation, GeneratorsComputeTheNextStateWithoutAllocating) {
     velocity.next_state();
   }
   EXPECT_EQ(allocations, before);
+}
+
+TEST(Allocation, GeneratorsOnSensorsComputeTheNextStateWithoutAllocating) {
+  Cell cell;
+  Wait({*cell.a}, {}, ElapsedSteps{0});
+  const Pose aside = cell.a->state().desired_pose * Eigen::Translation3d(0.1, 0.2, 0.3);
+  MovingFrame belt;
+  belt.twist << 0.1, 0.05, 0, 0, 0, 0.1;
+  ImagePoints wanted(2, 4), seen(2, 4);
+  wanted << 0.1, -0.1, 0.1, -0.1, 0.1, 0.1, -0.1, -0.1;
+  seen = 1.2 * wanted;
+  GuardedApproach approach(
+      *cell.a, [] { return 1.0; }, {1, 2, 3}, 0.1, 0.5);
+  TrackFrame track(*cell.a, [&] { return belt; }, {{aside, 0.1}, {Pose::Identity(), 0.1}}, {.tolerance = 10});
+  PositionServo position(
+      *cell.a, [&] { return aside; }, PositionServo::In::base, Pose::Identity());
+  ImageServo image(
+      *cell.a, [&] { return seen; }, wanted, ImageDepths::Constant(1, 4, 0.5));
+  SpiralSearch spiral(*cell.a, ForceLaw{}, 0.001, 0.01, 0.01);
+  for (Generator* generator : std::initializer_list<Generator*>{&approach, &track, &position, &image, &spiral}) {
+    generator->start();
+    const std::uint64_t before = allocations;
+    for (int step = 0; step < 300 && !generator->terminal_condition(); ++step) generator->next_state();
+    EXPECT_EQ(allocations, before) << generator->name();
+  }
+  EXPECT_EQ(track.point(), 2u) << "it has planned the way to its second point";
 }
 
 }  // namespace
