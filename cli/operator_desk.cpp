@@ -47,13 +47,16 @@ void OperatorDesk::look() {
 void OperatorDesk::take_question(const config::SensorEntry& sensor, const links::OperatorQuestion& question,
                                  std::uint64_t number) {
   std::erase_if(open_, [&](const Open& open) { return open.sensor == &sensor; });  // asked anew
-  const Open open{&sensor, number, sensor.name + ": " + std::string{question.text.view()}};
+  const Open open{&sensor, number, question.tick, sensor.name + ": " + std::string{question.text.view()}};
   if (const config::Event* event = event_for(sensor.name, question.tick)) {
     show_(open.text + " (answered at tick " + std::to_string(event->tick) + ")");
     return;
   }
   if (!somebody_types()) refuse(open);
-  open_.push_back(open);
+  // the oldest first, but for the one that somebody is answering
+  const auto waiting = open_.begin() + (!open_.empty() && open_.front() == shown_ ? 1 : 0);
+  const auto later = [](const Open& a, const Open& b) { return a.asked < b.asked; };
+  open_.insert(std::upper_bound(waiting, open_.end(), open, later), open);
 }
 
 const config::Event* OperatorDesk::event_for(const std::string& sensor, Tick asked) const noexcept {

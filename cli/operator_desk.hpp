@@ -45,6 +45,7 @@ class OperatorDesk {
   struct Open {
     const config::SensorEntry* sensor = nullptr;
     std::uint64_t number = 0;
+    Tick asked = 0;
     std::string text;
     friend bool operator==(const Open&, const Open&) = default;
   };

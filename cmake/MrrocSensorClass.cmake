@@ -27,7 +27,7 @@ function(mrroc_sensor_class type toml folder class_suffix file_suffix)
       set(name ${CMAKE_MATCH_1})
     elseif(in_channel AND line MATCHES "^unit *= *[\"']([^\"']*)[\"']")
       string(APPEND accessors
-        "  /// ${CMAKE_MATCH_1}\n  double ${name}() const noexcept { return value(${index}); }\n")
+        "  /// ${CMAKE_MATCH_1}\n  double ${name}() const noexcept { return Sensor::value(${index}); }\n")
     endif()
   endforeach()
   if(accessors STREQUAL "")

@@ -1,7 +1,8 @@
 #include "edp/moving_pose.hpp"
 
 #include <Eigen/QR>
-#include <cmath>
+
+#include "language/rigid_motion.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -14,20 +15,6 @@ Twist jacobian_rate_times_velocity(const ToolKinematics& kinematics, const Joint
 }
 
 }  // namespace
-
-Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept {
-  const double angle = vector.norm();
-  if (angle < 1e-150) return Eigen::Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
-}
-
-Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept {
-  const Eigen::Quaterniond q(rotation);
-  const double sine = q.vec().norm();  // of half the angle
-  const double angle = 2 * std::atan2(sine, std::abs(q.w()));
-  const double factor = sine < 1e-150 ? 2 : angle / sine;
-  return std::copysign(factor, q.w()) * q.vec();
-}
 
 JointVector joint_velocity_of(const ToolKinematics& kinematics, const JointVector& joints,
                               const Twist& twist) noexcept {

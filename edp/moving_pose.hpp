@@ -5,11 +5,6 @@
 
 namespace mrroc::edp {
 
-/// exp of a rotation vector: the turn by its norm about its direction.
-Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept;
-/// The rotation vector of `rotation`, of norm 0..pi.
-Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept;
-
 /// A frame that moves: where it is, its twist and the twist's rate, all in base axes.
 struct MovingPose {
   Pose pose = Pose::Identity();

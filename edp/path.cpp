@@ -1,5 +1,7 @@
 #include "edp/path.hpp"
 
+#include "language/rigid_motion.hpp"
+
 namespace mrroc::edp {
 
 void Path::plan_joints(const DesiredState& from, const DesiredState& to, double duration) noexcept {

@@ -48,13 +48,16 @@ Pose exponential(const Twist& displacement) noexcept {
 
 Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept {
   const double angle = vector.norm();
-  if (angle == 0) return Eigen::Matrix3d::Identity();
+  if (angle < 1e-150) return Eigen::Matrix3d::Identity();
   return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
 }
 
 Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept {
-  const Eigen::AngleAxisd turn(rotation);
-  return turn.angle() * turn.axis();
+  const Eigen::Quaterniond q(rotation);
+  const double sine = q.vec().norm();  // of half the angle
+  const double angle = 2 * std::atan2(sine, std::abs(q.w()));
+  const double factor = sine < 1e-150 ? 2 : angle / sine;
+  return std::copysign(factor, q.w()) * q.vec();
 }
 
 Eigen::Matrix3d orthonormal(const Eigen::Matrix3d& rotation) noexcept {
