@@ -15,7 +15,9 @@ namespace mrroc::vsp {
 
 namespace {
 
-const cv::Scalar kWhite(255, 255, 255), kBlack(0, 0, 0), kYellow(255, 230, 0);
+cv::Scalar white() { return {255, 255, 255}; }
+cv::Scalar black() { return {0, 0, 0}; }
+cv::Scalar yellow() { return {255, 230, 0}; }
 
 /// Pixels with fractions, as OpenCV's drawing takes them.
 constexpr int kFraction = 4;
@@ -32,7 +34,7 @@ void draw_line(cv::Mat& picture, const Eigen::Vector2d& a, const Eigen::Vector2d
 void draw_found(cv::Mat& picture, const Detection& found, const Intrinsics& intrinsics) {
   for (std::size_t i = 0; i < found.outline.size(); ++i) {
     const Eigen::Vector2d& next = found.outline[(i + 1) % found.outline.size()];
-    cv::line(picture, fine(found.outline[i]), fine(next), kYellow, 1, cv::LINE_AA, kFraction);
+    cv::line(picture, fine(found.outline[i]), fine(next), yellow(), 1, cv::LINE_AA, kFraction);
   }
   const double length = 0.6 * std::sqrt(found.area);
   const std::array<cv::Scalar, 3> colours{cv::Scalar(255, 0, 0), {0, 200, 0}, {0, 60, 255}};
@@ -40,13 +42,13 @@ void draw_found(cv::Mat& picture, const Detection& found, const Intrinsics& intr
     const Eigen::Vector3d tip = found.pose * Eigen::Vector3d(length * Eigen::Vector3d::Unit(i));
     if (tip.z() > 0) draw_line(picture, found.pixel, intrinsics.project(tip), colours[static_cast<std::size_t>(i)]);
   }
-  cv::circle(picture, fine(found.pixel), 3 << kFraction, kWhite, 1, cv::LINE_AA, kFraction);
+  cv::circle(picture, fine(found.pixel), 3 << kFraction, white(), 1, cv::LINE_AA, kFraction);
 }
 
 void draw_text(cv::Mat& picture, int line, const char* text) {
   const cv::Point at(6, 16 + 15 * line);
-  cv::putText(picture, text, at, cv::FONT_HERSHEY_SIMPLEX, 0.42, kBlack, 3, cv::LINE_AA);
-  cv::putText(picture, text, at, cv::FONT_HERSHEY_SIMPLEX, 0.42, kWhite, 1, cv::LINE_AA);
+  cv::putText(picture, text, at, cv::FONT_HERSHEY_SIMPLEX, 0.42, black(), 3, cv::LINE_AA);
+  cv::putText(picture, text, at, cv::FONT_HERSHEY_SIMPLEX, 0.42, white(), 1, cv::LINE_AA);
 }
 
 void draw_figures(cv::Mat& picture, const SensorReading& v) {
