@@ -22,8 +22,8 @@ std::vector<double> numbers_after(const std::string& line, const std::string& fi
   return values;
 }
 
-/// A search and what follows it until the next one: where the tip began beside the hole, its lowest point below that,
-/// the largest force sideways on the way in.
+/// A search and the way in that follows it: where the tip began beside the hole, its lowest point below that, the
+/// largest force sideways.
 struct Trial {
   double error = 0, depth = 0, sideways = 0;
 };
@@ -31,7 +31,7 @@ struct Trial {
 std::vector<Trial> trials_of(const std::filesystem::path& trace) {
   std::vector<Trial> trials;
   std::ifstream file(trace);
-  std::string before;
+  std::string searching, going_in;  // the two instructions of a trial; the pull out and the next way down are no part
   double top = 0;
   for (std::string line; std::getline(file, line);) {
     const bool search = line.find("move=\"SpiralSearch\"") != std::string::npos;
@@ -39,12 +39,14 @@ std::vector<Trial> trials_of(const std::filesystem::path& trace) {
     const auto pose = numbers_after(line, " pose="), wrench = numbers_after(line, " wrench=");
     if (!search && !force) continue;
     const std::string instruction = line.substr(line.find("instruction="), 16);
-    if (search && instruction != before) {
+    if (search && instruction != searching) {
       trials.push_back({std::hypot(pose.at(0) - 0.75, pose.at(1)), 0, 0});
       top = pose.at(2);
+      searching = instruction;
+      going_in.clear();
     }
-    before = instruction;
-    if (trials.empty()) continue;
+    if (force && going_in.empty()) going_in = instruction;
+    if (trials.empty() || (force && instruction != going_in)) continue;
     trials.back().depth = std::max(trials.back().depth, top - pose.at(2));
     if (wrench.size() == 6) trials.back().sideways = std::max(trials.back().sideways, std::hypot(wrench[0], wrench[1]));
   }
