@@ -50,13 +50,11 @@ void Progress::update(const links::ProcessStatus& status) {
 
 void Progress::print_change(const links::ProcessStatus& before, const links::ProcessStatus& now) {
   const bool first = before.process.empty();
-  if (first || before.state != now.state) {
-    fmt::print("{:<12} {}\n", now.process.view(), text_of(now.state));
-  } else if (before.instruction != now.instruction) {
+  if (first || before.state != now.state) fmt::print("{:<12} {}\n", now.process.view(), text_of(now.state));
+  // both may have changed since the last status: a process that starts is soon at its first instruction
+  if (before.instruction != now.instruction) {
     fmt::print("{:<12} {:8.3f} s  {}\n", now.process.view(), static_cast<double>(now.tick) * servo_period_,
                activity_of(now));
-  } else {
-    return;
   }
   std::fflush(stdout);
 }
