@@ -7,8 +7,7 @@
 namespace mrroc::edp {
 WristSensor::WristSensor(const vsp::SourceContext& context)
     : mount_(frame_at(vsp::vector3(context.entry, "position"), vsp::vector3(context.entry, "rotation"))) {
-  sensor_.declare(context.entry);
-  sensor_.configure(context.entry, context.servo_period);
+  sensor_.set_up(context.entry, context.servo_period);
   source_ = vsp::make_source(sensor_, context);
 }
 

@@ -61,8 +61,7 @@ class Shell : private ReadingSink {
  private:
   std::unique_ptr<Source> open_source() {
     const double period = process_.clock().period();
-    sensor_->declare(entry_);
-    sensor_->configure(entry_, period);
+    sensor_->set_up(entry_, period);
     if (process_.arguments().world_fd >= 0) world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
     return make_source(*sensor_, {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period,
                                   &process_.clock(), &process_.domain()});

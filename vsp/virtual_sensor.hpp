@@ -48,10 +48,12 @@ class VirtualSensor {
  public:
   virtual ~VirtualSensor() = default;
 
-  /// Takes the channels that the type's TOML declares; the kit, before `configure()`.
-  void declare(const config::SensorEntry& entry) {
+  /// Takes the channels that the type's TOML declares and the deployment's parameters; the kit, once, before anything
+  /// else. `servo_period` in s. Throws as `configure`.
+  void set_up(const config::SensorEntry& entry, double servo_period) {
     channels_ = entry.channels;
     raw_channels_ = entry.raw_channels;
+    configure(entry, servo_period);
   }
   /// Channels of v, at most kMaxChannels: the declared ones.
   virtual std::vector<Channel> channels() const { return channels_; }

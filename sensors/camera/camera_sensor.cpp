@@ -40,25 +40,6 @@ void fill(SensorReading& v, const Detection& found, const Pose& camera) {
 
 }  // namespace
 
-std::vector<Channel> CameraSensor::channels() const {
-  return {{"detected", "0 or 1"},
-          {"x", "m"},
-          {"y", "m"},
-          {"z", "m"},
-          {"qw", "1"},
-          {"qx", "1"},
-          {"qy", "1"},
-          {"qz", "1"},
-          {"deviation_x", "m"},
-          {"deviation_y", "m"},
-          {"deviation_z", "m"},
-          {"deviation_rotation", "rad"},
-          {"u", "px"},
-          {"v", "px"},
-          {"reprojection_error", "px"},
-          {"area", "m^2"}};
-}
-
 void CameraSensor::configure(const config::SensorEntry& entry, double /*servo_period*/) {
   cv::setNumThreads(1);  // small pictures: threads cost more than they bring, and lockstep runs on one CPU
   detector_ = make_detector(entry);
@@ -114,7 +95,7 @@ void CameraSensor::detect(SensorReading& v) {
   if (found) {
     fill(v, *found, camera);
   } else {
-    std::fill_n(v.values.begin(), channels().size(), 0.0);
+    std::fill_n(v.values.begin(), v.channel_count, 0.0);
   }
   if (debug_) debug_->show(picture_, found ? &*found : nullptr, v);
 }

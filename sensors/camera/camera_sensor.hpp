@@ -32,8 +32,6 @@ namespace mrroc::vsp {
 /// Unlike other sensors it allocates while it aggregates, as OpenCV does, and with `debug` writes files.
 class CameraSensor final : public VirtualSensor {
  public:
-  std::vector<Channel> channels() const override;
-  std::vector<Channel> raw_channels() const override { return {{"picture", "1"}}; }
   void configure(const config::SensorEntry& entry, double servo_period) override;
   std::unique_ptr<Source> open_source(const SourceContext& context) override;
   void effector_state(const RobotState& e) noexcept override;

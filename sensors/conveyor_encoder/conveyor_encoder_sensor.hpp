@@ -13,8 +13,6 @@ namespace mrroc::vsp {
 /// nothing is rounded.
 class ConveyorEncoderSensor final : public VirtualSensor {
  public:
-  std::vector<Channel> channels() const override { return {{"position", "m"}, {"velocity", "m/s"}}; }
-  std::vector<Channel> raw_channels() const override { return {{"travel", "m"}, {"speed", "m/s"}}; }
   void configure(const config::SensorEntry& entry, double servo_period) override;
   void aggregate(const RawReading& r, SensorReading& v) noexcept override;
   bool bias(const RawReading& r) noexcept override;

@@ -15,10 +15,6 @@ namespace mrroc::vsp {
 /// that no rise is lost between readings; a tick without a usable reading counts as the one before it.
 class DigitalInputSensor final : public VirtualSensor {
  public:
-  std::vector<Channel> channels() const override {
-    return {{"on", "0 or 1"}, {"rises", "1"}, {"level", "the terminal's own"}};
-  }
-  std::vector<Channel> raw_channels() const override { return {{"level", "the terminal's own"}}; }
   void configure(const config::SensorEntry& entry, double servo_period) override;
   bool continuous() const noexcept override { return true; }
   void track(const RawReading& r) noexcept override;

@@ -18,16 +18,10 @@ Eigen::Map<const Wrench> six_values(const RawReading& r) noexcept { return Eigen
 
 }  // namespace
 
-std::vector<Channel> ForceTorqueSensor::channels() const {
-  return {{"force_x", "N"},    {"force_y", "N"},    {"force_z", "N"},
-          {"torque_x", "N m"}, {"torque_y", "N m"}, {"torque_z", "N m"}};
-}
-
 std::vector<Channel> ForceTorqueSensor::raw_channels() const {
   if (gauges_)
     return {{"gauge_0", "V"}, {"gauge_1", "V"}, {"gauge_2", "V"}, {"gauge_3", "V"}, {"gauge_4", "V"}, {"gauge_5", "V"}};
-  return {{"support_force_x", "N"},    {"support_force_y", "N"},    {"support_force_z", "N"},
-          {"support_torque_x", "N m"}, {"support_torque_y", "N m"}, {"support_torque_z", "N m"}};
+  return VirtualSensor::raw_channels();
 }
 
 void ForceTorqueSensor::configure(const config::SensorEntry& entry, double servo_period) {

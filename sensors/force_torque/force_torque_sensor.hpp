@@ -30,7 +30,6 @@ namespace mrroc::vsp {
 /// synchronised robot is known: NonFatalError(sensor_not_ready).
 class ForceTorqueSensor final : public VirtualSensor {
  public:
-  std::vector<Channel> channels() const override;
   /// `support_force_x` ... `support_torque_z`, or `gauge_0` ... `gauge_5` when the deployment gives a calibration:
   /// after `configure()`.
   std::vector<Channel> raw_channels() const override;

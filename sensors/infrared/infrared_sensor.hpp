@@ -27,10 +27,6 @@ namespace mrroc::vsp {
 /// The presence has seen every tick, whoever asks for readings. It has no zero to set.
 class InfraredSensor final : public VirtualSensor {
  public:
-  std::vector<Channel> channels() const override {
-    return {{"distance", "m"}, {"detected", "0 or 1"}, {"presence", "0 or 1"}};
-  }
-  std::vector<Channel> raw_channels() const override { return {{"range", "m"}}; }
   void configure(const config::SensorEntry& entry, double servo_period) override;
   bool continuous() const noexcept override { return true; }
   void track(const RawReading& r) noexcept override;

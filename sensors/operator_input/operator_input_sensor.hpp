@@ -15,8 +15,6 @@ class OperatorSource;
 /// operator. Nothing is asked before the first `bias`. Played readings are the operator's answers likewise.
 class OperatorInputSensor final : public VirtualSensor {
  public:
-  std::vector<Channel> channels() const override { return {{"answered", "0 or 1"}, {"value", "of the question"}}; }
-  std::vector<Channel> raw_channels() const override { return {{"answers", "1"}, {"value", "of the question"}}; }
   void configure(const config::SensorEntry& entry, double servo_period) override;
   std::unique_ptr<Source> open_source(const SourceContext& context) override;
   void aggregate(const RawReading& r, SensorReading& v) noexcept override;

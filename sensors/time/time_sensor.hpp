@@ -12,8 +12,6 @@ namespace mrroc::vsp {
 /// `bias` makes the present tick zero; until then zero is the deployment's tick 0.
 class TimeSensor final : public VirtualSensor {
  public:
-  std::vector<Channel> channels() const override { return {{"time", "s"}, {"tick", "1"}}; }
-  std::vector<Channel> raw_channels() const override { return {{"tick", "1"}}; }
   void configure(const config::SensorEntry& entry, double servo_period) override;
   std::unique_ptr<Source> open_source(const SourceContext& context) override;
   void aggregate(const RawReading& r, SensorReading& v) noexcept override;

@@ -19,7 +19,7 @@ constexpr std::uint32_t kDropoutStream = 1;
 }  // namespace
 
 std::vector<Channel> UltrasonicSensor::raw_channels() const {
-  if (rays_ == 1) return {{"range", "m"}};
+  if (rays_ == 1) return VirtualSensor::raw_channels();
   std::vector<Channel> channels;
   for (std::size_t i = 0; i < rays_; ++i) channels.push_back({std::string("range_").append(std::to_string(i)), "m"});
   return channels;

@@ -20,7 +20,6 @@ namespace mrroc::vsp {
 /// zero to set.
 class UltrasonicSensor final : public VirtualSensor {
  public:
-  std::vector<Channel> channels() const override { return {{"distance", "m"}, {"detected", "0 or 1"}}; }
   /// `range`, or `range_0` ... when the deployment gives more rays than one: after `configure()`.
   std::vector<Channel> raw_channels() const override;
   void configure(const config::SensorEntry& entry, double servo_period) override;

@@ -19,15 +19,4 @@ inline config::SensorEntry entry_of(const std::string& type, const std::string& 
   return entry;
 }
 
-/// The channels that sensors/<type>/<type>.toml declares, as "name unit" each.
-inline std::vector<std::string> declared_channels(const std::string& type) {
-  std::vector<std::string> declared;
-  const auto file = std::filesystem::path{MRROC_SOURCE_DIR} / "sensors" / type / (type + ".toml");
-  for (const config::Table& channel : config::Table::load(file).tables("channels")) {
-    declared.push_back(channel.text("name") + " " + channel.text("unit"));
-    channel.finish();
-  }
-  return declared;
-}
-
 }  // namespace mrroc::vsp

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -74,7 +75,7 @@ class SeenWorld {
 
   /// As the VSP does at its start.
   void open() {
-    sensor_.configure(entry_, 0.002);
+    sensor_.set_up(entry_, 0.002);
     source_ = sensor_.open_source({deployment_, entry_, 0, deployment_.sim ? memory_.get() : nullptr, 0.002});
   }
   const config::Scratch& scratch() const { return scratch_; }
@@ -108,6 +109,8 @@ class SeenWorld {
     state_ = source_->read(tick, raw);
     if (state_ != SourceState::ready) return v;
     v.tick = raw.tick;
+    v.channel_count = static_cast<std::uint32_t>(sensor_.channels().size());  // as the Sampler hands it over
+    v.values.fill(std::numeric_limits<double>::quiet_NaN());
     sensor_.aggregate(raw, v);
     return v;
   }

@@ -13,13 +13,6 @@ namespace {
 
 double any_travel() { return 1e-7 * *rc::gen::inRange(-2'000'000'000, 2'000'000'000); }
 
-TEST(ConveyorEncoderSensor, HasTheChannelsThatItsFileDeclares) {
-  std::vector<std::string> channels;
-  for (const Channel& channel : ConveyorEncoderSensor{}.channels())
-    channels.push_back(channel.name + " " + channel.unit);
-  EXPECT_EQ(channels, declared_channels("conveyor_encoder"));
-}
-
 TEST(ConveyorEncoderSensor, CountsWholeIncrementsOfTheConveyorsMotor) {
   ConveyorEncoderSensor sensor = made_sensor();
   const double increment = 2 * M_PI / 4000 / 2250;

@@ -7,7 +7,7 @@ namespace mrroc::vsp {
 
 inline ConveyorEncoderSensor made_sensor(const std::string& toml = "") {
   ConveyorEncoderSensor sensor;
-  sensor.configure(entry_of("conveyor_encoder", "encoder", toml), 0.002);
+  sensor.set_up(entry_of("conveyor_encoder", "encoder", toml), 0.002);
   return sensor;
 }
 

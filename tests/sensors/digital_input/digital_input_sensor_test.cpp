@@ -11,12 +11,6 @@
 namespace mrroc::vsp {
 namespace {
 
-TEST(DigitalInputSensor, HasTheChannelsThatItsFileDeclares) {
-  std::vector<std::string> channels;
-  for (const Channel& channel : DigitalInputSensor{}.channels()) channels.push_back(channel.name + " " + channel.unit);
-  EXPECT_EQ(channels, declared_channels("digital_input"));
-}
-
 TEST(DigitalInputSensor, IsOnAboveItsThreshold) {
   DigitalInputSensor sensor = made_sensor("threshold = 2.5");
   EXPECT_EQ(measured(sensor, 0, 2.5).values[0], 0);

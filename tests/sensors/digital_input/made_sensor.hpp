@@ -8,7 +8,7 @@ namespace mrroc::vsp {
 /// The servo period is 2 ms.
 inline DigitalInputSensor made_sensor(const std::string& toml = "") {
   DigitalInputSensor sensor;
-  sensor.configure(entry_of("digital_input", "gate", toml), 0.002);
+  sensor.set_up(entry_of("digital_input", "gate", toml), 0.002);
   return sensor;
 }
 

@@ -30,12 +30,6 @@ RobotState state_of(const Eigen::Matrix3d& orientation, bool synchronised = true
   return state;
 }
 
-TEST(ForceTorqueSensor, HasTheChannelsThatItsFileDeclares) {
-  std::vector<std::string> channels;
-  for (const Channel& channel : ForceTorqueSensor{}.channels()) channels.push_back(channel.name + " " + channel.unit);
-  EXPECT_EQ(channels, declared_channels("force_torque"));
-}
-
 TEST(ForceTorqueSensor, GivesTheOppositeOfTheSupport) {
   EXPECT_TRUE(rc::check([] {
     ForceTorqueSensor sensor = made_sensor();
@@ -130,9 +124,9 @@ TEST(ForceTorqueSensor, RefusesParametersThatContradictEachOther) {
   EXPECT_NO_THROW(made_sensor("cutoff = 250.0"));
   config::SensorEntry entry = entry_of("force_torque", "wrist", "tool_mass = 1.0");
   entry.robot.clear();
-  EXPECT_THROW(ForceTorqueSensor{}.configure(entry, kServoPeriod), SystemError);
+  EXPECT_THROW(ForceTorqueSensor{}.set_up(entry, kServoPeriod), SystemError);
   entry.numbers.erase("gravity");
-  EXPECT_THROW(ForceTorqueSensor{}.configure(entry, kServoPeriod), SystemError);
+  EXPECT_THROW(ForceTorqueSensor{}.set_up(entry, kServoPeriod), SystemError);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ inline constexpr double kServoPeriod = 0.002;
 
 inline ForceTorqueSensor made_sensor(const std::string& toml = "", const std::string& name = "wrist") {
   ForceTorqueSensor sensor;
-  sensor.configure(entry_of("force_torque", name, toml), kServoPeriod);
+  sensor.set_up(entry_of("force_torque", name, toml), kServoPeriod);
   return sensor;
 }
 

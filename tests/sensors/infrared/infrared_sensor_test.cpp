@@ -33,12 +33,6 @@ std::pair<double, double> errors_at(const std::string& toml, double range) {
   return {sum / kSamples, std::sqrt(squares / kSamples)};
 }
 
-TEST(InfraredSensor, HasTheChannelsThatItsFileDeclares) {
-  std::vector<std::string> channels;
-  for (const Channel& channel : InfraredSensor{}.channels()) channels.push_back(channel.name + " " + channel.unit);
-  EXPECT_EQ(channels, declared_channels("infrared"));
-}
-
 TEST(InfraredSensor, MeasuresBetweenDeadZoneAndMaxRangeBothIncluded) {
   InfraredSensor sensor = made_sensor();
   for (const double range : {0.1, 0.25, 0.8}) {

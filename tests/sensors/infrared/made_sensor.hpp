@@ -7,7 +7,7 @@ namespace mrroc::vsp {
 
 inline InfraredSensor made_sensor(const std::string& toml = "", const std::string& name = "eye") {
   InfraredSensor sensor;
-  sensor.configure(entry_of("infrared", name, toml), 0.002);
+  sensor.set_up(entry_of("infrared", name, toml), 0.002);
   return sensor;
 }
 

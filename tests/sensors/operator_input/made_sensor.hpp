@@ -8,7 +8,7 @@ namespace mrroc::vsp {
 /// Played: it has no operator.
 inline OperatorInputSensor made_sensor(const std::string& toml = "") {
   OperatorInputSensor sensor;
-  sensor.configure(entry_of("operator_input", "parts", toml), 0.002);
+  sensor.set_up(entry_of("operator_input", "parts", toml), 0.002);
   return sensor;
 }
 

@@ -10,12 +10,6 @@
 namespace mrroc::vsp {
 namespace {
 
-TEST(OperatorInputSensor, HasTheChannelsThatItsFileDeclares) {
-  std::vector<std::string> channels;
-  for (const Channel& channel : OperatorInputSensor{}.channels()) channels.push_back(channel.name + " " + channel.unit);
-  EXPECT_EQ(channels, declared_channels("operator_input"));
-}
-
 TEST(OperatorInputSensor, IsAnsweredByTheFirstAnswerAfterTheQuestionAndByTheNewest) {
   EXPECT_TRUE(rc::check([] {
     OperatorInputSensor sensor = made_sensor();

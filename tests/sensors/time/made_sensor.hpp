@@ -8,7 +8,7 @@ namespace mrroc::vsp {
 
 inline TimeSensor made_sensor(double servo_period = 0.002) {
   TimeSensor sensor;
-  sensor.configure(entry_of("time", "watch"), servo_period);
+  sensor.set_up(entry_of("time", "watch"), servo_period);
   return sensor;
 }
 

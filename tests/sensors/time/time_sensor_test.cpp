@@ -11,12 +11,6 @@ namespace {
 
 Tick any_tick() { return *rc::gen::inRange<Tick>(0, Tick{1} << 50); }
 
-TEST(TimeSensor, HasTheChannelsThatItsFileDeclares) {
-  std::vector<std::string> channels;
-  for (const Channel& channel : TimeSensor{}.channels()) channels.push_back(channel.name + " " + channel.unit);
-  EXPECT_EQ(channels, declared_channels("time"));
-}
-
 TEST(TimeSensor, TheClockIsReadAtEveryTickAndIsItsNumber) {
   TimeSource source;
   for (const Tick tick : {Tick{0}, Tick{7}, Tick{1} << 53}) {

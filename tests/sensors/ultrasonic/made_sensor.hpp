@@ -7,7 +7,7 @@ namespace mrroc::vsp {
 
 inline UltrasonicSensor made_sensor(const std::string& toml = "", const std::string& name = "gate") {
   UltrasonicSensor sensor;
-  sensor.configure(entry_of("ultrasonic", name, toml), 0.002);
+  sensor.set_up(entry_of("ultrasonic", name, toml), 0.002);
   return sensor;
 }
 

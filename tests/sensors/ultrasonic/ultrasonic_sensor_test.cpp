@@ -19,12 +19,6 @@ void expect_nothing_seen(const SensorReading& v) {
   EXPECT_EQ(v.values[1], 0);
 }
 
-TEST(UltrasonicSensor, HasTheChannelsThatItsFileDeclares) {
-  std::vector<std::string> channels;
-  for (const Channel& channel : UltrasonicSensor{}.channels()) channels.push_back(channel.name + " " + channel.unit);
-  EXPECT_EQ(channels, declared_channels("ultrasonic"));
-}
-
 TEST(UltrasonicSensor, MeasuresBetweenDeadZoneAndMaxRangeBothIncluded) {
   UltrasonicSensor sensor = made_sensor();
   for (const double range : {0.02, 0.1, 1.5, 4.0}) {
