@@ -33,7 +33,9 @@ inline void PrintTo(const KnownRobot& robot, std::ostream* out) { *out << robot.
 inline std::vector<KnownRobot> every_robot() {
   using File = std::filesystem::path;
   const auto irb6 = [](const File& file) { return load_irb6(file); };
-  return {{"conveyor", [](const File& file) { return load_conveyor(file); }},
+  const auto conveyor = [](const File& file) { return load_conveyor(file); };
+  return {{"conveyor", conveyor},
+          {"fast_conveyor", conveyor},
           {"irb6", irb6},
           {"irb60", irb6},
           {"irb6_five_axis", [](const File& file) { return load_irb6_five_axis(file); }},

@@ -34,15 +34,26 @@ class SimulatedEdp {
     command.kind = CommandKind::joint;
     command.joints = JointVector::Constant(1, position);
     command.joint_velocity = JointVector::Constant(1, velocity);
-    command.motion_steps = steps;
-    command.reply_step = steps;
-    edp::Reply refusal;
-    EXPECT_FALSE(effector_.accept(command, ++number_, refusal)) << refusal.state.error.detail.view();
+    send(command, steps);
+  }
+  /// The only axis goes over to `velocity` as fast as its limits allow and keeps it, `steps` ticks in all.
+  void keep(double velocity, std::uint16_t steps) {
+    RobotCommand command;
+    command.kind = CommandKind::joint_velocity;
+    command.joint_velocity = JointVector::Constant(1, velocity);
+    send(command, steps);
   }
   void enable(bool on) { effector_.enable(on); }
   const edp::Snapshot& snapshot() const { return servo_.snapshot(); }
 
  private:
+  void send(RobotCommand& command, std::uint16_t steps) {
+    command.motion_steps = steps;
+    command.reply_step = steps;
+    edp::Reply refusal;
+    EXPECT_FALSE(effector_.accept(command, ++number_, refusal)) << refusal.state.error.detail.view();
+  }
+
   std::shared_ptr<const RobotModel> model_;
   edp::MujocoHardware hardware_;
   edp::HandOver hand_over_;

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "conveyor_fixture.hpp"
+#include "robots_conveyor/conveyor_fixture.hpp"
 #include "sim/allocations.hpp"
 
 namespace mrroc {

@@ -1,17 +1,27 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "robots/conveyor/conveyor_model.hpp"
 
 namespace mrroc {
 
+/// Type of the conveyor that a test executable is about; defined once in each.
+std::string conveyor_under_test();
+
+/// robots/<type>/`name` of the source tree.
 inline std::filesystem::path conveyor_source(const std::string& name) {
-  return std::filesystem::path(MRROC_SOURCE_DIR) / "robots/conveyor" / name;
+  return std::filesystem::path(MRROC_SOURCE_DIR) / "robots" / conveyor_under_test() / name;
+}
+
+/// robots/<type>/<type>.<extension> of the source tree.
+inline std::filesystem::path conveyor_file(const std::string& extension) {
+  return conveyor_source(conveyor_under_test() + "." + extension);
 }
 
 inline std::shared_ptr<const RobotModel> conveyor_model() {
-  static const RobotModels models = load_conveyor(conveyor_source("conveyor.toml"));
+  static const RobotModels models = load_conveyor(conveyor_file("toml"));
   return models.front();
 }
 

@@ -4,18 +4,18 @@
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <random>
 
-#include "conveyor_fixture.hpp"
 #include "robots_common/kdl_chain.hpp"
 #include "robots_common/loaded_mjcf.hpp"
+#include "robots_conveyor/conveyor_fixture.hpp"
 
 namespace mrroc {
 namespace {
 
 TEST(ConveyorDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
-  const KDL::Chain chain = kdl_chain(conveyor_source("conveyor.urdf"), "tool_frame");
+  const KDL::Chain chain = kdl_chain(conveyor_file("urdf"), "tool_frame");
   ASSERT_EQ(chain.getNrOfJoints(), 1U);
   KDL::ChainFkSolverPos_recursive forward(chain);
-  LoadedMjcf mjcf(conveyor_source("conveyor.xml"));
+  LoadedMjcf mjcf(conveyor_file("xml"));
   ASSERT_EQ(mjcf.model->nq, 1);
   std::mt19937_64 random(20120211);
   std::uniform_real_distribution<double> any_travel(-1000, 1000);
@@ -38,8 +38,8 @@ TEST(ConveyorDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
 }
 
 TEST(ConveyorDescriptions, NamesLimitsAndMassesAreTheSame) {
-  const LoadedMjcf mjcf(conveyor_source("conveyor.xml"));
-  const auto urdf = urdf::parseURDFFile(conveyor_source("conveyor.urdf").string());
+  const LoadedMjcf mjcf(conveyor_file("xml"));
+  const auto urdf = urdf::parseURDFFile(conveyor_file("urdf").string());
   ASSERT_TRUE(urdf);
   EXPECT_EQ(mj_id2name(mjcf.model.get(), mjOBJ_JOINT, 0), belt().name);
   EXPECT_EQ(mj_id2name(mjcf.model.get(), mjOBJ_ACTUATOR, 0), belt().name);
@@ -56,14 +56,14 @@ TEST(ConveyorDescriptions, NamesLimitsAndMassesAreTheSame) {
 }
 
 TEST(ConveyorDescriptions, ArmatureAndDampingAreTheDriveSeenFromTheBelt) {
-  const LoadedMjcf mjcf(conveyor_source("conveyor.xml"));
+  const LoadedMjcf mjcf(conveyor_file("xml"));
   const double gear = conveyor_model()->transmission(one(0))(0, 0);
   EXPECT_NEAR(mjcf.model->dof_armature[0], gear * gear * belt().rotor_inertia, 1e-9);
   EXPECT_NEAR(mjcf.model->dof_damping[0], gear * gear * belt().viscous_friction, 1e-9);
 }
 
 TEST(ConveyorDescriptions, TheBeltTouchesNothingAndItsTopIsInTheBaseFrame) {
-  LoadedMjcf mjcf(conveyor_source("conveyor.xml"));
+  LoadedMjcf mjcf(conveyor_file("xml"));
   mj_forward(mjcf.model.get(), mjcf.data.get());
   EXPECT_EQ(mjcf.data->ncon, 0);
   for (const auto& [geom, lowest] : {std::pair{"belt", -0.01}, {"foot_1", -0.55}}) {

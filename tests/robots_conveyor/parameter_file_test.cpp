@@ -1,15 +1,15 @@
 #include <gtest/gtest.h>
 
 #include "config/scratch.hpp"
-#include "conveyor_fixture.hpp"
 #include "robots_common/changed_file.hpp"
+#include "robots_conveyor/conveyor_fixture.hpp"
 
 namespace mrroc {
 namespace {
 
 std::string error_with(const std::string& from, const std::string& to) {
   const config::Scratch scratch;
-  const auto file = scratch.write("c.toml", changed_file(conveyor_source("conveyor.toml"), from, to));
+  const auto file = scratch.write("c.toml", changed_file(conveyor_file("toml"), from, to));
   return config::message_of(scratch.folder(), [&] { load_conveyor(file); });
 }
 
@@ -27,7 +27,7 @@ TEST(ConveyorFile, MistakesNameTheirKey) {
 }
 
 TEST(ConveyorFile, OneAxisIsExpected) {
-  std::ifstream stream(conveyor_source("conveyor.toml"));
+  std::ifstream stream(conveyor_file("toml"));
   std::string text(std::istreambuf_iterator<char>(stream), {});
   const auto begin = text.find("[[axes]]"), end = text.find("[geometry]");
   std::string second = text.substr(begin, end - begin);
@@ -38,6 +38,13 @@ TEST(ConveyorFile, OneAxisIsExpected) {
   const auto file = scratch.write("c.toml", text);
   EXPECT_EQ(config::message_of(scratch.folder(), [&] { load_conveyor(file); }),
             "c.toml:11: axes: 2 axes, expected one axis, the belt");
+}
+
+TEST(ConveyorFile, TheGearIsTheOriginals2250RadiansPerMetre) {
+  JointVector motors;
+  ASSERT_EQ(conveyor_model()->joints_to_motors(one(2), motors), ErrorCode::none);
+  EXPECT_EQ(motors[0], 4500);
+  EXPECT_EQ(conveyor_model()->transmission(one(2))(0, 0), 2250);
 }
 
 TEST(ConveyorFile, TheInstalledFileLoads) {

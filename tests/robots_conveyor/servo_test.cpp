@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "conveyor_fixture.hpp"
 #include "robots_common/drive_model.hpp"
+#include "robots_conveyor/conveyor_fixture.hpp"
 
 namespace mrroc {
 namespace {

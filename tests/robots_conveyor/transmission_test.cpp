@@ -1,17 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "conveyor_fixture.hpp"
 #include "robots_common/any_number.hpp"
+#include "robots_conveyor/conveyor_fixture.hpp"
 
 namespace mrroc {
 namespace {
-
-TEST(ConveyorTransmission, IsTheOriginals2250RadiansPerMetre) {
-  JointVector motors;
-  ASSERT_EQ(conveyor_model()->joints_to_motors(one(2), motors), ErrorCode::none);
-  EXPECT_EQ(motors[0], 4500);
-  EXPECT_EQ(conveyor_model()->transmission(one(2))(0, 0), 2250);
-}
 
 TEST(ConveyorTransmission, MotorsReturnToTheirJoints) {
   EXPECT_TRUE(rc::check([] {
