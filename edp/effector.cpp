@@ -144,7 +144,7 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
 
   DesiredState from = end_;
   Tick at = from.at_rest() ? std::max(end_tick_, snapshot_->tick) : end_tick_;
-  const bool stop_first = !from.at_rest() && command.start_tick > at;
+  const bool stop_first = !from.at_rest() && (command.start_tick > at || is_change(command.kind));
   if (stop_first) {
     planner_.plan_stop(from, 1, stop_);
     stop_.ticket = 0;
@@ -174,6 +174,7 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   end_ = macrostep_.to;
   end_tick_ = macrostep_.start + macrostep_.steps;
   forced_ = macrostep_.kind == Macrostep::Kind::force;
+  holding_ = command.kind == CommandKind::hold;
   return {};
 }
 

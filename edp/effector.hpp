@@ -118,10 +118,11 @@ class Effector {
   Recovery recovery_;
   const Snapshot* snapshot_ = nullptr;  ///< the newest; null before the servo's first tick
   std::uint32_t epoch_ = 0;
-  DesiredState end_;     ///< of all that has been accepted
-  Tick end_tick_ = 0;    ///< when
-  bool forced_ = false;  ///< the last accepted motion of this epoch is one of force: `end_` is not known
-  bool untold_ = false;  ///< the robot has braked and no reply has said so yet
+  DesiredState end_;      ///< of all that has been accepted
+  Tick end_tick_ = 0;     ///< when
+  bool holding_ = false;  ///< the last accepted macrostep is a hold: it may end before the stop does
+  bool forced_ = false;   ///< the last accepted motion of this epoch is one of force: `end_` is not known
+  bool untold_ = false;   ///< the robot has braked and no reply has said so yet
   std::array<Outstanding, 2> outstanding_{};
   std::uint64_t last_ticket_ = 0;
   Tick macrostep_start_ = 0;  ///< of the last one that was answered

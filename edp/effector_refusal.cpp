@@ -40,7 +40,8 @@ ErrorReport Effector::refusal_of_outputs(const Signals& outputs) const noexcept 
 }
 
 ErrorReport Effector::refusal_of_change(const RobotCommand& command) const noexcept {
-  if (forced_ || !end_.at_rest()) return make_report(ErrorClass::non_fatal, ErrorCode::busy, "only at rest");
+  if (forced_ || (!end_.at_rest() && !holding_))
+    return make_report(ErrorClass::non_fatal, ErrorCode::busy, "only at rest");
   switch (command.kind) {
     case CommandKind::set_tool:
       if (!is_rigid(command.pose))

@@ -15,7 +15,7 @@ struct Macrostep {
     path,        ///< along `path`
     force,       ///< `force`, tick by tick: `from` and `to` are not known
     unplanned,   ///< follows a force motion: the servo stops and gives it back, to be planned from there
-    stop,        ///< the robot's Stop from `from`, then rest
+    stop,        ///< the robot's Stop from `from`, as far as it comes, then rest
     model,       ///< at rest: from its start on the servo uses model `choice`
     regulators,  ///< at rest: from its start on the regulators are those of set `choice`
     bias,        ///< at rest: what the force sensor reads is zero

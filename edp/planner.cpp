@@ -33,6 +33,8 @@ ErrorReport Planner::plan(const RobotCommand& command, const DesiredState& from,
                        int{command.reply_step}, steps + 1);
   if (command.kind == CommandKind::hold) {
     plan_stop(from, command.motion_steps, macrostep);
+    // other robots of the same Move go on: they cannot wait for the end of a long stop, unless that is asked for
+    if (command.reply_step <= steps) cut_stop(command.motion_steps, macrostep);
   } else if (command.kind == CommandKind::force) {
     if (const ErrorReport report = check_force_law(command.force, command.twist); bad(report)) return report;
     macrostep.kind = Macrostep::Kind::force;
@@ -61,6 +63,12 @@ void Planner::plan_stop(const DesiredState& from, std::uint32_t steps, Macrostep
   macrostep.steps = std::max(steps, stop_.ticks());
   macrostep.from = from;
   macrostep.to = stop_.end();
+}
+
+void Planner::cut_stop(std::uint32_t steps, Macrostep& macrostep) const noexcept {
+  if (macrostep.steps <= steps) return;
+  macrostep.steps = steps;
+  macrostep.to = stop_.at(steps * period_);
 }
 
 ErrorReport Planner::plan_path(Interpolation interpolation, Macrostep& macrostep) noexcept {

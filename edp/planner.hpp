@@ -41,6 +41,8 @@ class Planner {
   void plan_stop(const DesiredState& from, std::uint32_t steps, Macrostep& macrostep) noexcept;
 
  private:
+  /// Ends the stop just planned after `steps` ticks, be it in motion.
+  void cut_stop(std::uint32_t steps, Macrostep& macrostep) const noexcept;
   ErrorReport plan_path(Interpolation interpolation, Macrostep& macrostep) noexcept;
   ErrorCode plan_task(double duration, Macrostep& macrostep) noexcept;
   ErrorReport stretch(Interpolation interpolation, ErrorReport report, Macrostep& macrostep) noexcept;

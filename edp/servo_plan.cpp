@@ -40,7 +40,7 @@ void Servo::advance(Tick tick) noexcept {
     }
     if (start_next(tick)) continue;
     if (desired_.at_rest()) return;
-    ++counters_.stops;
+    if (active_.kind != Macrostep::Kind::stop) ++counters_.stops;  // else a hold that ended before its stop: it goes on
     brake(boundary_);
     braking_ = true;
     refuse_foreign();

@@ -9,7 +9,7 @@ namespace mrroc {
 /// What a command asks of the effector.
 enum class CommandKind : std::uint8_t {
   query = 0,           ///< GET: report the state at once, change nothing
-  hold = 1,            ///< e^{i+1} = e^i: come to rest (within the limits) and stay there for the macrostep
+  hold = 1,            ///< e^{i+1} = e^i: come to rest (within the limits) and stay there
   joint = 2,           ///< be at `joints`, moving with `joint_velocity`, at the end of the macrostep
   pose = 3,            ///< be at `pose`, moving with `twist`, at the end of the macrostep
   motor = 4,           ///< as `joint`, but every value is of the motor shafts (rad)
@@ -41,6 +41,9 @@ enum class Interpolation : std::uint8_t {
 /// that of its tick 1, so a reply at v = N can still be followed without a gap. The reply leaves at its tick v; v = N +
 /// 1 is the first tick after the macrostep. A command whose end velocity is not zero expects a successor: if none
 /// arrives in time, the EDP brakes within the limits, holds, and counts a late command.
+///
+/// A `hold` in motion is a stop of which N ticks are made; the next `hold`, or no successor at all, goes on with it,
+/// any other command takes over from there. With v = N + 1 it lasts as long as the stop.
 ///
 /// Where a `force` motion leads is known only when it is there: another `force` command continues it, any other one is
 /// planned from the end of a stop after it, and takes longer instead of being refused. Joint velocities that the law

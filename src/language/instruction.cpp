@@ -155,7 +155,10 @@ OperatorRequest Instruction::hold_until_resumed() {
     hold();
     request = task_->operator_request();
   }
-  if (request == OperatorRequest::none && generator_ != nullptr) generator_->resume();
+  if (request == OperatorRequest::none && generator_ != nullptr) {
+    come_to_rest();
+    generator_->resume();
+  }
   return request;
 }
 
@@ -166,12 +169,16 @@ void Instruction::hold() {
   throw_reported_errors();
 }
 
+void Instruction::come_to_rest() {
+  const auto moves = [](const Robot* robot) { return !rests(robot->state()); };
+  while (std::any_of(robots_.begin(), robots_.end(), moves)) hold();
+}
+
 void Instruction::resume_after_late_command() {
   const std::uint64_t before = std::exchange(late_, late_commands());
   const auto braked = [](const Robot* robot) { return has_braked(*robot); };
   if (late_ == before && std::none_of(robots_.begin(), robots_.end(), braked)) return;
-  const auto moves = [](const Robot* robot) { return !rests(robot->state()); };
-  while (std::any_of(robots_.begin(), robots_.end(), moves)) hold();
+  come_to_rest();
   late_ = late_commands();
   if (generator_ != nullptr) generator_->resume();
 }

@@ -26,6 +26,8 @@ class Instruction {
   bool operator_ends_it();
   /// What came after the pause.
   OperatorRequest hold_until_resumed();
+  /// Holds until every robot rests.
+  void come_to_rest();
   /// A robot has braked because its command came late: what the generator planned is no more. All come to rest, then it
   /// plans the rest of the motion.
   void resume_after_late_command();

@@ -226,6 +226,35 @@ TEST(Effector, AStartTickAfterTheEndOfAMotionLetsTheRobotStopFirst) {
   EXPECT_EQ(rig.replies[0].state.tick, 700u);
 }
 
+TEST(Effector, AHoldShorterThanItsStopIsContinuedOrTakenOver) {
+  for (const bool continued : {true, false}) {
+    Rig<Slide> rig;
+    run_up(rig);
+    RobotCommand hold;
+    hold.kind = CommandKind::hold;
+    ASSERT_FALSE(rig.send(hold));
+    rig.run(10);
+    ASSERT_EQ(rig.replies.size(), 1u);
+    EXPECT_NE(rig.replies[0].state.desired_velocity[0], 0) << "N = 10 ticks of a stop of 33";
+    EXPECT_EQ(rig.replies[0].state.desired_tick, rig.replies[0].state.tick + 2);
+    if (continued) {
+      ASSERT_FALSE(rig.send(hold));
+    }
+    rig.run(200);
+    const double rest = rig.seen().desired.position[0];
+    EXPECT_TRUE(rig.seen().desired.at_rest());
+    EXPECT_EQ(rig.effector.counters().late, 0u);
+    EXPECT_EQ(rig.seen().counters.stops, 0u);
+
+    Rig<Slide> whole;
+    run_up(whole);
+    hold.motion_steps = 200;
+    ASSERT_FALSE(whole.send(hold));
+    whole.run(250);
+    EXPECT_NEAR(rest, whole.seen().desired.position[0], 1e-9) << "the same stop, in pieces";
+  }
+}
+
 TEST(Effector, HoldComesToRestAndStays) {
   Rig<Slide> rig;
   run_up(rig);
