@@ -10,7 +10,8 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kJerkRate = 10;  // 1/s: the jerk of a ramp is this times its acceleration
+constexpr double kJerkRate = 10;    // 1/s: the jerk of a ramp is this times its acceleration
+constexpr double kRounding = 1e-9;  // macrosteps
 
 }  // namespace
 
@@ -33,7 +34,10 @@ void ToolVelocity::start() {
   const Twist missing = target_ - start_;
   const double change = std::max(missing.head<3>().norm(), missing.tail<3>().norm());
   // the steepest slope of u^2 (3 - 2u) is 1.5, its second derivative at the ends is 6
-  ramp_ = std::max(1.5 * change / acceleration_, std::sqrt(6 * change / (kJerkRate * acceleration_)));
+  const double ramp = std::max(1.5 * change / acceleration_, std::sqrt(6 * change / (kJerkRate * acceleration_)));
+  // in whole macrosteps: a polynomial through a ramp's end would overshoot the velocity, which may be the limit
+  const double step = robot_->step_duration();
+  ramp_ = step * std::ceil(ramp / step - kRounding);
   time_ = 0;
 }
 

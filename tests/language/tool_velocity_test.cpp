@@ -78,6 +78,12 @@ double blend(double t, double ramp) {
   return u * u * (3 - 2 * u);
 }
 
+/// The duration of a ramp by `change`, in whole macrosteps of `dt`.
+double ramp_of(double change, double acceleration, double dt) {
+  const double ramp = std::max(1.5 * change / acceleration, std::sqrt(0.6 * change / acceleration));
+  return dt * std::ceil(ramp / dt - 1e-9);
+}
+
 TEST(ToolVelocity, TheSpeedRisesSmoothlyAtTheAccelerationAndStays) {
   check_property(kCases, [] {
     Cell cell;
@@ -86,7 +92,7 @@ TEST(ToolVelocity, TheSpeedRisesSmoothlyAtTheAccelerationAndStays) {
     const double acceleration = 0.01 * pick(1, 200);
     cell.move(target.head<3>(), target.tail<3>(), acceleration, static_cast<std::uint64_t>(pick(1, 60)));
     const double whole = std::max(target.head<3>().norm(), target.tail<3>().norm());
-    const double ramp = std::max(1.5 * whole / acceleration, std::sqrt(0.6 * whole / acceleration));
+    const double ramp = ramp_of(whole, acceleration, cell.dt());
     std::size_t k = 0;
     for (const RobotCommand& command : cell.recorder.commands) {
       const double reached = whole == 0 ? 1 : blend(static_cast<double>(++k) * cell.dt(), ramp);
@@ -144,7 +150,7 @@ TEST(ToolVelocity, AfterAPauseItRisesFromRestAgain) {
   task.requests = {OperatorRequest::none, OperatorRequest::none, OperatorRequest::pause};
   Move({*arm}, {}, ToolVelocity(*arm, Vector3d(0.1, 0, 0), Vector3d::Zero(), 1.0).until(ElapsedSteps{4}));
   ASSERT_EQ(recorder.commands.size(), 4u);
-  const double ramp = std::sqrt(6 * 0.1 / 10);  // longer than 1.5 * 0.1 / 1.0
+  const double ramp = ramp_of(0.1, 1.0, arm->step_duration());
   EXPECT_NEAR(recorder.commands[1].twist[0], 0.1 * blend(0.04, ramp), 1e-12);
   EXPECT_NEAR(recorder.commands[2].twist[0], 0.1 * blend(0.02, ramp), 1e-12);
 }

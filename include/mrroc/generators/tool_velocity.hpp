@@ -8,8 +8,8 @@ namespace mrroc {
 /// Moves the tool at a constant velocity given in tool axes, until a condition of `.until(...)` holds: it has no end of
 /// its own. The twist goes smoothly from the desired one at the start (rest or not) to the given one,
 ///   xi(u) = xi0 + (xi1 - xi0) u^2 (3 - 2u),  u = t / D,
-/// in tool axes, with D such that its rate reaches `acceleration` (m/s^2, and rad/s^2 for the angular part alike) and
-/// the rate's own rate 10 / s times that. The pose follows T(t + dt) = T(t) exp(integral of xi over dt).
+/// in tool axes, with D the least whole number of macrosteps in which its rate stays within `acceleration` (m/s^2, and
+/// rad/s^2) and the rate's own rate within 10 / s times that. The pose follows T(t + dt) = T(t) exp(integral of xi dt).
 class ToolVelocity : public Generator {
  public:
   /// `linear` (m/s) and `angular` (rad/s) in tool axes. Throws NonFatalError(not_finite, invalid_argument).
