@@ -12,6 +12,7 @@
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/generators/position_servo.hpp"
 #include "mrroc/generators/spiral_search.hpp"
+#include "mrroc/generators/together.hpp"
 #include "mrroc/generators/tool_velocity.hpp"
 #include "mrroc/generators/track_frame.hpp"
 #include "mrroc/move.hpp"
@@ -78,21 +79,6 @@ struct Cell {
   std::unique_ptr<Sensor> wrist = task.sensor("wrist"), gate = task.sensor("gate", false);
 };
 
-/// Runs several generators as one.
-class Together : public Generator {
- public:
-  explicit Together(std::vector<Generator*> parts) : Generator("together"), parts_(std::move(parts)) {}
-  void start() override {
-    for (Generator* part : parts_) part->start();
-  }
-  void next_state() override {
-    for (Generator* part : parts_) part->next_state();
-  }
-
- private:
-  std::vector<Generator*> parts_;
-};
-
 TEST(Allocation, TheCounterSeesAllocations) {
   const std::uint64_t before = allocations;
   std::vector<double> numbers(100);
@@ -106,7 +92,7 @@ TEST(Allocation, AStepOfMoveAllocatesNothing) {
   JointLine first(*cell.a, JointVector::Constant(6, 1.5), 0.5);
   JointLine second(*cell.b, JointVector::Constant(6, -1.5), 0.3);
   ToolVelocity third(*cell.c, {0.01, 0.01, 0}, {0, 0, 0.1});
-  Together generator({&first, &second, &third});
+  Together generator(first, second, third);
   generator.until(Travelled{*cell.a, 100} || (OperatorTrigger{cell.task} && !ElapsedSteps{3}) ||
                   When{"far", [&] { return cell.gate->value(0) > 1e9; }} || ElapsedSteps{200});
   Move({*cell.a, *cell.b, *cell.c}, {*cell.wrist, *cell.gate}, generator);

@@ -11,6 +11,7 @@
 #include "mrroc/conditions/travelled.hpp"
 #include "mrroc/generators/hold.hpp"
 #include "mrroc/generators/joint_line.hpp"
+#include "mrroc/generators/together.hpp"
 #include "mrroc/generators/tool_velocity.hpp"
 #include "mrroc/move.hpp"
 
@@ -111,6 +112,19 @@ TEST(Docs, TwoRobots) {
   EXPECT_EQ(gate.reading().sequence, 21u);
 }
 
+TEST(Docs, SeveralGenerators) {
+  Cell cell;
+  fakes::FakeTask& task = cell.task;
+  Gantry left{task, "left"};
+  Gantry right{task, "right"};
+  // [several generators]
+  Move({left, right}, {},
+       Together{JointLine{left, JointVector::Constant(4, 0.3)}, JointLine{right, JointVector::Constant(4, 0.1), 0.9}});
+  // [end]
+  EXPECT_NEAR(left.state().desired_joints[0], 0.3, 1e-12);
+  EXPECT_NEAR(right.state().desired_joints[0], 0.1, 1e-12);
+}
+
 TEST(Docs, Errors) {
   Cell cell;
   fakes::FakeTask& task = cell.task;
@@ -165,7 +179,7 @@ TEST(Docs, EveryBlockOfThePageIsCompiledHere) {
   const auto code = blocks(
       "tests/language/docs_test.cpp",
       [](const std::string& line) { return line.starts_with("// [") && line != "// [end]"; }, "// [end]");
-  EXPECT_EQ(page.size(), 7u);
+  EXPECT_EQ(page.size(), 8u);
   EXPECT_EQ(page, code);
 }
 

@@ -17,7 +17,8 @@ struct FramePoint {
   double dwell = 0;              ///< s; infinity: until a condition of `.until(...)` holds
 };
 
-/// Of the motion relative to the frame, per axis of the frame; the jerks are 10 / s times the accelerations.
+/// Of the motion relative to the frame, per axis of the frame; the jerks are 10 / s times the accelerations. The axes
+/// are planned each by itself: in a frame with an axis along the belt the tool catches up without swerving across it.
 struct FrameLimits {
   double speed = 0.2;                 ///< m/s
   double acceleration = 0.3;          ///< m/s^2

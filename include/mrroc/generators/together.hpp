@@ -1,0 +1,49 @@
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "mrroc/generator.hpp"
+
+namespace mrroc {
+
+/// Several generators at once, each for robots of its own:
+///
+///   Move({arm, gripper}, {encoder}, Together{TrackFrame{arm, frame, above}, JointLine{gripper, open}});
+///
+/// A part ends when it ends by itself or the condition of its own `until` holds; its robots then hold, while the others
+/// go on. The whole ends when all parts have ended, or by the condition of its own `until`. Two parts that command one
+/// robot: the later one has its way. Named after its parts: "TrackFrame + JointLine".
+class Together : public Generator {
+ public:
+  /// Parts that are temporaries are moved in; those that are variables, or come out of `until`, are referred to.
+  template <class... Parts>
+  requires(sizeof...(Parts) >= 2 &&
+           (std::derived_from<std::remove_cvref_t<Parts>, Generator> && ...)) explicit Together(Parts&&... parts)
+      : Generator(joined({&parts...})) {
+    (add(std::forward<Parts>(parts)), ...);
+  }
+
+  void start() override;
+  void resume() override;
+  bool terminal_condition() override;
+  void next_state() override;
+
+ private:
+  struct Part {
+    std::shared_ptr<Generator> generator;
+    bool ended = false;
+  };
+  static std::string joined(const std::vector<const Generator*>& parts);
+  void add(Generator& part) { parts_.push_back({{std::shared_ptr<void>{}, &part}}); }
+  template <class Part>
+  requires(!std::is_lvalue_reference_v<Part>) void add(Part&& part) {
+    parts_.push_back({std::make_shared<Part>(std::move(part))});
+  }
+
+  std::vector<Part> parts_;
+};
+
+}  // namespace mrroc
