@@ -76,12 +76,16 @@ Simulation::Simulation(const config::Deployment& deployment, WorldMemory& memory
     }
     sensors_.push_back({j, SensorSource(world_.model(), sensor.name, sensor.type, sensor.robot)});
   }
+  for (const config::FeederEntry& feeder : deployment.sim->feeders) {
+    feeders_.emplace_back(feeder, world_, deployment.servo_period);
+  }
   world_.start();
 }
 
 void Simulation::publish_initial() { publish(0); }
 
 void Simulation::step(Tick tick) {
+  for (Feeder& feeder : feeders_) feeder.feed(world_, tick - 1);
   for (Slot& slot : robots_) take_drive(slot, tick);
   world_.step(tick);
   publish(tick);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "config/deployment.hpp"
+#include "sim/feeder.hpp"
 #include "sim/sensors.hpp"
 #include "sim/state_file.hpp"
 #include "sim/world.hpp"
@@ -30,9 +31,9 @@ class Simulation {
 
   /// Stores the measurements and readings of tick 0.
   void publish_initial();
-  /// Reads the drives, advances the world from tick - 1 to `tick`, stores its measurements and readings. Brakes hold a
-  /// robot that has no drive yet, a disabled one, or one older than kDriveLifetime ticks: its EDP is gone. Throws
-  /// SystemError (simulator), see World::step.
+  /// Has the feeders put their parts, reads the drives, advances the world from tick - 1 to `tick`, stores its
+  /// measurements and readings. Brakes hold a robot that has no drive yet, a disabled one, or one older than
+  /// kDriveLifetime ticks: its EDP is gone. Throws SystemError (simulator), see World::step.
   void step(Tick tick);
   /// Real time: `step`, but not before every robot's drive of tick - 1 is there, as in lockstep. A robot whose brakes
   /// are on is not waited for; one that keeps the world waiting for `patience` (s of wall time) is braked, and the
@@ -64,6 +65,7 @@ class Simulation {
   World world_;
   std::vector<Slot> robots_;
   std::vector<SensorSlot> sensors_;
+  std::vector<Feeder> feeders_;
   bool looked_at_ = false;    ///< some sensor wants the snapshot
   WorldSnapshot snapshot_{};  ///< the last one stored
   Tick tick_ = 0;

@@ -36,6 +36,11 @@ std::size_t World::attach(const std::string& robot, const std::vector<std::strin
   return robots_.size() - 1;
 }
 
+std::size_t World::hold(const std::string& body, const std::string& key) {
+  held_.emplace_back(*model_, body, key).hold(*model_, *data_);
+  return held_.size() - 1;
+}
+
 void World::start() {
   const MujocoMessages messages;
   try {
@@ -132,6 +137,13 @@ void World::check(double time_before, Tick tick) const {
   if (raised(mjWARN_CONTACTFULL)) fail("more contacts than the scene's <size nconmax> allows", tick);
   if (raised(mjWARN_CNSTRFULL)) fail("more constraints than the scene's <size njmax> allows", tick);
   if (!(data_->time > time_before)) fail("time did not advance: the world has reset itself", tick);
+}
+
+void World::put(std::size_t index, const Pose& pose) {
+  held_.at(index).put(*model_, *data_, pose);
+  const MujocoMessages messages;
+  mj_fwdPosition(model_.get(), data_.get());
+  mj_fwdVelocity(model_.get(), data_.get());
 }
 
 void World::set_outputs(std::size_t index, const Signals& outputs) noexcept {

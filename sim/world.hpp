@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/driven_joints.hpp"
+#include "sim/free_body.hpp"
 #include "sim/model.hpp"
 #include "sim/mujoco_messages.hpp"
 #include "sim/terminals.hpp"
@@ -33,6 +34,9 @@ class World {
 
   /// Adds a driven robot and places it at `home`, brakes on; returns its index. Before `start`. Throws as DrivenJoints.
   std::size_t attach(const std::string& robot, const std::vector<std::string>& joints, const JointVector& home);
+  /// Holds a free body of the scene where it is, without weight and touching nothing, until `put`; returns its index.
+  /// Before `start`. Throws as FreeBody.
+  std::size_t hold(const std::string& body, const std::string& key);
   /// Computes positions, forces and sensors of tick 0, with all brakes on.
   void start();
 
@@ -45,6 +49,9 @@ class World {
   /// full, an inertia is singular, or time did not advance. The world is of no use afterwards.
   void step(Tick tick);
 
+  /// Puts the held body `index` at `pose` in the world, at rest and from now on free. Sensors see it from the next tick
+  /// on.
+  void put(std::size_t index, const Pose& pose);
   /// Sets the outputs of robot `index`'s controller.
   void set_outputs(std::size_t index, const Signals& outputs) noexcept;
   /// Joints and inputs.
@@ -67,6 +74,7 @@ class World {
   int substeps_;
   std::vector<DrivenJoints> robots_;
   std::vector<Terminals> terminals_;
+  std::vector<FreeBody> held_;
   std::vector<WorldWarning> warnings_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "config/device_name.hpp"
 #include "config/events.hpp"
+#include "config/feeder_entry.hpp"
 #include "config/force_sensors.hpp"
 #include "config/message_text.hpp"
 #include "config/mounts.hpp"
@@ -52,7 +53,7 @@ void read_mp(const Table& root, MpEntry& mp) {
 }
 
 SimEntry read_sim(const Table& table, double servo_period) {
-  table.only({"scene", "timestep"});
+  table.only({"scene", "timestep", "feeders"});
   SimEntry sim;
   sim.scene = require_file(table, "scene");
   sim.timestep = table.number_or("timestep", sim.timestep, {1e-5, 0.02});
@@ -62,6 +63,7 @@ SimEntry read_sim(const Table& table, double servo_period) {
                number_text(servo_period) + " divided by a whole number");
   }
   sim.program = require_program(table, "", "mrroc_sim");
+  sim.feeders = read_feeders(table);
   return sim;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -60,10 +62,23 @@ struct SensorEntry {
   std::string vsp_program;                                  ///< the type's `<type>_vsp`, absolute path
 };
 
+/// Puts parts into the simulated world one after the other, as a feeder or a person would: docs/simulation.md.
+struct FeederEntry {
+  std::string name;
+  std::vector<std::string> parts;    ///< free bodies of the scene, in the order in which they come
+  std::array<double, 3> position{};  ///< m, in the world: where a part's frame is put
+  std::array<double, 3> spread{};    ///< m: each coordinate is off by up to so much, uniformly
+  double turn = 0;                   ///< rad, about the world's z: likewise
+  double first = 0;                  ///< s: when the first part comes
+  std::array<double, 2> interval{};  ///< s: least and longest time between two parts, uniformly
+  std::uint32_t seed = 1;            ///< of its random numbers; with the same one the same places and times
+};
+
 struct SimEntry {
-  std::filesystem::path scene;  ///< MJCF of the task's scene, absolute
-  double timestep = 0.001;      ///< s; the servo period is a whole number of these
-  std::string program;          ///< `mrroc_sim`, absolute path
+  std::filesystem::path scene;       ///< MJCF of the task's scene, absolute
+  double timestep = 0.001;           ///< s; the servo period is a whole number of these
+  std::string program;               ///< `mrroc_sim`, absolute path
+  std::vector<FeederEntry> feeders;  ///< in file order
 };
 
 /// An operator command at a given tick: lockstep's way to press a button.

@@ -35,6 +35,20 @@ TEST_F(DeploymentTest, ReadsTheGeneralSections) {
   EXPECT_EQ(deployment.sim->program, program("mrroc_sim"));
 }
 
+TEST_F(DeploymentTest, ReadsFeeders) {
+  const Deployment deployment = load_deployment("full.toml");
+  ASSERT_EQ(deployment.sim->feeders.size(), 1u);
+  const FeederEntry& infeed = deployment.sim->feeders[0];
+  EXPECT_EQ(infeed.name, "infeed");
+  EXPECT_EQ(infeed.parts, (std::vector<std::string>{"brick", "cube"}));
+  EXPECT_EQ(infeed.position, (std::array{0.5, -1.25, 0.75}));
+  EXPECT_EQ(infeed.spread, (std::array{0.125, 0.25, 0.0}));
+  EXPECT_EQ(infeed.turn, 0.5);
+  EXPECT_EQ(infeed.first, 1.5);
+  EXPECT_EQ(infeed.interval, (std::array{2.5, 4.0}));
+  EXPECT_EQ(infeed.seed, 7u);
+}
+
 TEST_F(DeploymentTest, ReadsRobotsInFileOrder) {
   const Deployment deployment = load_deployment("full.toml");
   ASSERT_EQ(deployment.robots.size(), 2u);

@@ -138,7 +138,7 @@ TEST_F(MutatedDeployment, AnUnknownKeyInAnySectionIsRefused) {
     EXPECT_TRUE(complaint.key.ends_with(".whatever")) << complaint.key;
     EXPECT_TRUE(complaint.problem.starts_with("unknown key")) << complaint.problem;
   }
-  EXPECT_EQ(sections, 10u);
+  EXPECT_EQ(sections, 11u);
 }
 
 TEST_F(MutatedDeployment, RandomBytesNeverGiveAnythingButAnErrorWithALine) {
