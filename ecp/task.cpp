@@ -48,13 +48,14 @@ namespace {
 void run_task(Task& task) {
   task.report(links::TaskState::running);
   try {
+    task.await_published_sensors();
     task.run();
     task.report(links::TaskState::succeeded);
   } catch (const Stopped&) {
     task.report(links::TaskState::stopped);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
-    task.report(links::TaskState::failed, process::report_of(error));
+    task.report_failure(error);
   }
 }
 

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "mrroc/mp.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/build_scope.hpp"
@@ -23,15 +25,30 @@ void Task::connect() {
   for (auto& [name, ecp] : ecps_) ecp.link->connect(process().deployment().start_timeout);
 }
 
-void Task::start(const std::string& name) {
+Task::Ecp& Task::ecp(const std::string& name, const char* asked) {
   const auto found = ecps_.find(name);
-  if (found == ecps_.end()) {
-    throw NonFatalError(ErrorCode::invalid_argument, "start: the deployment has no robot '" + name + "'",
-                        {process_name(), name, 0, 0});
+  if (found != ecps_.end()) return found->second;
+  throw NonFatalError(ErrorCode::invalid_argument, std::string(asked) + ": the deployment has no robot '" + name + "'",
+                      {process_name(), name, 0, 0});
+}
+
+void Task::start(const std::string& name) {
+  Ecp& started = ecp(name, "start");
+  started.running = true;
+  started.status = links::TaskStatus{};
+  started.started_by = started.link->send(links::TaskCommandKind::start);
+}
+
+void Task::stop(const std::string& name) {
+  Ecp& stopped = ecp(name, "stop");
+  if (stopped.running) stopped.link->send(links::TaskCommandKind::stop);
+  while (stopped.running) {
+    if (process().clock().wait(kNever) == clock::Wake::interrupted) throw Stopped{};
+    read_superior();
+    poll_others();
   }
-  found->second.running = true;
-  found->second.status = links::TaskStatus{};
-  found->second.started_by = found->second.link->send(links::TaskCommandKind::start);
+  if (stopped_) throw Stopped{};
+  if (stopped.status.state == links::TaskState::failed) rethrow(stopped);
 }
 
 void Task::start_all() {
@@ -40,14 +57,29 @@ void Task::start_all() {
 
 void Task::wait_for_all() {
   wait_for_running();
-  if (const Ecp* ecp = failed()) {
+  if (Ecp* ecp = failed()) {
     command_running(links::TaskCommandKind::stop);
-    const links::TaskStatus status = ecp->status;
     while (any_running()) wait_for_running();
-    throw_error(status.error.error_class, status.error.code, std::string{status.error.detail.view()},
-                {std::string{status.process.view()}, "", status.step, status.tick});
+    const links::TaskStatus first = ecp->status;
+    for (auto& [name, other] : ecps_) other.status = links::TaskStatus{};  // what failed with it is not told again
+    ecp->status = first;
+    rethrow(*ecp);
   }
   if (stopped_) throw Stopped{};
+}
+
+OperatorRequest Task::operator_request() {
+  const OperatorRequest request = TaskProcess::operator_request();
+  if (Ecp* ecp = failed()) rethrow(*ecp);
+  return request;
+}
+
+/// Throws the error with which the ECP has failed; from now on it counts as told.
+void Task::rethrow(Ecp& failed) {
+  const links::TaskStatus status = std::exchange(failed.status, links::TaskStatus{});
+  const ErrorOrigin origin{std::string{status.process.view()}, std::string{status.device.view()}, status.step,
+                           status.error_tick};
+  throw_error(status.error.error_class, status.error.code, std::string{status.error.detail.view()}, origin);
 }
 
 void Task::wait_for_running() {
@@ -91,8 +123,8 @@ bool Task::any_running() const noexcept {
   return false;
 }
 
-const Task::Ecp* Task::failed() const noexcept {
-  for (const auto& [name, ecp] : ecps_) {
+Task::Ecp* Task::failed() noexcept {
+  for (auto& [name, ecp] : ecps_) {
     if (!ecp.running && ecp.status.state == links::TaskState::failed) return &ecp;
   }
   return nullptr;
@@ -110,13 +142,14 @@ void serve(process::Process& process, const TaskFactory& factory) {
   }
   task->report(links::TaskState::running);
   try {
+    task->await_published_sensors();
     task->run();
     task->report(links::TaskState::succeeded);
   } catch (const Stopped&) {
     task->report(links::TaskState::stopped);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
-    task->report(links::TaskState::failed, process::report_of(error));
+    task->report_failure(error);
   }
   // the operator ends the deployment when it has seen the result
   while (process.clock().wait(kNever) != clock::Wake::interrupted) {

@@ -40,9 +40,9 @@ class Sensor {
   void set_period(std::uint32_t steps);
   std::uint32_t period() const noexcept { return period_; }
 
-  /// Takes the present reading as zero and waits for the new one, which `reading()` then is. Throws NonFatalError
-  /// (invalid_argument) when the sensor is non-interactive, the reading's error when it has one, SystemError when the
-  /// VSP died or is silent.
+  /// Takes the present reading as zero, for every client of the sensor, and waits for the new one, which `reading()`
+  /// then is. Throws NonFatalError (invalid_argument) when the sensor is non-interactive, the reading's error when it
+  /// has one, SystemError when the VSP died or is silent.
   void bias();
 
   // ---- the exchange, used by Move and Wait

@@ -50,8 +50,9 @@ class Task {
   /// Waits until `tick`. Throws Stopped when the process is asked to end.
   virtual void sleep_until(Tick tick) = 0;
 
-  /// What is wanted of the instruction at this step; never waits.
-  virtual OperatorRequest operator_request() noexcept = 0;
+  /// What is wanted of the instruction at this step; never waits. In an MP it throws the error of an ECP that the MP
+  /// has started and that has failed since.
+  virtual OperatorRequest operator_request() = 0;
   /// True once for each trigger that the operator gave.
   virtual bool take_trigger() noexcept = 0;
   /// Is told every step; null: nobody. It must neither allocate nor block.

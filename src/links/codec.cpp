@@ -240,16 +240,21 @@ void encode(const TaskStatus& message, mrroc_wire_TaskStatus& wire) noexcept {
   wire.state = static_cast<std::uint8_t>(message.state);
   encode_error(message.error, wire.error);
   encode_text(message.process, wire.process);
+  encode_text(message.device, wire.device);
   wire.step = message.step;
+  wire.error_tick = message.error_tick;
   wire.tick = message.tick;
 }
 
 bool decode(const mrroc_wire_TaskStatus& wire, TaskStatus& message) noexcept {
-  if (!in_range(wire.state, TaskState::stopped) || !valid_error(wire.error) || !terminated(wire.process)) return false;
+  if (!in_range(wire.state, TaskState::stopped) || !valid_error(wire.error)) return false;
+  if (!terminated(wire.process) || !terminated(wire.device)) return false;
   message.state = static_cast<TaskState>(wire.state);
   decode_error(wire.error, message.error);
   message.process.assign(wire.process);
+  message.device.assign(wire.device);
   message.step = wire.step;
+  message.error_tick = wire.error_tick;
   message.tick = wire.tick;
   return true;
 }

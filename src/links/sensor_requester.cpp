@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "links/topic_name.hpp"
+#include "mrroc/stopped.hpp"
 
 namespace mrroc::links {
 
@@ -20,6 +21,15 @@ void SensorRequester::connect(double timeout) {
   std::vector<ReaderBase*> also;
   if (published_) also.push_back(&*published_);
   exchange_.connect(timeout, std::move(also));
+}
+
+bool SensorRequester::await_published(Tick until) {
+  SensorReading reading;
+  while (!latest(reading)) {
+    if (!published_ || clock_.tick() >= until) return false;
+    if (clock_.wait(until) == clock::Wake::interrupted) throw Stopped{};
+  }
+  return true;
 }
 
 void SensorRequester::request(const SensorRequest& request) {

@@ -32,6 +32,10 @@ class SensorRequester final : public SensorLink {
   /// False also when `published` was not asked for. Neither waits, locks nor allocates.
   bool latest(SensorReading& reading) override { return published_ && published_->latest(reading); }
 
+  /// Waits until a published reading has come, at most until tick `until`; at once true when it was there before, false
+  /// when none has come or `published` was not asked for. Throws Stopped.
+  bool await_published(Tick until);
+
   bool peer_alive() const noexcept { return exchange_.peer_alive(); }
   std::uint64_t stale_replies() const noexcept { return exchange_.stale_replies(); }
   std::uint64_t malformed_replies() const noexcept { return exchange_.malformed_replies(); }

@@ -17,10 +17,12 @@ enum class TaskState : std::uint8_t { idle = 0, running = 1, paused = 2, succeed
 /// The subordinate's answer, and its word of its own accord whenever its state changes.
 struct TaskStatus {
   TaskState state = TaskState::idle;
-  ErrorReport error;      ///< why it failed
-  FixedText<63> process;  ///< where the error arose
+  ErrorReport error;  ///< why it failed
+  /// Where and when the error arose; `device`: robot or sensor, empty when it was at none.
+  FixedText<63> process, device;
   std::uint64_t step = 0;
-  Tick tick = 0;
+  Tick error_tick = 0;
+  Tick tick = 0;  ///< at which this is said
 };
 
 }  // namespace mrroc::links

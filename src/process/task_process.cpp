@@ -1,5 +1,7 @@
 #include "process/task_process.hpp"
 
+#include <cmath>
+
 #include "mrroc/stopped.hpp"
 
 namespace mrroc::process {
@@ -69,6 +71,13 @@ void TaskProcess::connect_links() {
   for (auto& [name, link] : sensors_) link->connect(timeout);
 }
 
+void TaskProcess::await_published_sensors() {
+  const auto patience = static_cast<Tick>(std::llround(1.0 / servo_period()));
+  const Tick until = tick() + patience;
+  for (auto& [name, link] : sensors_)
+    if (!process_.deployment().sensor(name).interactive) link->await_published(until);
+}
+
 bool TaskProcess::read_superior() {
   bool started = false;
   links::TaskCommand command;
@@ -99,12 +108,24 @@ bool TaskProcess::read_superior() {
   return started;
 }
 
-void TaskProcess::report(links::TaskState state, const ErrorReport& error) {
+void TaskProcess::report(links::TaskState state) {
   links::TaskStatus status;
   status.state = state;
-  status.error = error;
-  status.process.assign(process_.name());
-  status.tick = process_.clock().tick();
+  status.tick = tick();
+  superior_.report(status);
+}
+
+void TaskProcess::report_failure(const std::exception& error) {
+  const auto* known = dynamic_cast<const Error*>(&error);
+  const ErrorOrigin origin = known != nullptr ? known->origin() : ErrorOrigin{};
+  links::TaskStatus status;
+  status.state = links::TaskState::failed;
+  status.error = report_of(error);
+  status.process.assign(origin.process.empty() ? process_name() : origin.process);
+  status.device.assign(origin.device);
+  status.step = origin.step;
+  status.tick = tick();
+  status.error_tick = origin.tick != 0 ? origin.tick : status.tick;
   superior_.report(status);
 }
 
@@ -114,7 +135,7 @@ void TaskProcess::sleep_until(Tick tick) {
   }
 }
 
-OperatorRequest TaskProcess::operator_request() noexcept {
+OperatorRequest TaskProcess::operator_request() {
   read_superior();
   poll_others();
   if (request_ != OperatorRequest::end_motion) return request_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <map>
 #include <memory>
 #include <string>
@@ -28,10 +29,17 @@ class TaskProcess : public Task {
   /// SystemError naming the peer that does not answer.
   void connect_links();
 
+  /// Waits, for a second of ticks at most, until every sensor that publishes has been heard once: before a task begins,
+  /// so that its first instruction does not meet a sensor without a reading. One that stays silent is met by the
+  /// instruction that uses it. Throws Stopped.
+  void await_published_sensors();
+
   /// Takes the commands of the superior that have come; returns true when one of them is `start`.
   bool read_superior();
   /// Tells the superior how the task stands.
-  void report(links::TaskState state, const ErrorReport& error = {});
+  void report(links::TaskState state);
+  /// Tells it that the task has failed, why, and where that arose: in this process unless `error` names another.
+  void report_failure(const std::exception& error);
 
   // ---- Task
   // ------------------------------------------------------------------------------------------------------------
@@ -42,7 +50,7 @@ class TaskProcess : public Task {
   Tick tick() const noexcept override { return process_.clock().tick(); }
   double wall_seconds() const noexcept override { return process_.clock().wall_seconds(); }
   void sleep_until(Tick tick) override;
-  OperatorRequest operator_request() noexcept override;
+  OperatorRequest operator_request() override;
   bool take_trigger() noexcept override;
   StepObserver* observer() noexcept override { return reporter_.get(); }
 

@@ -54,7 +54,8 @@ inline bool same(const SensorReading& a, const SensorReading& b) {
 }
 inline bool same(const TaskCommand& a, const TaskCommand& b) { return a.kind == b.kind; }
 inline bool same(const TaskStatus& a, const TaskStatus& b) {
-  return a.state == b.state && same(a.error, b.error) && a.process == b.process && a.step == b.step && a.tick == b.tick;
+  return a.state == b.state && same(a.error, b.error) && a.process == b.process && a.device == b.device &&
+         a.step == b.step && a.error_tick == b.error_tick && a.tick == b.tick;
 }
 inline bool same(const OperatorQuestion& a, const OperatorQuestion& b) { return a.text == b.text && a.tick == b.tick; }
 inline bool same(const OperatorAnswer& a, const OperatorAnswer& b) {
@@ -210,7 +211,8 @@ struct Arbitrary<mrroc::links::TaskStatus> {
   static Gen<mrroc::links::TaskStatus> arbitrary() {
     using T = mrroc::links::TaskStatus;
     return gen::build<T>(gen::set(&T::state, any_enum(mrroc::links::TaskState::stopped)), gen::set(&T::error),
-                         gen::set(&T::process), gen::set(&T::step), gen::set(&T::tick));
+                         gen::set(&T::process), gen::set(&T::device), gen::set(&T::step), gen::set(&T::error_tick),
+                         gen::set(&T::tick));
   }
 };
 

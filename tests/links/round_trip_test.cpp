@@ -146,7 +146,8 @@ TEST(Malformed, Task) {
   expect_dropped<TaskCommand>({{"kind", [](auto& w) { w.command_kind = 6; }}});
   expect_dropped<TaskStatus>({{"state", [](auto& w) { w.state = 6; }},
                               {"error class", [](auto& w) { w.error.error_class = 9; }},
-                              {"process", [](auto& w) { fill(w.process); }}});
+                              {"process", [](auto& w) { fill(w.process); }},
+                              {"device", [](auto& w) { fill(w.device); }}});
 }
 
 TEST(Malformed, Operator) {

@@ -69,6 +69,16 @@ TEST(SensorLink, PublishesToAllWhoReadIt) {
   }
 }
 
+TEST(SensorLink, ThePublishedReadingIsAwaitedOnceAndNotForEver) {
+  SensorPair pair(true);
+  EXPECT_FALSE(pair.arm.await_published(0)) << "the time is over, none has come";
+  pair.vsp.publish(SensorReading{});
+  EXPECT_TRUE(pair.arm.await_published(0));
+  EXPECT_TRUE(pair.arm.await_published(0)) << "it stays";
+  SensorPair silent(false);
+  EXPECT_FALSE(silent.arm.await_published(kNever)) << "it publishes nothing";
+}
+
 TEST(SensorLink, ConnectsToThePublishedReadingsToo) {
   TestDomain net;
   TestClock clock;

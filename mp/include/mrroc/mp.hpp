@@ -23,8 +23,9 @@ namespace mrroc::mp {
 /// (`Irb6 left{*this, "left"};`), write `run()`, and end the file with `MRROC_MP(YourTask)`.
 ///
 /// Tight cooperation: `Move` and `Wait` over several robots; their ECPs are transparent. Loose: `start` ECPs, each runs
-/// its own program, and `wait_for_all`. The operator's pause, resume, trigger and stop reach the MP's own instructions
-/// and every ECP that it has started.
+/// its own program, and `wait_for_all`; the error of a started ECP that fails meanwhile is thrown by the MP's own Move
+/// or Wait, once, with its class. The operator's pause, resume, trigger and stop reach the MP's own instructions and
+/// every ECP that it has started.
 class Task : public process::TaskProcess {
  public:
   /// Called by the framework only.
@@ -36,11 +37,16 @@ class Task : public process::TaskProcess {
   void start(const std::string& name);
   /// Starts the program of every ECP.
   void start_all();
+  /// Stops the program of the ECP of robot `name`, as the operator's stop does, and waits until it has ended and its
+  /// robot rests; does nothing when it does not run. When it failed instead, its error is thrown here. Throws
+  /// NonFatalError when there is none, Stopped when the operator stops meanwhile.
+  void stop(const std::string& name);
   /// Waits until every started ECP has ended. When one fails, the others are stopped and its error is thrown here, with
-  /// its class; when the operator stops, all are stopped and Stopped is thrown.
+  /// its class and where it arose; when the operator stops, all are stopped and Stopped is thrown.
   void wait_for_all();
 
   std::string robot_name(const std::string& requested) const override;
+  OperatorRequest operator_request() override;
 
   /// Handshakes with the ECPs and with everything the task uses.
   void connect();
@@ -58,10 +64,12 @@ class Task : public process::TaskProcess {
     std::uint64_t started_by = 0;  // number of the last start command
     links::TaskStatus status;
   };
+  Ecp& ecp(const std::string& name, const char* asked);
+  [[noreturn]] static void rethrow(Ecp& failed);
   void wait_for_running();
   void command_running(links::TaskCommandKind kind);
   bool any_running() const noexcept;
-  const Ecp* failed() const noexcept;
+  Ecp* failed() noexcept;
 
   std::map<std::string, Ecp> ecps_;
   bool stopped_ = false;
