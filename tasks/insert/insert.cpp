@@ -39,7 +39,8 @@ class Insert : public ecp::Task {
     const Outcome in =
         Move({arm}, {}, ForceControl{arm, press(10, true)}.until(When{"in", lower_by(kDepth)} || ElapsedSteps{250}));
     if (!in.by("in")) throw NonFatalError{"the peg is stuck"};
-    ForceLaw out = press(0, true);
+    ForceLaw out = press(0, false);
+    out.guarded(0).guarded(1);  // the axes stay: a peg that turns as it gives way swings from wall to wall
     out.behaviour[2] = AxisBehaviour::unguarded;
     Move({arm}, {}, ForceControl{arm, out, {0, 0, -0.03}}.until(Travelled{arm, 0.05}));
   }
