@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "system/mrroc_run.hpp"
+#include "system/trace_line.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -15,16 +15,6 @@ constexpr const char* kDeployment = "tasks/follow/follow.toml";
 struct Step {
   double time = 0, y = 0, z = 0, force = 0;
 };
-
-std::vector<double> numbers_after(const std::string& line, const std::string& field) {
-  std::vector<double> values;
-  const auto at = line.find(field);
-  if (at == std::string::npos) return values;
-  const auto begin = at + field.size();
-  std::istringstream text(line.substr(begin, line.find(' ', begin) - begin));
-  for (std::string value; std::getline(text, value, ',');) values.push_back(std::stod(value));
-  return values;
-}
 
 /// The last instruction of ForceControl: going along the workpiece.
 std::vector<Step> way_along(const std::filesystem::path& trace) {

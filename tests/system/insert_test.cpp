@@ -3,24 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "system/mrroc_run.hpp"
+#include "system/trace_line.hpp"
 
 namespace mrroc::test {
 namespace {
 
 constexpr const char* kDeployment = "tasks/insert/insert.toml";
-
-std::vector<double> numbers_after(const std::string& line, const std::string& field) {
-  std::vector<double> values;
-  const auto at = line.find(field);
-  if (at == std::string::npos) return values;
-  const auto begin = at + field.size();
-  std::istringstream text(line.substr(begin, line.find(' ', begin) - begin));
-  for (std::string value; std::getline(text, value, ',');) values.push_back(std::stod(value));
-  return values;
-}
 
 /// A search and the way in that follows it: where the tip began beside the hole, its lowest point below that, the
 /// largest force sideways.

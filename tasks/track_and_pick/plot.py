@@ -1,0 +1,77 @@
+"""Reads the trace of the task track_and_pick, prints how each part was picked, and plots it with gnuplot.
+
+Usage: plot.py TRACE OUT    writes OUT_track.dat, OUT.txt (a tick at which a part is gripped) and OUT.png
+"""
+
+import math
+import re
+import subprocess
+import sys
+
+SERVO_PERIOD = 0.002  # s, the deployment's
+
+
+def numbers(line, field):
+    found = re.search(field + r"(\S+)", line)
+    return [float(value) for value in found.group(1).split(",")] if found else None
+
+
+def read_parts(path):
+    """Per part the (tick, x, y, z of the tool in m, belt in m) of the steps from the catch-up to the lift."""
+    parts, previous = [], ""
+    with open(path, encoding="ascii") as trace:
+        for line in trace:
+            if " process=mp " not in line:
+                continue
+            name = re.search(r' move="([^"]*)"', line)
+            if name is None or "TrackFrame" not in name.group(1):
+                previous = ""
+                continue
+            if not previous.startswith("TrackFrame"):
+                parts.append({"steps": [], "gripped": None, "grip": ""})
+            previous = name.group(1)
+            tick = int(re.search(r" robot=arm tick=(\d+)", line).group(1))
+            parts[-1]["steps"].append((tick, *numbers(line, " pose=")[:3], numbers(line, " sensor=encoder tick=\\S+ values=")[0]))
+            if previous.startswith("TrackFrame +"):
+                parts[-1]["gripped"] = tick
+    return [part for part in parts if part["gripped"]]
+
+
+def main():
+    trace, out = sys.argv[1:3]
+    parts = read_parts(trace)
+    worst = 0.0
+    with open(out + "_track.dat", "w", encoding="ascii") as track:
+        for number, part in enumerate(parts, 1):
+            at = next(step for step in part["steps"] if step[0] == part["gripped"])
+            for tick, x, y, z, belt in part["steps"]:
+                along = 1000 * ((y - belt) - (at[2] - at[4]))
+                track.write(f"{(tick - at[0]) * SERVO_PERIOD} {along} {1000 * (x - at[1])} {1000 * (z - at[3])}\n")
+                if -1 <= (tick - at[0]) * SERVO_PERIOD <= 0:
+                    worst = max(worst, math.hypot(along, 1000 * (x - at[1])))
+            track.write("\n\n")
+    print(f"{len(parts)} parts picked; in the second before the grip the tool kept its place on the belt within {worst:.2f} mm")
+    with open(out + ".txt", "w", encoding="ascii") as figures:
+        figures.write(f"{parts[len(parts) // 2]['gripped']}\n")
+    script = f"""
+set terminal pngcairo size 1300,620 font 'sans,12'
+set output '{out}.png'
+set multiplot layout 1,2
+set grid
+set key off
+set title 'track\\_and\\_pick: way of the tool as seen from the belt'
+set xlabel 'time to the grip (s)'
+set ylabel 'along the belt (mm), height above the grip (mm)'
+plot for [i=0:{len(parts) - 1}] '{out}_track.dat' index i using 1:2 with lines linewidth 1.5 linecolor rgb '#1f6fb4', \\
+     for [i=0:{len(parts) - 1}] '{out}_track.dat' index i using 1:4 with lines linewidth 1 linecolor rgb '#d98c2b'
+set title 'the same from 2.4 s before the grip on, close up'
+set ylabel 'along the belt (mm), across it (mm)'
+set xrange [-2.4:1]
+set yrange [-1:1]
+plot for [i=0:{len(parts) - 1}] '{out}_track.dat' index i using 1:2 with lines linewidth 1.5 linecolor rgb '#1f6fb4', \\
+     for [i=0:{len(parts) - 1}] '{out}_track.dat' index i using 1:3 with lines linewidth 1 linecolor rgb '#7d8a2e'
+"""
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
+main()

@@ -1,0 +1,34 @@
+// An MP and the programs of the ECPs that it has started: an error that comes meanwhile, and stopping one of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+TEST(Superior, IsToldOnceOfAnEcpThatFailsWhileItMovesAnotherRobotAndCanStopOne) {
+  const ScratchFolder folder;
+  const std::string program = "program = \"" MRROC_BINARY_DIR "/tests/",
+                    belt = "type = \"conveyor\"\nhardware = \"loopback\"\n",
+                    subordinate = belt + program + "subordinate_ecp\"\n";
+  const auto file = folder.write(
+      "superior.toml", "[deployment]\nname = \"superior\"\n[mp]\n" + program + "superior_mp\"\n" + "[robots.own]\n" +
+                           belt + "[robots.steady]\n" + subordinate + "[robots.failing]\n" + subordinate);
+  for (const std::string clock : {"lockstep", "real"}) {
+    const std::string output = run_mrroc({"run", file.string(), "--quiet", "--clock", clock}, 1);
+    std::size_t from = 0;
+    for (const char* line :
+         {"told: non-fatal error: a joint velocity limit would be passed", "process failing, device failing",
+          "moved on to 0.050 m", "refused: ", "steady stopped at 0.00 m/s"}) {
+      const std::size_t at = output.find(line, from);
+      EXPECT_NE(at, std::string::npos) << line << " in\n" << output;
+      from = at == std::string::npos ? from : at;
+    }
+    EXPECT_NE(output.find("stop: the deployment has no robot 'nobody'"), std::string::npos) << output;
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::test

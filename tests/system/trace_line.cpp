@@ -1,0 +1,17 @@
+#include "system/trace_line.hpp"
+
+#include <sstream>
+
+namespace mrroc::test {
+
+std::vector<double> numbers_after(const std::string& line, const std::string& field) {
+  std::vector<double> values;
+  const auto at = line.find(field);
+  if (at == std::string::npos) return values;
+  const auto begin = at + field.size();
+  std::istringstream text(line.substr(begin, line.find(' ', begin) - begin));
+  for (std::string value; std::getline(text, value, ',');) values.push_back(std::stod(value));
+  return values;
+}
+
+}  // namespace mrroc::test
