@@ -41,11 +41,13 @@ void Task::start(const std::string& name) {
 
 void Task::stop(const std::string& name) {
   Ecp& stopped = ecp(name, "stop");
+  poll_others();
   if (stopped.running) stopped.link->send(links::TaskCommandKind::stop);
-  while (stopped.running) {
-    if (process().clock().wait(kNever) == clock::Wake::interrupted) throw Stopped{};
+  for (;;) {  // looks before it waits: what has come already wakes nobody
     read_superior();
     poll_others();
+    if (!stopped.running) break;
+    if (process().clock().wait(kNever) == clock::Wake::interrupted) throw Stopped{};
   }
   if (stopped_) throw Stopped{};
   if (stopped.status.state == links::TaskState::failed) rethrow(stopped);
