@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "language/instruction_lists.hpp"
 #include "mrroc/stopped.hpp"
 
 namespace mrroc {
@@ -35,18 +36,6 @@ bool ends_in_motion(const RobotCommand& command) {
 /// The robot is to go on moving and says that it comes to rest: no command has come in time for it.
 bool has_braked(const Robot& robot) { return ends_in_motion(robot.command()) && rests(robot.state()); }
 
-template <class Element>
-void refuse_duplicates(const std::vector<Element*>& elements, const Task& task) {
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    for (std::size_t j = i + 1; j < elements.size(); ++j) {
-      if (elements[i]->name() == elements[j]->name()) {
-        throw NonFatalError(ErrorCode::invalid_argument, "'" + elements[i]->name() + "' stands twice in the list",
-                            {task.process_name(), elements[i]->name(), 0, 0});
-      }
-    }
-  }
-}
-
 }  // namespace
 
 Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Generator* generator,
@@ -55,27 +44,8 @@ Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Gen
       sensors_(sensors.begin(), sensors.end()),
       generator_(generator),
       condition_(std::move(condition)) {
-  check_lists();
-  task_ = !robots_.empty() ? &robots_.front()->task() : &sensors_.front()->task();
+  task_ = &task_of(robots_, sensors_);
   if (condition_) condition_->append_leaves(leaves_);
-}
-
-void Instruction::check_lists() const {
-  if (robots_.empty() && sensors_.empty()) {
-    throw NonFatalError(ErrorCode::invalid_argument, "Move and Wait need at least one robot or sensor");
-  }
-  const auto missing = [](const auto* element) { return element == nullptr; };
-  if (std::any_of(robots_.begin(), robots_.end(), missing) || std::any_of(sensors_.begin(), sensors_.end(), missing)) {
-    throw NonFatalError(ErrorCode::invalid_argument, "a robot or sensor of the list is a null pointer");
-  }
-  const Task& task = !robots_.empty() ? robots_.front()->task() : sensors_.front()->task();
-  const auto foreign = [&task](const auto* element) { return &element->task() != &task; };
-  if (std::any_of(robots_.begin(), robots_.end(), foreign) || std::any_of(sensors_.begin(), sensors_.end(), foreign)) {
-    throw NonFatalError(ErrorCode::invalid_argument, "robots and sensors of one instruction belong to different tasks",
-                        {task.process_name(), "", 0, 0});
-  }
-  refuse_duplicates(robots_, task);
-  refuse_duplicates(sensors_, task);
 }
 
 Outcome Instruction::run() {

@@ -18,7 +18,6 @@ class Instruction {
 
  private:
   Outcome run_steps();
-  void check_lists() const;
   void obtain_initial_state();
   /// f_E: throws the gravest error reported by e^i or v^i, the first in the lists among equals.
   void throw_reported_errors() const;
