@@ -7,8 +7,10 @@
 #include <mrroc/robots/two_finger_gripper.hpp>
 #include <mrroc/sensors/camera.hpp>
 #include <mrroc/sensors/conveyor_encoder.hpp>
+#include <numbers>
 
 using namespace mrroc;
+using std::numbers::pi;
 
 /// Twenty parts come along on a belt, anyhow. A camera finds each, the arm follows it and picks it up while the belt
 /// runs, and stacks it on a table.
@@ -45,7 +47,7 @@ class TrackAndPick : public mp::Task {
   void remember(const Pose& label) {
     const Eigen::Vector3d at = label.translation(), side = label.linear().col(0);
     at_zero = Irb6::tool_down(at.x(), at.y() - encoder.position(), at.z() - 0.020);
-    const double angle = std::remainder(std::atan2(side.y(), side.x()) - M_PI_2, M_PI);
+    const double angle = std::remainder(std::atan2(side.y(), side.x()) - pi / 2, pi);
     turn = Eigen::AngleAxisd(-angle, Eigen::Vector3d::UnitZ());
   }
 

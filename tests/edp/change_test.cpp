@@ -130,6 +130,27 @@ TEST(Change, WaitsForNothingButRefusesARobotThatGoesOnMoving) {
   EXPECT_EQ(rig.answer.state.error.code, ErrorCode::busy);
 }
 
+TEST(Change, ComesAfterTheStopThatAHoldHasOnlyBegun) {
+  TwoModels rig;
+  RobotCommand away = joint_command(rig.exchange(RobotCommand{}).state.desired_joints, 100, 100);
+  away.joints[0] += 0.05;
+  away.joint_velocity = JointVector::Zero(2);
+  away.joint_velocity[0] = 0.5;
+  ASSERT_EQ(rig.exchange(away).state.error.error_class, ErrorClass::none);
+  RobotCommand hold;
+  hold.kind = CommandKind::hold;
+  hold.motion_steps = 4;
+  hold.reply_step = 3;
+  const RobotState held = rig.exchange(hold).state;
+  ASSERT_EQ(held.error.error_class, ErrorClass::none) << held.error.detail.view();
+  EXPECT_NE(held.desired_velocity[0], 0) << "in the middle of the stop";
+  const RobotState after = rig.exchange(use_model(1)).state;
+  EXPECT_EQ(after.error.error_class, ErrorClass::none) << after.error.detail.view();
+  EXPECT_EQ(after.model, 1);
+  EXPECT_TRUE(after.desired_velocity.isZero(0));
+  EXPECT_GT(after.tick, held.desired_tick + 5) << "the stop first";
+}
+
 TEST(Change, RecoverClearsAFaultAndTheRobotStandsWhereItIs) {
   Rig<Slide> rig;
   ASSERT_FALSE(rig.send(joint_command(one(0.5), 300, 300)));

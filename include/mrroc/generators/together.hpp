@@ -2,6 +2,8 @@
 
 #include <concepts>
 #include <memory>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
