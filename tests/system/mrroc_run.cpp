@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,6 +31,11 @@ std::filesystem::path new_folder() {
   return pattern;
 }
 
+/// In a child: ends it with the test, also with one that is killed; a deployment without end would starve the machine.
+void end_with_test() {
+  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() == 1) _exit(125);
+}
+
 /// The parent of a process that runs; -1 when there is none or it has ended and waits to be reaped.
 pid_t parent_of(pid_t pid) {
   const std::string stat = read_file("/proc/" + std::to_string(pid) + "/stat");
@@ -55,6 +61,7 @@ MrrocRun::MrrocRun(const std::vector<std::string>& arguments) : folder_(new_fold
   const std::string err = folder_ / "err";
   pid_ = fork();
   if (pid_ == 0) {
+    end_with_test();
     dup2(open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
     if (chdir(MRROC_SOURCE_DIR) != 0) _exit(126);
@@ -171,6 +178,7 @@ Load::Load(int processes) {
   for (int i = 0; i < processes; ++i) {
     const pid_t pid = fork();
     if (pid == 0) {
+      end_with_test();
       volatile unsigned counter = 0;
       for (;;) counter = counter + 1;
     }
