@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "cli/graph_command.hpp"
 #include "cli/run_command.hpp"
 #include "config/table.hpp"
 #include "mrroc/errors.hpp"
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
   try {
     mrroc::cli::add_run_command(app, exit_code);
     mrroc::cli::add_trace_command(app, exit_code);
+    mrroc::cli::add_graph_command(app, exit_code);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);

@@ -1,11 +1,12 @@
 #include "cli/operator_desk.hpp"
 
 #include <algorithm>
+#include <vector>
 
-#include "cli/typed_answer.hpp"
 #include "config/operator_answer.hpp"
 #include "config/table.hpp"
 #include "mrroc/errors.hpp"
+#include "process/answer_text.hpp"
 
 namespace mrroc::cli {
 
@@ -27,41 +28,55 @@ void check_somebody_answers(const config::Deployment& deployment, bool attended)
 OperatorDesk::OperatorDesk(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock,
                            TypedLines& input, Show show)
     : deployment_(deployment), input_(input), show_(std::move(show)) {
-  for (const config::SensorEntry& sensor : deployment.sensors) {
-    if (!config::asks_operator(sensor)) continue;
-    links_[sensor.name] =
-        std::make_unique<links::OperatorResponder>(domain, clock, deployment.name + "/" + sensor.name);
-  }
+  const auto open_link = [&](const std::string& asker) {
+    links_[asker] = std::make_unique<links::OperatorResponder>(domain, clock, deployment.name + "/" + asker);
+  };
+  for (const config::SensorEntry& sensor : deployment.sensors)
+    if (config::asks_operator(sensor)) open_link(sensor.name);
+  open_link("mp");
+  for (const config::RobotEntry& robot : deployment.robots) open_link(robot.name);
 }
 
 void OperatorDesk::answer(const config::Event& event) { send(event.sensor, {0, event.value}); }
 
 void OperatorDesk::look() {
-  links::OperatorQuestion question;
-  std::uint64_t number = 0;
-  for (const auto& [name, link] : links_)
-    while (link->take(question, number)) take_question(deployment_.sensor(name), question, number);
+  take_questions();
   read_lines();
 }
 
-void OperatorDesk::take_question(const config::SensorEntry& sensor, const links::OperatorQuestion& question,
-                                 std::uint64_t number) {
-  std::erase_if(open_, [&](const Open& open) { return open.sensor == &sensor; });  // asked anew
-  const Open open{&sensor, number, question.tick, sensor.name + ": " + std::string{question.text.view()}};
-  if (const config::Event* event = event_for(sensor.name, question.tick)) {
-    show_(open.text + " (answered at tick " + std::to_string(event->tick) + ")");
+/// In the order in which they were asked.
+void OperatorDesk::take_questions() {
+  std::vector<Open> taken;
+  Open open;
+  for (const auto& [name, link] : links_) {
+    open.asker = name;
+    while (link->take(open.question, open.number)) taken.push_back(open);
+  }
+  const auto earlier = [](const Open& a, const Open& b) { return a.question.tick < b.question.tick; };
+  std::stable_sort(taken.begin(), taken.end(), earlier);
+  for (const Open& question : taken) take_question(question);
+}
+
+void OperatorDesk::take_question(const Open& open) {
+  if (open.question.kind == links::QuestionKind::none) {
+    show_(open.text());
+    return;
+  }
+  std::erase_if(open_, [&](const Open& other) { return other.asker == open.asker; });  // asked anew
+  if (const config::Event* event = event_for(open.asker, open.question.tick)) {
+    show_(open.text() + " (answered at tick " + std::to_string(event->tick) + ")");
     return;
   }
   if (!somebody_types()) refuse(open);
   // the oldest first, but for the one that somebody is answering
-  const auto waiting = open_.begin() + (!open_.empty() && open_.front() == shown_ ? 1 : 0);
-  const auto later = [](const Open& a, const Open& b) { return a.asked < b.asked; };
+  const auto waiting = open_.begin() + (!open_.empty() && open_.front().same(shown_) ? 1 : 0);
+  const auto later = [](const Open& a, const Open& b) { return a.question.tick < b.question.tick; };
   open_.insert(std::upper_bound(waiting, open_.end(), open, later), open);
 }
 
-const config::Event* OperatorDesk::event_for(const std::string& sensor, Tick asked) const noexcept {
+const config::Event* OperatorDesk::event_for(const std::string& asker, Tick asked) const noexcept {
   for (const config::Event& event : deployment_.events)
-    if (event.sensor == sensor && event.tick > asked) return &event;
+    if (event.sensor == asker && event.tick > asked) return &event;
   return nullptr;
 }
 
@@ -70,14 +85,14 @@ bool OperatorDesk::somebody_types() const noexcept {
 }
 
 void OperatorDesk::refuse(const Open& question) const {
-  throw NonFatalError(ErrorCode::sensor_not_ready, question.text + " Nobody is left to answer",
-                      {"", question.sensor->name, 0, 0});
+  throw NonFatalError(ErrorCode::sensor_not_ready, question.text() + " Nobody is left to answer",
+                      {"", question.asker, 0, 0});
 }
 
 void OperatorDesk::ask_aloud() {
-  if (open_.front() == shown_) return;
+  if (open_.front().same(shown_)) return;
   shown_ = open_.front();
-  show_(open_.front().text + " (" + expected_answer(*open_.front().sensor) + ")");
+  show_(shown_.text() + " (" + process::expected_answer(shown_.question) + ")");
 }
 
 void OperatorDesk::read_lines() {
@@ -88,18 +103,18 @@ void OperatorDesk::read_lines() {
     if (!line) return;
     const Open& open = open_.front();
     std::string refusal;
-    if (const auto value = read_answer(*open.sensor, *line, refusal)) {
-      send(open.sensor->name, {open.number, *value});
+    if (const auto value = process::read_answer(open.question, *line, refusal)) {
+      send(open.asker, {open.number, *value});
       open_.pop_front();
     } else {
-      show_(open.sensor->name + ": " + refusal);
+      show_(open.asker + ": " + refusal);
     }
   }
 }
 
-void OperatorDesk::send(const std::string& sensor, const links::OperatorAnswer& answer) {
+void OperatorDesk::send(const std::string& asker, const links::OperatorAnswer& answer) {
   const std::lock_guard lock(sending_);
-  links_.at(sensor)->answer(answer);
+  links_.at(asker)->answer(answer);
 }
 
 }  // namespace mrroc::cli

@@ -21,10 +21,10 @@ namespace mrroc::cli {
 /// every run.
 void check_somebody_answers(const config::Deployment& deployment, bool attended);
 
-/// Where what the task programs ask the operator comes together, and his answers leave: those of the deployment's
-/// events at their ticks, those that he types as soon as he has. A question is answered by the first event for its
-/// sensor at a later tick; without one it is shown, the oldest first, and asked again until the line typed is an
-/// answer. The main thread, but for `answer`.
+/// Where what sensors and task programs ask and tell the operator comes together, and his answers leave: those of the
+/// deployment's events at their ticks, those that he types as soon as he has. A sensor's question is answered by the
+/// first event for it at a later tick; without one, as a program's, it is shown, the oldest first, and asked again
+/// until the line typed is an answer. Messages are shown at once. The main thread, but for `answer`.
 class OperatorDesk {
  public:
   using Show = std::function<void(const std::string& line)>;
@@ -43,25 +43,26 @@ class OperatorDesk {
 
  private:
   struct Open {
-    const config::SensorEntry* sensor = nullptr;
+    std::string asker;  // sensor or process
     std::uint64_t number = 0;
-    Tick asked = 0;
-    std::string text;
-    friend bool operator==(const Open&, const Open&) = default;
+    links::OperatorQuestion question;
+    std::string text() const { return asker + ": " + std::string{question.text.view()}; }
+    bool same(const Open& other) const { return asker == other.asker && number == other.number; }
   };
 
-  void take_question(const config::SensorEntry& sensor, const links::OperatorQuestion& question, std::uint64_t number);
-  const config::Event* event_for(const std::string& sensor, Tick asked) const noexcept;
+  void take_questions();
+  void take_question(const Open& open);
+  const config::Event* event_for(const std::string& asker, Tick asked) const noexcept;
   bool somebody_types() const noexcept;
   [[noreturn]] void refuse(const Open& question) const;
   void ask_aloud();
   void read_lines();
-  void send(const std::string& sensor, const links::OperatorAnswer& answer);
+  void send(const std::string& asker, const links::OperatorAnswer& answer);
 
   const config::Deployment& deployment_;
   TypedLines& input_;
   Show show_;
-  std::map<std::string, std::unique_ptr<links::OperatorResponder>> links_;  // by sensor
+  std::map<std::string, std::unique_ptr<links::OperatorResponder>> links_;  // by asker
   std::deque<Open> open_;                                                   // the first is the one shown
   Open shown_;
   std::mutex sending_;

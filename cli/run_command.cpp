@@ -8,6 +8,7 @@
 #include "cli/runner.hpp"
 #include "cli/trace.hpp"
 #include "config/description.hpp"
+#include "config/state_machine.hpp"
 
 namespace mrroc::cli {
 
@@ -28,6 +29,7 @@ config::ClockMode clock_mode(const std::string& name) {
 int run(const RunArguments& arguments) {
   config::Deployment deployment = config::load_deployment(arguments.file);
   if (!arguments.clock.empty()) deployment.clock = clock_mode(arguments.clock);
+  if (!deployment.mp.states.empty()) config::load_state_machine(deployment);
   if (arguments.check) {
     fmt::print("{}\n", config::describe(deployment));
     return 0;

@@ -206,8 +206,8 @@ bool Runner::turn(int milliseconds) {
   // first the causes: what the task says about a death or a lost clock is but their consequence
   check_children();
   check_clock();
+  if (task_started_ && !stopping_) look_at_desk();  // what was said before the end is shown before it
   if (task_started_) read_task_status();
-  if (task_started_ && !stopping_) look_at_desk();
   progress_.draw();
   return !stopping_;
 }

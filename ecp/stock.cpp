@@ -3,9 +3,7 @@
 namespace {
 
 /// The stock ECP: transparent. It has nothing to do when it is started; MP-level Moves pass through it.
-class Stock : public mrroc::ecp::Task {
-  void run() override {}
-};
+class Stock : public mrroc::ecp::Task {};
 
 }  // namespace
 

@@ -1,3 +1,6 @@
+#include <cstdio>
+#include <string_view>
+
 #include "mrroc/ecp.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/build_scope.hpp"
@@ -20,6 +23,21 @@ std::string Task::robot_name(const std::string& requested) const {
 std::string Task::robot_topic(const std::string& name) const { return process().topic(name); }
 
 std::string Task::robot_peer(const std::string& name) const { return name + "_edp"; }
+
+void Task::run_started() {
+  if (started().label.empty())
+    run();
+  else
+    behaviours_.run(started());
+}
+
+void Task::tell_parcel(const Parcel& parcel) {
+  links::TaskStatus status;
+  status.state = links::TaskState::running;
+  status.tick = tick();
+  status.parcel = parcel;
+  superior().report(status);
+}
 
 void Task::relay() {
   std::uint64_t sequence = 0;
@@ -49,7 +67,7 @@ void run_task(Task& task) {
   task.report(links::TaskState::running);
   try {
     task.await_published_sensors();
-    task.run();
+    task.run_started();
     task.report(links::TaskState::succeeded);
   } catch (const Stopped&) {
     task.report(links::TaskState::stopped);
@@ -74,6 +92,10 @@ void serve(process::Process& process, const TaskFactory& factory) {
 }  // namespace
 
 int run(int argc, char** argv, const TaskFactory& factory) {
+  if (argc == 2 && std::string_view{argv[1]} == "--behaviours") {  // what a state machine's file is checked against
+    std::fputs(config::to_text(Behaviours::declared()).c_str(), stdout);
+    return 0;
+  }
   return process::run_process(argc, argv, links::ProcessRole::ecp,
                               [&factory](process::Process& process) { serve(process, factory); });
 }

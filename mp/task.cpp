@@ -32,11 +32,28 @@ Task::Ecp& Task::ecp(const std::string& name, const char* asked) {
                       {process_name(), name, 0, 0});
 }
 
-void Task::start(const std::string& name) {
+void Task::start_with(const std::string& name, const Parcel& behaviour) {
   Ecp& started = ecp(name, "start");
+  wait_until([] { return true; });  // not while paused
+  if (started.running) {
+    throw NonFatalError(ErrorCode::busy, "start: the ECP of robot '" + name + "' still runs what it was started with",
+                        {process_name(), name, 0, tick()});
+  }
   started.running = true;
   started.status = links::TaskStatus{};
-  started.started_by = started.link->send(links::TaskCommandKind::start);
+  started.mailbox.clear();
+  started.started_by = started.link->send(links::TaskCommandKind::start, behaviour);
+}
+
+bool Task::running(const std::string& name) {
+  poll_others();
+  return ecp(name, "running").running;
+}
+
+void Task::end_motion(const std::string& name) {
+  Ecp& ended = ecp(name, "end_motion");
+  poll_others();
+  if (ended.running) ended.link->send(links::TaskCommandKind::end_motion);
 }
 
 void Task::stop(const std::string& name) {
@@ -70,6 +87,46 @@ void Task::wait_for_all() {
   if (stopped_) throw Stopped{};
 }
 
+void Task::wait_for_all(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const Ecp& awaited = ecp(name, "wait_for_all");
+    wait_until([&awaited] { return !awaited.running; });
+  }
+}
+
+std::string Task::wait_for_any(const std::vector<std::string>& names) {
+  if (names.empty())
+    throw NonFatalError(ErrorCode::invalid_argument, "wait_for_any: no robots", {process_name(), "", 0, 0});
+  std::string ended;
+  wait_until([&] {
+    for (const std::string& name : names) {
+      if (ecp(name, "wait_for_any").running) continue;
+      ended = name;
+      return true;
+    }
+    return false;
+  });
+  return ended;
+}
+
+void Task::tell_parcel(const std::string& name, const Parcel& parcel) {
+  ecp(name, "tell").link->send(links::TaskCommandKind::message, parcel);
+}
+
+bool Task::take_parcel(const std::string& name, std::string_view label, Parcel& parcel) {
+  poll_others();
+  return ecp(name, "take").mailbox.take(label, parcel);
+}
+
+void Task::forget_messages(const std::string& name) { ecp(name, "forget_messages").mailbox.clear(); }
+
+bool Task::heard_label(const std::string& name, std::string_view label) {
+  poll_others();
+  return ecp(name, "heard").mailbox.has(label);
+}
+
+void Task::concurrently(const std::vector<std::function<void()>>& parts) { process().strands()->run(parts); }
+
 OperatorRequest Task::operator_request() {
   const OperatorRequest request = TaskProcess::operator_request();
   if (Ecp* ecp = failed()) rethrow(*ecp);
@@ -90,6 +147,7 @@ void Task::wait_for_running() {
     const bool had_failed = failed() != nullptr;
     poll_others();
     if (!any_running() || (!had_failed && failed() != nullptr)) return;
+    if (process().strands()->cancelled()) throw Stopped{};
     if (process().clock().wait(kNever) == clock::Wake::interrupted) throw Stopped{};
   }
 }
@@ -100,6 +158,10 @@ void Task::poll_others() {
     std::uint64_t last_command = 0;
     while (ecp.link->take(status, last_command)) {
       if (last_command < ecp.started_by) continue;  // from before this start
+      if (!status.parcel.label.empty()) {
+        ecp.mailbox.put(status.parcel);
+        continue;
+      }
       ecp.status = status;
       if (status.state != links::TaskState::running && status.state != links::TaskState::paused) ecp.running = false;
     }

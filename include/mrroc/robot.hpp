@@ -68,6 +68,10 @@ class Robot {
   // -----------------------------------------------------------------------------
   /// Makes the command a plain `kind` with this robot's macrostep.
   void reset_command(CommandKind kind) noexcept;
+  /// Takes the robot for one instruction, until `release`. Throws NonFatalError(busy) when another one has it: one of
+  /// another strand of the task.
+  void acquire();
+  void release() noexcept { in_use_ = false; }
   void send() { link_->send(command_); }
   void receive() { link_->receive(state_); }
 
@@ -83,6 +87,7 @@ class Robot {
   RobotCommand command_;
   std::uint16_t motion_steps_ = 10;
   std::uint16_t reply_step_ = 8;
+  bool in_use_ = false;
 };
 
 }  // namespace mrroc

@@ -47,6 +47,10 @@ class Sensor {
 
   // ---- the exchange, used by Move and Wait
   // -----------------------------------------------------------------------------
+  /// Takes an interactive sensor for one instruction, until `release`. Throws NonFatalError(busy) when another one has
+  /// it: one of another strand of the task. A non-interactive sensor serves any number.
+  void acquire();
+  void release() noexcept { in_use_ = false; }
   /// Whether v^i is renewed at step i of an instruction: i is a multiple of the period.
   bool due(std::uint64_t step) const noexcept { return step % period_ == 0; }
   /// Requests a reading of the hardware at `measure_at`, of a polled sensor at once, unless one is under way; a
@@ -64,6 +68,7 @@ class Sensor {
   std::uint32_t period_ = 1;
   bool asked_ = false;  ///< a polled sensor's reading is under way
   bool fresh_ = false;
+  bool in_use_ = false;
 };
 
 }  // namespace mrroc

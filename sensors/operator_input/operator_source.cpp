@@ -31,7 +31,13 @@ SourceState OperatorSource::read(Tick wanted, RawReading& raw) noexcept {
 
 void OperatorSource::ask(Tick tick) noexcept {
   try {
-    open_ = link_.ask(entry_->texts.at("question"), tick);
+    const config::Range answers = config::answers_of(*entry_);
+    links::OperatorQuestion question;
+    question.text.assign(entry_->texts.at("question"));
+    question.minimum = answers.min;
+    question.maximum = answers.max;
+    question.tick = tick;
+    open_ = link_.ask(question);
   } catch (const std::exception&) {
     lost_ = true;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/answers.hpp"
 #include "config/device_name.hpp"
 #include "config/events.hpp"
 #include "config/feeder_entry.hpp"
@@ -48,7 +49,10 @@ void read_mp(const Table& root, MpEntry& mp) {
     mp.program = require_program(root, "mp", mp.program);
     return;
   }
-  table->only({"program"});
+  table->only({"program", "states"});
+  if (table->has("states")) mp.states = require_file(*table, "states");
+  if (table->has("states") && table->has("program"))
+    table->fail("program", "a state machine is run by the stock MP", "either 'program' or 'states'");
   mp.program = require_program(*table, "program", table->optional_text("program").value_or(mp.program));
 }
 
@@ -125,7 +129,7 @@ const SensorEntry& Deployment::sensor(const std::string& sensor_name) const {
 
 Deployment load_deployment(const std::filesystem::path& file) {
   const Table root = Table::load(file);
-  root.only({"deployment", "mp", "robots", "sensors", "sim", "events"});
+  root.only({"deployment", "mp", "robots", "sensors", "sim", "events", "answers"});
   Deployment deployment;
   deployment.file = std::filesystem::absolute(file);
   read_general(root.table("deployment"), deployment);
@@ -149,6 +153,7 @@ Deployment load_deployment(const std::filesystem::path& file) {
               "at most " + std::to_string(kMostProcesses));
   }
   deployment.events = read_events(root, deployment);
+  deployment.answers = read_answers(root, deployment);
   if (deployment.robots.empty() && deployment.sensors.empty()) {
     root.fail("", "no robots and no sensors", "at least one [robots.NAME] or [sensors.NAME]");
   }

@@ -16,6 +16,7 @@ enum class ClockMode { real, paced, lockstep };
 
 struct MpEntry {
   std::string program = "mrroc_mp";  ///< the stock MP when left out; absolute path after loading
+  std::filesystem::path states;      ///< the state machine that the stock MP runs, absolute; empty: none
 };
 
 struct RobotEntry {
@@ -89,6 +90,15 @@ struct Event {
   double value = 0;     ///< the answer
 };
 
+/// What the operator answers to a question of a task program, so that nobody need be there: the text that he would
+/// type.
+struct Answer {
+  std::string question;  ///< its whole text
+  std::string process;   ///< that asks; empty: any
+  std::string answer;
+  int line = 0;  ///< of the deployment file, for errors
+};
+
 /// A deployment file, validated as a whole: names are unique and at most 31 characters of letters, digits and `_`,
 /// every type is installed, every program exists, every file named exists, what is mounted is carried by a robot.
 struct Deployment {
@@ -104,7 +114,8 @@ struct Deployment {
   std::vector<RobotEntry> robots;    ///< in file order
   std::vector<SensorEntry> sensors;  ///< in file order
   std::optional<SimEntry> sim;
-  std::vector<Event> events;  ///< by tick, those of one tick in file order
+  std::vector<Event> events;    ///< by tick, those of one tick in file order
+  std::vector<Answer> answers;  ///< in file order
 
   /// The entry of this name; throws ConfigurationError that lists the known ones.
   const RobotEntry& robot(const std::string& name) const;

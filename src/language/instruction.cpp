@@ -49,6 +49,7 @@ Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Gen
 }
 
 Outcome Instruction::run() {
+  const ExclusiveUse use(robots_, sensors_);
   try {
     return run_steps();
   } catch (Error& error) {

@@ -39,4 +39,30 @@ Task& task_of(const std::vector<Robot*>& robots, const std::vector<Sensor*>& sen
   return task;
 }
 
+ExclusiveUse::ExclusiveUse(const std::vector<Robot*>& robots, const std::vector<Sensor*>& sensors)
+    : robots_(robots), sensors_(sensors) {
+  try {
+    for (Robot* robot : robots_) {
+      robot->acquire();
+      ++acquired_;
+    }
+    for (Sensor* sensor : sensors_) {
+      sensor->acquire();
+      ++acquired_;
+    }
+  } catch (...) {
+    release();
+    throw;
+  }
+}
+
+void ExclusiveUse::release() noexcept {
+  for (std::size_t i = 0; i < acquired_; ++i) {
+    if (i < robots_.size())
+      robots_[i]->release();
+    else
+      sensors_[i - robots_.size()]->release();
+  }
+}
+
 }  // namespace mrroc

@@ -12,4 +12,21 @@ namespace mrroc {
 /// lists are empty, an element is a null pointer or stands twice, or they belong to different tasks. The task's thread.
 Task& task_of(const std::vector<Robot*>& robots, const std::vector<Sensor*>& sensors);
 
+/// While it lives, the robots and interactive sensors belong to one instruction alone. The lists outlive it.
+class ExclusiveUse {
+ public:
+  /// Throws NonFatalError(busy) when another instruction has one of them: one of another strand.
+  ExclusiveUse(const std::vector<Robot*>& robots, const std::vector<Sensor*>& sensors);
+  ~ExclusiveUse() { release(); }
+  ExclusiveUse(const ExclusiveUse&) = delete;
+  ExclusiveUse& operator=(const ExclusiveUse&) = delete;
+
+ private:
+  void release() noexcept;
+
+  const std::vector<Robot*>& robots_;
+  const std::vector<Sensor*>& sensors_;
+  std::size_t acquired_ = 0;  // robots, then sensors
+};
+
 }  // namespace mrroc

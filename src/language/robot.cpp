@@ -42,6 +42,12 @@ const RobotState& Robot::known_state() const {
   return state_;
 }
 
+void Robot::acquire() {
+  if (in_use_)
+    throw NonFatalError(ErrorCode::busy, "another strand moves this robot", {task_->process_name(), name_, 0, 0});
+  in_use_ = true;
+}
+
 double Robot::step_duration() const noexcept { return motion_steps_ * task_->servo_period(); }
 
 void Robot::set_tool(const Pose& tool) {

@@ -42,6 +42,13 @@ double Sensor::age() const noexcept {
   return now > reading_.tick ? static_cast<double>(now - reading_.tick) * task_->servo_period() : 0.0;
 }
 
+void Sensor::acquire() {
+  if (!interactive_) return;
+  if (in_use_)
+    throw NonFatalError(ErrorCode::busy, "another strand reads this sensor", {task_->process_name(), name_, 0, 0});
+  in_use_ = true;
+}
+
 void Sensor::initiate_reading(Tick measure_at) {
   if (!interactive_ || asked_) return;
   asked_ = link_->polled();

@@ -51,6 +51,24 @@ void decode_frame(const double (&wire)[12], Pose& pose) noexcept {
   pose.makeAffine();
 }
 
+bool valid_parcel(const mrroc_wire_Parcel& wire) noexcept {
+  return terminated(wire.label) && wire.size <= Parcel::kCapacity;
+}
+
+void encode_parcel(const Parcel& parcel, mrroc_wire_Parcel& wire) noexcept {
+  encode_text(parcel.label, wire.label);
+  wire.fingerprint = parcel.fingerprint;
+  wire.size = parcel.size;
+  std::memcpy(wire.content, parcel.content.data(), sizeof wire.content);
+}
+
+void decode_parcel(const mrroc_wire_Parcel& wire, Parcel& parcel) noexcept {
+  parcel.label.assign(wire.label);
+  parcel.fingerprint = wire.fingerprint;
+  parcel.size = wire.size;
+  std::memcpy(parcel.content.data(), wire.content, sizeof wire.content);
+}
+
 bool valid_error(const mrroc_wire_Fault& wire) noexcept {
   return in_range(wire.error_class, ErrorClass::system) && known(static_cast<ErrorCode>(wire.code)) &&
          terminated(wire.detail);
@@ -228,10 +246,12 @@ bool decode(const mrroc_wire_SensorReading& wire, SensorReading& message) noexce
 
 void encode(const TaskCommand& message, mrroc_wire_TaskCommand& wire) noexcept {
   wire.command_kind = static_cast<std::uint8_t>(message.kind);
+  encode_parcel(message.parcel, wire.parcel);
 }
 
 bool decode(const mrroc_wire_TaskCommand& wire, TaskCommand& message) noexcept {
-  if (!in_range(wire.command_kind, TaskCommandKind::end_motion)) return false;
+  if (!in_range(wire.command_kind, TaskCommandKind::message) || !valid_parcel(wire.parcel)) return false;
+  decode_parcel(wire.parcel, message.parcel);
   message.kind = static_cast<TaskCommandKind>(wire.command_kind);
   return true;
 }
@@ -244,11 +264,13 @@ void encode(const TaskStatus& message, mrroc_wire_TaskStatus& wire) noexcept {
   wire.step = message.step;
   wire.error_tick = message.error_tick;
   wire.tick = message.tick;
+  encode_parcel(message.parcel, wire.parcel);
 }
 
 bool decode(const mrroc_wire_TaskStatus& wire, TaskStatus& message) noexcept {
   if (!in_range(wire.state, TaskState::stopped) || !valid_error(wire.error)) return false;
-  if (!terminated(wire.process) || !terminated(wire.device)) return false;
+  if (!terminated(wire.process) || !terminated(wire.device) || !valid_parcel(wire.parcel)) return false;
+  decode_parcel(wire.parcel, message.parcel);
   message.state = static_cast<TaskState>(wire.state);
   decode_error(wire.error, message.error);
   message.process.assign(wire.process);
@@ -261,12 +283,25 @@ bool decode(const mrroc_wire_TaskStatus& wire, TaskStatus& message) noexcept {
 
 void encode(const OperatorQuestion& message, mrroc_wire_OperatorQuestion& wire) noexcept {
   encode_text(message.text, wire.text);
+  wire.question_kind = static_cast<std::uint8_t>(message.kind);
+  wire.minimum = message.minimum;
+  wire.maximum = message.maximum;
+  wire.choice_count = message.choice_count;
+  for (std::size_t i = 0; i < message.choices.size(); ++i) encode_text(message.choices[i], wire.choices[i]);
   wire.tick = message.tick;
 }
 
 bool decode(const mrroc_wire_OperatorQuestion& wire, OperatorQuestion& message) noexcept {
-  if (!terminated(wire.text)) return false;
+  if (!terminated(wire.text) || !in_range(wire.question_kind, QuestionKind::choice)) return false;
+  if (wire.choice_count > message.choices.size()) return false;
+  for (const auto& choice : wire.choices)
+    if (!terminated(choice)) return false;
   message.text.assign(wire.text);
+  message.kind = static_cast<QuestionKind>(wire.question_kind);
+  message.minimum = wire.minimum;
+  message.maximum = wire.maximum;
+  message.choice_count = wire.choice_count;
+  for (std::size_t i = 0; i < message.choices.size(); ++i) message.choices[i].assign(wire.choices[i]);
   message.tick = wire.tick;
   return true;
 }

@@ -10,8 +10,8 @@ OperatorRequester::OperatorRequester(Domain& domain, clock::Clock& clock, const 
 
 void OperatorRequester::connect(double timeout) { links::connect(writer_, {&reader_}, timeout, "the operator"); }
 
-std::uint64_t OperatorRequester::ask(std::string_view text, Tick tick) {
-  writer_.write({text, tick}, ++asked_);
+std::uint64_t OperatorRequester::ask(const OperatorQuestion& question) {
+  writer_.write(question, ++asked_);
   return asked_;
 }
 

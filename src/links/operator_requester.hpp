@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "links/operator_messages.hpp"
 #include "links/reader.hpp"
@@ -9,18 +8,18 @@
 
 namespace mrroc::links {
 
-/// The asking end of an operator link, in a VSP: topics `<prefix>/question` and `<prefix>/answer`. It waits for nobody:
-/// an operator takes his time. The participant's thread.
+/// The asking end of an operator link, in a VSP or a task process: topics `<prefix>/question` and `<prefix>/answer`. It
+/// waits for nobody: an operator takes his time. The participant's thread.
 class OperatorRequester {
  public:
-  /// `prefix`: "<deployment>/<sensor>".
+  /// `prefix`: "<deployment>/<sensor or process>".
   OperatorRequester(Domain& domain, clock::Clock& clock, const std::string& prefix);
 
   /// Hand-shake with the operator's end, about `timeout` s at most; before the clock starts. Throws as links::connect.
   void connect(double timeout);
 
-  /// Sends a question, asked at `tick`, and returns its number (1, 2, ...). Throws SystemError when DDS refuses it.
-  std::uint64_t ask(std::string_view text, Tick tick);
+  /// Sends a question and returns its number (1, 2, ...). Throws SystemError when DDS refuses it.
+  std::uint64_t ask(const OperatorQuestion& question);
   /// The oldest answer not yet taken. Neither waits, locks nor allocates.
   bool take(OperatorAnswer& answer);
 

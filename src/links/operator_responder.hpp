@@ -12,7 +12,7 @@ namespace mrroc::links {
 /// `answer` may be called by two threads, each by one at a time.
 class OperatorResponder {
  public:
-  /// `prefix`: "<deployment>/<sensor>".
+  /// `prefix`: "<deployment>/<sensor or process>".
   OperatorResponder(Domain& domain, clock::Clock& clock, const std::string& prefix);
 
   /// The oldest question not yet taken, and its number. Neither waits, locks nor allocates.

@@ -1,15 +1,25 @@
 #pragma once
 
 #include "mrroc/fixed_text.hpp"
+#include "mrroc/parcel.hpp"
 #include "mrroc/robot_state.hpp"
 
 namespace mrroc::links {
 
-enum class TaskCommandKind : std::uint8_t { start = 0, pause = 1, resume = 2, trigger = 3, stop = 4, end_motion = 5 };
+enum class TaskCommandKind : std::uint8_t {
+  start = 0,
+  pause = 1,
+  resume = 2,
+  trigger = 3,
+  stop = 4,
+  end_motion = 5,
+  message = 6
+};
 
 /// From the superior to its subordinate: operator to MP, MP to ECP.
 struct TaskCommand {
   TaskCommandKind kind = TaskCommandKind::start;
+  Parcel parcel;  ///< the behaviour to start, or the message; a start without one: the program itself
 };
 
 enum class TaskState : std::uint8_t { idle = 0, running = 1, paused = 2, succeeded = 3, failed = 4, stopped = 5 };
@@ -23,6 +33,7 @@ struct TaskStatus {
   std::uint64_t step = 0;
   Tick error_tick = 0;
   Tick tick = 0;  ///< at which this is said
+  Parcel parcel;  ///< a message of the program under way; without one, this is news of its state
 };
 
 }  // namespace mrroc::links

@@ -13,8 +13,8 @@ TaskSuperior::TaskSuperior(Domain& domain, clock::Clock& clock, const std::strin
 
 void TaskSuperior::connect(double timeout) { links::connect(writer_, {&reader_}, timeout, peer_); }
 
-std::uint64_t TaskSuperior::send(TaskCommandKind kind) {
-  writer_.write({kind}, ++sequence_);
+std::uint64_t TaskSuperior::send(TaskCommandKind kind, const Parcel& parcel) {
+  writer_.write({kind, parcel}, ++sequence_);
   return sequence_;
 }
 

@@ -17,7 +17,7 @@ class TaskSuperior {
   void connect(double timeout);
 
   /// Sends a command and returns its number (1, 2, ...). Does not wait. Throws SystemError when DDS refuses it.
-  std::uint64_t send(TaskCommandKind kind);
+  std::uint64_t send(TaskCommandKind kind, const Parcel& parcel = {});
 
   /// The oldest status not yet taken; `last_command` is the number of the last command that the subordinate had taken
   /// when it reported, so that a status from before a command is known as such. Neither waits, locks nor allocates.

@@ -92,6 +92,11 @@ bool serves(links::ProcessRole role) {
 Process::Process(const Arguments& arguments, links::ProcessRole role)
     : arguments_(arguments), deployment_(config::load_deployment(arguments.deployment)) {
   clock_ = clock::attach_clock(arguments.clock_fd, arguments.name, role == links::ProcessRole::sim);
+  if (role == links::ProcessRole::mp) {
+    auto strands = std::make_unique<StrandClock>(std::move(clock_));
+    strands_ = strands.get();
+    clock_ = std::move(strands);
+  }
   interruptible = clock_.get();
   // before the domain: Cyclone's threads inherit the priority of the thread that creates them
   if (!clock_->simulated()) {

@@ -10,6 +10,7 @@
 #include "process/arguments.hpp"
 #include "process/exit_code.hpp"
 #include "process/status_board.hpp"
+#include "process/strands.hpp"
 
 namespace mrroc::process {
 
@@ -26,6 +27,8 @@ class Process {
   const Arguments& arguments() const noexcept { return arguments_; }
   const config::Deployment& deployment() const noexcept { return deployment_; }
   clock::Clock& clock() noexcept { return *clock_; }
+  /// The same, where the task may run strands: of an MP. Null: of all others.
+  StrandClock* strands() noexcept { return strands_; }
   links::Domain& domain() noexcept { return *domain_; }
   StatusBoard& status() noexcept { return *status_; }
   /// "<deployment>/<path>", the common beginning of topic names.
@@ -39,6 +42,7 @@ class Process {
   Arguments arguments_;
   config::Deployment deployment_;
   std::unique_ptr<clock::Clock> clock_;
+  StrandClock* strands_ = nullptr;
   std::unique_ptr<links::Domain> domain_;
   std::unique_ptr<links::StatusPublisher> publisher_;
   std::unique_ptr<StatusBoard> status_;

@@ -37,6 +37,7 @@ const Entry& find_entry(const std::vector<Entry>& entries, const std::string& na
 TaskProcess::TaskProcess(Process& process, const std::string& superior_topic)
     : process_(process),
       superior_(process.domain(), process.clock(), superior_topic),
+      dialogue_(process),
       reporter_(std::make_unique<StepReporter>(process)) {}
 
 TaskProcess::~TaskProcess() = default;
@@ -69,6 +70,7 @@ void TaskProcess::connect_links() {
   const double timeout = process_.deployment().start_timeout;
   for (auto& [name, link] : robots_) link->connect(timeout);
   for (auto& [name, link] : sensors_) link->connect(timeout);
+  dialogue_.connect(timeout);
 }
 
 void TaskProcess::await_published_sensors() {
@@ -85,6 +87,9 @@ bool TaskProcess::read_superior() {
     switch (command.kind) {
       case links::TaskCommandKind::start:
         started = true;
+        started_ = command.parcel;
+        running_ = true;  // the messages that follow are for what begins now
+        mailbox_.clear();
         request_ = OperatorRequest::none;
         break;
       case links::TaskCommandKind::pause:
@@ -102,6 +107,9 @@ bool TaskProcess::read_superior() {
       case links::TaskCommandKind::trigger:
         ++triggers_;
         break;
+      case links::TaskCommandKind::message:
+        if (running_) mailbox_.put(command.parcel);
+        break;
     }
     on_superior_command(command);
   }
@@ -109,6 +117,7 @@ bool TaskProcess::read_superior() {
 }
 
 void TaskProcess::report(links::TaskState state) {
+  running_ = state == links::TaskState::running;
   links::TaskStatus status;
   status.state = state;
   status.tick = tick();
@@ -116,6 +125,7 @@ void TaskProcess::report(links::TaskState state) {
 }
 
 void TaskProcess::report_failure(const std::exception& error) {
+  running_ = false;
   const auto* known = dynamic_cast<const Error*>(&error);
   const ErrorOrigin origin = known != nullptr ? known->origin() : ErrorOrigin{};
   links::TaskStatus status;
@@ -138,9 +148,63 @@ void TaskProcess::sleep_until(Tick tick) {
 OperatorRequest TaskProcess::operator_request() {
   read_superior();
   poll_others();
+  if (process_.strands() != nullptr && process_.strands()->cancelled()) return OperatorRequest::stop;
   if (request_ != OperatorRequest::end_motion) return request_;
   request_ = OperatorRequest::none;  // it ends one motion only
   return OperatorRequest::end_motion;
+}
+
+bool TaskProcess::may_go_on() {
+  const OperatorRequest request = operator_request();
+  if (request == OperatorRequest::stop) throw Stopped{};
+  return request != OperatorRequest::pause;
+}
+
+void TaskProcess::wait_until(const std::function<bool()>& holds) {
+  StrandClock* const strands = process_.strands();
+  if (strands != nullptr) strands->note_progress();
+  for (;;) {  // looks before it waits: what has come already wakes nobody
+    if (may_go_on() && holds()) {
+      if (strands != nullptr) strands->note_progress();
+      return;
+    }
+    if (process_.clock().wait(kNever) == clock::Wake::interrupted) throw Stopped{};
+  }
+}
+
+bool TaskProcess::ask_yes_no(const std::string& question) {
+  links::OperatorQuestion asked;
+  asked.kind = links::QuestionKind::yes_no;
+  return ask(asked, question) != 0;
+}
+
+std::size_t TaskProcess::ask_choice(const std::string& question, const std::vector<std::string>& choices) {
+  links::OperatorQuestion asked;
+  asked.kind = links::QuestionKind::choice;
+  if (choices.empty() || choices.size() > asked.choices.size()) {
+    throw NonFatalError(ErrorCode::invalid_argument, std::to_string(choices.size()) + " choices of '" + question +
+                                                         "', expected 1 to " + std::to_string(asked.choices.size()));
+  }
+  asked.choice_count = static_cast<std::uint8_t>(choices.size());
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    asked.choices[i].assign(choices[i]);
+    if (choices[i].empty() || asked.choices[i].view() != choices[i])
+      throw NonFatalError(ErrorCode::invalid_argument,
+                          "the choice '" + choices[i] + "' of '" + question + "', expected 1 to 31 characters");
+  }
+  return static_cast<std::size_t>(ask(asked, question));
+}
+
+double TaskProcess::ask_number(const std::string& question, double minimum, double maximum) {
+  links::OperatorQuestion asked;
+  asked.kind = links::QuestionKind::number;
+  asked.minimum = minimum;
+  asked.maximum = maximum;
+  return ask(asked, question);
+}
+
+double TaskProcess::ask(links::OperatorQuestion question, const std::string& text) {
+  return dialogue_.ask(question, text, [this] { return may_go_on(); });
 }
 
 bool TaskProcess::take_trigger() noexcept {

@@ -4,11 +4,14 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "links/robot_requester.hpp"
 #include "links/sensor_requester.hpp"
 #include "links/task_subordinate.hpp"
 #include "mrroc/task.hpp"
+#include "process/dialogue.hpp"
+#include "process/mailbox.hpp"
 #include "process/process.hpp"
 #include "process/step_reporter.hpp"
 
@@ -36,10 +39,23 @@ class TaskProcess : public Task {
 
   /// Takes the commands of the superior that have come; returns true when one of them is `start`.
   bool read_superior();
+  /// The behaviour that the last `start` asked for; without label: the program itself.
+  const Parcel& started() const noexcept { return started_; }
   /// Tells the superior how the task stands.
   void report(links::TaskState state);
   /// Tells it that the task has failed, why, and where that arose: in this process unless `error` names another.
   void report_failure(const std::exception& error);
+
+  // ---- the operator's dialogue, for the program; any of them may throw NonFatalError(invalid_argument), see Dialogue
+  /// Shows him a message of at most 127 characters; does not wait.
+  void tell_operator(const std::string& text) { dialogue_.tell(text); }
+  /// Asks him, and waits for the answer: robots hold meanwhile, pause and stop act. Throws Stopped. In CI the
+  /// deployment's [[answers]] answer.
+  bool ask_yes_no(const std::string& question);
+  /// The index of one of at most 8 choices of at most 31 characters each.
+  std::size_t ask_choice(const std::string& question, const std::vector<std::string>& choices);
+  /// A number from `minimum` to `maximum`.
+  double ask_number(const std::string& question, double minimum, double maximum);
 
   // ---- Task
   // ------------------------------------------------------------------------------------------------------------
@@ -55,6 +71,14 @@ class TaskProcess : public Task {
   StepObserver* observer() noexcept override { return reporter_.get(); }
 
  protected:
+  /// The superior's messages to the program under way.
+  Mailbox& mailbox() noexcept { return mailbox_; }
+  /// Waits until `holds`, looking whenever something has come, and the task is not paused. Throws Stopped when it is to
+  /// end.
+  void wait_until(const std::function<bool()>& holds);
+  /// False while the task is paused; throws Stopped when it is to end.
+  bool may_go_on();
+
   /// Topic prefix of the link to robot `name` at this level.
   virtual std::string robot_topic(const std::string& name) const = 0;
   /// Name of the process at the other end, for errors.
@@ -65,8 +89,14 @@ class TaskProcess : public Task {
   virtual void on_superior_command(const links::TaskCommand& /*command*/) {}
 
  private:
+  double ask(links::OperatorQuestion question, const std::string& text);
+
   Process& process_;
   links::TaskSubordinate superior_;
+  Dialogue dialogue_;
+  Mailbox mailbox_;
+  Parcel started_;
+  bool running_ = false;  // since `start` came, until the end is reported
   std::unique_ptr<StepReporter> reporter_;
   std::map<std::string, std::unique_ptr<links::RobotRequester>> robots_;
   std::map<std::string, std::unique_ptr<links::SensorRequester>> sensors_;

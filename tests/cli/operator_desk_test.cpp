@@ -32,6 +32,14 @@ config::Deployment deployment_of(config::ClockMode clock) {
   return deployment;
 }
 
+links::OperatorQuestion number(const char* text, Tick tick) {
+  links::OperatorQuestion question;
+  question.text.assign(text);
+  question.maximum = 9;
+  question.tick = tick;
+  return question;
+}
+
 /// The desk, and the VSPs of two sensors, in one process: a message is there when it is sent.
 class OperatorDeskTest : public testing::Test {
  protected:
@@ -80,7 +88,7 @@ TEST_F(OperatorDeskTest, AQuestionIsShownAndTheLineTypedIsItsAnswer) {
   open();
   desk->look();
   EXPECT_FALSE(desk->waits_for_line());
-  parts->ask("How many?", 5);
+  parts->ask(number("How many?", 5));
   desk->look();
   EXPECT_TRUE(desk->waits_for_line());
   desk->look();
@@ -93,7 +101,7 @@ TEST_F(OperatorDeskTest, AQuestionIsShownAndTheLineTypedIsItsAnswer) {
 
 TEST_F(OperatorDeskTest, ABadAnswerIsRefusedAndTheQuestionStaysOpen) {
   open();
-  parts->ask("How many?", 5);
+  parts->ask(number("How many?", 5));
   type("10\nx\n");
   desk->look();
   EXPECT_TRUE(desk->waits_for_line());
@@ -107,9 +115,9 @@ TEST_F(OperatorDeskTest, ABadAnswerIsRefusedAndTheQuestionStaysOpen) {
 
 TEST_F(OperatorDeskTest, QuestionsAreAskedOneAfterTheOther) {
   open();
-  weight->ask("How heavy?", 5);
+  weight->ask(number("How heavy?", 5));
   desk->look();
-  parts->ask("How many?", 6);
+  parts->ask(number("How many?", 6));
   desk->look();
   EXPECT_EQ(shown.size(), 1U);
   type("4\n7\n");
@@ -121,10 +129,10 @@ TEST_F(OperatorDeskTest, QuestionsAreAskedOneAfterTheOther) {
 
 TEST_F(OperatorDeskTest, AQuestionAskedAnewTakesThePlaceOfTheEarlierOne) {
   open();
-  parts->ask("How many?", 5);
+  parts->ask(number("How many?", 5));
   desk->look();
-  weight->ask("How heavy?", 6);
-  parts->ask("How many, really?", 7);
+  weight->ask(number("How heavy?", 6));
+  parts->ask(number("How many, really?", 7));
   desk->look();
   EXPECT_EQ(shown.back(), "weight: How heavy? (a number from 0 to 9)");
   type("1\n2\n");
@@ -136,7 +144,7 @@ TEST_F(OperatorDeskTest, AQuestionAskedAnewTakesThePlaceOfTheEarlierOne) {
 TEST_F(OperatorDeskTest, AnEventAnswersWhateverIsOpenAndIsWaitedFor) {
   const config::Event event{100, "answer", "parts", 6};
   open(config::ClockMode::lockstep, {event});
-  parts->ask("How many?", 99);
+  parts->ask(number("How many?", 99));
   desk->look();
   EXPECT_FALSE(desk->waits_for_line());
   EXPECT_EQ(shown, Lines{"parts: How many? (answered at tick 100)"});
@@ -147,13 +155,13 @@ TEST_F(OperatorDeskTest, AnEventAnswersWhateverIsOpenAndIsWaitedFor) {
 TEST_F(OperatorDeskTest, AnEventOfTheQuestionsOwnTickOrOfAnotherSensorIsNoAnswerToIt) {
   open(config::ClockMode::lockstep, {{100, "answer", "parts", 6}, {200, "answer", "weight", 6}});
   type("3\n");  // what is typed would come at another tick on every run
-  parts->ask("How many?", 100);
+  parts->ask(number("How many?", 100));
   EXPECT_THROW(desk->look(), NonFatalError);
 }
 
 TEST_F(OperatorDeskTest, AQuestionOpenWhenTheOperatorLeavesIsAnError) {
   open();
-  parts->ask("How many?", 5);
+  parts->ask(number("How many?", 5));
   desk->look();
   leave();
   try {
@@ -190,6 +198,23 @@ TEST(SomebodyAnswers, PlayedSensorsAskNobody) {
   config::Deployment deployment = deployment_of(config::ClockMode::lockstep);
   for (config::SensorEntry& sensor : deployment.sensors) sensor.source = "replay";
   EXPECT_EQ(refusal(deployment, false), "");
+}
+
+TEST_F(OperatorDeskTest, AProgramAsksAndTellsAsASensorDoes) {
+  open();
+  links::OperatorRequester mp(net_.domain, clock_, "t/mp");
+  mp.connect(links::kPatience);
+  links::OperatorQuestion question = number("Three parts are done.", 3);
+  question.kind = links::QuestionKind::none;
+  mp.ask(question);
+  question = number("Go on?", 4);
+  question.kind = links::QuestionKind::yes_no;
+  mp.ask(question);
+  desk->look();
+  EXPECT_EQ(shown, (Lines{"mp: Three parts are done.", "mp: Go on? (yes or no)"}));
+  type("no\n");
+  desk->look();
+  expect_answer(mp, 2, 0);
 }
 
 }  // namespace

@@ -6,19 +6,19 @@
 #include <array>
 #include <charconv>
 
-#include "cli/typed_answer.hpp"
 #include "cli/typed_lines.hpp"
+#include "process/answer_text.hpp"
 
 namespace mrroc::cli {
 namespace {
 
-config::SensorEntry parts() {
-  config::SensorEntry sensor;
-  sensor.name = "parts";
-  sensor.type = "operator_input";
-  sensor.source = "hardware";
-  sensor.numbers = {{"min", {-5}}, {"max", {10}}};
-  return sensor;
+using process::read_answer;
+
+links::OperatorQuestion parts() {
+  links::OperatorQuestion question;
+  question.minimum = -5;
+  question.maximum = 10;
+  return question;
 }
 
 class Pipe {
@@ -87,6 +87,31 @@ TEST(TypedAnswer, WhatIsNoneIsRefusedWithTheReason) {
     EXPECT_FALSE(read_answer(parts(), line, refusal)) << line;
     EXPECT_NE(refusal.find(" is out of range, expected a number from -5 to 10"), std::string::npos) << refusal;
   }
+}
+
+TEST(TypedAnswer, YesAndNo) {
+  links::OperatorQuestion question;
+  question.kind = links::QuestionKind::yes_no;
+  std::string refusal;
+  for (const char* line : {"yes", " y ", "yes\r"}) EXPECT_EQ(read_answer(question, line, refusal), 1.0) << line;
+  for (const char* line : {"no", "n\t"}) EXPECT_EQ(read_answer(question, line, refusal), 0.0) << line;
+  for (const char* line : {"", "1", "maybe", "yes no"}) EXPECT_FALSE(read_answer(question, line, refusal)) << line;
+  EXPECT_EQ(refusal, "'yes no' is no answer, expected yes or no");
+}
+
+TEST(TypedAnswer, AChoiceByItsNameOrItsNumber) {
+  links::OperatorQuestion question;
+  question.kind = links::QuestionKind::choice;
+  question.choice_count = 3;
+  question.choices[0].assign("left");
+  question.choices[1].assign("right");
+  question.choices[2].assign("neither of them");
+  std::string refusal;
+  EXPECT_EQ(read_answer(question, "left", refusal), 0.0);
+  EXPECT_EQ(read_answer(question, " 2", refusal), 1.0);
+  EXPECT_EQ(read_answer(question, "neither of them ", refusal), 2.0);
+  for (const char* line : {"", "0", "4", "1.5", "lef"}) EXPECT_FALSE(read_answer(question, line, refusal)) << line;
+  EXPECT_EQ(refusal, "'lef' is no answer, expected 'left', 'right' or 'neither of them'");
 }
 
 }  // namespace

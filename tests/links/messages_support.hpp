@@ -52,12 +52,20 @@ inline bool same(const SensorReading& a, const SensorReading& b) {
   return a.sequence == b.sequence && a.tick == b.tick && a.channel_count == b.channel_count &&
          std::memcmp(a.values.data(), b.values.data(), sizeof a.values) == 0 && same(a.error, b.error);
 }
-inline bool same(const TaskCommand& a, const TaskCommand& b) { return a.kind == b.kind; }
+inline bool same(const Parcel& a, const Parcel& b) {
+  return a.label == b.label && a.fingerprint == b.fingerprint && a.size == b.size && a.content == b.content;
+}
+inline bool same(const TaskCommand& a, const TaskCommand& b) { return a.kind == b.kind && same(a.parcel, b.parcel); }
 inline bool same(const TaskStatus& a, const TaskStatus& b) {
   return a.state == b.state && same(a.error, b.error) && a.process == b.process && a.device == b.device &&
-         a.step == b.step && a.error_tick == b.error_tick && a.tick == b.tick;
+         a.step == b.step && a.error_tick == b.error_tick && a.tick == b.tick && same(a.parcel, b.parcel);
 }
-inline bool same(const OperatorQuestion& a, const OperatorQuestion& b) { return a.text == b.text && a.tick == b.tick; }
+inline bool same(const OperatorQuestion& a, const OperatorQuestion& b) {
+  const auto same_number = [](double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; };
+  return a.text == b.text && a.kind == b.kind && same_number(a.minimum, b.minimum) &&
+         same_number(a.maximum, b.maximum) && a.choice_count == b.choice_count && a.choices == b.choices &&
+         a.tick == b.tick;
+}
 inline bool same(const OperatorAnswer& a, const OperatorAnswer& b) {
   return a.question == b.question && std::memcmp(&a.value, &b.value, sizeof a.value) == 0;
 }
@@ -199,10 +207,19 @@ struct Arbitrary<mrroc::SensorReading> {
 };
 
 template <>
+struct Arbitrary<mrroc::Parcel> {
+  static Gen<mrroc::Parcel> arbitrary() {
+    using T = mrroc::Parcel;
+    return gen::build<T>(gen::set(&T::label), gen::set(&T::fingerprint),
+                         gen::set(&T::size, gen::inRange<std::uint16_t>(0, T::kCapacity + 1)), gen::set(&T::content));
+  }
+};
+
+template <>
 struct Arbitrary<mrroc::links::TaskCommand> {
   static Gen<mrroc::links::TaskCommand> arbitrary() {
     using T = mrroc::links::TaskCommand;
-    return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::links::TaskCommandKind::end_motion)));
+    return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::links::TaskCommandKind::message)), gen::set(&T::parcel));
   }
 };
 
@@ -212,7 +229,7 @@ struct Arbitrary<mrroc::links::TaskStatus> {
     using T = mrroc::links::TaskStatus;
     return gen::build<T>(gen::set(&T::state, any_enum(mrroc::links::TaskState::stopped)), gen::set(&T::error),
                          gen::set(&T::process), gen::set(&T::device), gen::set(&T::step), gen::set(&T::error_tick),
-                         gen::set(&T::tick));
+                         gen::set(&T::tick), gen::set(&T::parcel));
   }
 };
 
@@ -220,7 +237,10 @@ template <>
 struct Arbitrary<mrroc::links::OperatorQuestion> {
   static Gen<mrroc::links::OperatorQuestion> arbitrary() {
     using T = mrroc::links::OperatorQuestion;
-    return gen::build<T>(gen::set(&T::text), gen::set(&T::tick));
+    return gen::build<T>(gen::set(&T::text), gen::set(&T::kind, any_enum(mrroc::links::QuestionKind::choice)),
+                         gen::set(&T::minimum), gen::set(&T::maximum),
+                         gen::set(&T::choice_count, gen::inRange<std::uint8_t>(0, T::kChoices + 1)),
+                         gen::set(&T::choices), gen::set(&T::tick));
   }
 };
 

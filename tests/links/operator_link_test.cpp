@@ -9,24 +9,31 @@
 namespace mrroc::links {
 namespace {
 
+OperatorQuestion question(const char* text, Tick tick) {
+  OperatorQuestion asked;
+  asked.text.assign(text);
+  asked.tick = tick;
+  return asked;
+}
+
 TEST(OperatorLink, CarriesQuestionsAndAnswersInOrder) {
   TestDomain net;
   TestClock clock;
   OperatorRequester vsp(net.domain, clock, "t/parts");
   OperatorResponder desk(net.domain, clock, "t/parts");
   vsp.connect(kPatience);
-  EXPECT_EQ(vsp.ask("how many parts?", 100), 1U);
-  EXPECT_EQ(vsp.ask("sure?", 120), 2U);
-  OperatorQuestion question;
+  EXPECT_EQ(vsp.ask(question("how many parts?", 100)), 1U);
+  EXPECT_EQ(vsp.ask(question("sure?", 120)), 2U);
+  OperatorQuestion taken;
   std::uint64_t number = 0;
-  ASSERT_TRUE(desk.take(question, number));
-  EXPECT_EQ(question.text.view(), "how many parts?");
-  EXPECT_EQ(question.tick, 100U);
+  ASSERT_TRUE(desk.take(taken, number));
+  EXPECT_EQ(taken.text.view(), "how many parts?");
+  EXPECT_EQ(taken.tick, 100U);
   EXPECT_EQ(number, 1U);
-  ASSERT_TRUE(desk.take(question, number));
-  EXPECT_EQ(question.text.view(), "sure?");
+  ASSERT_TRUE(desk.take(taken, number));
+  EXPECT_EQ(taken.text.view(), "sure?");
   EXPECT_EQ(number, 2U);
-  EXPECT_FALSE(desk.take(question, number));
+  EXPECT_FALSE(desk.take(taken, number));
 
   OperatorAnswer answer;
   EXPECT_FALSE(vsp.take(answer));

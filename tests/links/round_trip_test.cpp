@@ -143,15 +143,22 @@ TEST(Malformed, Sensor) {
 }
 
 TEST(Malformed, Task) {
-  expect_dropped<TaskCommand>({{"kind", [](auto& w) { w.command_kind = 6; }}});
+  expect_dropped<TaskCommand>({{"kind", [](auto& w) { w.command_kind = 7; }},
+                               {"label", [](auto& w) { fill(w.parcel.label); }},
+                               {"size", [](auto& w) { w.parcel.size = 513; }}});
   expect_dropped<TaskStatus>({{"state", [](auto& w) { w.state = 6; }},
                               {"error class", [](auto& w) { w.error.error_class = 9; }},
                               {"process", [](auto& w) { fill(w.process); }},
-                              {"device", [](auto& w) { fill(w.device); }}});
+                              {"device", [](auto& w) { fill(w.device); }},
+                              {"label", [](auto& w) { fill(w.parcel.label); }},
+                              {"size", [](auto& w) { w.parcel.size = 513; }}});
 }
 
 TEST(Malformed, Operator) {
-  expect_dropped<OperatorQuestion>({{"text", [](auto& w) { fill(w.text); }}});
+  expect_dropped<OperatorQuestion>({{"text", [](auto& w) { fill(w.text); }},
+                                    {"kind", [](auto& w) { w.question_kind = 4; }},
+                                    {"choice count", [](auto& w) { w.choice_count = 9; }},
+                                    {"choices", [](auto& w) { fill(w.choices[7]); }}});
 }
 
 TEST(Malformed, ProcessStatus) {

@@ -2,8 +2,10 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "links/robot_responder.hpp"
+#include "mrroc/behaviours.hpp"
 #include "mrroc/conditions/digital_input.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
@@ -19,16 +21,20 @@
 namespace mrroc::ecp {
 
 /// c_l: the program of one effector. Derive, declare the robot and the sensors as members built from `*this`, write
-/// `run()`, and end the file with `MRROC_ECP(YourTask)`. The ECP starts it when the MP says so. While it runs, commands
-/// of MP-level Moves to this robot are refused (`busy`); when none runs, the ECP is transparent: it relays them to the
-/// EDP.
+/// `run()`, or behaviours (`on<Pick>(...)` in the constructor), or both, and end the file with `MRROC_ECP(YourTask)`.
+/// The ECP starts it when the MP says so: `run()` by `start("arm")`, a behaviour by `start("arm", Pick{...})`. While it
+/// runs, commands of MP-level Moves to this robot are refused (`busy`); when none runs, the ECP is transparent: it
+/// relays them to the EDP.
 class Task : public process::TaskProcess {
  public:
   /// Called by the framework only.
   Task();
 
-  /// The program. What it throws ends it: an Error is reported to the MP with its class; `Stopped` is a stop.
-  virtual void run() = 0;
+  /// The program; by default nothing. What it throws ends it, as it ends a behaviour: an Error is reported to the MP
+  /// with its class; `Stopped` is a stop.
+  virtual void run() {}
+  /// Runs what the last `start` asked for.
+  void run_started();
 
   /// This ECP's own robot when `requested` is empty; no other robot exists in an ECP (NonFatalError).
   std::string robot_name(const std::string& requested) const override;
@@ -37,11 +43,38 @@ class Task : public process::TaskProcess {
   void relay();
 
  protected:
+  /// What this program does when the MP starts it with a B, a type declared with MRROC_MESSAGE. In the constructor.
+  template <MessageType B, class Handler>
+  void on(Handler handler) {
+    behaviours_.on<B>(std::move(handler));
+  }
+  /// Tells the MP, whose task gets it with `take<M>("arm")`. Does not wait.
+  template <MessageType M>
+  void tell(const M& message) {
+    Behaviours::tells<M>();
+    tell_parcel(pack(message));
+  }
+  /// The oldest message of this type that the MP has told this program since it was started and that was not taken.
+  /// Neither waits nor allocates: for a generator or a condition too.
+  template <MessageType M>
+  std::optional<M> take() {
+    Parcel parcel;
+    return mailbox().take(label_of<M>(), parcel) ? std::optional<M>(unpack<M>(parcel)) : std::nullopt;
+  }
+  /// Whether there is one. For conditions: When{"corrected", [this] { return heard<Correction>(); }}.
+  template <MessageType M>
+  bool heard() noexcept {
+    return mailbox().has(label_of<M>());
+  }
+
   std::string robot_topic(const std::string& name) const override;
   std::string robot_peer(const std::string& name) const override;
   void poll_others() override;
 
  private:
+  void tell_parcel(const Parcel& parcel);
+
+  Behaviours behaviours_;
   links::RobotResponder mp_;
   RobotLink* edp_;
   RobotCommand command_;

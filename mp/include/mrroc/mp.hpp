@@ -3,6 +3,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "links/task_superior.hpp"
 #include "mrroc/conditions/digital_input.hpp"
@@ -14,6 +17,7 @@
 #include "mrroc/generators/hold.hpp"
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/generators/tool_velocity.hpp"
+#include "mrroc/message.hpp"
 #include "mrroc/move.hpp"
 #include "process/task_process.hpp"
 
@@ -23,9 +27,10 @@ namespace mrroc::mp {
 /// (`Irb6 left{*this, "left"};`), write `run()`, and end the file with `MRROC_MP(YourTask)`.
 ///
 /// Tight cooperation: `Move` and `Wait` over several robots; their ECPs are transparent. Loose: `start` ECPs, each runs
-/// its own program, and `wait_for_all`; the error of a started ECP that fails meanwhile is thrown by the MP's own Move
-/// or Wait, once, with its class. The operator's pause, resume, trigger and stop reach the MP's own instructions and
-/// every ECP that it has started.
+/// its own program or one of its behaviours, and `wait_for_all` or `wait_for_any`; what ECPs have to tell each other
+/// goes through the MP (`take`, `tell`). Both at once: `concurrently`. The error of a started ECP that fails meanwhile
+/// is thrown by whatever the MP waits in, a Move too, once, with its class. The operator's pause, resume, trigger,
+/// end-motion and stop reach the MP's own instructions and every ECP that it has started.
 class Task : public process::TaskProcess {
  public:
   /// Called by the framework only.
@@ -33,10 +38,22 @@ class Task : public process::TaskProcess {
 
   virtual void run() = 0;
 
-  /// Starts the program of the ECP of robot `name`. Throws NonFatalError when there is none.
-  void start(const std::string& name);
+  /// Starts the program of the ECP of robot `name`; while the task is paused it waits first. Throws NonFatalError:
+  /// invalid_argument when there is no such robot, busy when its ECP still runs.
+  void start(const std::string& name) { start_with(name, {}); }
+  /// Starts its behaviour for this message; likewise. One that the ECP does not have ends as its error.
+  template <MessageType B>
+  void start(const std::string& name, const B& behaviour) {
+    start_with(name, pack(behaviour));
+  }
   /// Starts the program of every ECP.
   void start_all();
+  /// Whether what was started in the ECP of robot `name` goes on. In a Move: .until(When{"belt has ended", [this] {
+  /// return !running("belt"); }}).
+  bool running(const std::string& name);
+  /// Ends the Move or Wait under way in the ECP of robot `name`, as if its condition had held; does nothing when
+  /// nothing runs there. Does not wait.
+  void end_motion(const std::string& name);
   /// Stops the program of the ECP of robot `name`, as the operator's stop does, and waits until it has ended and its
   /// robot rests; does nothing when it does not run. When it failed instead, its error is thrown here. Throws
   /// NonFatalError when there is none, Stopped when the operator stops meanwhile.
@@ -44,6 +61,37 @@ class Task : public process::TaskProcess {
   /// Waits until every started ECP has ended. When one fails, the others are stopped and its error is thrown here, with
   /// its class and where it arose; when the operator stops, all are stopped and Stopped is thrown.
   void wait_for_all();
+  /// Waits until those of them that were started have ended. When an ECP fails, its error is thrown here, and the
+  /// others go on. Throws NonFatalError when there is no such robot, Stopped.
+  void wait_for_all(const std::vector<std::string>& names);
+  /// Waits until one of them has ended, or none runs, and returns its name: the first in the list of those that do not
+  /// run. Likewise.
+  std::string wait_for_any(const std::vector<std::string>& names);
+
+  /// Tells the program under way in the ECP of robot `name`, which gets it with `take<M>()`; lost when none runs. Does
+  /// not wait.
+  template <MessageType M>
+  void tell(const std::string& name, const M& message) {
+    tell_parcel(name, pack(message));
+  }
+  /// The oldest message of this type that the ECP of robot `name` has told since it was started and that was not taken;
+  /// also when it has ended since. Neither waits nor allocates.
+  template <MessageType M>
+  std::optional<M> take(const std::string& name) {
+    Parcel parcel;
+    return take_parcel(name, label_of<M>(), parcel) ? std::optional<M>(unpack<M>(parcel)) : std::nullopt;
+  }
+  /// Whether there is one. For conditions.
+  template <MessageType M>
+  bool heard(const std::string& name) {
+    return heard_label(name, label_of<M>());
+  }
+
+  /// Runs these parts of the task side by side until all have ended: each may Move and Wait, ask, start and wait for
+  /// ECPs. They take turns: a part goes on until it waits for a reply, a tick or the operator. Two parts must not have
+  /// one robot, or one interactive sensor, at the same time (NonFatalError(busy)). When one throws, the others are
+  /// stopped at their next step, and the error is thrown here. Not within a part (NonFatalError(invalid_argument)).
+  void concurrently(const std::vector<std::function<void()>>& parts);
 
   std::string robot_name(const std::string& requested) const override;
   OperatorRequest operator_request() override;
@@ -52,6 +100,11 @@ class Task : public process::TaskProcess {
   void connect();
 
  protected:
+  // the same for messages whose types are read from a file
+  void start_with(const std::string& name, const Parcel& behaviour);
+  bool take_parcel(const std::string& name, std::string_view label, Parcel& parcel);
+  void forget_messages(const std::string& name);
+
   std::string robot_topic(const std::string& name) const override;
   std::string robot_peer(const std::string& name) const override { return name; }
   void poll_others() override;
@@ -63,7 +116,10 @@ class Task : public process::TaskProcess {
     bool running = false;
     std::uint64_t started_by = 0;  // number of the last start command
     links::TaskStatus status;
+    process::Mailbox mailbox;
   };
+  void tell_parcel(const std::string& name, const Parcel& parcel);
+  bool heard_label(const std::string& name, std::string_view label);
   Ecp& ecp(const std::string& name, const char* asked);
   [[noreturn]] static void rethrow(Ecp& failed);
   void wait_for_running();

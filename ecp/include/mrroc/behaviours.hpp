@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "config/program_behaviours.hpp"
+#include "mrroc/message.hpp"
+
+namespace mrroc::ecp {
+
+namespace detail {
+// true
+bool enter_on(MessageSchema schema);
+bool enter_tells(std::string_view label);
+}  // namespace detail
+
+/// The behaviours of one ECP program: what it does for a message of each type. The task's thread.
+class Behaviours {
+ public:
+  template <MessageType B, class Handler>
+  requires std::invocable<Handler, const B&>
+  void on(Handler handler) {
+    declare(On<B>::kEntered);
+    handlers_[std::string{label_of<B>()}] = [handler = std::move(handler)](const Parcel& parcel) {
+      handler(unpack<B>(parcel));
+    };
+  }
+  /// Says that the program tells messages of type M.
+  template <MessageType M>
+  static void tells() noexcept {
+    declare(Tells<M>::kEntered);
+  }
+
+  /// Does what the parcel asks for. Throws NonFatalError(invalid_argument) when no behaviour has its label, with those
+  /// there are, or its fields are others; and what the behaviour throws.
+  void run(const Parcel& parcel) const;
+
+  /// What the program, as it is linked, can be started with and tells, each by label. Any thread.
+  static config::ProgramBehaviours declared();
+
+ private:
+  // entered before main, because some `on<B>`, `tells<M>` is linked
+  template <MessageType B>
+  struct On {
+    static inline const bool kEntered = detail::enter_on(schema_of<B>());
+  };
+  template <MessageType M>
+  struct Tells {
+    static inline const bool kEntered = detail::enter_tells(label_of<M>());
+  };
+  static void declare(bool /*entered*/) noexcept {}
+
+  std::map<std::string, std::function<void(const Parcel&)>> handlers_;
+};
+
+}  // namespace mrroc::ecp

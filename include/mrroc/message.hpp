@@ -1,0 +1,150 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mrroc/message_field.hpp"
+#include "mrroc/parcel.hpp"
+
+/// Makes a struct a message: what an MP may start a behaviour of an ECP with, and what the two may tell each other.
+/// Stands below the struct, in its namespace, in a header that both programs include; names every field in order:
+///
+///   struct Pick {
+///     double x = 0, y = 0;  // m
+///   };
+///   MRROC_MESSAGE(Pick, x, y)
+///
+/// Fields are of the types that `FieldOf` knows, at most 16 of them and 512 bytes together (checked by the compiler).
+/// The struct's name is the message's label.
+#define MRROC_MESSAGE(Type, ...)                                                    \
+  [[maybe_unused]] constexpr const char* mrroc_label(const Type*) { return #Type; } \
+  template <class Visitor>                                                          \
+  constexpr void mrroc_visit([[maybe_unused]] const Type* type, Visitor&& visit) {  \
+    MRROC_DETAIL_EXPAND(__VA_OPT__(MRROC_DETAIL_FIELD(Type, __VA_ARGS__)))          \
+    static_cast<void>(visit);                                                       \
+  }                                                                                 \
+  static_assert(mrroc::MessageType<Type>, #Type " is no message: a field's type or the size is wrong");
+
+// the preprocessor's way to say "for each"
+#define MRROC_DETAIL_PARENTHESES ()
+#define MRROC_DETAIL_EXPAND(...) MRROC_DETAIL_EXPAND_4(MRROC_DETAIL_EXPAND_4(__VA_ARGS__))
+#define MRROC_DETAIL_EXPAND_4(...) MRROC_DETAIL_EXPAND_2(MRROC_DETAIL_EXPAND_2(__VA_ARGS__))
+#define MRROC_DETAIL_EXPAND_2(...) MRROC_DETAIL_EXPAND_1(MRROC_DETAIL_EXPAND_1(__VA_ARGS__))
+#define MRROC_DETAIL_EXPAND_1(...) MRROC_DETAIL_EXPAND_0(MRROC_DETAIL_EXPAND_0(__VA_ARGS__))
+#define MRROC_DETAIL_EXPAND_0(...) __VA_ARGS__
+#define MRROC_DETAIL_FIELD(Type, field, ...) \
+  visit(#field, &Type::field);               \
+  __VA_OPT__(MRROC_DETAIL_FIELD_AGAIN MRROC_DETAIL_PARENTHESES(Type, __VA_ARGS__))
+#define MRROC_DETAIL_FIELD_AGAIN() MRROC_DETAIL_FIELD
+
+namespace mrroc {
+
+/// A field of a message type, as listings and files name it.
+struct MessageFieldEntry {
+  std::string name;
+  FieldKind kind = FieldKind::number;
+  std::size_t size = 0;  ///< bytes
+  friend bool operator==(const MessageFieldEntry&, const MessageFieldEntry&) = default;
+};
+
+/// A message type without its C++ type: enough to make a parcel of values read from a file.
+struct MessageSchema {
+  std::string label;
+  std::vector<MessageFieldEntry> fields;
+  /// The fingerprint that a parcel of this type carries.
+  std::uint64_t fingerprint() const noexcept;
+  friend bool operator==(const MessageSchema&, const MessageSchema&) = default;
+};
+
+namespace detail {
+
+/// FNV-1a, 64 bit, of one field more.
+constexpr std::uint64_t hash_field(std::uint64_t hash, std::string_view name, FieldKind kind, std::size_t size) {
+  const auto add = [&hash](std::uint64_t byte) { hash = (hash ^ byte) * 0x100000001b3U; };
+  for (const char c : name) add(static_cast<unsigned char>(c));
+  add(static_cast<std::uint64_t>(kind) + 1);
+  add(size & 0xff);
+  add(size >> 8);
+  return hash;
+}
+
+constexpr std::uint64_t kHashOffset = 0xcbf29ce484222325U;
+
+template <class T>
+constexpr std::size_t size_of() {
+  std::size_t size = 0;
+  mrroc_visit(static_cast<const T*>(nullptr),
+              [&size]<class Field>(const char*, Field T::*) { size += FieldOf<Field>::kSize; });
+  return size;
+}
+
+template <class T>
+constexpr std::uint64_t fingerprint_of() {
+  std::uint64_t hash = hash_field(kHashOffset, mrroc_label(static_cast<const T*>(nullptr)), FieldKind::number, 0);
+  mrroc_visit(static_cast<const T*>(nullptr), [&hash]<class Field>(const char* name, Field T::*) {
+    hash = hash_field(hash, name, FieldOf<Field>::kKind, FieldOf<Field>::kSize);
+  });
+  return hash;
+}
+
+/// Throws NonFatalError(invalid_argument): the parcel is of another type than the one wanted.
+[[noreturn]] void throw_wrong_parcel(const Parcel& parcel, const MessageSchema& wanted);
+
+}  // namespace detail
+
+/// A type declared with MRROC_MESSAGE that fits a parcel.
+template <class T>
+concept MessageType = requires(const T* type) {
+  { mrroc_label(type) } -> std::convertible_to<const char*>;
+  requires detail::size_of<T>()
+  <= Parcel::kCapacity;
+  requires std::string_view(mrroc_label(static_cast<const T*>(nullptr)))
+  .size() <= kNameLength;
+};
+
+/// The label of message type T.
+template <MessageType T>
+constexpr std::string_view label_of() noexcept {
+  return mrroc_label(static_cast<const T*>(nullptr));
+}
+
+/// Name, fields and sizes of message type T. Allocates.
+template <MessageType T>
+MessageSchema schema_of() {
+  MessageSchema schema{std::string{label_of<T>()}, {}};
+  mrroc_visit(static_cast<const T*>(nullptr), [&schema]<class Field>(const char* name, Field T::*) {
+    schema.fields.push_back({name, FieldOf<Field>::kKind, FieldOf<Field>::kSize});
+  });
+  return schema;
+}
+
+/// The message as it travels. Does not allocate.
+template <MessageType T>
+Parcel pack(const T& message) noexcept {
+  Parcel parcel;
+  parcel.label.assign(label_of<T>());
+  parcel.fingerprint = detail::fingerprint_of<T>();
+  mrroc_visit(static_cast<const T*>(nullptr), [&]<class Field>(const char*, Field T::*field) {
+    FieldOf<Field>::put(message.*field, parcel.content.data() + parcel.size);
+    parcel.size = static_cast<std::uint16_t>(parcel.size + FieldOf<Field>::kSize);
+  });
+  return parcel;
+}
+
+/// The message that a parcel carries. Throws NonFatalError(invalid_argument) when it is of another type, or of this
+/// type as another version of the header declares it. Otherwise it does not allocate.
+template <MessageType T>
+T unpack(const Parcel& parcel) {
+  if (parcel.fingerprint != detail::fingerprint_of<T>() || parcel.size != detail::size_of<T>())
+    detail::throw_wrong_parcel(parcel, schema_of<T>());
+  T message;
+  std::size_t at = 0;
+  mrroc_visit(static_cast<const T*>(nullptr), [&]<class Field>(const char*, Field T::*field) {
+    FieldOf<Field>::get(parcel.content.data() + at, message.*field);
+    at += FieldOf<Field>::kSize;
+  });
+  return message;
+}
+
+}  // namespace mrroc

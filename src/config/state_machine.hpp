@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/deployment.hpp"
+#include "config/program_behaviours.hpp"
+#include "mrroc/parcel.hpp"
+
+namespace mrroc::config {
+
+/// The name of the state that ends a task with success.
+inline constexpr const char* kEndState = "end";
+
+/// One state of a task: it starts behaviours, or asks the operator, and then goes on to another.
+struct State {
+  struct Start {
+    std::string robot;
+    Parcel behaviour;       ///< without label: the program of the robot's ECP
+    std::string arguments;  ///< "x = 0.6, y = 0.1", for people
+  };
+  std::string name;
+  std::vector<Start> starts;  ///< in file order
+  bool any = false;           ///< goes on when the first has ended, not all; the others are stopped
+  std::string question;       ///< to answer by yes or no; empty: none
+  std::string next, yes, no;  ///< states to go on to
+  std::string on_error;       ///< after a non-fatal error of a started robot; empty: the task fails with it
+  /// States to go on to when a started robot tells a message with this label; what runs is stopped.
+  std::vector<std::pair<std::string, std::string>> on;
+  std::int64_t at_most = 0;  ///< how often it is entered; 0: as often as it comes
+  std::string afterwards;    ///< state to go on to instead, when it has been entered so often
+};
+
+/// A task as states and transitions, read from a file (docs/state_machines.md): what the stock MP runs when the
+/// deployment names one.
+struct StateMachine {
+  std::filesystem::path file;
+  std::string first;
+  std::vector<State> states;  ///< in file order
+  const State& state(const std::string& name) const;
+};
+
+/// Reads and validates: every robot, behaviour, argument, message and state that is named exists and has the type
+/// expected, every state can be reached, and from each the end. `programs`: what each robot's ECP has. Throws
+/// ConfigurationError with file, line, key, value and what was expected. Configuration time only.
+StateMachine load_state_machine(const std::filesystem::path& file, const Deployment& deployment,
+                                const ProgramsByRobot& programs);
+
+/// The state machine of a deployment that names one; asks the robots' programs for their behaviours. Throws likewise.
+StateMachine load_state_machine(const Deployment& deployment);
+
+/// The states and transitions as a graph in the language DOT of Graphviz.
+std::string to_dot(const StateMachine& machine);
+
+}  // namespace mrroc::config

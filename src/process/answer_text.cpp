@@ -1,0 +1,74 @@
+#include "process/answer_text.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "config/message_text.hpp"
+
+namespace mrroc::process {
+
+namespace {
+
+std::string trimmed(const std::string& line) {
+  constexpr const char* kBlanks = " \t\r";
+  const std::size_t first = line.find_first_not_of(kBlanks);
+  return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::optional<double> as_number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<double> as_choice(const links::OperatorQuestion& question, const std::string& text) {
+  for (std::size_t i = 0; i < question.choice_count; ++i)
+    if (question.choices[i].view() == text) return static_cast<double>(i);
+  const auto number = as_number(text);
+  if (!number || *number != std::floor(*number) || *number < 1 || *number > question.choice_count) return std::nullopt;
+  return *number - 1;
+}
+
+std::optional<double> as_yes_no(const std::string& text) {
+  if (text == "yes" || text == "y") return 1;
+  if (text == "no" || text == "n") return 0;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string expected_answer(const links::OperatorQuestion& question) {
+  switch (question.kind) {
+    case links::QuestionKind::none:
+      return "no answer";
+    case links::QuestionKind::yes_no:
+      return "yes or no";
+    case links::QuestionKind::choice: {
+      std::vector<std::string> choices;
+      for (std::size_t i = 0; i < question.choice_count; ++i) choices.emplace_back(question.choices[i].view());
+      return config::alternatives(choices);
+    }
+    case links::QuestionKind::number:
+      break;
+  }
+  return config::expected_number({.min = question.minimum, .max = question.maximum});
+}
+
+std::optional<double> read_answer(const links::OperatorQuestion& question, const std::string& line,
+                                  std::string& refusal) {
+  const std::string text = trimmed(line);
+  const char* fault = " is no answer";
+  if (question.kind == links::QuestionKind::number) {
+    const auto value = as_number(text);
+    if (value && *value >= question.minimum && *value <= question.maximum) return value;
+    fault = value ? " is out of range" : " is no number";
+  } else {
+    const auto value = question.kind == links::QuestionKind::choice ? as_choice(question, text) : as_yes_no(text);
+    if (value) return value;
+  }
+  refusal = config::in_quotes(text) + fault + ", expected " + expected_answer(question);
+  return std::nullopt;
+}
+
+}  // namespace mrroc::process

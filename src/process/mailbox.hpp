@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "mrroc/parcel.hpp"
+
+namespace mrroc::process {
+
+/// The messages that a program has been sent and has not taken, oldest first. Neither allocates after construction nor
+/// waits. The task's thread.
+class Mailbox {
+ public:
+  /// More than a program can mean to leave lying about.
+  static constexpr std::size_t kCapacity = 32;
+
+  Mailbox() { parcels_.reserve(kCapacity); }
+
+  /// Throws NonFatalError(busy) when it is full: the program does not take its messages.
+  void put(const Parcel& parcel);
+  /// The oldest message with this label; false when there is none.
+  bool take(std::string_view label, Parcel& parcel) noexcept;
+  bool has(std::string_view label) const noexcept;
+  void clear() noexcept { parcels_.clear(); }
+
+ private:
+  std::vector<Parcel> parcels_;
+};
+
+}  // namespace mrroc::process

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "clock/clock.hpp"
+
+namespace mrroc::process {
+
+/// The clock of a process whose task may run several strands: lines of control that take turns in the task's thread of
+/// control. One strand runs at a time, each on a thread of its own; it gives way when it waits on this clock, so that
+/// the others go on meanwhile. Turns follow the order of the strands, which makes lockstep deterministic; whenever
+/// something has come they go round until nobody has anything left to do. Outside of `run` it is the clock that it
+/// wraps.
+class StrandClock final : public clock::Clock {
+ public:
+  explicit StrandClock(std::unique_ptr<clock::Clock> clock) : clock_(std::move(clock)) {}
+  ~StrandClock() override;
+
+  /// Runs the strands until all have ended. When one throws, the others are told to stop (`cancelled`), and when they
+  /// have ended the first error is thrown; `Stopped` only when there is no other. Throws
+  /// NonFatalError(invalid_argument) when called by a strand. The task's thread.
+  void run(const std::vector<std::function<void()>>& strands);
+  /// Whether the running strand is to end because another has failed. The task's threads.
+  bool cancelled() const noexcept { return cancelled_; }
+  /// Says that the running strand begins to wait for something new, or need not wait any more: what it has done since
+  /// may be what another one waits for, so all get another turn. The task's threads.
+  void note_progress() noexcept { progress_ = true; }
+
+  // ---- Clock
+  double period() const noexcept override { return clock_->period(); }
+  Tick tick() const noexcept override { return clock_->tick(); }
+  bool simulated() const noexcept override { return clock_->simulated(); }
+  std::int64_t epoch_ns() const noexcept override { return clock_->epoch_ns(); }
+  double wall_seconds() const noexcept override { return clock_->wall_seconds(); }
+  bool start() override { return clock_->start(); }
+  clock::Wake wait(Tick wake_tick) override;
+  void interrupt() noexcept override { clock_->interrupt(); }
+  void notify() noexcept override { clock_->notify(); }
+  int register_sender(std::string_view topic) override { return clock_->register_sender(topic); }
+  int register_receiver(std::string_view topic) override { return clock_->register_receiver(topic); }
+  std::uint64_t delta() const noexcept override { return clock_->delta(); }
+  bool visible(std::uint64_t delta) const noexcept override { return clock_->visible(delta); }
+  void sent(int sender) noexcept override {
+    progress_ = true;
+    clock_->sent(sender);
+  }
+  void arrived(int receiver) noexcept override { clock_->arrived(receiver); }
+
+ private:
+  struct Strand;
+  void take_turns(std::vector<std::unique_ptr<Strand>>& strands);
+  void give_turn(Strand& strand, clock::Wake wake);
+
+  std::unique_ptr<clock::Clock> clock_;
+  Strand* running_ = nullptr;
+  std::exception_ptr error_;  // the first; one that is no stop goes before one that is
+  bool cancelled_ = false;
+  std::atomic<bool> progress_ = false;  // since the round of turns began
+};
+
+}  // namespace mrroc::process

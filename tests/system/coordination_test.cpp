@@ -1,0 +1,129 @@
+// What an MP can do with the programs of its ECPs, and with several parts of its own task, through `mrroc run`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+const std::string kBelt =
+    "type = \"conveyor\"\nhardware = \"loopback\"\nprogram = \"" MRROC_BINARY_DIR "/tests/coordination_ecp\"\n";
+
+std::filesystem::path deployment(const ScratchFolder& folder, const std::string& scenario,
+                                 const std::string& more = "") {
+  return folder.write("coordination.toml", "[deployment]\nname = \"coordination\"\n[mp]\nprogram = \"" MRROC_BINARY_DIR
+                                           "/tests/coordination_mp\"\n[robots.left]\n" +
+                                               kBelt + "[robots.right]\n" + kBelt +
+                                               "[[answers]]\nquestion = \"Which?\"\nanswer = \"" + scenario + "\"\n" +
+                                               more);
+}
+
+constexpr int kPatience = 60;  // s
+
+/// Runs the scenario twice in lockstep and once in real time; the lines must come in this order. Returns the output of
+/// the first run.
+std::string expect_lines(const std::filesystem::path& file, const std::vector<std::string>& lines, int code = 0) {
+  const ScratchFolder folder;
+  std::string first;
+  const std::vector<std::string> clocks{"lockstep", "lockstep", "real"};
+  for (std::size_t run = 0; run < clocks.size(); ++run) {
+    const auto trace = folder.path() / std::to_string(run);
+    const std::string output = run_mrroc(
+        {"run", file.string(), "--quiet", "--clock", clocks[run], "--trace", trace.string()}, code, kPatience);
+    std::size_t from = 0;
+    for (const std::string& line : lines) {
+      const std::size_t at = output.find(line, from);
+      EXPECT_NE(at, std::string::npos) << "'" << line << "' is missing (" << clocks[run] << ") in\n" << output;
+      if (at != std::string::npos) from = at + line.size();
+    }
+    if (run == 0) first = output;
+  }
+  EXPECT_EQ(trace_hash(folder.path() / "0"), trace_hash(folder.path() / "1"));
+  return first;
+}
+
+TEST(Coordination, BehavioursAreStartedWithTheirMessagesAndAwaited) {
+  const ScratchFolder folder;
+  expect_lines(deployment(folder, "behaviours"),
+               {"refused: non-fatal error: the receiver is busy: start: the ECP of robot 'left' still runs",
+                "first: left, right runs", "left at 0.000 m by place", "right at 0.300 m by place", "left: nothing",
+                "refused: non-fatal error: invalid argument: no behaviour 'Fly', there is Ask, Go, Run",
+                "refused: non-fatal error: invalid argument: start: the deployment has no robot 'nobody'", "left at ",
+                " m by end-motion"});
+}
+
+TEST(Coordination, ProgramsTellEachOtherThroughTheMp) {
+  const ScratchFolder folder;
+  expect_lines(deployment(folder, "messages"), {"left at ", " m by message", "left: nothing", "all have ended"});
+}
+
+TEST(Coordination, PartsOfATaskMoveTheirRobotsSideBySide) {
+  const ScratchFolder folder;
+  const auto file = deployment(folder, "strands", "[[answers]]\nquestion = \"Back?\"\nanswer = \"yes\"\n");
+  const std::string output = expect_lines(file, {"mp: Back? yes", "both are there", "left 0.100 m, right 0.100 m"});
+  // the instructions of the two parts overlap in time
+  const auto trace = folder.path() / "trace";
+  run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, 0);
+  std::ifstream lines(trace);
+  std::vector<std::string> robots;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find(" robot=");
+    if (at != std::string::npos) robots.push_back(line.substr(at + 7, line.find(' ', at + 7) - at - 7));
+  }
+  robots.erase(std::unique(robots.begin(), robots.end()), robots.end());
+  EXPECT_GT(robots.size(), 20U) << "the Moves came one after the other";
+}
+
+TEST(Coordination, TwoPartsMustNotMoveOneRobot) {
+  const ScratchFolder folder;
+  expect_lines(deployment(folder, "shared"),
+               {"refused: non-fatal error: the receiver is busy: another strand moves this robot",
+                "refused: non-fatal error: invalid argument: a strand cannot have strands", "left 0.000 m"});
+}
+
+TEST(Coordination, ThePartThatFailsStopsTheOthers) {
+  const ScratchFolder folder;
+  expect_lines(deployment(folder, "failing"), {"no part on the right", "left was stopped, 0.000 m/s"});
+}
+
+TEST(Coordination, QuestionsAreAnsweredByTheDeployment) {
+  const ScratchFolder folder;
+  const auto answer = [](const std::string& question, const std::string& text, const std::string& more = "") {
+    return "[[answers]]\nquestion = \"" + question + "\"\nanswer = \"" + text + "\"\n" + more;
+  };
+  const auto file = deployment(folder, "questions",
+                               answer("More?", "yes") + answer("More?", "no") + answer("How long?", "1.25") +
+                                   answer("Where to?", "0.5", "process = \"right\"\n") +
+                                   answer("Where to?", "0.04", "process = \"left\"\n"));
+  // what is asked at one tick is shown by process
+  expect_lines(file, {"left: Where to? 0.04", "left: On the way.", "Nobody is left to answer"}, 1);
+  expect_lines(file, {"mp: More? yes", "mp: More? no", "mp: How long? 1.25", "Nobody is left to answer"}, 1);
+  const std::string output = run_mrroc({"run", file.string(), "--quiet"}, 1);
+  for (const std::string line :
+       {"more 1, still more 0, length 1.25", "left at 0.040 m by answer",
+        "coordination.toml:24: answers.answer: '1.25' is out of range, expected a number from 5 to 6 to 'How long?'",
+        "0 choices of 'Which?', expected 1 to 8", "a text of 128 characters for the operator, expected 1 to 127"})
+    EXPECT_NE(output.find(line), std::string::npos) << "'" << line << "' is missing in\n" << output;
+}
+
+TEST(Coordination, PauseAndResumeReachThePartsAndTheProgramsAlike) {
+  const ScratchFolder folder;
+  const auto event = [](int tick, const std::string& command) {
+    return "[[events]]\ntick = " + std::to_string(tick) + "\ncommand = \"" + command + "\"\n";
+  };
+  const std::string undisturbed = run_mrroc({"run", deployment(folder, "pause").string()}, 0);
+  const auto file = deployment(folder, "pause", event(500, "pause") + event(2500, "resume"));
+  expect_lines(file, {"left at 0.150 m by place", "right at 0.150 m"});
+  const std::string paused = run_mrroc({"run", file.string()}, 0);
+  const auto seconds = [](const std::string& output) {
+    const std::string key = "coordination succeeded: ";
+    return std::stod(output.substr(output.find(key) + key.size()));
+  };
+  EXPECT_NEAR(seconds(paused) - seconds(undisturbed), 4.0, 0.5);  // simulated: 2000 ticks and the two ramps
+}
+
+}  // namespace
+}  // namespace mrroc::test

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "mrroc/message.hpp"
+
+namespace mrroc::test {
+
+/// A behaviour: the belt goes to `position` m at a part of its speed.
+struct Go {
+  double position = 0;
+  double speed = 0.9;
+};
+MRROC_MESSAGE(Go, position, speed)
+
+/// A behaviour: the belt runs at `speed` m/s until it is told otherwise.
+struct Run {
+  double speed = 0;
+};
+MRROC_MESSAGE(Run, speed)
+
+/// A behaviour: the operator is asked for the place to go to.
+struct Ask {};
+MRROC_MESSAGE(Ask)
+
+/// From the ECP: where it has come to.
+struct Arrived {
+  double position = 0;
+  Tick tick = 0;
+  FixedText<15> by;
+};
+MRROC_MESSAGE(Arrived, position, tick, by)
+
+/// To the ECP: the speed from now on.
+struct Faster {
+  double speed = 0;
+};
+MRROC_MESSAGE(Faster, speed)
+
+/// What no ECP has a behaviour for.
+struct Fly {};
+MRROC_MESSAGE(Fly)
+
+}  // namespace mrroc::test
