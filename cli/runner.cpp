@@ -140,7 +140,7 @@ void Runner::start_processes() {
   // after the children: they would inherit the domain's sockets
   links::DomainOptions options;
   options.id = domain_lock_.domain();
-  if (deployment_.clock != config::ClockMode::real) options.lease = 0;
+  options.lease = deployment_.clock == config::ClockMode::real ? deployment_.heartbeat_timeout : 0;
   domain_ = std::make_unique<links::Domain>(options);
   collector_ = std::make_unique<links::StatusCollector>(*domain_, deployment_.name);
   mp_ = std::make_unique<links::TaskSuperior>(*domain_, *operator_clock_, deployment_.name + "/mp", "mp");

@@ -10,7 +10,8 @@ namespace mrroc::ecp {
 Task::Task()
     : TaskProcess(process::BuildScope::process(),
                   process::BuildScope::process().topic(process::BuildScope::process().name())),
-      mp_(process().domain(), process().clock(), process().topic(process().name() + "/mp")),
+      mp_(process().domain(), process().clock(), process().topic(process().name() + "/mp"),
+          process().deployment().heartbeat_timeout),
       edp_(&robot_link(process().name(), process().deployment().robot(process().name()).type)) {}
 
 std::string Task::robot_name(const std::string& requested) const {

@@ -46,7 +46,8 @@ class Shell {
         force_sensor_(open_force_sensor()),
         servo_(model_set_, *hardware_, process.clock().period(), hand_over_),
         effector_(model_set_, process.clock().period(), hand_over_),
-        responder_(process.domain(), process.clock(), process.topic(place_.entry.name)) {
+        responder_(process.domain(), process.clock(), process.topic(place_.entry.name),
+                   process.deployment().heartbeat_timeout) {
     for (const config::SensorEntry& sensor : process.deployment().sensors)
       if (sensor.robot == place_.entry.name && sensor.wants_effector_state)
         feeds_.emplace_back(process.domain(), process.clock(), process.topic(place_.entry.name), sensor.name);

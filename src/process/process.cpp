@@ -68,10 +68,10 @@ int priority_of(links::ProcessRole role) {
 }
 
 /// Under simulated time the runner watches the processes: a busy machine must not look like a death.
-links::DomainOptions domain_options(int domain, bool simulated) {
+links::DomainOptions domain_options(int domain, bool simulated, double heartbeat_timeout) {
   links::DomainOptions options;
   options.id = domain;
-  if (simulated) options.lease = 0;
+  options.lease = simulated ? 0 : heartbeat_timeout;
   return options;
 }
 
@@ -103,7 +103,8 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
     const std::string warning = clock::request_realtime(priority_of(role));
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
-  domain_ = std::make_unique<links::Domain>(domain_options(arguments.domain, clock_->simulated()));
+  domain_ = std::make_unique<links::Domain>(
+      domain_options(arguments.domain, clock_->simulated(), deployment_.heartbeat_timeout));
   publisher_ = std::make_unique<links::StatusPublisher>(*domain_, deployment_.name);
   links::ProcessStatus status = first_status(arguments, role);
   status.boot = domain_->boot();

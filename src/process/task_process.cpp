@@ -47,7 +47,7 @@ RobotLink& TaskProcess::robot_link(const std::string& name, const std::string& t
   auto& link = robots_[name];
   if (link == nullptr) {
     link = std::make_unique<links::RobotRequester>(process_.domain(), process_.clock(), robot_topic(name),
-                                                   robot_peer(name));
+                                                   robot_peer(name), patience());
   }
   return *link;
 }
@@ -60,10 +60,15 @@ SensorLink& TaskProcess::sensor_link(const std::string& name, const std::string&
     links::SensorRequesterOptions options;
     options.published = !entry.interactive;
     options.polled = entry.polled;
+    options.timeout = patience();
     link = std::make_unique<links::SensorRequester>(process_.domain(), process_.clock(), process_.topic(name),
                                                     process_.name(), name, options);
   }
   return *link;
+}
+
+Tick TaskProcess::patience() const {
+  return static_cast<Tick>(std::llround(process_.deployment().heartbeat_timeout / servo_period()));
 }
 
 void TaskProcess::connect_links() {

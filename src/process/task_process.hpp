@@ -90,6 +90,8 @@ class TaskProcess : public Task {
 
  private:
   double ask(links::OperatorQuestion question, const std::string& text);
+  /// Ticks after which a peer that does not answer counts as silent.
+  Tick patience() const;
 
   Process& process_;
   links::TaskSubordinate superior_;
