@@ -1,12 +1,16 @@
 #include "cli/graph_command.hpp"
 
-#include <sys/wait.h>
+#include <poll.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
+#include "cli/ask_programs.hpp"
+#include "cli/child.hpp"
 #include "config/deployment.hpp"
 #include "config/message_text.hpp"
 #include "config/state_machine.hpp"
@@ -16,28 +20,33 @@ namespace mrroc::cli {
 
 namespace {
 
+constexpr int kTurn = 20;  // ms
+
+/// The program of this name in one of the folders of PATH.
+std::filesystem::path find_program(const std::string& name) {
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((folder + "/" + name).c_str(), X_OK) == 0) return folder + "/" + name;
+  throw std::runtime_error("graph: no program '" + name +
+                           "': install Graphviz, or leave --output away to get its input");
+}
+
 /// Has Graphviz draw it; the format is the file's extension.
 void draw(const std::string& dot, const std::filesystem::path& picture) {
   const std::string format = "-T" + (picture.has_extension() ? picture.extension().string().substr(1) : "svg");
-  int input[2];
-  if (pipe(input) != 0) throw std::runtime_error("graph: no pipe");
-  const pid_t child = fork();
-  if (child == 0) {
-    dup2(input[0], STDIN_FILENO);
-    close(input[0]);
-    close(input[1]);
-    execlp("dot", "dot", format.c_str(), "-o", picture.c_str(), nullptr);
-    std::fprintf(stderr, "mrroc: 'dot' cannot be started: install Graphviz, or leave --output away to get its input\n");
-    _exit(127);
+  const std::string input = picture.string() + ".dot";
+  if (!(std::ofstream(input) << dot)) throw std::runtime_error("graph: " + input + " cannot be written");
+  Child child("dot", find_program("dot"), {format, "-o", picture.string(), input});
+  std::string said;
+  for (bool ended = false; !ended;) {
+    pollfd output{child.output_fd(), POLLIN, 0};
+    poll(&output, 1, kTurn);
+    ended = child.ended();
+    for (const std::string& line : child.read_lines()) said += line + "\n";
   }
-  close(input[0]);
-  std::signal(SIGPIPE, SIG_IGN);  // when it has not started, its end says so
-  FILE* const file = fdopen(input[1], "w");
-  std::fputs(dot.c_str(), file);
-  std::fclose(file);
-  int status = 0;
-  waitpid(child, &status, 0);
-  if (status != 0) throw std::runtime_error("graph: " + picture.string() + " could not be drawn");
+  std::filesystem::remove(input);
+  if (child.exit_code() != 0) throw std::runtime_error("graph: " + picture.string() + " could not be drawn: " + said);
 }
 
 int graph(const std::filesystem::path& file, const std::filesystem::path& picture) {
@@ -45,7 +54,8 @@ int graph(const std::filesystem::path& file, const std::filesystem::path& pictur
   if (deployment.mp.states.empty())
     throw config::ConfigurationError(file, 0, "mp.states", "is missing: there is no state machine to draw",
                                      "the state machine's file");
-  const std::string dot = config::to_dot(config::load_state_machine(deployment));
+  const std::string dot =
+      config::to_dot(config::load_state_machine(deployment.mp.states, deployment, ask_programs(deployment)));
   if (picture.empty())
     std::fputs(dot.c_str(), stdout);
   else

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "cli/ask_programs.hpp"
 #include "cli/report.hpp"
 #include "cli/runner.hpp"
 #include "cli/trace.hpp"
@@ -28,13 +29,18 @@ config::ClockMode clock_mode(const std::string& name) {
 
 int run(const RunArguments& arguments) {
   config::Deployment deployment = config::load_deployment(arguments.file);
+  RunOptions options = arguments.options;
   if (!arguments.clock.empty()) deployment.clock = clock_mode(arguments.clock);
-  if (!deployment.mp.states.empty()) config::load_state_machine(deployment);
+  if (!deployment.mp.states.empty()) {
+    const config::ProgramsByRobot programs = ask_programs(deployment);
+    config::load_state_machine(deployment.mp.states, deployment, programs);
+    options.behaviours = config::to_text(programs);
+  }
   if (arguments.check) {
     fmt::print("{}\n", config::describe(deployment));
     return 0;
   }
-  const RunResult result = Runner(deployment, arguments.options).run();
+  const RunResult result = Runner(deployment, options).run();
   if (!arguments.options.quiet) print_report(deployment, result);
   return static_cast<int>(result.code);
 }

@@ -134,6 +134,7 @@ void Runner::start_processes() {
     arguments.world_fd = world_ ? world_->fd() : -1;
     arguments.domain = domain_lock_.domain();
     if (process.has_task && !options_.trace.empty()) arguments.trace = trace_part(process.name);
+    if (process.name == "mp") arguments.behaviours = options_.behaviours;
     if (process.name == "sim") arguments.snapshots = options_.snapshots;
     crew_.start(process.name, process.program.string(), process::to_command_line(arguments));
   }

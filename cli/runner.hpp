@@ -28,6 +28,7 @@ namespace mrroc::cli {
 struct RunOptions {
   std::filesystem::path trace;      ///< empty: none
   std::filesystem::path snapshots;  ///< folder for world snapshots; empty: none
+  std::string behaviours;           ///< what the ECP programs have, for a state machine (config::ProgramsByRobot)
   bool quiet = false;
   /// Starts the processes in a random order with random delays (0 to 0.3 s) drawn from this seed: a test of the
   /// barrier.

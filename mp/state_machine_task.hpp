@@ -12,7 +12,9 @@ namespace mrroc::mp {
 class StateMachineTask : public Task {
  public:
   /// Throws ConfigurationError when the file is wrong.
-  StateMachineTask() : machine_(config::load_state_machine(process().deployment())) {}
+  StateMachineTask()
+      : machine_(config::load_state_machine(process().deployment().mp.states, process().deployment(),
+                                            config::read_programs(process().arguments().behaviours))) {}
   void run() override;
 
  private:

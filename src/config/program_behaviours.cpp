@@ -1,9 +1,6 @@
 #include "config/program_behaviours.hpp"
 
-#include <array>
 #include <charconv>
-#include <cstdio>
-#include <memory>
 #include <sstream>
 #include <stdexcept>
 
@@ -13,9 +10,6 @@ namespace mrroc::config {
 
 namespace {
 
-constexpr std::array kKinds{FieldKind::number, FieldKind::integer, FieldKind::truth, FieldKind::text,
-                            FieldKind::vector, FieldKind::joints,  FieldKind::pose};
-
 /// `x:number:8`
 MessageFieldEntry read_field(const std::string& word) {
   const std::size_t first = word.find(':'), second = word.find(':', first + 1);
@@ -24,9 +18,9 @@ MessageFieldEntry read_field(const std::string& word) {
     MessageFieldEntry field{word.substr(0, first), FieldKind::number, 0};
     const char* const end = word.data() + word.size();
     const bool size = std::from_chars(word.data() + second + 1, end, field.size).ptr == end;
-    for (const FieldKind known : kKinds) {
-      field.kind = known;
-      if (size && kind == describe(known)) return field;
+    for (int known = 0; known <= static_cast<int>(FieldKind::pose); ++known) {
+      field.kind = static_cast<FieldKind>(known);
+      if (size && kind == describe(field.kind)) return field;
     }
   }
   throw std::runtime_error(in_quotes(word) + " is no field, expected name:kind:bytes");
@@ -66,19 +60,26 @@ ProgramBehaviours read_behaviours(const std::string& text) {
   return behaviours;
 }
 
-ProgramBehaviours behaviours_of(const std::filesystem::path& program) {
-  std::string quoted;  // for the shell
-  for (const char c : program.string()) quoted += c == '\'' ? std::string{"'\\''"} : std::string{c};
-  const std::string command = "'" + quoted + "' --behaviours </dev/null";
-  const auto close = [](FILE* pipe) { pclose(pipe); };
-  std::unique_ptr<FILE, decltype(close)> pipe(popen(command.c_str(), "re"), close);
-  if (pipe == nullptr) throw std::runtime_error("cannot be started");
+std::string to_text(const ProgramsByRobot& programs) {
   std::string text;
-  std::array<char, 4096> part{};
-  while (const std::size_t size = fread(part.data(), 1, part.size(), pipe.get())) text.append(part.data(), size);
-  if (pclose(pipe.release()) != 0)
-    throw std::runtime_error("does not tell its behaviours when called with --behaviours");
-  return read_behaviours(text);
+  for (const auto& [robot, behaviours] : programs) {
+    std::istringstream lines(to_text(behaviours));
+    for (std::string line; std::getline(lines, line);) text += robot + " " + line + "\n";
+  }
+  return text;
+}
+
+ProgramsByRobot read_programs(const std::string& text) {
+  std::map<std::string, std::string> texts;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t end = line.find(' ');
+    if (end == std::string::npos) throw std::runtime_error(in_quotes(line) + " is no behaviour of a robot");
+    texts[line.substr(0, end)] += line.substr(end + 1) + "\n";
+  }
+  ProgramsByRobot programs;
+  for (const auto& [robot, behaviours] : texts) programs[robot] = read_behaviours(behaviours);
+  return programs;
 }
 
 }  // namespace mrroc::config

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -21,7 +20,9 @@ std::string to_text(const ProgramBehaviours& behaviours);
 /// The reverse. Throws std::runtime_error that quotes a line that is none.
 ProgramBehaviours read_behaviours(const std::string& text);
 
-/// Calls the program. Throws std::runtime_error when it does not say. Configuration time only: starts a process.
-ProgramBehaviours behaviours_of(const std::filesystem::path& program);
+/// The same of several programs, each line begun by its robot.
+std::string to_text(const ProgramsByRobot& programs);
+/// The reverse. Throws likewise.
+ProgramsByRobot read_programs(const std::string& text);
 
 }  // namespace mrroc::config

@@ -16,7 +16,13 @@ struct Reader {
   const Deployment& deployment;
   const ProgramsByRobot& programs;
   std::vector<std::string> targets;  ///< every state, and the end
+  ProgramBehaviours none{};
 
+  /// A program that says nothing has no behaviours.
+  const ProgramBehaviours& of(const std::string& robot) const {
+    const auto found = programs.find(robot);
+    return found != programs.end() ? found->second : none;
+  }
   std::string target(const Table& table, std::string_view key) const { return table.choice(key, targets); }
   State::Start start(const Table& table) const;
   void transitions(const Table& table, State& state) const;
@@ -32,7 +38,7 @@ State::Start Reader::start(const Table& table) const {
     table.finish();
     return start;
   }
-  const std::vector<MessageSchema>& known = programs.at(start.robot).on;
+  const std::vector<MessageSchema>& known = of(start.robot).on;
   std::vector<std::string> labels;
   for (const MessageSchema& schema : known) labels.push_back(schema.label);
   const std::string label = table.choice("behaviour", labels);
@@ -52,7 +58,7 @@ void Reader::transitions(const Table& table, State& state) const {
   if (!on) return;
   std::vector<std::string> told;
   for (const State::Start& start : state.starts) {
-    const auto& tells = programs.at(start.robot).tells;
+    const auto& tells = of(start.robot).tells;
     told.insert(told.end(), tells.begin(), tells.end());
   }
   for (const std::string& label : on->keys()) {
@@ -139,19 +145,6 @@ StateMachine load_state_machine(const std::filesystem::path& file, const Deploym
   for (const std::string& name : states.table_names()) machine.states.push_back(reader.state(states.table(name), name));
   check_ways(states, machine);
   return machine;
-}
-
-StateMachine load_state_machine(const Deployment& deployment) {
-  ProgramsByRobot programs;
-  for (const RobotEntry& robot : deployment.robots) {
-    try {
-      programs[robot.name] = behaviours_of(robot.program);
-    } catch (const std::runtime_error& error) {
-      throw ConfigurationError(deployment.file, 0, "robots." + robot.name + ".program",
-                               in_quotes(robot.program) + ": " + error.what(), "an ECP program");
-    }
-  }
-  return load_state_machine(deployment.mp.states, deployment, programs);
 }
 
 }  // namespace mrroc::config

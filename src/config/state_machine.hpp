@@ -48,9 +48,6 @@ struct StateMachine {
 StateMachine load_state_machine(const std::filesystem::path& file, const Deployment& deployment,
                                 const ProgramsByRobot& programs);
 
-/// The state machine of a deployment that names one; asks the robots' programs for their behaviours. Throws likewise.
-StateMachine load_state_machine(const Deployment& deployment);
-
 /// The states and transitions as a graph in the language DOT of Graphviz.
 std::string to_dot(const StateMachine& machine);
 

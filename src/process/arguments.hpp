@@ -15,6 +15,7 @@ struct Arguments {
   int world_fd = -1;                ///< memory of the simulated world; -1: there is none
   int domain = 0;                   ///< DDS domain
   std::filesystem::path trace;      ///< this process's trace file; empty: no trace
+  std::string behaviours;           ///< of every ECP program, for the MP of a state machine (config::ProgramsByRobot)
   std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); empty: none
 };
 

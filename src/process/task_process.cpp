@@ -180,7 +180,7 @@ void TaskProcess::wait_until(const std::function<bool()>& holds) {
 bool TaskProcess::ask_yes_no(const std::string& question) {
   links::OperatorQuestion asked;
   asked.kind = links::QuestionKind::yes_no;
-  return ask(asked, question) != 0;
+  return put_question(asked, question) != 0;
 }
 
 std::size_t TaskProcess::ask_choice(const std::string& question, const std::vector<std::string>& choices) {
@@ -197,7 +197,7 @@ std::size_t TaskProcess::ask_choice(const std::string& question, const std::vect
       throw NonFatalError(ErrorCode::invalid_argument,
                           "the choice '" + choices[i] + "' of '" + question + "', expected 1 to 31 characters");
   }
-  return static_cast<std::size_t>(ask(asked, question));
+  return static_cast<std::size_t>(put_question(asked, question));
 }
 
 double TaskProcess::ask_number(const std::string& question, double minimum, double maximum) {
@@ -205,10 +205,10 @@ double TaskProcess::ask_number(const std::string& question, double minimum, doub
   asked.kind = links::QuestionKind::number;
   asked.minimum = minimum;
   asked.maximum = maximum;
-  return ask(asked, question);
+  return put_question(asked, question);
 }
 
-double TaskProcess::ask(links::OperatorQuestion question, const std::string& text) {
+double TaskProcess::put_question(links::OperatorQuestion question, const std::string& text) {
   return dialogue_.ask(question, text, [this] { return may_go_on(); });
 }
 

@@ -89,7 +89,7 @@ class TaskProcess : public Task {
   virtual void on_superior_command(const links::TaskCommand& /*command*/) {}
 
  private:
-  double ask(links::OperatorQuestion question, const std::string& text);
+  double put_question(links::OperatorQuestion question, const std::string& text);
   /// Ticks after which a peer that does not answer counts as silent.
   Tick patience() const;
 

@@ -86,7 +86,7 @@ TEST_F(OperatorSourceTest, LeavesOutWhatTheSensorDoesNotTake) {
 TEST_F(OperatorSourceTest, TheSensorOpensItAndABiasAsks) {
   OperatorInputSensor sensor;
   config::Deployment deployment;
-  deployment.name = "t";
+  deployment.name = std::string{"t"};
   config::SensorEntry other = entry;
   other.name = "others";
   other.source = "hardware";

@@ -1,0 +1,45 @@
+#include "cli/ask_programs.hpp"
+
+#include <poll.h>
+
+#include <stdexcept>
+
+#include "cli/child.hpp"
+#include "config/message_text.hpp"
+#include "config/table.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr int kTurn = 20;  // ms
+
+config::ProgramBehaviours ask(const std::string& program) {
+  Child child("behaviours", program, {"--behaviours"});
+  std::string text;
+  for (bool ended = false; !ended;) {
+    pollfd output{child.output_fd(), POLLIN, 0};
+    poll(&output, 1, kTurn);
+    ended = child.ended();
+    for (const std::string& line : child.read_lines()) text += line + "\n";
+  }
+  if (child.exit_code() != 0) throw std::runtime_error("does not tell its behaviours: " + child.how_it_ended());
+  return config::read_behaviours(text);
+}
+
+}  // namespace
+
+config::ProgramsByRobot ask_programs(const config::Deployment& deployment) {
+  config::ProgramsByRobot programs;
+  for (const config::RobotEntry& robot : deployment.robots) {
+    try {
+      programs[robot.name] = ask(robot.program);
+    } catch (const std::runtime_error& error) {
+      throw config::ConfigurationError(deployment.file, 0, "robots." + robot.name + ".program",
+                                       config::in_quotes(robot.program) + " " + error.what(), "an ECP program");
+    }
+  }
+  return programs;
+}
+
+}  // namespace mrroc::cli
