@@ -58,9 +58,11 @@ def main():
                 )
                 if done.returncode != 0:
                     problems.append(f"{name}:{line}: {command}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
-        for match in re.finditer(r"\]\(([^)#:]+)\)", text):
+        # a lambda in a code block looks like a link: its lines count, its text does not
+        prose = re.sub(r"^```.*?^```", lambda code: "\n" * code.group().count("\n"), text, flags=re.MULTILINE | re.DOTALL)
+        for match in re.finditer(r"\]\(([^)#:]+)\)", prose):
             if not (page.parent / match.group(1)).exists():
-                line = text[: match.start()].count("\n") + 1
+                line = prose[: match.start()].count("\n") + 1
                 problems.append(f"{name}:{line}: {match.group(1)} does not exist")
     print("\n".join(problems) or f"{commands} commands run, every snippet and link found")
     return 1 if problems or commands == 0 else 0
