@@ -20,9 +20,12 @@ namespace {
 constexpr std::chrono::seconds kPatienceWithOrphans{10};
 constexpr std::chrono::milliseconds kPause{5};
 
-std::string read_file(const std::filesystem::path& path) {
+/// The whole file; nothing of one that cannot be read, as those of a process that ends meanwhile.
+std::string read_file(const std::filesystem::path& path) try {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+} catch (const std::ios_base::failure&) {
+  return "";
 }
 
 std::filesystem::path new_folder() {
