@@ -1,7 +1,5 @@
 #include "cli/ask_programs.hpp"
 
-#include <poll.h>
-
 #include <stdexcept>
 
 #include "cli/child.hpp"
@@ -12,17 +10,9 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr int kTurn = 20;  // ms
-
 config::ProgramBehaviours ask(const std::string& program) {
   Child child("behaviours", program, {"--behaviours"});
-  std::string text;
-  for (bool ended = false; !ended;) {
-    pollfd output{child.output_fd(), POLLIN, 0};
-    poll(&output, 1, kTurn);
-    ended = child.ended();
-    for (const std::string& line : child.read_lines()) text += line + "\n";
-  }
+  const std::string text = child.wait_for_output();
   if (child.exit_code() != 0) throw std::runtime_error("does not tell its behaviours: " + child.how_it_ended());
   return config::read_behaviours(text);
 }

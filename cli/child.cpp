@@ -1,6 +1,7 @@
 #include "cli/child.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -113,6 +114,18 @@ std::vector<std::string> Child::read_lines() {
   }
   if (!lines.empty()) last_line_ = lines.back();
   return lines;
+}
+
+std::string Child::wait_for_output() {
+  constexpr int kTurn = 20;  // ms
+  std::string text;
+  for (bool all = false; !all;) {
+    pollfd output{output_, POLLIN, 0};
+    poll(&output, 1, kTurn);
+    all = ended();  // before the last look: what it wrote before its end is there then
+    for (const std::string& line : read_lines()) text += line + "\n";
+  }
+  return text;
 }
 
 }  // namespace mrroc::cli

@@ -36,6 +36,8 @@ class Child {
   void signal(int number) noexcept;
   /// Whole lines that it has written since the last call; at its end also an unfinished one. Never waits.
   std::vector<std::string> read_lines();
+  /// Waits until it has ended; every line that it has written.
+  std::string wait_for_output();
 
  private:
   std::string name_;

@@ -1,6 +1,5 @@
 #include "cli/graph_command.hpp"
 
-#include <poll.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -20,8 +19,6 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr int kTurn = 20;  // ms
-
 /// The program of this name in one of the folders of PATH.
 std::filesystem::path find_program(const std::string& name) {
   const char* const path = std::getenv("PATH");
@@ -38,13 +35,7 @@ void draw(const std::string& dot, const std::filesystem::path& picture) {
   const std::string input = picture.string() + ".dot";
   if (!(std::ofstream(input) << dot)) throw std::runtime_error("graph: " + input + " cannot be written");
   Child child("dot", find_program("dot"), {format, "-o", picture.string(), input});
-  std::string said;
-  for (bool ended = false; !ended;) {
-    pollfd output{child.output_fd(), POLLIN, 0};
-    poll(&output, 1, kTurn);
-    ended = child.ended();
-    for (const std::string& line : child.read_lines()) said += line + "\n";
-  }
+  const std::string said = child.wait_for_output();
   std::filesystem::remove(input);
   if (child.exit_code() != 0) throw std::runtime_error("graph: " + picture.string() + " could not be drawn: " + said);
 }
