@@ -12,8 +12,8 @@ namespace {
 
 /// Length of a step without robots: the original's macrostep.
 constexpr Tick kStepWithoutRobots = 10;
-/// Ticks between the present and the common start of several robots at rest: time for every command to arrive.
-constexpr Tick kStartMargin = 2;
+/// Greatest margin of a common start; a robot that is late even then starts after the others.
+constexpr Tick kLongestStartMargin = 256;
 
 bool rests(const RobotState& state) {
   return (state.desired_velocity.array() == 0.0).all() && (state.desired_acceleration.array() == 0.0).all();
@@ -147,11 +147,17 @@ void Instruction::come_to_rest() {
 
 void Instruction::resume_after_late_command() {
   const std::uint64_t before = std::exchange(late_, late_commands());
-  const auto braked = [](const Robot* robot) { return has_braked(*robot); };
-  if (late_ == before && std::none_of(robots_.begin(), robots_.end(), braked)) return;
+  const auto late = [this](const Robot* robot) { return has_braked(*robot) || began_late(*robot); };
+  if (late_ == before && std::none_of(robots_.begin(), robots_.end(), late)) return;
+  start_margin_ = std::min(2 * start_margin_, kLongestStartMargin);
   come_to_rest();
   late_ = late_commands();
   if (generator_ != nullptr) generator_->resume();
+}
+
+bool Instruction::began_late(const Robot& robot) const noexcept {
+  return common_start_ != 0 && start_margin_ < kLongestStartMargin && robot.command().start_tick == common_start_ &&
+         robot.state().macrostep_start > common_start_;
 }
 
 std::uint64_t Instruction::late_commands() const noexcept {
@@ -183,7 +189,8 @@ void Instruction::align_start_ticks() {
     resting = resting && rests(robot->state());
   }
   // a moving robot would have to brake for a later start
-  if (resting) start = std::max(start, task_->tick() + kStartMargin);
+  if (resting) start = std::max(start, task_->tick() + start_margin_);
+  common_start_ = resting ? start : 0;
   for (Robot* robot : robots_) {
     if (robot->command().start_tick == 0) robot->command().start_tick = start;
   }

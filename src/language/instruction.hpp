@@ -27,9 +27,11 @@ class Instruction {
   OperatorRequest hold_until_resumed();
   /// Holds until every robot rests.
   void come_to_rest();
-  /// A robot has braked because its command came late: what the generator planned is no more. All come to rest, then it
-  /// plans the rest of the motion.
+  /// A robot has braked, or started after the others, because its command came late: what the generator planned is no
+  /// more. All come to rest, then it plans the rest of the motion.
   void resume_after_late_command();
+  /// It was to start from rest with the others and started after them.
+  bool began_late(const Robot& robot) const noexcept;
   std::uint64_t late_commands() const noexcept;
   /// One macrostep in which every robot holds.
   void hold();
@@ -59,6 +61,10 @@ class Instruction {
   double start_wall_ = 0;
   Tick measure_at_ = 0;
   Tick skew_ = 0;
+  Tick common_start_ = 0;  ///< of the last commands, 0 when they did not start from rest
+  /// Ticks between the present and the common start of several robots at rest: time for every command to arrive.
+  /// Doubled whenever a command came late, so that a slow machine does not make the robots start over and over.
+  Tick start_margin_ = 2;
   std::uint64_t late_ = 0;  ///< late commands of all robots, as known
 };
 

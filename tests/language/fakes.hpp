@@ -57,6 +57,7 @@ class FakeRobotLink : public RobotLink {
   }
 
   std::uint64_t late_at = std::numeric_limits<std::uint64_t>::max();  ///< number of the reply that tells of braking
+  Tick way = 0;                                                       ///< time that a command needs to arrive
   Tick delayed_start = 0;  ///< how much later than commanded it says that it began
   std::shared_ptr<FakeModel> model;
   RobotState state;
@@ -65,7 +66,7 @@ class FakeRobotLink : public RobotLink {
 
  private:
   void execute() {
-    const Tick begin = std::max({command_.start_tick, state.desired_tick, sent_at_});
+    const Tick begin = std::max({command_.start_tick, state.desired_tick, sent_at_ + way});
     state.macrostep_start = begin + delayed_start;
     state.tick = begin + command_.reply_step;
     state.desired_tick = std::max<Tick>(begin + command_.motion_steps, state.tick);

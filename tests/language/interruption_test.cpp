@@ -123,5 +123,21 @@ TEST(Interruption, AfterALateCommandAllRobotsComeToRestAndTheGeneratorGoesOnFrom
   EXPECT_EQ(kinds, expected);
 }
 
+// with a margin that never grew, a machine that is slower than it would make the robots start over and over
+TEST(Interruption, RobotsGetMoreTimeForACommonStartUntilTheyStartTogether) {
+  FakeTask task;
+  const auto left = task.robot("left");
+  const auto right = task.robot("right");
+  for (Robot* robot : {left.get(), right.get()}) robot->set_macrostep(10, 11);  // every step ends at rest
+  task.robot_fake("right").way = 9;
+  EXPECT_EQ(Wait({*left, *right}, {}, ElapsedSteps{6}).skew, 7u) << "of the first start, 9 ticks after 2";
+  std::vector<Tick> starts;
+  for (const Call& call : task.log.calls)
+    if (call.action == Action::send && call.who == "left" && call.kind == CommandKind::hold)
+      starts.push_back(call.tick);
+  // with margins of 2, 4, 8 and 16 ticks; from there on both start at the tick that they are given
+  EXPECT_EQ(starts, (std::vector<Tick>{1002, 1024, 1048, 1076, 1103, 1130}));
+}
+
 }  // namespace
 }  // namespace mrroc
