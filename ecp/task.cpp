@@ -25,11 +25,26 @@ std::string Task::robot_topic(const std::string& name) const { return process().
 
 std::string Task::robot_peer(const std::string& name) const { return name + "_edp"; }
 
-void Task::run_started() {
+void Task::run_started() try {
   if (started().label.empty())
     run();
   else
     behaviours_.run(started());
+} catch (const SystemError&) {
+  throw;  // there may be nobody to answer
+} catch (...) {
+  come_to_rest();
+  throw;
+}
+
+void Task::come_to_rest() {
+  command_ = RobotCommand{};
+  command_.kind = CommandKind::hold;
+  do {
+    edp_->send(command_);
+    edp_->receive(state_);
+  } while (state_.error.error_class == ErrorClass::none &&
+           !(state_.desired_velocity.isZero(0) && state_.desired_acceleration.isZero(0)));
 }
 
 void Task::tell_parcel(const Parcel& parcel) {

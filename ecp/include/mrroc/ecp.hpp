@@ -33,7 +33,8 @@ class Task : public process::TaskProcess {
   /// The program; by default nothing. What it throws ends it, as it ends a behaviour: an Error is reported to the MP
   /// with its class; `Stopped` is a stop.
   virtual void run() {}
-  /// Runs what the last `start` asked for.
+  /// Runs what the last `start` asked for. When it leaves its robot in motion by a stop or an error, the robot comes to
+  /// rest before that is thrown on: what the MP starts next begins from rest.
   void run_started();
 
   /// This ECP's own robot when `requested` is empty; no other robot exists in an ECP (NonFatalError).
@@ -73,6 +74,8 @@ class Task : public process::TaskProcess {
 
  private:
   void tell_parcel(const Parcel& parcel);
+  /// Holds the robot until it rests or says why it cannot.
+  void come_to_rest();
 
   Behaviours behaviours_;
   links::RobotResponder mp_;
