@@ -23,12 +23,12 @@ std::filesystem::path deployment(const ScratchFolder& folder, const std::string&
 
 constexpr int kPatience = 60;  // s
 
-/// Runs the scenario twice in lockstep and once paced; the lines must come in this order. Returns the output of
+/// Runs the scenario twice in lockstep and once in real time; the lines must come in this order. Returns the output of
 /// the first run.
 std::string expect_lines(const std::filesystem::path& file, const std::vector<std::string>& lines, int code = 0) {
   const ScratchFolder folder;
   std::string first;
-  const std::vector<std::string> clocks{"lockstep", "lockstep", "paced"};
+  const std::vector<std::string> clocks{"lockstep", "lockstep", "real"};
   for (std::size_t run = 0; run < clocks.size(); ++run) {
     const auto trace = folder.path() / std::to_string(run);
     const std::string output = run_mrroc(

@@ -51,8 +51,8 @@ TEST(StateMachine, GoesFromStateToStateAndIsTheSameOnEveryRun) {
     hashes.push_back(trace_hash(trace));
   }
   EXPECT_EQ(hashes[0], hashes[1]);
-  const std::string paced = run_mrroc({"run", kTask + "shuttle.toml", "--clock", "paced"}, 0);
-  EXPECT_EQ(states_of(paced), "bring both more back bring both more home ") << paced;
+  const std::string real = run_mrroc({"run", kTask + "shuttle.toml", "--clock", "real"}, 0);
+  EXPECT_EQ(states_of(real), "bring both more back bring both more home ") << real;
 }
 
 TEST(StateMachine, EntersAStateNoOftenerThanItMay) {
