@@ -8,16 +8,18 @@
 #include <sstream>
 #include <string>
 
+#include "repetitions.hpp"
+
 namespace mrroc::fakes {
 
-/// Checks `property` (a function that uses RC_ASSERT and `*generator`) on `cases` random cases, as a part of the
-/// running GoogleTest. The seed is fixed and printed, so that every run checks the same cases; rapidcheck's own
-/// RC_PARAMS="seed=7" chooses others.
+/// Checks `property` (a function that uses RC_ASSERT and `*generator`) on `cases` random cases (`repetitions`), as a
+/// part of the running GoogleTest. The seed is fixed and printed, so that every run checks the same cases; rapidcheck's
+/// own RC_PARAMS="seed=7" chooses others.
 template <class Property>
 void check_property(int cases, Property&& property) {
   setenv("RC_PARAMS", "seed=20240229", 0);
   rc::detail::TestParams params = rc::detail::configuration().testParams;
-  params.maxSuccess = cases;
+  params.maxSuccess = test::repetitions(cases);
   rc::detail::TestMetadata metadata;
   metadata.id = ::testing::UnitTest::GetInstance()->current_test_info()->name();
   const rc::detail::TestResult result =

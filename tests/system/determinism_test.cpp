@@ -5,12 +5,13 @@
 #include <memory>
 #include <set>
 
+#include "repetitions.hpp"
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
 namespace {
 
-constexpr int kRuns = 20;
+constexpr int kRuns = repetitions(20);
 
 /// Hashes of runs in lockstep, the second half of them with two busy loops beside.
 std::set<std::string> hashes_of(const std::string& deployment, const std::filesystem::path& trace) {

@@ -9,6 +9,7 @@
 #include <thread>
 #include <tuple>
 
+#include "repetitions.hpp"
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
@@ -51,7 +52,7 @@ TEST_P(Kill, AnyProcessIsNamedAndTheRestEnds) {
   const std::string name = std::get<1>(GetParam());
   const std::set<std::string> before = shared_memory();
   std::mt19937 random(static_cast<unsigned>(name.front()));
-  for (int i = 0; i < times && !HasFailure(); ++i) {
+  for (int i = 0; i < repetitions(times) && !HasFailure(); ++i) {
     // some die while the deployment is being set up, most in the middle of the task
     kill_one({"run", "tasks/press/press.toml", "--clock", clock}, name, random() % 900);
   }
@@ -79,7 +80,8 @@ TEST_P(KillInLockstep, AnyProcessIsNamedAndTheRestEnds) {
                                                         "source = \"replay\"\nreplay = \"" MRROC_SOURCE_DIR
                                                         "/tasks/press_replay/gate.txt\"\n");
   std::mt19937 random(1);
-  for (int i = 0; i < 20 && !HasFailure(); ++i) kill_one({"run", deployment.string()}, GetParam(), random() % 600);
+  for (int i = 0; i < repetitions(20) && !HasFailure(); ++i)
+    kill_one({"run", deployment.string()}, GetParam(), random() % 600);
 }
 
 INSTANTIATE_TEST_SUITE_P(Processes, KillInLockstep, testing::Values("mp", "arm", "arm_edp", "gate"),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "repetitions.hpp"
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
@@ -28,7 +29,7 @@ TEST_P(Demo, ToursItsWorkspaceTheSameWayTenTimes) {
   const ScratchFolder folder;
   const std::string deployment = "robots/" + GetParam() + "/demo.toml";
   std::string first;
-  for (int run = 0; run < 10; ++run) {
+  for (int run = 0; run < repetitions(10); ++run) {
     const std::filesystem::path trace = folder.path() / ("trace_" + std::to_string(run));
     run_mrroc({"run", deployment, "--quiet", "--clock", "lockstep", "--trace", trace.string()}, 0);
     if (run == 0) first = trace_hash(trace);

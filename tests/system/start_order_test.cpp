@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "repetitions.hpp"
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
@@ -11,7 +12,7 @@ TEST(StartOrder, FiftyLaunchesInRandomOrderWithRandomDelaysAllSucceed) {
                                        "[deployment]\nname = \"quick\"\n"
                                        "[robots.left]\ntype = \"irb6\"\nhardware = \"loopback\"\n"
                                        "[robots.right]\ntype = \"irb6\"\nhardware = \"loopback\"\n");
-  for (int seed = 1; seed <= 50; ++seed) {
+  for (int seed = 1; seed <= repetitions(50); ++seed) {
     run_mrroc({"run", deployment.string(), "--quiet", "--shuffle-start", std::to_string(seed)}, 0);
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
@@ -20,7 +21,7 @@ TEST(StartOrder, FiftyLaunchesInRandomOrderWithRandomDelaysAllSucceed) {
 TEST(StartOrder, TheSameInRealTimeWithATaskThatMoves) {
   const ScratchFolder folder;
   const auto deployment = folder.write("caught.toml", faulty_deployment("caught", "real"));
-  for (int seed = 1; seed <= 10; ++seed) {
+  for (int seed = 1; seed <= repetitions(10); ++seed) {
     run_mrroc({"run", deployment.string(), "--quiet", "--shuffle-start", std::to_string(seed)}, 0);
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }

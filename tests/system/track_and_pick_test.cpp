@@ -7,6 +7,7 @@
 #include <set>
 
 #include "config/deployment.hpp"
+#include "repetitions.hpp"
 #include "sim/model.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr const char* kDeployment = "tasks/track_and_pick/track_and_pick.toml";
 constexpr int kParts = 20;
-constexpr int kRuns = 5;
+constexpr int kRuns = repetitions(5);
 
 /// The newest of the states that a run has saved.
 sim::WorldState last_state(const std::filesystem::path& folder) {
