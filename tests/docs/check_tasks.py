@@ -1,0 +1,47 @@
+"""Holds docs/tasks.md to tasks/: a row for each, with what its deployment says it does and the lines of its program.
+
+A program's lines are those of the C++ files in the task's folder (not in folders below it) that are neither empty nor
+comment only.
+
+Usage: check_tasks.py SOURCE_DIR
+"""
+
+import pathlib
+import re
+import sys
+
+
+def lines_of(folder):
+    count = 0
+    for path in [*folder.glob("*.cpp"), *folder.glob("*.hpp")]:
+        code = re.sub(r"/\*.*?\*/", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        count += sum(1 for line in code.splitlines() if line.strip() and not line.strip().startswith("//"))
+    return count
+
+
+def says(deployment):
+    """The comment above the deployment, without how to run it."""
+    words = []
+    for line in deployment.read_text(encoding="utf-8").splitlines():
+        if not line.startswith("#"):
+            break
+        words.append(line.lstrip("# "))
+    return " ".join(words).split(" Run it:")[0]
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]).resolve()
+    page = root / "docs/tasks.md"
+    text = page.read_text(encoding="utf-8")
+    rows = []
+    for deployment in sorted(root.glob("tasks/*/*.toml")):
+        folder = deployment.parent
+        if deployment.stem == folder.name:
+            rows.append(f"| [{folder.name}](../tasks/{folder.name}) | {says(deployment)} | {lines_of(folder) or 'none'} |")
+    missing = [row for row in rows if f"\n{row}\n" not in text]
+    print("\n".join(["docs/tasks.md has not these rows of its table:", *missing]) if missing else f"{len(rows)} tasks")
+    return 1 if missing or not rows else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
