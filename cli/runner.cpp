@@ -112,7 +112,7 @@ void Runner::collect_trace() {
     if (process.has_task && std::filesystem::exists(part)) parts.push_back(part);
   }
   try {
-    merge_traces(parts, options_.trace);
+    merge_traces(parts, options_.trace, deployment_.clock);
     for (const std::filesystem::path& part : parts) std::filesystem::remove(part);
   } catch (const std::exception& error) {  // what the run has come to is not lost with its trace
     fail(process::ExitCode::system, error.what());

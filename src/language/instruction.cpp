@@ -36,6 +36,16 @@ bool ends_in_motion(const RobotCommand& command) {
 /// The robot is to go on moving and says that it comes to rest: no command has come in time for it.
 bool has_braked(const Robot& robot) { return ends_in_motion(robot.command()) && rests(robot.state()); }
 
+StepEnding ending_of(ErrorClass error_class) {
+  if (error_class == ErrorClass::non_fatal) return StepEnding::non_fatal_error;
+  return error_class == ErrorClass::hardware ? StepEnding::hardware_error : StepEnding::system_error;
+}
+
+StepEnding ending_of(Ending ending) {
+  if (ending == Ending::condition) return StepEnding::condition;
+  return ending == Ending::generator ? StepEnding::generator : StepEnding::end_motion;
+}
+
 }  // namespace
 
 Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Generator* generator,
@@ -54,6 +64,13 @@ Outcome Instruction::run() {
     return run_steps();
   } catch (Error& error) {
     error.complete_origin({task_->process_name(), "", step_, newest_tick()});
+    observe(ending_of(error.error_class()));
+    throw;
+  } catch (const Stopped&) {
+    observe(StepEnding::stopped);
+    throw;
+  } catch (...) {
+    observe(StepEnding::system_error);
     throw;
   }
 }
@@ -70,17 +87,16 @@ Outcome Instruction::run_steps() {
   for (;;) {
     resume_after_late_command();
     if (operator_ends_it()) {
-      leaves_.clear();  // they were not evaluated at this step
-      observe(true);
+      observe(StepEnding::end_motion);
       return finish(Ending::end_motion);
     }
     if (const std::optional<Ending> ending = evaluate_end()) {
-      observe(true);
+      observe(ending_of(*ending));
       return finish(*ending);
     }
     write_next_state();
     send(step_ + 1);
-    observe(false);
+    observe(StepEnding::none);
     receive(step_ + 1);
     measure_skew();
     ++step_;
@@ -135,6 +151,7 @@ OperatorRequest Instruction::hold_until_resumed() {
 
 void Instruction::hold() {
   for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
+  ++held_;
   send(0);  // step 0: every reading is due, so that the motion resumes on fresh ones
   receive(0);
   throw_reported_errors();
@@ -240,20 +257,24 @@ Tick Instruction::newest_tick() const {
   return tick;
 }
 
-void Instruction::observe(bool last) const {
+void Instruction::observe(StepEnding ending) {
   StepObserver* observer = task_->observer();
   if (observer == nullptr) return;
   StepRecord record;
   record.is_move = generator_ != nullptr;
   record.instruction = instruction_;
   record.name = generator_ != nullptr ? &generator_->name() : &condition_->name();
+  if (generator_ != nullptr && condition_) record.until = &condition_->name();
   record.step = step_;
+  record.held = std::exchange(held_, 0);
   record.tick = newest_tick();
-  record.last = last;
+  record.last = ending != StepEnding::none;
+  record.ending = ending;
   record.skew = skew_;
   record.robots = robots_;
   record.sensors = sensors_;
-  record.conditions = leaves_;
+  const bool evaluated = !record.last || ending == StepEnding::condition || ending == StepEnding::generator;
+  if (evaluated) record.conditions = leaves_;
   observer->on_step(record);
 }
 

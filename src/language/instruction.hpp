@@ -37,7 +37,7 @@ class Instruction {
   void hold();
   std::optional<Ending> evaluate_end();
   void write_next_state();
-  void observe(bool last) const;
+  void observe(StepEnding ending);
   /// Requests the readings due at `next_step`, then sends e^{i+1}.
   void send(std::uint64_t next_step);
   /// Awaits every reply, then collects the readings due at `next_step`.
@@ -57,6 +57,7 @@ class Instruction {
   Task* task_ = nullptr;
   std::uint64_t instruction_ = 0;
   std::uint64_t step_ = 0;  // i - i0
+  std::uint64_t held_ = 0;  // macrosteps of hold since the last command that was observed
   Tick start_tick_ = 0;
   double start_wall_ = 0;
   Tick measure_at_ = 0;

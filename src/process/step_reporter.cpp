@@ -89,44 +89,93 @@ void write_command(TextLine& line, const RobotCommand& command) noexcept {
   write_target(line, command);
 }
 
+void write_error(TextLine& line, const ErrorReport& error) noexcept {
+  if (error.error_class == ErrorClass::none) return;
+  line << " error=\"" << describe(error.error_class) << ": " << describe(error.code) << "\"";
+}
+
+bool moves(const RobotState& state) noexcept {
+  return !state.desired_velocity.isZero(0) || !state.desired_acceleration.isZero(0);
+}
+
 void write_robot(TextLine& line, const Robot& robot, bool commanded) noexcept {
   const RobotState& state = robot.state();
-  line << " robot=" << robot.name() << " tick=" << state.tick << " joints=";
+  line << " robot=" << robot.name() << " tick=" << state.tick << " macrostep=" << state.macrostep_start << " joints=";
   write_vector(line, state.joints);
   line << " pose=";
   write_pose(line, state.pose);
   line << " desired_tick=" << state.desired_tick << " desired=";
   write_vector(line, state.desired_joints);
+  write_pose(line << " desired_pose=", state.desired_pose);
+  if (moves(state)) line << " moving";
+  if (state.late_commands != 0) line << " late=" << std::uint64_t{state.late_commands};
   if (!state.wrench.isZero(0)) write_vector(line << " wrench=", state.wrench);
+  write_error(line, state.error);
   if (commanded) {
     line << " command=";
     write_command(line, robot.command());
   }
 }
 
-void write_sensor(TextLine& line, const Sensor& sensor) noexcept {
+bool is_polled(const Sensor& sensor, const config::Deployment& deployment) noexcept {
+  for (const config::SensorEntry& entry : deployment.sensors)
+    if (entry.name == sensor.name()) return entry.polled;
+  return false;
+}
+
+void write_sensor(TextLine& line, const Sensor& sensor, const config::Deployment& deployment) noexcept {
   const SensorReading& reading = sensor.reading();
   line << " sensor=" << sensor.name() << " tick=" << reading.tick << " values=";
   for (std::uint32_t i = 0; i < reading.channel_count; ++i) line << (i == 0 ? "" : ",") << reading.values[i];
+  if (sensor.period() != 1) line << " period=" << std::uint64_t{sensor.period()};
+  if (!sensor.interactive()) line << " published";
+  if (is_polled(sensor, deployment)) line << " polled";
+  write_error(line, reading.error);
+}
+
+const char* name_of(StepEnding ending) noexcept {
+  switch (ending) {
+    case StepEnding::none:
+      return "none";
+    case StepEnding::condition:
+      return "condition";
+    case StepEnding::generator:
+      return "generator";
+    case StepEnding::end_motion:
+      return "end_motion";
+    case StepEnding::stopped:
+      return "stopped";
+    case StepEnding::non_fatal_error:
+      return "non_fatal_error";
+    case StepEnding::hardware_error:
+      return "hardware_error";
+    case StepEnding::system_error:
+      return "system_error";
+  }
+  return "none";
 }
 
 }  // namespace
 
-void format_step(TextLine& line, std::string_view process, const StepRecord& record) noexcept {
+void format_step(TextLine& line, const config::Deployment& deployment, std::string_view process,
+                 const StepRecord& record) noexcept {
   line << "tick=" << record.tick << " process=" << process << " instruction=" << record.instruction
-       << (record.is_move ? " move=\"" : " wait=\"") << *record.name << "\" step=" << record.step;
+       << (record.is_move ? " move=\"" : " wait=\"") << *record.name << "\"";
+  if (record.until != nullptr) line << " until=\"" << *record.until << "\"";
+  line << " step=" << record.step;
+  if (record.held != 0) line << " held=" << record.held;
   for (const Robot* robot : record.robots) write_robot(line, *robot, !record.last);
-  for (const Sensor* sensor : record.sensors) write_sensor(line, *sensor);
+  for (const Sensor* sensor : record.sensors) write_sensor(line, *sensor, deployment);
   for (const Condition* condition : record.conditions) {
     line << " condition=\"" << condition->name() << "\":" << (condition->value() ? "1" : "0");
   }
-  if (record.last) line << " end";
+  if (record.last) line << " end=" << name_of(record.ending);
   if (record.last && record.robots.size() > 1) line << " skew=" << record.skew;
 }
 
 StepReporter::StepReporter(Process& process) : process_(process) {
   const std::filesystem::path& path = process.arguments().trace;
-  if (!path.empty()) trace_ = std::make_unique<TraceFile>(path, process.clock().simulated());
+  if (!path.empty()) trace_ = std::make_unique<TraceFile>(path, process.name(), process.clock().simulated());
 }
 
 void StepReporter::on_step(const StepRecord& record) noexcept {
@@ -142,7 +191,7 @@ void StepReporter::on_step(const StepRecord& record) noexcept {
 void StepReporter::write_line(const StepRecord& record) noexcept {
   TextLine* line = trace_->begin();
   if (line == nullptr) return;
-  format_step(*line, process_.name(), record);
+  format_step(*line, process_.deployment(), process_.name(), record);
   trace_->commit();
 }
 

@@ -25,6 +25,7 @@ class StepReporter : public StepObserver {
 };
 
 /// Writes one step as a line of a trace (without the end of line).
-void format_step(TextLine& line, std::string_view process, const StepRecord& record) noexcept;
+void format_step(TextLine& line, const config::Deployment& deployment, std::string_view process,
+                 const StepRecord& record) noexcept;
 
 }  // namespace mrroc::process

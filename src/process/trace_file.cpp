@@ -3,11 +3,12 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace mrroc::process {
 
-TraceFile::TraceFile(const std::filesystem::path& path, bool lossless)
-    : file_(std::fopen(path.c_str(), "we")), lossless_(lossless), ring_(kLines) {
+TraceFile::TraceFile(const std::filesystem::path& path, std::string process, bool lossless)
+    : file_(std::fopen(path.c_str(), "we")), process_(std::move(process)), lossless_(lossless), ring_(kLines) {
   if (file_ == nullptr)
     throw std::runtime_error("cannot write the trace " + path.string() + ": " + std::strerror(errno));
   thread_ = std::thread([this] { run(); });
@@ -17,8 +18,9 @@ TraceFile::~TraceFile() {
   ended_ = true;
   wake();
   thread_.join();
-  if (dropped_ != 0) std::fprintf(file_, "# dropped %llu lines\n", static_cast<unsigned long long>(dropped_));
-  if (cut_ != 0) std::fprintf(file_, "# cut %llu lines\n", static_cast<unsigned long long>(cut_));
+  const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
+  std::fprintf(file_, "# process=%s lines=%llu dropped=%llu cut=%llu\n", process_.c_str(), number(written_),
+               number(dropped_), number(cut_));
   const bool failed = std::ferror(file_) != 0;
   if (std::fclose(file_) != 0 || failed) std::fprintf(stderr, "the trace is not complete: %s\n", std::strerror(errno));
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -16,9 +17,10 @@ namespace mrroc::process {
 /// waited for (for clocks that do not run by the wall).
 class TraceFile {
  public:
-  /// Throws std::runtime_error when the file cannot be written.
-  TraceFile(const std::filesystem::path& path, bool lossless);
-  /// Writes what is left, and below it how many lines were dropped and how many were too long and cut, if any.
+  /// `process`: whose trace it is. Throws std::runtime_error when the file cannot be written.
+  TraceFile(const std::filesystem::path& path, std::string process, bool lossless);
+  /// Writes what is left, and below it the remark that says how many lines there are:
+  /// "# process=arm lines=463 dropped=0 cut=0", of those some were cut because they were too long.
   ~TraceFile();
   TraceFile(const TraceFile&) = delete;
   TraceFile& operator=(const TraceFile&) = delete;
@@ -35,6 +37,7 @@ class TraceFile {
   void drain();
 
   std::FILE* file_;
+  std::string process_;
   bool lossless_;
   std::vector<TextLine> ring_;
   std::atomic<std::uint64_t> written_{0};  // by the task's thread

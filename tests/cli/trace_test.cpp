@@ -30,30 +30,46 @@ TEST_F(Trace, PartsAreMergedByTickThenProcessThenOrder) {
   const auto b = write("t.b.part", "tick=1 process=b step=0\ntick=9 process=b step=1\ntick=9 process=b step=2\n");
   const auto a = write("t.a.part", "tick=1 process=a step=0\ntick=10 process=a step=1\n");
   const auto merged = folder_ / "t";
-  merge_traces({b, a}, merged);
-  EXPECT_EQ(read(merged),
-            "# mrroc trace 1\ntick=1 process=a step=0\ntick=1 process=b step=0\ntick=9 process=b step=1\n"
-            "tick=9 process=b step=2\ntick=10 process=a step=1\n");
+  merge_traces({b, a}, merged, config::ClockMode::lockstep);
+  EXPECT_EQ(
+      read(merged),
+      "# mrroc trace 2 clock=lockstep\ntick=1 process=a step=0\ntick=1 process=b step=0\ntick=9 process=b step=1\n"
+      "tick=9 process=b step=2\ntick=10 process=a step=1\n");
 }
 
 TEST_F(Trace, ALineWithoutATickStaysBelowTheOneBefore) {
-  const auto a = write("t.a.part", "tick=5 process=a step=0\n# dropped 3 lines\n");
+  const auto a = write("t.a.part", "tick=5 process=a step=0\n# process=a lines=1 dropped=3 cut=0\n");
   const auto b = write("t.b.part", "tick=1 process=b step=0\ntick=7 process=b step=1\n");
-  merge_traces({a, b}, folder_ / "t");
+  merge_traces({a, b}, folder_ / "t", config::ClockMode::lockstep);
   EXPECT_EQ(read(folder_ / "t"),
-            "# mrroc trace 1\ntick=1 process=b step=0\ntick=5 process=a step=0\n# dropped 3 lines\n"
+            "# mrroc trace 2 clock=lockstep\ntick=1 process=b step=0\ntick=5 process=a step=0\n# process=a lines=1 "
+            "dropped=3 cut=0\n"
             "tick=7 process=b step=1\n");
 }
 
+TEST_F(Trace, ALineWithAnOlderTickStaysBelowTheOneBefore) {
+  const auto a = write("t.a.part", "tick=5 process=a step=0\ntick=3 process=a step=1\n");
+  const auto b = write("t.b.part", "tick=4 process=b step=0\n");
+  merge_traces({a, b}, folder_ / "t", config::ClockMode::real);
+  EXPECT_EQ(read(folder_ / "t"),
+            "# mrroc trace 2 clock=real\ntick=4 process=b step=0\ntick=5 process=a step=0\ntick=3 process=a step=1\n");
+}
+
+TEST_F(Trace, ALineThatAKilledProcessHasNotFinishedIsLeftOut) {
+  const auto a = write("t.a.part", "tick=5 process=a step=0\ntick=15 proc");
+  merge_traces({a}, folder_ / "t", config::ClockMode::lockstep);
+  EXPECT_EQ(read(folder_ / "t"), "# mrroc trace 2 clock=lockstep\ntick=5 process=a step=0\n");
+}
+
 TEST_F(Trace, EqualTracesHaveEqualHashesAndOthersDiffer) {
-  const auto one = write("one", "# mrroc trace 1\ntick=1\n");
-  const auto same = write("same", "# mrroc trace 1\ntick=1\n");
-  const auto other = write("other", "# mrroc trace 1\ntick=2\n");
+  const auto one = write("one", "# mrroc trace 2 clock=lockstep\ntick=1\n");
+  const auto same = write("same", "# mrroc trace 2 clock=lockstep\ntick=1\n");
+  const auto other = write("other", "# mrroc trace 2 clock=lockstep\ntick=2\n");
   EXPECT_EQ(hash_trace(one), hash_trace(same));
   EXPECT_NE(hash_trace(one), hash_trace(other));
   EXPECT_EQ(hash_trace(one).size(), 16U);
-  const auto ab = write("ab", "# mrroc trace 1\ntick=1\ntick=2\n"),
-             ba = write("ba", "# mrroc trace 1\ntick=2\ntick=1\n");
+  const auto ab = write("ab", "# mrroc trace 2 clock=lockstep\ntick=1\ntick=2\n"),
+             ba = write("ba", "# mrroc trace 2 clock=lockstep\ntick=2\ntick=1\n");
   EXPECT_NE(hash_trace(ab), hash_trace(ba)) << "the order counts";
   EXPECT_NE(hash_trace(ab), hash_trace(one)) << "so does the last line";
 }

@@ -82,6 +82,7 @@ class Model {
         if (request == OperatorRequest::none && script_.is_move) call(Action::resume_generator);
       }
       if (request == OperatorRequest::stop) {
+        observe(true);
         run_.stopped = true;
         return run_;
       }
@@ -257,6 +258,7 @@ class Model {
   RunRecord finish_with_error() {
     run_.error->step = step_;
     if (run_.error->tick == 0) run_.error->tick = newest();
+    observe(true);
     return run_;
   }
 

@@ -16,7 +16,7 @@ TEST(TraceFile, ALosslessTraceKeepsEveryLineInOrder) {
   const std::filesystem::path path = scratch("trace");
   constexpr std::uint64_t kLines = 20000;
   {
-    TraceFile trace(path, true);
+    TraceFile trace(path, "arm", true);
     for (std::uint64_t i = 0; i < kLines; ++i) {
       TextLine* line = trace.begin();
       ASSERT_NE(line, nullptr);
@@ -26,8 +26,11 @@ TEST(TraceFile, ALosslessTraceKeepsEveryLineInOrder) {
   }
   std::ifstream file(path);
   std::uint64_t expected = 0;
-  for (std::string text; std::getline(file, text); ++expected) ASSERT_EQ(text, std::to_string(expected));
+  std::string text;
+  for (; std::getline(file, text) && expected < kLines; ++expected) ASSERT_EQ(text, std::to_string(expected));
   EXPECT_EQ(expected, kLines);
+  EXPECT_EQ(text, "# process=arm lines=" + std::to_string(kLines) + " dropped=0 cut=0");
+  EXPECT_FALSE(std::getline(file, text));
   std::filesystem::remove(path);
 }
 
@@ -36,7 +39,7 @@ TEST(TraceFile, ALossyTraceCountsWhatItDrops) {
   std::uint64_t dropped = 0;
   constexpr std::uint64_t kLines = 200000;
   {
-    TraceFile trace(path, false);
+    TraceFile trace(path, "arm", false);
     for (std::uint64_t i = 0; i < kLines; ++i) {
       TextLine* line = trace.begin();
       if (line == nullptr) {
@@ -55,13 +58,13 @@ TEST(TraceFile, ALossyTraceCountsWhatItDrops) {
   }
   EXPECT_EQ(kept + dropped, kLines);
   EXPECT_GT(dropped, 0U);
-  EXPECT_EQ(last, "# dropped " + std::to_string(dropped) + " lines");
+  EXPECT_EQ(last, "# process=arm lines=" + std::to_string(kept) + " dropped=" + std::to_string(dropped) + " cut=0");
   std::filesystem::remove(path);
 }
 
 TEST(TraceFile, AFileThatCannotBeWrittenIsNamed) {
   try {
-    const TraceFile trace("/proc/no/such/file", true);
+    const TraceFile trace("/proc/no/such/file", "arm", true);
     FAIL() << "opened";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string{error.what()}.find("/proc/no/such/file"), std::string::npos);

@@ -12,7 +12,7 @@ std::vector<std::string> endings_of(const std::filesystem::path& trace) {
   std::vector<std::string> endings;
   std::ifstream file(trace);
   for (std::string line; std::getline(file, line);) {
-    if (!line.ends_with(" end")) continue;
+    if (line.find(" end=") == std::string::npos) continue;
     const std::size_t name = line.find_first_of('"');
     const std::size_t conditions = line.find(" condition=");
     endings.push_back(line.substr(name, line.find('"', name + 1) - name + 1) +
