@@ -3,6 +3,7 @@
 
 #include "cli/graph_command.hpp"
 #include "cli/run_command.hpp"
+#include "cli/trace_command.hpp"
 #include "config/table.hpp"
 #include "mrroc/errors.hpp"
 #include "process/exit_code.hpp"

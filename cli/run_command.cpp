@@ -7,7 +7,6 @@
 #include "cli/ask_programs.hpp"
 #include "cli/report.hpp"
 #include "cli/runner.hpp"
-#include "cli/trace.hpp"
 #include "config/description.hpp"
 #include "config/state_machine.hpp"
 
@@ -61,18 +60,6 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_flag("--quiet", arguments->options.quiet, "Print errors only");
   command->add_flag("--check", arguments->check, "Validate the deployment and show its processes; start nothing");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
-}
-
-void add_trace_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("trace", "Look at a trace written by `mrroc run --trace`");
-  command->require_subcommand(1);
-  auto file = std::make_shared<std::filesystem::path>();
-  CLI::App* hash = command->add_subcommand("hash", "Print the hash of a trace: equal traces, equal hashes");
-  hash->add_option("FILE", *file, "Trace file")->required();
-  hash->callback([file, &exit_code] {
-    fmt::print("{}\n", hash_trace(*file));
-    exit_code = 0;
-  });
 }
 
 }  // namespace mrroc::cli

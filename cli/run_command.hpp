@@ -6,7 +6,5 @@ namespace mrroc::cli {
 
 /// Adds `mrroc run`. Its result becomes `exit_code`.
 void add_run_command(CLI::App& app, int& exit_code);
-/// Adds `mrroc trace`.
-void add_trace_command(CLI::App& app, int& exit_code);
 
 }  // namespace mrroc::cli

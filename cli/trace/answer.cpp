@@ -1,0 +1,28 @@
+#include "cli/trace/answer.hpp"
+
+namespace mrroc::cli::trace {
+
+std::vector<Answer> answers(const Step& step) {
+  std::vector<Answer> found;
+  const Line& line = step.line;
+  if (step.before == nullptr || line.held != 0 || line.broken_off() || line.robots.size() != step.before->robots.size())
+    return found;
+  for (std::size_t i = 0; i < line.robots.size(); ++i) {
+    const RobotEntry& from = step.before->robots[i];
+    const RobotEntry& to = line.robots[i];
+    const bool moves =
+        from.command && from.command->kind != CommandKind::query && from.command->kind != CommandKind::set_tool;
+    if (!moves || to.error != ErrorClass::none || from.name != to.name) continue;
+    Answer answer{from, *from.command, to};
+    const RobotMemory* known = step.memory.robot(from.name);
+    const bool forced = known != nullptr && known->forced;
+    // at the first step the state is that of a query, which tells the end of all that was accepted
+    answer.end_before = forced && step.before->step != 0 ? from.macrostep + known->steps : from.desired_tick;
+    answer.after_force = forced && from.command->kind != CommandKind::force;
+    answer.late = to.late > from.late;
+    found.push_back(answer);
+  }
+  return found;
+}
+
+}  // namespace mrroc::cli::trace

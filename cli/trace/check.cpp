@@ -1,0 +1,132 @@
+#include "cli/trace/check.hpp"
+
+#include <algorithm>
+
+#include "cli/trace/words.hpp"
+
+namespace mrroc::cli::trace {
+
+namespace {
+
+constexpr std::size_t kDeferred = 100;  // violations of a process that its remark may explain; more are not kept
+
+class Check {
+ public:
+  Check(const std::filesystem::path& file, const std::function<void(const std::string&)>& report)
+      : name_(file.filename().string()), reader_(file), report_(report), rules_(all_rules()) {
+    memory_.simulated = reader_.simulated();
+    verdict_.rules = rules_.size();
+  }
+
+  Verdict run() {
+    for (;;) {
+      const auto item = reader_.next();
+      if (const auto* line = std::get_if<Line>(&item)) {
+        look(*line);
+      } else if (const auto* remark = std::get_if<Remark>(&item)) {
+        look(*remark);
+      } else {
+        finish();
+        return verdict_;
+      }
+    }
+  }
+
+ private:
+  void look(const Line& line) {
+    std::vector<Violation> found;
+    if (!line.cut) {
+      const Step step{line, memory_.before(line), memory_.instruction(line), memory_.process(line.process), memory_};
+      for (const Rule& rule : rules_) {
+        Findings findings(rule, line.number, found);
+        if (rule.check != nullptr) rule.check(step, findings);
+      }
+    }
+    memory_.take(line);
+    settle(found, line.process);
+  }
+
+  void look(const Remark& remark) {
+    std::vector<Violation> found;
+    for (const Rule& rule : rules_) {
+      Findings findings(rule, remark.number, found);
+      if (rule.check_end != nullptr) rule.check_end(remark, memory_, findings);
+    }
+    memory_.take(remark);
+    settle(found, remark.process);
+    if (remark.dropped != 0) {
+      note(remark.number, words("process ", remark.process, " has dropped ", remark.dropped,
+                                " lines: steps that are missing are no violation"));
+      deferred_.erase(remark.process);
+    }
+    if (remark.cut != 0)
+      note(remark.number, words(remark.cut, " lines of process ", remark.process, " were too long and not looked at"));
+    tell_deferred(remark.process);
+  }
+
+  /// A process without a remark was killed, and its trace with it.
+  void finish() {
+    for (const auto& [name, process] : memory_.processes) {
+      tell_deferred(name);
+      if (process.lines != 0) ++verdict_.processes;
+      if (process.ended) continue;
+      std::string text = words("the trace of process ", name, " stops here: it was killed");
+      for (const auto& open : process.open) text += words(", in instruction ", open.first);
+      note(process.last_line, text);
+    }
+    verdict_.lines = memory_.lines;
+    verdict_.instructions = memory_.instructions;
+  }
+
+  void settle(const std::vector<Violation>& found, const std::string& process) {
+    for (const Violation& violation : found) {
+      std::vector<Violation>& deferred = deferred_[process];
+      if (!violation.may_be_dropped || memory_.simulated)
+        tell(violation);
+      else if (deferred.size() < kDeferred)
+        deferred.push_back(violation);
+    }
+  }
+
+  void tell_deferred(const std::string& process) {
+    for (const Violation& violation : deferred_[process]) tell(violation);
+    deferred_.erase(process);
+  }
+
+  void tell(const Violation& violation) {
+    ++verdict_.violations;
+    report_(words(name_, ":", violation.line, ": ", violation.rule->name, ": ", violation.found, ", expected ",
+                  violation.expected));
+  }
+
+  void note(std::size_t line, const std::string& text) {
+    verdict_.notes.push_back(words(name_, ":", line, ": note: ", text));
+  }
+
+  std::string name_;
+  Reader reader_;
+  const std::function<void(const std::string&)>& report_;
+  const Rules rules_;
+  Memory memory_;
+  std::map<std::string, std::vector<Violation>> deferred_;  ///< by process: its remark tells whether they count
+  Verdict verdict_;
+};
+
+}  // namespace
+
+Verdict check_trace(const std::filesystem::path& file, const std::function<void(const std::string&)>& report) {
+  return Check(file, report).run();
+}
+
+std::string text_of_rules() {
+  std::string text;
+  const auto column = [](std::string_view word, std::size_t width) {
+    std::string padded{word};
+    padded.resize(std::max(width, word.size() + 1), ' ');
+    return padded;
+  };
+  for (const Rule& rule : all_rules()) text += column(rule.name, 24) + column(rule.equation, 30) + rule.says + "\n";
+  return text;
+}
+
+}  // namespace mrroc::cli::trace

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrroc/robot_command.hpp"
+#include "mrroc/step_observer.hpp"
+
+namespace mrroc::cli::trace {
+
+using Numbers = std::vector<double>;
+
+/// `command=` of a robot: e^{i+1}.
+struct CommandEntry {
+  CommandKind kind = CommandKind::hold;  ///< `set_tool` stands for every change of the robot itself
+  bool relative = false;
+  Interpolation interpolation = Interpolation::joints;
+  std::uint64_t motion_steps = 0;  ///< N
+  std::uint64_t reply_step = 0;    ///< v
+  Tick start_tick = 0;             ///< 0: none is given
+  Numbers target;         ///< joints, shafts, pose, velocity or twist, as the kind says; of force: a twist, a wrench
+  std::string behaviour;  ///< of force: a letter per axis
+};
+
+/// `robot=` and what follows it: e^i. Units and frames are those of RobotState.
+struct RobotEntry {
+  std::string name;
+  Tick tick = 0;
+  Tick macrostep = 0;  ///< tick 0 of the macrostep that the state answers
+  Numbers joints, pose;
+  Tick desired_tick = 0;
+  Numbers desired, desired_pose;  ///< poses: x, y, z, then the quaternion w, x, y, z
+  bool moving = false;            ///< at `desired_tick`
+  std::uint64_t late = 0;         ///< late commands since the start
+  Numbers wrench;                 ///< none where it is zero
+  ErrorClass error = ErrorClass::none;
+  std::string error_code;  ///< in words
+  std::optional<CommandEntry> command;
+};
+
+enum class SensorMode { interactive, polled, published };
+
+/// `sensor=` and what follows it: v^i.
+struct SensorEntry {
+  std::string name;
+  Tick tick = 0;
+  Numbers values;
+  std::uint64_t period = 1;  ///< steps
+  SensorMode mode = SensorMode::interactive;
+  ErrorClass error = ErrorClass::none;
+  std::string error_code;  ///< in words
+};
+
+struct ConditionEntry {
+  std::string name;
+  bool value = false;
+};
+
+/// One line of a trace: a step of a Move or Wait. docs/trace.md tells what the fields mean.
+struct Line {
+  std::size_t number = 0;  ///< in the file, from 1
+  bool cut = false;        ///< it was too long: what stands after `step` is not all there
+  Tick tick = 0;
+  std::string process;
+  std::uint64_t instruction = 0;
+  bool is_move = false;
+  std::string name;
+  std::optional<std::string> until;
+  std::uint64_t step = 0;
+  std::uint64_t held = 0;
+  std::vector<RobotEntry> robots;
+  std::vector<SensorEntry> sensors;
+  std::vector<ConditionEntry> conditions;
+  StepEnding ending = StepEnding::none;
+  std::optional<Tick> skew;
+
+  bool ends() const noexcept { return ending != StepEnding::none; }
+  /// The instruction was left in the middle of an exchange, perhaps: the states need not be of one step.
+  bool broken_off() const noexcept { return ending == StepEnding::stopped || ending == StepEnding::system_error; }
+};
+
+}  // namespace mrroc::cli::trace

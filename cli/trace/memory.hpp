@@ -1,0 +1,73 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "cli/trace/reader.hpp"
+
+namespace mrroc::cli::trace {
+
+/// What is known of an instruction that goes on.
+struct InstructionMemory {
+  Line before;                         ///< its last line
+  bool interrupted = false;            ///< lines behind `before` are missing
+  Tick skew = 0;                       ///< worst spread of the robots' macrosteps so far
+  bool skew_is_known = true;           ///< that of every step was seen
+  std::set<std::string> goes_on_with;  ///< values of the condition's parts with which it went on, as "0110"
+};
+
+/// What is known of a process.
+struct ProcessMemory {
+  std::uint64_t lines = 0;
+  std::size_t last_line = 0;           ///< number in the file
+  std::uint64_t last_instruction = 0;  ///< greatest that has begun
+  Tick newest = 0;                     ///< greatest tick of a line
+  std::map<std::uint64_t, InstructionMemory> open;
+  std::map<std::string, RobotEntry> robots;    ///< as last seen, without the command
+  std::map<std::string, SensorEntry> sensors;  ///< as last seen
+  bool ended = false;                          ///< its remark was there
+};
+
+/// The last command of a process to a robot.
+struct Commanded {
+  std::size_t line = 0;
+  Tick tick = 0;
+};
+
+/// What is known of a robot, whoever commands it.
+struct RobotMemory {
+  bool forced = false;      ///< the last command that it answered was a force motion: its end is not in the state
+  std::uint64_t steps = 0;  ///< N of that command
+  std::map<std::string, Commanded> by;  ///< by process
+};
+
+/// All that is remembered of the lines so far: bounded by processes, robots and sensors, not by the trace's length.
+struct Memory {
+  bool simulated = true;
+  std::uint64_t lines = 0;
+  std::uint64_t instructions = 0;
+  std::string last_process;  ///< of the line before
+  Tick last_newest = 0;      ///< its `ProcessMemory::newest`
+  std::map<std::string, ProcessMemory> processes;
+  std::map<std::string, RobotMemory> robots;
+
+  /// Null when there is none.
+  const ProcessMemory* process(const std::string& name) const;
+  const RobotMemory* robot(const std::string& name) const;
+  /// The step before `line`, when it was in the trace; else null.
+  const Line* before(const Line& line) const;
+  /// The instruction of `line`, when it has begun and goes on; else null.
+  const InstructionMemory* instruction(const Line& line) const;
+
+  void take(const Line& line);
+  void take(const Remark& remark);
+};
+
+/// The values of all parts, one character each.
+std::string key_of(const std::vector<ConditionEntry>& conditions);
+
+/// Ticks between the first and the last start of the robots' macrosteps.
+Tick spread(const Line& line);
+
+}  // namespace mrroc::cli::trace

@@ -1,0 +1,68 @@
+#include "cli/trace/reader.hpp"
+
+#include <cerrno>
+#include <cstring>
+
+#include "cli/trace.hpp"
+#include "cli/trace/parse_line.hpp"
+#include "process/text_line.hpp"
+
+namespace mrroc::cli::trace {
+
+namespace {
+
+Remark parse_remark(std::string_view text) {
+  Fields fields(text);
+  Remark remark;
+  fields.expect("# process=", "remark");
+  remark.process = fields.name("process");
+  fields.expect(" lines=", "remark");
+  remark.lines = fields.count("lines");
+  fields.expect(" dropped=", "remark");
+  remark.dropped = fields.count("dropped");
+  fields.expect(" cut=", "remark");
+  remark.cut = fields.count("cut");
+  if (!fields.at_end()) throw Malformed("remark", text, "nothing behind 'cut'");
+  return remark;
+}
+
+}  // namespace
+
+Reader::Reader(std::filesystem::path file) : path_(std::move(file)), file_(path_, std::ios::binary) {
+  if (!file_) throw std::runtime_error("cannot read the trace " + path_.string() + ": " + std::strerror(errno));
+  const bool known = read() && text_.starts_with(kTraceHeader);
+  const std::string clock = known ? text_.substr(kTraceHeader.size()) : "";
+  simulated_ = clock != "real";
+  if (clock != "real" && clock != "paced" && clock != "lockstep")
+    throw std::runtime_error(path_.string() + ":1: is no trace, expected the line \"" + std::string{kTraceHeader} +
+                             "...\", the clock real, paced or lockstep");
+}
+
+bool Reader::read() {
+  if (!std::getline(file_, text_)) {
+    if (file_.bad()) throw std::runtime_error("cannot read the trace " + path_.string() + ": " + std::strerror(errno));
+    return false;
+  }
+  ++number_;
+  return true;
+}
+
+std::variant<std::monostate, Line, Remark> Reader::next() {
+  if (!read()) return {};
+  try {
+    if (text_.size() > process::TextLine::kCapacity)
+      throw Malformed("line", text_, "at most " + std::to_string(process::TextLine::kCapacity) + " characters");
+    if (text_.starts_with('#')) {
+      Remark remark = parse_remark(text_);
+      remark.number = number_;
+      return remark;
+    }
+    Line line = parse_line(text_, process::TextLine::kCapacity);
+    line.number = number_;
+    return line;
+  } catch (const Malformed& malformed) {
+    throw std::runtime_error(path_.string() + ":" + std::to_string(number_) + ": " + malformed.what());
+  }
+}
+
+}  // namespace mrroc::cli::trace

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <variant>
+
+#include "cli/trace/line.hpp"
+
+namespace mrroc::cli::trace {
+
+/// What the remark "# process=arm lines=463 dropped=0 cut=0" below a process's last line says.
+struct Remark {
+  std::size_t number = 0;  ///< of its line in the file, from 1
+  std::string process;
+  std::uint64_t lines = 0;    ///< that the process has written
+  std::uint64_t dropped = 0;  ///< that it has not, because the disk was slow
+  std::uint64_t cut = 0;      ///< of `lines`: too long, the rest is missing
+};
+
+/// Reads a trace line by line, whatever its size: one line is in memory at a time.
+class Reader {
+ public:
+  /// Throws std::runtime_error when the file cannot be read or is no trace.
+  explicit Reader(std::filesystem::path file);
+
+  /// By whose ticks the trace was written: lockstep or paced, not real.
+  bool simulated() const noexcept { return simulated_; }
+  /// The next line or remark; nothing (std::monostate) at the end. Throws std::runtime_error "FILE:LINE: field ..."
+  /// when it is not of the format.
+  std::variant<std::monostate, Line, Remark> next();
+
+ private:
+  bool read();
+
+  std::filesystem::path path_;
+  std::ifstream file_;
+  std::string text_;
+  std::size_t number_ = 0;
+  bool simulated_ = true;
+};
+
+}  // namespace mrroc::cli::trace

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/trace/memory.hpp"
+
+namespace mrroc::cli::trace {
+
+struct Rule;
+
+/// A place where a rule does not hold.
+struct Violation {
+  const Rule* rule = nullptr;
+  std::size_t line = 0;  ///< number in the file
+  std::string found, expected;
+  /// It may be that lines were dropped there, which is no violation under the real clock: the process's remark tells.
+  bool may_be_dropped = false;
+};
+
+/// Where a rule puts what it finds.
+class Findings {
+ public:
+  Findings(const Rule& rule, std::size_t line, std::vector<Violation>& violations)
+      : rule_(rule), line_(line), violations_(violations) {}
+
+  void add(std::string found, std::string expected) {
+    violations_.push_back({&rule_, line_, std::move(found), std::move(expected), false});
+  }
+  /// What lines that are missing would explain.
+  void add_unless_dropped(std::string found, std::string expected) {
+    violations_.push_back({&rule_, line_, std::move(found), std::move(expected), true});
+  }
+
+ private:
+  const Rule& rule_;
+  std::size_t line_;
+  std::vector<Violation>& violations_;
+};
+
+/// One line and what was there before it.
+struct Step {
+  const Line& line;
+  const Line* before;                    ///< of the step before; null at the first one, or where lines are missing
+  const InstructionMemory* instruction;  ///< null when the instruction begins with this line
+  const ProcessMemory* process;          ///< null at the process's first line
+  const Memory& memory;
+
+  bool simulated() const noexcept { return memory.simulated; }
+  bool begins() const noexcept { return instruction == nullptr; }
+};
+
+/// One law that every trace keeps. Rules are independent of each other and remember nothing.
+struct Rule {
+  const char* name;
+  const char* equation;  ///< of the paper, or the part of the design, that it states
+  const char* says;
+  /// Looks at a line. Null: the rule is about remarks.
+  void (*check)(const Step& step, Findings& findings);
+  /// Looks at a process's remark. Null: the rule is about lines.
+  void (*check_end)(const Remark& remark, const Memory& memory, Findings& findings) = nullptr;
+};
+
+using Rules = std::vector<Rule>;
+
+/// All of them, in the order in which they are listed and looked at.
+Rules all_rules();
+
+// the parts of the list
+Rules rules_of_lines();
+Rules rules_of_instructions();
+Rules rules_of_endings();
+Rules rules_of_commands();
+Rules rules_of_answers();
+Rules rules_of_sensors();
+Rules rules_of_coordination();
+
+}  // namespace mrroc::cli::trace

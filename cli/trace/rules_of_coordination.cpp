@@ -1,0 +1,54 @@
+// Several robots in one instruction, several processes with one robot.
+#include <algorithm>
+
+#include "cli/trace/answer.hpp"
+#include "cli/trace/words.hpp"
+
+namespace mrroc::cli::trace {
+
+namespace {
+
+void common_start(const Step& step, Findings& findings) {
+  if (step.line.robots.size() < 2) return;
+  for (const RobotEntry& robot : step.line.robots) {
+    if (!robot.command) continue;
+    if (robot.command->start_tick == 0)
+      findings.add(words("no start tick for ", robot.name), "one: several robots are commanded together");
+  }
+}
+
+/// Robots that are told to begin on one tick do so.
+void no_skew(const Step& step, Findings& findings) {
+  if (!step.simulated() || step.line.robots.size() < 2) return;
+  const std::vector<Answer> found = answers(step);
+  if (found.size() != step.line.robots.size()) return;
+  const auto another = [&](const Answer& answer) {
+    return answer.command.start_tick != found.front().command.start_tick || answer.late || answer.after_force;
+  };
+  if (std::none_of(found.begin(), found.end(), another) && spread(step.line) != 0)
+    findings.add(words("macrosteps that begin up to ", spread(step.line), " ticks apart"), "one tick for all");
+}
+
+void one_commander(const Step& step, Findings& findings) {
+  if (step.before == nullptr) return;
+  for (const RobotEntry& robot : step.before->robots) {
+    const RobotMemory* known = step.memory.robot(robot.name);
+    if (!robot.command || known == nullptr) continue;
+    for (const auto& [process, command] : known->by) {
+      if (process == step.line.process || command.tick < step.before->tick || command.tick >= step.line.tick) continue;
+      findings.add(words("robot ", robot.name, " is commanded by ", process, " too, at tick ", command.tick,
+                         " in line ", command.line),
+                   words("by ", step.line.process, " alone, from tick ", step.before->tick, " to ", step.line.tick));
+    }
+  }
+}
+
+}  // namespace
+
+Rules rules_of_coordination() {
+  return {{"common-start", "coordination", "robots that are commanded together are given a start tick", common_start},
+          {"no-skew", "coordination", "robots with one start tick begin on it (simulated clocks)", no_skew},
+          {"one-commander", "coordination", "no two processes command a robot at the same time", one_commander}};
+}
+
+}  // namespace mrroc::cli::trace

@@ -1,0 +1,83 @@
+// The file itself: which lines there are, in which order.
+#include <algorithm>
+#include <tuple>
+
+#include "cli/trace/rule.hpp"
+#include "cli/trace/words.hpp"
+
+namespace mrroc::cli::trace {
+
+namespace {
+
+void line_order(const Step& step, Findings& findings) {
+  const Tick newest = std::max(step.line.tick, step.process == nullptr ? 0 : step.process->newest);
+  if (std::tie(newest, step.line.process) >= std::tie(step.memory.last_newest, step.memory.last_process)) return;
+  findings.add(words("tick ", newest, " of process ", step.line.process),
+               words("a line not before tick ", step.memory.last_newest, " of process ", step.memory.last_process));
+}
+
+void line_tick(const Step& step, Findings& findings) {
+  Tick newest = 0;
+  for (const RobotEntry& robot : step.line.robots) newest = std::max(newest, robot.tick);
+  for (const SensorEntry& sensor : step.line.sensors) newest = std::max(newest, sensor.tick);
+  if (step.line.tick != newest) findings.add(words("tick=", step.line.tick), words(newest, ", the newest in the line"));
+}
+
+/// Ticks and counts of the robots of one process only grow.
+void ticks_go_on(const Step& step, Findings& findings) {
+  if (step.process == nullptr) return;
+  for (const RobotEntry& robot : step.line.robots) {
+    const auto known = step.process->robots.find(robot.name);
+    if (known == step.process->robots.end()) continue;
+    if (robot.tick < known->second.tick)
+      findings.add(words("tick ", robot.tick, " of robot ", robot.name), words("at least ", known->second.tick));
+    if (robot.late < known->second.late)
+      findings.add(words("late=", robot.late, " of robot ", robot.name), words("at least ", known->second.late));
+    if (robot.macrostep < known->second.macrostep)
+      findings.add(words("macrostep ", robot.macrostep, " of robot ", robot.name),
+                   words("at least ", known->second.macrostep));
+  }
+}
+
+/// The reading of this sensor that the instruction had before; of its first step, that the process had.
+const SensorEntry* reading_before(const Step& step, const std::string& sensor) {
+  if (step.instruction != nullptr) {
+    for (const SensorEntry& entry : step.instruction->before.sensors)
+      if (entry.name == sensor) return &entry;
+    return nullptr;
+  }
+  if (step.process == nullptr) return nullptr;
+  const auto known = step.process->sensors.find(sensor);
+  return known == step.process->sensors.end() ? nullptr : &known->second;
+}
+
+/// By instruction: of two that go on side by side one may hold an older reading, which is not yet due again.
+void readings_go_on(const Step& step, Findings& findings) {
+  for (const SensorEntry& sensor : step.line.sensors) {
+    const SensorEntry* before = reading_before(step, sensor.name);
+    if (before != nullptr && sensor.tick < before->tick)
+      findings.add(words("tick ", sensor.tick, " of sensor ", sensor.name), words("at least ", before->tick));
+  }
+}
+
+void every_line(const Remark& remark, const Memory& memory, Findings& findings) {
+  const ProcessMemory* process = memory.process(remark.process);
+  const std::uint64_t lines = process == nullptr ? 0 : process->lines;
+  if (lines != remark.lines)
+    findings.add(words(lines, " lines of process ", remark.process),
+                 words(remark.lines, ", as many as it has written"));
+  if (memory.simulated && remark.dropped != 0)
+    findings.add(words(remark.dropped, " dropped lines"), "none: a simulated clock waits for the trace");
+}
+
+}  // namespace
+
+Rules rules_of_lines() {
+  return {{"line-order", "trace", "lines are ordered by tick, then process", line_order},
+          {"line-tick", "trace", "tick= is the newest tick of the line's robots and sensors", line_tick},
+          {"ticks-go-on", "trace", "ticks and late counts of a process's robots never decrease", ticks_go_on},
+          {"readings-go-on", "trace", "no reading is older than the instruction's one before", readings_go_on},
+          {"every-line", "trace", "every line that a process has written is there", nullptr, every_line}};
+}
+
+}  // namespace mrroc::cli::trace

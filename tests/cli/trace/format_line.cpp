@@ -1,0 +1,132 @@
+#include "cli/trace/format_line.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace mrroc::cli::trace {
+
+namespace {
+
+std::string text_of(double value) {
+  std::array<char, 40> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+std::string text_of(const Numbers& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size(); ++i) text.append(i == 0 ? "" : ",").append(text_of(numbers[i]));
+  return text;
+}
+
+std::string field(const char* name, std::uint64_t value) { return std::string{name} + std::to_string(value); }
+
+std::string field(const char* name, const Numbers& values) { return name + text_of(values); }
+
+const char* name_of(CommandKind kind) {
+  switch (kind) {
+    case CommandKind::query:
+      return "query";
+    case CommandKind::hold:
+      return "hold";
+    case CommandKind::joint:
+      return "joint";
+    case CommandKind::pose:
+      return "pose";
+    case CommandKind::motor:
+      return "motor";
+    case CommandKind::joint_velocity:
+      return "joint_velocity";
+    case CommandKind::twist:
+      return "twist";
+    case CommandKind::force:
+      return "force";
+    default:
+      return "change";
+  }
+}
+
+const char* name_of(StepEnding ending) {
+  switch (ending) {
+    case StepEnding::condition:
+      return "condition";
+    case StepEnding::generator:
+      return "generator";
+    case StepEnding::end_motion:
+      return "end_motion";
+    case StepEnding::stopped:
+      return "stopped";
+    case StepEnding::non_fatal_error:
+      return "non_fatal_error";
+    case StepEnding::hardware_error:
+      return "hardware_error";
+    default:
+      return "system_error";
+  }
+}
+
+std::string text_of(ErrorClass error, const std::string& code) {
+  return error == ErrorClass::none ? "" : std::string{" error=\""}.append(describe(error)) + ": " + code + "\"";
+}
+
+std::string target_of(const CommandEntry& command) {
+  if (command.kind == CommandKind::query || command.kind == CommandKind::hold || command.kind == CommandKind::set_tool)
+    return "";
+  if (command.kind != CommandKind::force) return std::string{":"} + text_of(command.target);
+  const auto middle = command.target.begin() + 6;
+  return std::string{":"} + text_of(Numbers(command.target.begin(), middle)) + "," + command.behaviour + "," +
+         text_of(Numbers(middle, command.target.end()));
+}
+
+std::string text_of(const CommandEntry& command) {
+  std::string text = std::string{" command="} + name_of(command.kind);
+  if (command.relative) text += ",relative";
+  if (command.interpolation == Interpolation::motors) text += ",motors";
+  if (command.interpolation == Interpolation::task) text += ",task";
+  text += field(",N", command.motion_steps) + field(",v", command.reply_step);
+  if (command.start_tick != 0) text += field(",start", command.start_tick);
+  return text + target_of(command);
+}
+
+std::string text_of(const RobotEntry& robot) {
+  std::string text = " robot=" + robot.name + field(" tick=", robot.tick) + field(" macrostep=", robot.macrostep) +
+                     field(" joints=", robot.joints) + field(" pose=", robot.pose) +
+                     field(" desired_tick=", robot.desired_tick) + field(" desired=", robot.desired) +
+                     field(" desired_pose=", robot.desired_pose);
+  if (robot.moving) text += " moving";
+  if (robot.late != 0) text += field(" late=", robot.late);
+  if (!robot.wrench.empty()) text += field(" wrench=", robot.wrench);
+  text += text_of(robot.error, robot.error_code);
+  return robot.command ? text + text_of(*robot.command) : text;
+}
+
+std::string text_of(const SensorEntry& sensor) {
+  std::string text = " sensor=" + sensor.name + field(" tick=", sensor.tick) + field(" values=", sensor.values);
+  if (sensor.period != 1) text += field(" period=", sensor.period);
+  if (sensor.mode == SensorMode::published) text += " published";
+  if (sensor.mode == SensorMode::polled) text += " polled";
+  return text + text_of(sensor.error, sensor.error_code);
+}
+
+}  // namespace
+
+std::string format_line(const Line& line) {
+  std::string text = field("tick=", line.tick) + " process=" + line.process + field(" instruction=", line.instruction) +
+                     (line.is_move ? " move=\"" : " wait=\"") + line.name + "\"";
+  if (line.until) text += " until=\"" + *line.until + "\"";
+  text += field(" step=", line.step);
+  if (line.held != 0) text += field(" held=", line.held);
+  for (const RobotEntry& robot : line.robots) text += text_of(robot);
+  for (const SensorEntry& sensor : line.sensors) text += text_of(sensor);
+  for (const ConditionEntry& condition : line.conditions)
+    text += " condition=\"" + condition.name + (condition.value ? "\":1" : "\":0");
+  if (line.ends()) text += std::string{" end="} + name_of(line.ending);
+  if (line.skew) text += field(" skew=", *line.skew);
+  return text;
+}
+
+std::string format_remark(const Remark& remark) {
+  return "# process=" + remark.process + field(" lines=", remark.lines) + field(" dropped=", remark.dropped) +
+         field(" cut=", remark.cut);
+}
+
+}  // namespace mrroc::cli::trace

@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <utility>
+
+#include "cli/trace/mutations.hpp"
+
+namespace mrroc::cli::trace {
+
+namespace {
+
+bool everywhere(std::size_t) { return true; }
+
+/// Spoils any line.
+Mutation of_any_line(const char* name, std::function<void(Line&, Random&)> change) {
+  return {name, [change](TraceText& trace, Random& random) {
+            const auto place = pick_line(trace, random, everywhere);
+            if (place) change(trace.line(*place), random);
+            return place.has_value();
+          }};
+}
+
+/// Spoils one of several lines of an instruction. What is said once only cannot be compared with anything.
+Mutation of_one_of_several(const char* name, std::function<void(Line&, Random&)> change) {
+  return {name, [change](TraceText& trace, Random& random) {
+            const auto place = pick_line(trace, random, [&trace](std::size_t i) {
+              return line_before(trace, i) != kNoLine || line_behind(trace, i) != kNoLine;
+            });
+            if (place) change(trace.line(*place), random);
+            return place.has_value();
+          }};
+}
+
+bool drop(TraceText& trace, Random& random) {
+  const auto place = pick_line(trace, random, everywhere);
+  if (place) trace.items.erase(trace.items.begin() + static_cast<std::ptrdiff_t>(*place));
+  return place.has_value();
+}
+
+bool duplicate(TraceText& trace, Random& random) {
+  const auto place = pick_line(trace, random, everywhere);
+  if (!place) return false;
+  const Item copy = trace.items[*place];
+  trace.items.insert(trace.items.begin() + static_cast<std::ptrdiff_t>(*place), copy);
+  return true;
+}
+
+bool share_a_robot(const Line& a, const Line& b) {
+  for (const RobotEntry& one : a.robots)
+    for (const RobotEntry& other : b.robots)
+      if (one.name == other.name) return true;
+  return false;
+}
+
+/// Not an end and the beginning behind it of an instruction with other robots, or none: a process may run the two at a
+/// time.
+bool swap(TraceText& trace, Random& random) {
+  const auto place = pick_line(trace, random, [&trace](std::size_t i) {
+    if (i + 1 >= trace.items.size() || !trace.is_line(i + 1)) return i + 1 < trace.items.size();
+    const Line &first = trace.line(i), &second = trace.line(i + 1);
+    return !first.ends() || first.process != second.process || share_a_robot(first, second);
+  });
+  if (place) std::swap(trace.items[*place], trace.items[*place + 1]);
+  return place.has_value();
+}
+
+/// The lines of a whole instruction.
+bool drop_instruction(TraceText& trace, Random& random) {
+  const auto place = pick_line(trace, random, everywhere);
+  if (!place) return false;
+  const Line chosen = trace.line(*place);
+  std::erase_if(trace.items, [&chosen](const Item& item) {
+    const Line* line = std::get_if<Line>(&item);
+    return line != nullptr && line->process == chosen.process && line->instruction == chosen.instruction;
+  });
+  return true;
+}
+
+/// All lines of a process once more, as those of another one: both command the same robots at the same ticks.
+bool second_commander(TraceText& trace, Random& random) {
+  const auto place = pick_line(trace, random, [&trace](std::size_t i) {
+    const Line& line = trace.line(i);
+    const std::size_t behind = line_behind(trace, i);
+    return !line.ends() && !line.robots.empty() && behind != kNoLine && trace.line(behind).tick > line.tick;
+  });
+  if (!place) return false;
+  const std::string process = trace.line(*place).process;
+  std::vector<Item> items;
+  for (const Item& item : trace.items) {
+    items.push_back(item);
+    if (const Line* line = std::get_if<Line>(&item); line != nullptr && line->process == process) {
+      Line copy = *line;
+      copy.process += "_twin";
+      items.emplace_back(copy);
+    }
+    if (const Remark* remark = std::get_if<Remark>(&item); remark != nullptr && remark->process == process) {
+      Remark copy = *remark;
+      copy.process += "_twin";
+      items.emplace_back(copy);
+    }
+  }
+  trace.items = std::move(items);
+  return true;
+}
+
+bool spoil_remark(TraceText& trace, Random& random) {
+  std::vector<std::size_t> remarks;
+  for (std::size_t i = 0; i < trace.items.size(); ++i)
+    if (!trace.is_line(i)) remarks.push_back(i);
+  if (remarks.empty()) return false;
+  Remark& remark = std::get<Remark>(trace.items[remarks[pick(random, 0, remarks.size() - 1)]]);
+  if (pick(random, 0, 1) == 0)
+    ++remark.lines;
+  else
+    ++remark.dropped;
+  return true;
+}
+
+/// Not where an instruction was broken off: that may be at a step, or between two.
+bool change_step(TraceText& trace, Random& random) {
+  const auto place = pick_line(trace, random, [&trace](std::size_t i) { return !trace.line(i).broken_off(); });
+  if (place) trace.line(*place).step += pick(random, 1, 5);
+  return place.has_value();
+}
+
+/// A line of another instruction or process.
+void move_elsewhere(Line& line, Random& random) {
+  if (pick(random, 0, 1) == 0)
+    line.process += "2";
+  else
+    line.instruction += pick(random, 1, 3);
+}
+
+}  // namespace
+
+std::vector<Mutation> mutations_of_lines() {
+  return {{"drop a line", drop},
+          {"duplicate a line", duplicate},
+          {"swap two lines", swap},
+          {"drop an instruction", drop_instruction},
+          {"let a second process command the same robots", second_commander},
+          {"spoil a remark", spoil_remark},
+          {"change the step", change_step},
+          of_any_line("change process or instruction", move_elsewhere),
+          of_any_line("change the line's tick", [](Line& line, Random& random) { line.tick += pick(random, 1, 30); }),
+          of_one_of_several("make a Wait of a Move, a Move of a Wait",
+                            [](Line& line, Random&) {
+                              line.is_move = !line.is_move;
+                              line.until.reset();
+                            }),
+          of_one_of_several("drop the condition's name, or invent one", [](Line& line, Random&) {
+            if (line.until)
+              line.until.reset();
+            else if (line.is_move)
+              line.until = "invented";
+            else
+              line.name += " and more";
+          })};
+}
+
+}  // namespace mrroc::cli::trace

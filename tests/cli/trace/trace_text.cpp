@@ -1,0 +1,61 @@
+#include "cli/trace/trace_text.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+
+#include "cli/trace.hpp"
+#include "cli/trace/format_line.hpp"
+
+namespace mrroc::cli::trace {
+
+std::string TraceText::text() const {
+  std::string all = std::string{kTraceHeader} + clock + "\n";
+  for (const Item& item : items) {
+    const Line* line = std::get_if<Line>(&item);
+    all += (line != nullptr ? format_line(*line) : format_remark(std::get<Remark>(item))) + "\n";
+  }
+  return all;
+}
+
+TraceText read_trace(const std::filesystem::path& file) {
+  TraceText trace;
+  Reader reader(file);
+  trace.clock = reader.simulated() ? "lockstep" : "real";
+  for (;;) {
+    const auto item = reader.next();
+    if (const Line* line = std::get_if<Line>(&item))
+      trace.items.emplace_back(*line);
+    else if (const Remark* remark = std::get_if<Remark>(&item))
+      trace.items.emplace_back(*remark);
+    else
+      return trace;
+  }
+}
+
+std::string Found::text() const {
+  std::string all = malformed;
+  for (const std::string& violation : violations) all += violation + "\n";
+  for (const std::string& note : verdict.notes) all += note + "\n";
+  return all;
+}
+
+Found check_text(const std::string& text) {
+  const std::filesystem::path file =
+      std::filesystem::path("/tmp") / ("mrroc_checked_" + std::to_string(getpid()) + ".trace");
+  std::ofstream(file) << text;
+  Found found;
+  try {
+    found.verdict = check_trace(file, [&found](const std::string& violation) {
+      found.violations.push_back(violation);
+      const std::size_t begin = violation.find(": ") + 2;
+      found.rules.insert(violation.substr(begin, violation.find(": ", begin) - begin));
+    });
+  } catch (const std::runtime_error& error) {
+    found.malformed = error.what();
+  }
+  std::filesystem::remove(file);
+  return found;
+}
+
+}  // namespace mrroc::cli::trace

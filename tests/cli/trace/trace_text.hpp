@@ -1,0 +1,43 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/trace/check.hpp"
+
+namespace mrroc::cli::trace {
+
+using Item = std::variant<Line, Remark>;
+
+/// A trace in memory, to be changed and written.
+struct TraceText {
+  std::string clock = "lockstep";
+  std::vector<Item> items;
+
+  Line& line(std::size_t i) { return std::get<Line>(items.at(i)); }
+  const Line& line(std::size_t i) const { return std::get<Line>(items.at(i)); }
+  bool is_line(std::size_t i) const { return std::holds_alternative<Line>(items.at(i)); }
+  std::string text() const;
+};
+
+/// Reads a whole trace. Throws what Reader throws.
+TraceText read_trace(const std::filesystem::path& file);
+
+/// What a check of this text finds.
+struct Found {
+  Verdict verdict;
+  std::vector<std::string> violations;
+  std::set<std::string> rules;  ///< by name, those that do not hold
+  std::string malformed;        ///< what was thrown, empty when nothing was
+  std::string text() const;
+};
+Found check_text(const std::string& text);
+
+/// A trace that keeps every rule and has what rules are about: two processes, instructions with one robot, several
+/// robots and none, published, polled and interactive sensors with periods, conditions alone and combined, joint, pose
+/// and force commands, holds in between, every way to end.
+TraceText example_trace();
+
+}  // namespace mrroc::cli::trace
