@@ -52,13 +52,14 @@ def check_commands(build, source, installed):
 
 
 def check_run(build, deployment):
-    """Two runs of a deployment: equal to the last bit, and the steps of Move are in the trace."""
+    """Two runs of a deployment: equal to the last bit, the steps of Move are in the trace and keep its laws."""
     hashes = set()
     for number in (1, 2):
         trace = build / f"{deployment.stem}_{number}.trace"
         run(build / "bin/mrroc", "run", "--quiet", deployment, "--trace", trace)
         if trace.stat().st_size == 0:
             sys.exit(f"{deployment}: nothing has happened")
+        run(build / "bin/mrroc", "trace", "check", trace)
         hashes.add(run(build / "bin/mrroc", "trace", "hash", trace))
     if len(hashes) != 1:
         sys.exit(f"{deployment}: two runs differ: {hashes}")

@@ -21,6 +21,8 @@ std::map<std::string, std::vector<Look>> looks_of(const std::filesystem::path& t
     const auto shared = line.find(" sensor=shared "), free = line.find(" sensor=free "),
                name = line.find("process=") + 8;
     if (shared == std::string::npos) continue;
+    const auto end = line.rfind(" end=");
+    if (end != std::string::npos && line.find("_error", end) != std::string::npos) continue;  // it saw none there
     const std::string client = line.substr(name, line.find(' ', name) - name);
     std::vector<Look>& known = looks[client];
     Look look;

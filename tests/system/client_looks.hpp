@@ -25,7 +25,7 @@ struct Look {
   double shared = 0, value = 0, free = 0;
 };
 
-/// By client, in the order of their steps, those of all instructions.
+/// By client, in the order of their steps, those of all instructions, without those that an error ended.
 std::map<std::string, std::vector<Look>> looks_of(const std::filesystem::path& trace);
 
 }  // namespace mrroc::test

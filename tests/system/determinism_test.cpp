@@ -48,7 +48,7 @@ TEST(Determinism, TwentyRunsOfPressGiveOneTraceUnderAnyLoad) {
   EXPECT_NE(text.find("wait=\"gate closer than 0.1 m\""), std::string::npos);
   EXPECT_NE(text.find("move=\"ToolVelocity\""), std::string::npos);
   EXPECT_NE(text.find("process=arm"), std::string::npos);
-  EXPECT_EQ(text.find("process=mp"), std::string::npos);
+  EXPECT_EQ(text.find("process=mp instruction="), std::string::npos);
 }
 
 TEST(Determinism, TheTraceDependsNeitherOnTheOutputNorOnTheOrderOfStart) {

@@ -159,10 +159,20 @@ std::string run_mrroc(const std::vector<std::string>& arguments, int expected, i
   std::string line = "mrroc";
   for (const std::string& argument : arguments) line += " " + argument;
   EXPECT_EQ(code, expected) << line << "\n" << run.out() << run.err();
+  const auto trace = std::find(arguments.begin(), arguments.end(), "--trace");
+  // a trace is empty when the run was refused
+  if (trace != arguments.end() && std::filesystem::is_regular_file(trace[1]) && !std::filesystem::is_empty(trace[1]))
+    expect_laws(trace[1]);
   return run.out() + run.err();
 }
 
+void expect_laws(const std::filesystem::path& trace) {
+  MrrocRun run({"trace", "check", trace.string()});
+  EXPECT_EQ(run.wait(), 0) << run.out() << run.err();
+}
+
 std::string trace_hash(const std::filesystem::path& trace) {
+  expect_laws(trace);
   MrrocRun run({"trace", "hash", trace.string()});
   EXPECT_EQ(run.wait(), 0) << run.err();
   return run.out();

@@ -50,11 +50,14 @@ bool all_end(const std::vector<pid_t>& pids);
 /// tests/system/programs/faulty.cpp. More lines may follow.
 std::string faulty_deployment(const std::string& kind, const std::string& clock = "lockstep");
 
-/// Runs to the end; checks that the exit code is `expected` and shows the output when it is not. Returns stdout and
-/// stderr.
+/// Runs to the end; checks that the exit code is `expected` and shows the output when it is not, and that the trace, if
+/// one is written, keeps the laws. Returns stdout and stderr.
 std::string run_mrroc(const std::vector<std::string>& arguments, int expected, int patience = MrrocRun::kPatience);
 
-/// Hash of a trace, by `mrroc trace hash`.
+/// The trace keeps the laws of Move and Wait: `mrroc trace check`.
+void expect_laws(const std::filesystem::path& trace);
+
+/// Hash of a trace, by `mrroc trace hash`; the trace keeps the laws, too.
 std::string trace_hash(const std::filesystem::path& trace);
 
 /// A folder of this test's own, removed with the object.

@@ -1,0 +1,131 @@
+// `mrroc trace check` on traces of real runs, as they are and spoilt.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "cli/trace/mutations.hpp"
+#include "language/property.hpp"
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+using cli::trace::check_text;
+using cli::trace::Mutation;
+using cli::trace::Random;
+using cli::trace::read_trace;
+using cli::trace::TraceText;
+
+constexpr int kHolds = 0, kViolated = 1, kMalformed = 2;
+constexpr int kPlaces = 10;  // where each mutation is tried
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The task press, paused in its search and ended by the operator.
+std::filesystem::path press_with_pause(const ScratchFolder& folder) {
+  std::string text = text_of(MRROC_SOURCE_DIR "/tasks/press/press.toml");
+  const std::string scene = "\"press.xml\"";
+  text.replace(text.find(scene), scene.size(), "\"" MRROC_SOURCE_DIR "/tasks/press/press.xml\"");
+  for (const char* event :
+       {"tick = 1500\ncommand = \"pause\"", "tick = 1700\ncommand = \"resume\"", "tick = 2600\ncommand = \"stop\""})
+    text += std::string{"\n[[events]]\n"} + event + "\n";
+  return folder.write("press.toml", text);
+}
+
+/// The tasks whose deployment has their name.
+std::vector<std::string> all_tasks() {
+  std::vector<std::string> names;
+  for (const auto& folder : std::filesystem::directory_iterator(MRROC_SOURCE_DIR "/tasks")) {
+    const std::string name = folder.path().filename().string();
+    if (std::filesystem::exists(folder.path() / (name + ".toml"))) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class TraceOfTask : public testing::TestWithParam<std::string> {};
+
+TEST_P(TraceOfTask, KeepsEveryRule) {
+  const ScratchFolder folder;
+  const std::string& task = GetParam();
+  const auto trace = folder.path() / (task + ".trace");
+  run_mrroc({"run", "tasks/" + task + "/" + task + ".toml", "--quiet", "--trace", trace.string()}, 0, 600);
+  const std::string output = run_mrroc({"trace", "check", trace.string()}, kHolds);
+  const std::regex line(task + R"(\.trace: \d+ steps of \d+ instructions of \d+ process(es)?: \d+ rules hold\n)");
+  EXPECT_TRUE(std::regex_match(output, line)) << output;
+  EXPECT_EQ(read_trace(trace).text(), text_of(trace)) << "every field is read to the last bit";
+}
+
+INSTANTIATE_TEST_SUITE_P(Tasks, TraceOfTask, testing::ValuesIn(all_tasks()),
+                         [](const auto& task) { return task.param; });
+
+/// Tries every mutation at some places of a trace. Returns the names of those for which it has a place.
+std::set<std::string> spoil(const TraceText& original) {
+  std::set<std::string> tried;
+  fakes::check_property(kPlaces, [&] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    for (const Mutation& mutation : cli::trace::all_mutations()) {
+      TraceText spoilt = original;
+      if (!mutation.apply(spoilt, random)) continue;
+      tried.insert(mutation.name);
+      if (check_text(spoilt.text()).rules.empty()) RC_FAIL(std::string{mutation.name} + " is not found");
+    }
+  });
+  return tried;
+}
+
+TEST(TraceCheck, EveryMutationOfARealTraceIsFound) {
+  const ScratchFolder folder;
+  const auto press = folder.path() / "press.trace", paused = folder.path() / "paused.trace",
+             pick = folder.path() / "pick.trace";
+  run_mrroc({"run", "tasks/press_mp/press_mp.toml", "--quiet", "--trace", press.string()}, 0);
+  run_mrroc({"run", press_with_pause(folder).string(), "--quiet", "--trace", paused.string()}, 5);
+  run_mrroc({"run", "tasks/pick/pick.toml", "--quiet", "--trace", pick.string()}, 0);
+  std::set<std::string> tried;
+  for (const auto& trace : {press, paused, pick}) {
+    const TraceText original = read_trace(trace);
+    ASSERT_TRUE(check_text(original.text()).rules.empty());
+    tried.merge(spoil(original));
+  }
+  EXPECT_GT(tried.size(), 35U) << "of " << cli::trace::all_mutations().size();
+}
+
+TEST(TraceCheck, TellsViolationsNotesAndMalformedLines) {
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "press.trace";
+  run_mrroc({"run", "tasks/press/press.toml", "--quiet", "--trace", trace.string()}, 0);
+
+  TraceText spoilt = read_trace(trace);
+  for (std::size_t i = 80; i < 100; ++i) spoilt.line(i).tick += 1;
+  const auto wrong = folder.write("wrong.trace", spoilt.text());
+  const std::string ten = run_mrroc({"trace", "check", wrong.string()}, kViolated);
+  EXPECT_NE(ten.find("wrong.trace:82: line-tick: tick="), std::string::npos) << ten;
+  EXPECT_NE(ten.find("20 violations, the first 10 are shown (--all: every one)"), std::string::npos) << ten;
+  EXPECT_EQ(std::count(ten.begin(), ten.end(), '\n'), 11);
+  const std::string all = run_mrroc({"trace", "check", "--all", wrong.string()}, kViolated);
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 21) << all;
+
+  const std::string text = text_of(trace);
+  const auto killed = folder.write("killed.trace", text.substr(0, text.rfind('\n', text.find("step=100 ")) + 1));
+  EXPECT_NE(run_mrroc({"trace", "check", killed.string()}, kHolds).find(": note: the trace of process arm stops here"),
+            std::string::npos);
+  const auto broken = folder.write("broken.trace", text.substr(0, text.find("step=100 ") + 200));
+  EXPECT_NE(run_mrroc({"trace", "check", broken.string()}, kMalformed).find("broken.trace:"), std::string::npos);
+  EXPECT_NE(run_mrroc({"trace", "check", "README.md"}, kMalformed).find("README.md:1: is no trace"), std::string::npos);
+  run_mrroc({"trace", "check", "no/such/trace"}, kMalformed);
+  run_mrroc({"trace", "check"}, kMalformed);
+}
+
+TEST(TraceCheck, ListsItsRules) {
+  const std::string output = run_mrroc({"trace", "check", "--rules"}, kHolds);
+  EXPECT_NE(output.find("condition-decides"), std::string::npos) << output;
+  EXPECT_EQ(output, cli::trace::text_of_rules());
+}
+
+}  // namespace
+}  // namespace mrroc::test
