@@ -3,6 +3,7 @@
 #include <cmath>
 #include <ruckig/ruckig.hpp>
 
+#include "language/joint_targets.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {
@@ -18,22 +19,6 @@ struct JointLine::Plan {
   /// Sums of step durations are not exact.
   bool over() const { return time >= trajectory.get_duration() - 1e-9; }
 };
-
-namespace {
-
-// of the robot's limits, see the header
-constexpr double kVelocityShare = 0.99;
-constexpr double kAccelerationShare = 0.9;
-constexpr double kJerkShare = 0.45;
-
-void check_speed(double speed) {
-  if (!(speed > 0 && speed <= 1)) {
-    throw NonFatalError(ErrorCode::invalid_argument,
-                        "speed " + std::to_string(speed) + ", expected above 0 and at most 1");
-  }
-}
-
-}  // namespace
 
 JointLine::JointLine(Robot& robot, const JointVector& target, double speed)
     : Generator("JointLine"), robot_(&robot), to_pose_(false), target_(target), speed_(speed) {
@@ -51,39 +36,13 @@ JointLine::~JointLine() = default;
 JointLine::JointLine(JointLine&&) noexcept = default;
 JointLine& JointLine::operator=(JointLine&&) noexcept = default;
 
-void JointLine::check_target(const JointVector& target) const {
-  const auto& axes = robot_->parameters().axes;
-  const ErrorOrigin origin{robot_->task().process_name(), robot_->name(), 0, 0};
-  if (static_cast<std::size_t>(target.size()) != axes.size()) {
-    throw NonFatalError(
-        ErrorCode::invalid_argument,
-        "target has " + std::to_string(target.size()) + " joints, expected " + std::to_string(axes.size()), origin);
-  }
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const double position = target[static_cast<Eigen::Index>(i)];
-    if (!std::isfinite(position)) throw NonFatalError(ErrorCode::not_finite, "target of joint " + axes[i].name, origin);
-    if (position < axes[i].position_min || position > axes[i].position_max) {
-      throw NonFatalError(ErrorCode::joint_limit,
-                          "target of joint " + axes[i].name + " is " + std::to_string(position) + ", expected " +
-                              std::to_string(axes[i].position_min) + " to " + std::to_string(axes[i].position_max),
-                          origin);
-    }
-  }
-}
+void JointLine::check_target(const JointVector& target) const { check_joints(*robot_, target, "target"); }
 
 void JointLine::start() {
   const RobotState& state = robot_->known_state();
   const ErrorOrigin origin{robot_->task().process_name(), robot_->name(), 0, state.tick};
   if (to_pose_) {
-    JointVector joints = state.desired_joints;
-    const ErrorCode code = robot_->kinematics().inverse(target_pose_, state.desired_joints, joints);
-    if (code != ErrorCode::none) {
-      const Eigen::Vector3d p = target_pose_.translation();
-      throw NonFatalError(code,
-                          "target position (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " +
-                              std::to_string(p.z()) + ") m",
-                          origin);
-    }
+    const JointVector joints = joints_of(*robot_, target_pose_, state.desired_joints, "target");
     check_target(joints);
     target_ = joints;
   }

@@ -1,0 +1,74 @@
+#include "language/joint_targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ruckig/ruckig.hpp>
+
+#include "mrroc/task.hpp"
+
+namespace mrroc {
+
+void check_speed(double speed) {
+  if (speed > 0 && speed <= 1) return;
+  throw NonFatalError(ErrorCode::invalid_argument,
+                      "speed " + std::to_string(speed) + ", expected above 0 and at most 1");
+}
+
+void check_joints(const Robot& robot, const JointVector& joints, const std::string& what) {
+  const auto& axes = robot.parameters().axes;
+  const ErrorOrigin origin{robot.task().process_name(), robot.name(), 0, 0};
+  if (static_cast<std::size_t>(joints.size()) != axes.size()) {
+    throw NonFatalError(
+        ErrorCode::invalid_argument,
+        what + " has " + std::to_string(joints.size()) + " joints, expected " + std::to_string(axes.size()), origin);
+  }
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const double position = joints[static_cast<Eigen::Index>(i)];
+    if (!std::isfinite(position))
+      throw NonFatalError(ErrorCode::not_finite, what + " of joint " + axes[i].name, origin);
+    if (position < axes[i].position_min || position > axes[i].position_max) {
+      throw NonFatalError(ErrorCode::joint_limit,
+                          what + " of joint " + axes[i].name + " is " + std::to_string(position) + ", expected " +
+                              std::to_string(axes[i].position_min) + " to " + std::to_string(axes[i].position_max),
+                          origin);
+    }
+  }
+}
+
+JointVector joints_of(const Robot& robot, const Pose& pose, const JointVector& near, const std::string& what) {
+  JointVector joints = near;
+  const ErrorCode code = robot.kinematics().inverse(pose, near, joints);
+  if (code == ErrorCode::none) return joints;
+  const Eigen::Vector3d p = pose.translation();
+  throw NonFatalError(code,
+                      what + " position (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " +
+                          std::to_string(p.z()) + ") m",
+                      {robot.task().process_name(), robot.name(), 0, robot.state().tick});
+}
+
+JointVector resting_joints(const Robot& robot) {
+  const RobotState& state = robot.known_state();
+  JointVector rest = state.desired_joints;
+  ruckig::Ruckig<1> ruckig;
+  ruckig::InputParameter<1> input;
+  ruckig::Trajectory<1> trajectory;
+  input.control_interface = ruckig::ControlInterface::Velocity;
+  input.target_velocity[0] = input.target_acceleration[0] = 0;
+  for (std::size_t i = 0; i < robot.parameters().axes.size(); ++i) {
+    const AxisParameters& axis = robot.parameters().axes[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    input.current_position[0] = state.desired_joints[row];
+    input.current_velocity[0] = state.desired_velocity[row];
+    input.current_acceleration[0] = state.desired_acceleration[row];
+    input.max_acceleration[0] = kAccelerationShare * axis.acceleration_max;
+    input.max_jerk[0] = kJerkShare * axis.jerk_max;
+    if (ruckig.calculate(input, trajectory) < 0) continue;  // stays where it is: planning from there will say why
+    std::array<double, 1> position{}, velocity{}, acceleration{};
+    trajectory.at_time(trajectory.get_duration(), position, velocity, acceleration);
+    rest[row] = std::clamp(position[0], std::min(axis.position_min, state.desired_joints[row]),
+                           std::max(axis.position_max, state.desired_joints[row]));
+  }
+  return rest;
+}
+
+}  // namespace mrroc

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "mrroc/robot.hpp"
+
+/// What generators that plan in joint space share. Task's thread.
+namespace mrroc {
+
+/// Parts of a robot's limits that a motion in joint space is planned with. The EDP joins the points of the macrosteps'
+/// ends by polynomials of degree five: their velocity and acceleration overshoot a little, and their jerk is the
+/// least-squares fit of the motion's by a parabola, at most 2.18 times the motion's (the fit's Lebesgue constant).
+inline constexpr double kVelocityShare = 0.99;
+inline constexpr double kAccelerationShare = 0.9;
+inline constexpr double kJerkShare = 0.45;
+
+/// Throws NonFatalError(invalid_argument) unless `speed`, a fraction of the limits, is in (0, 1].
+void check_speed(double speed);
+
+/// Throws NonFatalError unless `joints` are as many as the robot's (invalid_argument), finite (not_finite) and within
+/// its limits (joint_limit). `what` begins the text: "target".
+void check_joints(const Robot& robot, const JointVector& joints, const std::string& what);
+
+/// The joints of a tool pose, on the branch nearest to `near`. Throws NonFatalError: out_of_workspace, singular.
+JointVector joints_of(const Robot& robot, const Pose& pose, const JointVector& near, const std::string& what);
+
+/// Where the joints come to rest when they brake from the desired state as fast as the shares of the limits allow, each
+/// by itself; not beyond the position limits.
+JointVector resting_joints(const Robot& robot);
+
+}  // namespace mrroc
