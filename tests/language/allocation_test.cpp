@@ -7,9 +7,14 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
 #include "mrroc/conditions/travelled.hpp"
+#include "mrroc/generators/blended_path.hpp"
+#include "mrroc/generators/cartesian_arc.hpp"
+#include "mrroc/generators/cartesian_line.hpp"
 #include "mrroc/generators/guarded_approach.hpp"
 #include "mrroc/generators/image_servo.hpp"
 #include "mrroc/generators/joint_line.hpp"
+#include "mrroc/generators/joint_path.hpp"
+#include "mrroc/generators/pose_spline.hpp"
 #include "mrroc/generators/position_servo.hpp"
 #include "mrroc/generators/spiral_search.hpp"
 #include "mrroc/generators/together.hpp"
@@ -146,6 +151,58 @@ TEST(Allocation, GeneratorsOnSensorsComputeTheNextStateWithoutAllocating) {
     EXPECT_EQ(allocations, before) << generator->name();
   }
   EXPECT_EQ(track.point(), 2u) << "it has planned the way to its second point";
+}
+
+TEST(Allocation, GeneratorsOfPathsComputeTheNextStateWithoutAllocating) {
+  Cell cell;
+  Wait({*cell.a}, {}, ElapsedSteps{0});
+  const Pose here = cell.a->state().desired_pose;
+  const Pose up = here * Eigen::Translation3d(0, 0, 0.2), aside = here * Eigen::Translation3d(0.1, 0.2, 0.1);
+  CartesianLine line(*cell.a, aside);
+  CartesianArc arc(*cell.a, up.translation(), aside);
+  PoseSpline stops(*cell.a, {up, aside}, SplineKind::linear), spline(*cell.a, {up, aside, here});
+  PoseSpline timed(*cell.a, {{up, 2.0}, {aside, 4.0}}, SplineKind::quintic);
+  BlendedPath blended(*cell.a, {{up, 0.05}, {aside, 0.0}, {here, 0.0}});
+  JointPath joints(*cell.a, {JointVector::Constant(6, 0.5), JointVector::LinSpaced(6, -1, 1)});
+  for (Generator* generator :
+       std::initializer_list<Generator*>{&line, &arc, &stops, &spline, &timed, &blended, &joints}) {
+    generator->start();
+    const std::uint64_t before = allocations;
+    int steps = 0;
+    for (; steps < 5000 && !generator->terminal_condition(); ++steps) generator->next_state();
+    EXPECT_EQ(allocations, before) << generator->name();
+    EXPECT_GT(steps, 50) << generator->name();
+    EXPECT_LT(steps, 5000) << generator->name();
+  }
+}
+
+// two robots in one Move, each along a path of its own, with a way back to the path after a pause
+TEST(Allocation, PathsOfTwoRobotsTogetherGoOnAfterAPauseWithoutAllocating) {
+  Cell cell;
+  cell.task.requests.assign(100, OperatorRequest::none);
+  cell.task.requests.insert(cell.task.requests.end(), 3, OperatorRequest::pause);
+  const Pose up(Eigen::Translation3d(0, 0, 0.2)), aside(Eigen::Translation3d(0.3, 0.2, 0.1));
+  Together both{BlendedPath{*cell.a, {{up, 0.05}, {aside, 0.0}}}, JointPath{*cell.b, {JointVector::Constant(6, 0.5)}}};
+  std::uint64_t at_resume = 0, planned = 0;
+  struct Counting : Generator {
+    Counting(Together& inner_, std::uint64_t& at_, std::uint64_t& planned_)
+        : Generator("counting"), inner(&inner_), at(&at_), planned(&planned_) {}
+    void start() override { inner->start(); }
+    void resume() override {
+      *at = allocations;
+      inner->resume();
+      *planned += allocations - *at;
+    }
+    bool terminal_condition() override { return inner->terminal_condition(); }
+    void next_state() override { inner->next_state(); }
+    Together* inner;
+    std::uint64_t *at, *planned;
+  };
+  Move({*cell.a, *cell.b}, {}, Counting(both, at_resume, planned));
+  EXPECT_GT(planned, 0u) << "it has planned anew";
+  EXPECT_EQ(cell.observer.total, planned) << "and allocated nothing else";
+  EXPECT_TRUE(cell.a->state().desired_pose.isApprox(aside, 1e-12));
+  EXPECT_TRUE(cell.b->state().desired_joints.isApprox(JointVector::Constant(6, 0.5), 1e-12));
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ class FakeModel : public RobotModel {
       axis.velocity_max = 1;
       axis.acceleration_max = 4;
       axis.jerk_max = 40;
+      axis.motor_min = -200;
+      axis.motor_max = 200;
       parameters_.axes.push_back(axis);
     }
   }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "mrroc/generators/path_generator.hpp"
+
+namespace mrroc {
+
+/// Through waypoints in joint space without stopping: a cubic spline from the desired joints through all of them, with
+/// continuous velocity and acceleration, under the robot's velocity, acceleration and jerk limits scaled by `speed`,
+/// speed^2, speed^3. At rest at the start and in the last waypoint.
+///
+/// The spline's parameter is the time from waypoint to waypoint at full speed (of the slowest joint). It stays within
+/// the position limits: where it would swing out, the joint's tangents are made flatter; waypoints at a limit are
+/// passed some microradians inside (src/language/joint_spline.hpp). See PathGenerator for limits and interruptions.
+class JointPath : public PathGenerator {
+ public:
+  /// Joint positions, rad or m; one that repeats the one before does nothing. `speed` in (0, 1]. Throws NonFatalError:
+  /// invalid_argument (no waypoint, size, speed), not_finite, joint_limit.
+  JointPath(Robot& robot, std::vector<JointVector> waypoints, double speed = 0.5);
+  /// Tool poses in the robot's base frame, each on the inverse kinematics' branch nearest to the one before. `start()`
+  /// throws NonFatalError: motor_limit, and for poses out_of_workspace, singular, joint_limit.
+  JointPath(Robot& robot, const std::vector<Pose>& waypoints, double speed = 0.5);
+
+ private:
+  std::unique_ptr<RobotPath> path_from(const JointVector& joints) override;
+
+  std::vector<JointVector> waypoints_;
+  std::vector<Pose> poses_;  ///< instead, when there are any
+  double speed_;
+};
+
+}  // namespace mrroc

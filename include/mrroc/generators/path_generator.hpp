@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+
+#include "mrroc/generator.hpp"
+#include "mrroc/robot.hpp"
+
+namespace mrroc {
+
+class PathRunner;
+class RobotPath;
+
+/// What the generators that go along a path have in common: JointPath, PoseSpline, CartesianLine, CartesianArc,
+/// BlendedPath. The shape of the path is fixed in `start()`; then it is planned when the robot is where, under all
+/// limits together:
+///
+/// - The tool's, where the generator has PathLimits, and the joints': 0.99 of the velocity, 0.9 of the acceleration and
+///   0.45 of the jerk limits, as JointLine (the EDP's polynomials overshoot a little). They hold all along the path; it
+///   is slower only where it has to be. Nearly time-optimal: src/language/path_timing.hpp.
+/// - The joints are followed through the inverse kinematics before anything moves: a path that leaves the workspace, a
+///   joint's or a motor's range, or meets a singularity, is refused by `start()`: NonFatalError (out_of_workspace,
+///   joint_limit, motor_limit, singular) with the place.
+///
+/// It begins at the desired state. From a motion under way the robot first comes to rest, within its limits, and the
+/// path begins there. It ends by itself when the last macrostep has been commanded: at rest, exactly at the last pose.
+///
+/// After a pause or a late command the robot stands beside the path, since a stop brakes each joint by itself. It is
+/// led straight in joint space to the nearest point of the path, not beyond the next waypoint, and goes along the rest
+/// from there, from rest.
+///
+/// Poses are commanded with twist and twist rate, joints with velocity and acceleration. Planning takes some
+/// milliseconds, in `start()` and `resume()`; a step allocates nothing.
+class PathGenerator : public Generator {
+ public:
+  ~PathGenerator() override;
+  PathGenerator(PathGenerator&&) noexcept;
+  PathGenerator& operator=(PathGenerator&&) noexcept;
+
+  void start() override;
+  void resume() override;
+  bool terminal_condition() override;
+  void next_state() override;
+
+  /// Seconds that the whole motion takes, in whole macrosteps; after `start()`, and anew after `resume()`.
+  double duration() const noexcept;
+
+ protected:
+  PathGenerator(Robot& robot, std::string name);
+  /// The path from `joints` on, where the robot rests then; null when there is no way to go.
+  virtual std::unique_ptr<RobotPath> path_from(const JointVector& joints) = 0;
+  Robot& robot() const noexcept { return *robot_; }
+
+ private:
+  Robot* robot_;
+  std::unique_ptr<PathRunner> runner_;
+};
+
+}  // namespace mrroc

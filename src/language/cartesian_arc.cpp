@@ -1,0 +1,75 @@
+#include "mrroc/generators/cartesian_arc.hpp"
+
+#include <cmath>
+
+#include "language/pose_arc.hpp"
+#include "language/rigid_motion.hpp"
+#include "language/tool_path.hpp"
+#include "mrroc/task.hpp"
+
+namespace mrroc {
+
+namespace {
+
+constexpr const char* kName = "CartesianArc";
+constexpr double kStraight = 1e-6;  // sine of the angle between two chords: they make no circle
+
+[[noreturn]] void refuse(const char* what) {
+  throw NonFatalError(ErrorCode::invalid_argument, std::string{kName} + ": " + what);
+}
+
+/// The turn about the axis of the circle through three places, from the first to the last by way of the second.
+Circle circle_through(const Eigen::Vector3d& from, const Eigen::Vector3d& via, const Eigen::Vector3d& to) {
+  const Eigen::Vector3d a = via - from, b = to - from, normal = a.cross(b);
+  if (!(normal.norm() > kStraight * a.norm() * b.norm()) || !((to - via).norm() > kStraight * b.norm()))
+    refuse("start, via and target lie on a line, expected three places on a circle");
+  Circle circle;
+  circle.axis = normal.normalized();
+  circle.centre =
+      from + (a.squaredNorm() * b.cross(normal) + b.squaredNorm() * normal.cross(a)) / (2 * normal.squaredNorm());
+  // going by via, the turn is in the sense of the normal
+  const Eigen::Vector3d first = from - circle.centre, last = to - circle.centre;
+  const double angle = std::atan2(circle.axis.dot(first.cross(last)), first.dot(last));
+  circle.angle = angle > 0 ? angle : angle + 2 * std::numbers::pi;
+  return circle;
+}
+
+}  // namespace
+
+CartesianArc::CartesianArc(Robot& robot, const Eigen::Vector3d& via, const Pose& target, const PathLimits& limits)
+    : PathGenerator(robot, kName), through_(true), via_(via), target_(checked_pose(target, kName)), limits_(limits) {
+  check_limits(limits, kName);
+  if (!via.allFinite()) refuse("a coordinate of via that is not finite");
+}
+
+CartesianArc::CartesianArc(Robot& robot, const Circle& circle, const PathLimits& limits)
+    : PathGenerator(robot, kName), through_(false), circle_(circle), limits_(limits) {
+  check_limits(limits, kName);
+  if (!circle.centre.allFinite() || !circle.axis.allFinite() || !std::isfinite(circle.angle))
+    refuse("a number of the circle that is not finite");
+  if (!(circle.axis.norm() > 0)) refuse("an axis of length 0");
+  circle_.axis.normalize();
+}
+
+std::unique_ptr<RobotPath> CartesianArc::path_from(const JointVector& joints) {
+  const Pose start = robot().kinematics().direct(joints);
+  const Eigen::Vector3d from = start.translation();
+  const Circle circle = through_ ? circle_through(from, via_, target_.translation()) : circle_;
+  const Eigen::Vector3d centre = circle.centre + circle.axis * circle.axis.dot(from - circle.centre);
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+  if (circle.tool_turns) turn = circle.angle * circle.axis;
+  Pose end = target_;
+  if (through_) {
+    turn = rotation_vector(target_.linear() * start.linear().transpose());
+  } else {
+    end.translation() = centre + rotation_of(circle.angle * circle.axis) * (from - centre);
+    end.linear() = rotation_of(turn) * start.linear();
+  }
+  const double length =
+      std::max(std::abs(circle.angle) * (from - centre).norm() / limits_.speed, turn.norm() / limits_.angular_speed);
+  if (length < ToolPath::kShortest) return nullptr;
+  return ToolPath::whole(
+      robot(), joints, std::make_unique<PoseArc>(start, centre, circle.axis, circle.angle, turn, end, length), limits_);
+}
+
+}  // namespace mrroc

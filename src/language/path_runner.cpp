@@ -1,0 +1,176 @@
+#include "language/path_runner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "language/joint_targets.hpp"
+#include "mrroc/task.hpp"
+
+namespace mrroc {
+
+namespace {
+
+constexpr double kRounding = 1e-9;    // s: sums of step durations are not exact
+constexpr double kSame = 1e-9;        // s at full speed: no way to go
+constexpr double kReturnSpeed = 0.5;  // back to the path, of the robot's limits
+constexpr double kFarthest = 2;       // the nearest point is sought so many times as far along the path as beside it
+constexpr int kLooks = 64;            // of the search for it, each way
+constexpr int kHalvings = 40;
+
+}  // namespace
+
+double PathRunner::whole_steps(double duration) const noexcept {
+  return std::ceil(duration / robot_->step_duration() - kRounding) * robot_->step_duration();
+}
+
+void PathRunner::lead_to(const JointVector& joints, double speed) {
+  lead_.emplace(*robot_, joints, speed);
+  lead_->start();
+  leading_ = !lead_->terminal_condition();
+  if (leading_) duration_ += whole_steps(lead_->duration());
+}
+
+JointVector PathRunner::begin() {
+  const RobotState& state = robot_->known_state();
+  path_.reset();
+  timings_.clear();
+  next_ = 0;
+  leading_ = false;
+  duration_ = 0;
+  if (state.desired_velocity.isZero(0) && state.desired_acceleration.isZero(0)) return state.desired_joints;
+  const JointVector rest = resting_joints(*robot_);
+  lead_to(rest, 1);
+  return rest;
+}
+
+void PathRunner::follow(std::unique_ptr<RobotPath> path) {
+  path_ = std::move(path);
+  if (path_->is_timed()) {
+    check_times();
+    timings_.push_back(PathTiming::of_time(0, path_->length()));
+    time_ = place_ = 0;
+    duration_ += whole_steps(path_->length());
+    return;
+  }
+  plan_from(0);
+}
+
+void PathRunner::check_times() const {
+  const double period = robot_->task().servo_period();
+  const auto looks = static_cast<int>(std::ceil(path_->length() / period));
+  Excess worst;
+  double when = 0;
+  for (int k = 0; k <= looks; ++k) {
+    const double t = path_->length() * k / std::max(looks, 1);
+    const Excess excess = excess_of(*path_, t, 1, 0, 0);
+    if (excess.factor <= worst.factor) continue;
+    worst = excess;
+    when = t;
+  }
+  if (worst.factor <= 1) return;
+  const auto axis = static_cast<std::size_t>(path_->limits()[worst.limit].row - kJointRow);
+  throw NonFatalError(worst.code,
+                      "joint " + robot_->parameters().axes[axis].name + " would be too fast at " +
+                          std::to_string(when) + " s, expected times that are " + std::to_string(worst.factor) +
+                          " times as long",
+                      {robot_->task().process_name(), robot_->name(), 0, robot_->state().tick});
+}
+
+void PathRunner::plan_from(double s) {
+  timings_.clear();
+  next_ = 0;
+  time_ = 0;
+  place_ = s;
+  for (const double stop : path_->stops()) {
+    if (stop <= place_ + kSame) {
+      place_ = std::max(place_, stop);
+      continue;
+    }
+    timings_.emplace_back(*path_, place_, stop, robot_->step_duration());
+    duration_ += whole_steps(timings_.back().duration());
+    place_ = stop;
+  }
+  place_ = s;
+}
+
+void PathRunner::resume() {
+  if (!path_) return;
+  duration_ = 0;
+  leading_ = false;
+  const double s = path_->length() > 0 ? nearest_point() : 0;
+  if (distance(s) > kSame) lead_to(path_->joints(s), kReturnSpeed);
+  plan_from(s);
+}
+
+double PathRunner::distance(double s) const {
+  const JointVector way = path_->joints(s) - robot_->state().desired_joints;
+  double square = 0;
+  for (std::size_t i = 0; i < robot_->parameters().axes.size(); ++i) {
+    const double time = way[static_cast<Eigen::Index>(i)] / robot_->parameters().axes[i].velocity_max;
+    square += time * time;
+  }
+  return std::sqrt(square);
+}
+
+double PathRunner::nearest_point() const {
+  const auto next = [](const std::vector<double>& places, double s) {
+    const auto after = std::upper_bound(places.begin(), places.end(), s);
+    return after == places.end() ? places.back() : *after;
+  };
+  const auto stop = std::upper_bound(path_->stops().begin(), path_->stops().end(), place_);
+  const double last = stop == path_->stops().begin() ? 0 : *(stop - 1);
+  const double here = distance(place_);
+  double best = place_, least = here, width = 0;
+  for (const double end : {next(path_->waypoints(), place_), last}) {
+    const double ds = (end - place_) / kLooks;
+    double way = 0;  // along the path: one that comes near once more later is not cut short
+    JointVector before = path_->joints(place_);
+    for (int k = 1; k <= kLooks && way <= kFarthest * here; ++k) {
+      const double s = k < kLooks ? place_ + k * ds : end;
+      const JointVector now = path_->joints(s);
+      double square = 0;
+      for (Eigen::Index i = 0; i < now.size(); ++i)
+        square +=
+            std::pow((now[i] - before[i]) / robot_->parameters().axes[static_cast<std::size_t>(i)].velocity_max, 2);
+      way += std::sqrt(square);
+      before = now;
+      if (distance(s) < least) {
+        least = distance(s);
+        best = s;
+      }
+      width = std::max(width, std::abs(ds));
+    }
+  }
+  double low = std::max(best - width, last), high = std::min(best + width, next(path_->waypoints(), place_));
+  for (int k = 0; k < kHalvings; ++k) {
+    const double third = (high - low) / 3;
+    if (distance(low + third) < distance(high - third)) {
+      high -= third;
+    } else {
+      low += third;
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+void PathRunner::step() {
+  if (leading_) {
+    lead_->next_state();
+    leading_ = !lead_->terminal_condition();
+    return;
+  }
+  const PathTiming& timing = timings_[next_];
+  time_ += robot_->step_duration();
+  if (time_ < timing.duration() - kRounding) {
+    const PathTiming::Point point = timing.at(time_);
+    place_ = point.position;
+    path_->command(place_, point.speed, point.acceleration, robot_->command());
+    return;
+  }
+  place_ = timing.end();
+  path_->command(place_, 0, 0, robot_->command());
+  ++next_;
+  time_ = 0;
+}
+
+}  // namespace mrroc

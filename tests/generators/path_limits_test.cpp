@@ -1,0 +1,231 @@
+// Paths of an IRb-6, checked by its EDP's planner: nothing of them is refused, and the limits hold at every servo tick.
+#include <rapidcheck.h>
+
+#include "generators/planned_cell.hpp"
+#include "language/property.hpp"
+#include "language/rigid_motion.hpp"
+#include "mrroc/generators/blended_path.hpp"
+#include "mrroc/generators/cartesian_arc.hpp"
+#include "mrroc/generators/cartesian_line.hpp"
+#include "mrroc/generators/joint_path.hpp"
+#include "mrroc/generators/pose_spline.hpp"
+#include "mrroc/move.hpp"
+#include "mrroc/robots/irb6.hpp"
+#include "robots/irb6/irb6_model.hpp"
+
+namespace mrroc::test {
+namespace {
+
+using Eigen::Vector3d;
+using fakes::check_property;
+
+constexpr int kCases = 60;
+
+int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
+Vector3d random_vector(double largest) {
+  return Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100)) * (0.01 * largest);
+}
+
+/// What the ticks of a motion have come to, as parts of the limits.
+struct Worst {
+  double velocity = 0, acceleration = 0, jerk = 0, position = 0;
+  double speed = 0, angular_speed = 0;  ///< of the tool, m/s, rad/s
+};
+
+struct Cell : PlannedCell {
+  Cell() : PlannedCell(load_irb6().front()), home(kinematics().direct(axes_home())) {
+    arm.set_macrostep(static_cast<std::uint16_t>(pick(2, 25)), 2);
+    on_tick = [this](const edp::DesiredState& now, const edp::DesiredState& before, const RobotCommand& command) {
+      look(now, before, command);
+    };
+  }
+  JointVector axes_home() { return desired().position; }
+  Pose random_pose() const {
+    Pose pose = home;
+    pose.translation() += random_vector(0.12);
+    pose.linear() = rotation_of(random_vector(0.25)) * home.linear();
+    return pose;
+  }
+  /// Where the tool is when all is over.
+  Pose end() const { return kinematics().direct(desired().position); }
+  /// False: refused before anything moved, because the robot cannot go there.
+  bool move(Generator& generator) {
+    try {
+      RC_ASSERT(Move({arm}, {}, generator).ending == Ending::generator);
+      return true;
+    } catch (const NonFatalError& error) {
+      RC_LOG() << error.what() << "\n";
+      RC_ASSERT(ticks == 0);
+      return false;
+    }
+  }
+  void assert_limits() const {
+    RC_ASSERT(worst.velocity <= 1);
+    RC_ASSERT(worst.acceleration <= 1);
+    RC_ASSERT(worst.jerk <= 1);
+    RC_ASSERT(worst.position <= 1e-9);
+  }
+
+  Irb6 arm{*this};
+  Pose home;
+  Worst worst;
+  int ticks = 0;
+
+ private:
+  void look(const edp::DesiredState& now, const edp::DesiredState& before, const RobotCommand& command) {
+    ++ticks;
+    for (Eigen::Index i = 0; i < now.position.size(); ++i) {
+      const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
+      const auto raise = [](double& value, double seen) { value = std::max(value, seen); };
+      raise(worst.velocity, std::abs(now.velocity[i]) / axis.velocity_max);
+      raise(worst.velocity, std::abs(now.position[i] - before.position[i]) / kPeriod / axis.velocity_max - 1e-9);
+      raise(worst.acceleration, std::abs(now.acceleration[i]) / axis.acceleration_max);
+      raise(worst.jerk, std::abs(now.acceleration[i] - before.acceleration[i]) / kPeriod / axis.jerk_max);
+      raise(worst.position, std::max(now.position[i] - axis.position_max, axis.position_min - now.position[i]));
+    }
+    if (command.kind != CommandKind::pose) return;
+    const Pose a = kinematics().direct(before.position), b = kinematics().direct(now.position);
+    worst.speed = std::max(worst.speed, (b.translation() - a.translation()).norm() / kPeriod);
+    worst.angular_speed =
+        std::max(worst.angular_speed, rotation_vector(b.linear() * a.linear().transpose()).norm() / kPeriod);
+  }
+};
+
+PathLimits random_limits() {
+  return {.speed = 0.01 * pick(2, 40),
+          .acceleration = 0.1 * pick(2, 20),
+          .angular_speed = 0.05 * pick(2, 20),
+          .angular_acceleration = 0.1 * pick(5, 40)};
+}
+
+/// Random motions of one kind, half of them with a pause: `make` gives the generator and says where it ends.
+template <class Make>
+void check(Make make) {
+  int moved = 0, refused = 0;
+  Worst worst;
+  check_property(kCases, [&] {
+    Cell cell;
+    const PathLimits limits = random_limits();
+    Pose end = Pose::Identity();
+    const auto generator = make(cell, limits, end);
+    if (pick(0, 1) == 1) cell.pause_at = pick(1, 200);
+    if (!cell.move(*generator)) {
+      ++refused;
+      return;
+    }
+    ++moved;
+    cell.assert_limits();
+    // the joints' polynomials between the macrosteps' ends overshoot a little
+    RC_ASSERT(cell.worst.speed <= 1.02 * limits.speed + 1e-6);
+    RC_ASSERT(cell.worst.angular_speed <= 1.02 * limits.angular_speed + 1e-6);
+    RC_ASSERT((cell.end().translation() - end.translation()).norm() < 1e-9);
+    RC_ASSERT(rotation_vector(cell.end().linear() * end.linear().transpose()).norm() < 1e-7);
+    worst.velocity = std::max(worst.velocity, cell.worst.velocity);
+    worst.acceleration = std::max(worst.acceleration, cell.worst.acceleration);
+    worst.jerk = std::max(worst.jerk, cell.worst.jerk);
+  });
+  std::printf("%d moved, %d refused before; of the joints' limits: velocity %.3f, acceleration %.3f, jerk %.3f\n",
+              moved, refused, worst.velocity, worst.acceleration, worst.jerk);
+  EXPECT_GT(moved, 2 * refused);
+  EXPECT_GT(worst.velocity, 0.9) << "some are as fast as the joints are";
+}
+
+std::vector<Pose> random_poses(const Cell& cell) {
+  std::vector<Pose> poses;
+  for (int i = pick(1, 5); i > 0; --i) poses.push_back(cell.random_pose());
+  return poses;
+}
+
+TEST(PathLimits, CartesianLine) {
+  check([](Cell& cell, const PathLimits& limits, Pose& end) {
+    end = cell.random_pose();
+    return std::make_unique<CartesianLine>(cell.arm, end, limits);
+  });
+}
+
+TEST(PathLimits, CartesianArc) {
+  check([](Cell& cell, const PathLimits& limits, Pose& end) {
+    end = cell.random_pose();
+    return std::make_unique<CartesianArc>(cell.arm, cell.home.translation() + random_vector(0.05), end, limits);
+  });
+}
+
+TEST(PathLimits, PoseSpline) {
+  check([](Cell& cell, const PathLimits& limits, Pose& end) {
+    const std::vector<Pose> poses = random_poses(cell);
+    end = poses.back();
+    return std::make_unique<PoseSpline>(cell.arm, poses, static_cast<SplineKind>(pick(0, 2)), limits);
+  });
+}
+
+TEST(PathLimits, BlendedPath) {
+  check([](Cell& cell, const PathLimits& limits, Pose& end) {
+    std::vector<BlendPoint> points;
+    for (const Pose& pose : random_poses(cell)) points.push_back({pose, 0.01 * pick(0, 6)});
+    end = points.back().pose;
+    return std::make_unique<BlendedPath>(cell.arm, points, limits);
+  });
+}
+
+TEST(PathLimits, PoseSplineByTimes) {
+  int moved = 0;
+  check_property(kCases, [&moved] {
+    Cell cell;
+    std::vector<TimedPose> poses;
+    double time = 0;
+    for (const Pose& pose : random_poses(cell)) poses.push_back({pose, time += 0.1 * pick(20, 80)});
+    PoseSpline spline(cell.arm, poses, static_cast<SplineKind>(pick(0, 2)));
+    if (pick(0, 1) == 1) cell.pause_at = pick(1, 200);
+    if (!cell.move(spline)) return;
+    ++moved;
+    cell.assert_limits();
+    RC_ASSERT((cell.end().translation() - poses.back().pose.translation()).norm() < 1e-9);
+  });
+  EXPECT_GT(moved, kCases / 4) << "others have times that are too short";
+}
+
+TEST(PathLimits, JointPath) {
+  int moved = 0;
+  check_property(kCases, [&moved] {
+    Cell cell;
+    std::vector<JointVector> waypoints;
+    for (int i = pick(1, 6); i > 0; --i) {
+      JointVector joints(6);
+      for (int k = 0; k < 6; ++k) {
+        const AxisParameters& axis = cell.axes()[static_cast<std::size_t>(k)];
+        // of the upper arm and the wrist less: the motors bound their sums
+        const double part = k == 2 || k == 3 ? 0.1 : k == 4 ? 0.3 : 1;
+        joints[k] =
+            std::clamp(cell.axes_home()[k] + 0.01 * part * pick(-110, 110), axis.position_min, axis.position_max);
+      }
+      joints[1] = std::min(joints[1], cell.axes_home()[1] + 0.3);  // the upper arm's motor turns with it
+      waypoints.push_back(joints);
+    }
+    // the way into a limit itself is the EDP's to refuse: docs/paths.md
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      const AxisParameters& axis = cell.axes()[static_cast<std::size_t>(k)];
+      waypoints.back()[k] = std::clamp(waypoints.back()[k], axis.position_min + 1e-4, axis.position_max - 1e-4);
+    }
+    JointPath path(cell.arm, waypoints, 0.01 * pick(20, 100));
+    if (pick(0, 1) == 1) cell.pause_at = pick(1, 200);
+    if (!cell.move(path)) return;
+    ++moved;
+    cell.assert_limits();
+    RC_ASSERT((cell.desired().position - waypoints.back()).isZero(0));
+  });
+  EXPECT_GT(moved, kCases / 2) << "others are beyond a motor's range";
+}
+
+TEST(PathLimits, AJointPathBeyondAMotorsRangeIsRefusedBeforeItBegins) {
+  check_property(1, [] {
+    Cell cell;
+    JointVector joints = cell.axes_home();
+    joints[1] = cell.axes()[1].position_max;
+    joints[2] = cell.axes()[2].position_max;
+    JointPath path(cell.arm, {cell.axes_home(), joints}, 0.5);
+    RC_ASSERT(!cell.move(path));
+  });
+}
+
+}  // namespace
+}  // namespace mrroc::test

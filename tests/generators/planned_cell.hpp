@@ -1,0 +1,99 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "edp/planner.hpp"
+#include "mrroc/robot.hpp"
+#include "mrroc/sensor.hpp"
+#include "mrroc/task.hpp"
+
+namespace mrroc::test {
+
+/// A task program's process around one robot that rests at home. Its EDP's planner answers every command: it is planned
+/// and checked as in the EDP, refused with the EDP's error, and executed exactly and at once. `on_tick` sees every tick
+/// of every path.
+class PlannedCell : public Task, private RobotLink {
+ public:
+  explicit PlannedCell(std::shared_ptr<const RobotModel> model)
+      : model_(std::move(model)), planner_(*model_, kPeriod), tool_(*model_) {
+    state_.synchronised = state_.enabled = true;
+    state_.tool = tool_.tool();
+    state_.tick = state_.desired_tick = now_;
+    now_state_ = edp::DesiredState::resting_at(model_->parameters().home);
+    tell();
+  }
+
+  const std::string& process_name() const noexcept override { return name_; }
+  std::string robot_name(const std::string&) const override { return name_; }
+  RobotLink& robot_link(const std::string&, const std::string&) override { return *this; }
+  SensorLink& sensor_link(const std::string& name, const std::string&, bool&) override {
+    throw NonFatalError(ErrorCode::invalid_argument, "no sensor " + name);
+  }
+  double servo_period() const noexcept override { return kPeriod; }
+  Tick tick() const noexcept override { return now_; }
+  double wall_seconds() const noexcept override { return 0; }
+  void sleep_until(Tick tick) override { now_ = std::max(now_, tick); }
+  /// From the step `pause_at` on so many times "pause".
+  OperatorRequest operator_request() noexcept override {
+    const int asked = asked_++;
+    return asked >= pause_at && asked < pause_at + 3 ? OperatorRequest::pause : OperatorRequest::none;
+  }
+  bool take_trigger() noexcept override { return false; }
+  StepObserver* observer() noexcept override { return nullptr; }
+
+  const ToolKinematics& kinematics() const noexcept { return tool_; }
+  const std::vector<AxisParameters>& axes() const { return model_->parameters().axes; }
+  const edp::DesiredState& desired() const noexcept { return now_state_; }
+
+  static constexpr double kPeriod = 0.002;
+  int pause_at = 1 << 30;
+  /// The desired state, the one a tick before it, and the command that is executed.
+  std::function<void(const edp::DesiredState&, const edp::DesiredState&, const RobotCommand&)> on_tick;
+
+ private:
+  void tell() {
+    state_.joints = state_.desired_joints = now_state_.position;
+    state_.joint_velocity = state_.desired_velocity = now_state_.velocity;
+    state_.desired_acceleration = now_state_.acceleration;
+    state_.pose = state_.desired_pose = tool_.direct(now_state_.position);
+  }
+  void send(const RobotCommand& command) override { command_ = command; }
+  void receive(RobotState& reply) override {
+    state_.error = {};
+    if (command_.kind != CommandKind::query) execute();
+    reply = state_;
+  }
+  void execute() {
+    edp::Macrostep macrostep;
+    state_.error = planner_.plan(command_, now_state_, edp::Pace::as_commanded, macrostep);
+    if (state_.error.error_class != ErrorClass::none) return;
+    now_ += macrostep.steps;
+    if (macrostep.kind == edp::Macrostep::Kind::path && on_tick) {
+      edp::DesiredState before = now_state_;
+      for (std::uint32_t k = 1; k <= macrostep.steps; ++k) {
+        edp::DesiredState state = macrostep.to;
+        if (k < macrostep.steps) macrostep.path.at(k * kPeriod, before.position, state);
+        on_tick(state, before, command_);
+        before = state;
+      }
+    }
+    now_state_ = macrostep.to;
+    state_.tick = state_.desired_tick = now_;
+    tell();
+  }
+
+  std::string name_ = "arm";
+  std::shared_ptr<const RobotModel> model_;
+  edp::Planner planner_;
+  ToolKinematics tool_;
+  RobotState state_;
+  RobotCommand command_;
+  edp::DesiredState now_state_;
+  Tick now_ = 1000;
+  int asked_ = 0;
+};
+
+}  // namespace mrroc::test
