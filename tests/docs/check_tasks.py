@@ -1,7 +1,7 @@
 """Holds docs/tasks.md to tasks/: a row for each, with what its deployment says it does and the lines of its program.
 
-A program's lines are those of the C++ files in the task's folder (not in folders below it) that are neither empty nor
-comment only.
+Lines are those that are neither empty nor comment only. The program: the C++ files in the task's folder (not in folders
+below it), except parts: a header with a source file of its own, and that file.
 
 Usage: check_tasks.py SOURCE_DIR
 """
@@ -12,11 +12,13 @@ import sys
 
 
 def lines_of(folder):
-    count = 0
+    """Of the program, and of its parts."""
+    counts = {True: 0, False: 0}
     for path in [*folder.glob("*.cpp"), *folder.glob("*.hpp")]:
         code = re.sub(r"/\*.*?\*/", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
-        count += sum(1 for line in code.splitlines() if line.strip() and not line.strip().startswith("//"))
-    return count
+        is_part = path.with_suffix(".hpp").exists() and path.with_suffix(".cpp").exists()
+        counts[is_part] += sum(1 for line in code.splitlines() if line.strip() and not line.strip().startswith("//"))
+    return f"{counts[False] or 'none'} | {counts[True] or ''}".strip()
 
 
 def says(deployment):
@@ -37,7 +39,7 @@ def main():
     for deployment in sorted(root.glob("tasks/*/*.toml")):
         folder = deployment.parent
         if deployment.stem == folder.name:
-            rows.append(f"| [{folder.name}](../tasks/{folder.name}) | {says(deployment)} | {lines_of(folder) or 'none'} |")
+            rows.append(f"| [{folder.name}](../tasks/{folder.name}) | {says(deployment)} | {lines_of(folder)} |")
     missing = [row for row in rows if f"\n{row}\n" not in text]
     print("\n".join(["docs/tasks.md has not these rows of its table:", *missing]) if missing else f"{len(rows)} tasks")
     return 1 if missing or not rows else 0

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace engraving {
+
+using Points = std::vector<Eigen::Vector2d>;
+/// What the tool draws without being lifted: smooth pieces, each from where the one before ends; corners between them.
+using Stroke = std::vector<Points>;
+
+/// Letters of single lines, from a file like capitals.txt.
+class Lettering {
+ public:
+  /// Throws ConfigurationError with file and line.
+  explicit Lettering(const std::filesystem::path& file);
+
+  /// The strokes of `text`, in the order of writing: capitals `height` m high, the middle of the whole at the origin, x
+  /// to the right, y up, a blank half a capital wide. Points are at most `spacing` m apart. Throws
+  /// NonFatalError(invalid_argument): a character that the file does not have, which it names; letters that reach
+  /// beyond `size` m, the middle of which is the origin, too.
+  std::vector<Stroke> strokes(const std::string& text, const Eigen::Vector2d& size, double height,
+                              double spacing) const;
+
+ private:
+  struct Glyph {
+    double width = 0;
+    std::vector<Points> strokes;  ///< in parts of the height: arcs as points 5 degrees apart, lines as their ends
+  };
+  double gap_ = 0;
+  std::map<char, Glyph> glyphs_;
+};
+
+}  // namespace engraving
