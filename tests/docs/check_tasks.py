@@ -1,7 +1,7 @@
 """Holds docs/tasks.md to tasks/: a row for each, with what its deployment says it does and the lines of its program.
 
 Lines are those that are neither empty nor comment only. The program: the C++ files in the task's folder (not in folders
-below it), except parts: a header with a source file of its own, and that file.
+below it), except parts: a header with a source file of its own that is no process, and that file.
 
 Usage: check_tasks.py SOURCE_DIR
 """
@@ -11,12 +11,16 @@ import re
 import sys
 
 
+def is_program(path):
+    return re.search(r"^MRROC_(ECP|MP)\(", path.with_suffix(".cpp").read_text(encoding="utf-8"), re.MULTILINE)
+
+
 def lines_of(folder):
     """Of the program, and of its parts."""
     counts = {True: 0, False: 0}
     for path in [*folder.glob("*.cpp"), *folder.glob("*.hpp")]:
         code = re.sub(r"/\*.*?\*/", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
-        is_part = path.with_suffix(".hpp").exists() and path.with_suffix(".cpp").exists()
+        is_part = path.with_suffix(".hpp").exists() and path.with_suffix(".cpp").exists() and not is_program(path)
         counts[is_part] += sum(1 for line in code.splitlines() if line.strip() and not line.strip().startswith("//"))
     return f"{counts[False] or 'none'} | {counts[True] or ''}".strip()
 
