@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "language/short_number.hpp"
 #include "mrroc/conditions/digital_input.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
@@ -8,17 +9,6 @@
 #include "mrroc/task.hpp"
 
 namespace mrroc {
-
-namespace {
-
-std::string short_number(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
-}  // namespace
 
 Travelled::Travelled(const Robot& robot, double distance)
     : Condition("travelled " + short_number(distance) + " m"), robot_(&robot), distance_(distance) {

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "mrroc/errors.hpp"
+
+/// Checks of arguments: each throws NonFatalError(invalid_argument) that says who refuses what, its value, and what was
+/// expected.
+namespace mrroc {
+
+inline void require(bool good, const char* who, const char* what, double value, const char* expected) {
+  if (good) return;
+  throw NonFatalError(ErrorCode::invalid_argument,
+                      std::string{who} + ": " + what + " " + std::to_string(value) + ", expected " + expected);
+}
+
+inline void require_above_zero(const char* who, const char* what, double value) {
+  require(value > 0 && std::isfinite(value), who, what, value, "a finite number above 0");
+}
+
+inline void require_not_negative(const char* who, const char* what, double value) {
+  require(value >= 0 && std::isfinite(value), who, what, value, "a finite number of at least 0");
+}
+
+}  // namespace mrroc
