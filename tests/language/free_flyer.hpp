@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "language/fakes.hpp"
 #include "language/rigid_motion.hpp"
 
@@ -26,8 +28,8 @@ class FreeModel : public FakeModel {
   }
 };
 
-/// A task with one robot, a FreeModel that executes every command of a pose exactly. Its measured state is that of
-/// `delay` macrosteps before (0: the desired one, as if v = N).
+/// A task with one robot, a FreeModel that executes every command of a pose or of joints exactly. Its measured state is
+/// the desired one, as if v = N, or that of one macrostep before (`delayed`).
 class FreeFlyer : public FakeTask, private RobotLink {
  public:
   explicit FreeFlyer(const Pose& start, std::uint16_t motion_steps = 10) {
@@ -46,8 +48,9 @@ class FreeFlyer : public FakeTask, private RobotLink {
   RobotLink& robot_link(const std::string&, const std::string&) override { return *this; }
 
   RobotState state;
-  bool delayed = false;                ///< measured is the pose of one macrostep before
-  std::vector<RobotCommand> commands;  ///< all of a motion
+  bool delayed = false;                     ///< measured is the pose of one macrostep before
+  std::function<Wrench(const Pose&)> felt;  ///< the wrench at a measured pose; left out: `state.wrench`
+  std::vector<RobotCommand> commands;       ///< all of a motion
   std::unique_ptr<Robot> arm;
 
  private:
@@ -61,6 +64,11 @@ class FreeFlyer : public FakeTask, private RobotLink {
       if (command_.kind == CommandKind::pose) {
         place(command_.pose);
         state.desired_velocity = command_.twist;
+      } else if (command_.kind == CommandKind::joint) {
+        state.desired_joints = command_.joints;
+        state.desired_pose = model_->flange(command_.joints);
+        state.desired_velocity = JointVector::Zero(6);
+        if (command_.joint_velocity.size() > 0) state.desired_velocity = command_.joint_velocity;
       } else {
         state.desired_velocity.setZero();
       }
@@ -70,6 +78,7 @@ class FreeFlyer : public FakeTask, private RobotLink {
       state.joints = state.desired_joints;
       time.reach(state.tick);
     }
+    if (felt) state.wrench = felt(state.pose);
     reply = state;
   }
 
