@@ -5,21 +5,35 @@
 
 #include "language/fakes.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
+#include "mrroc/conditions/elapsed_time.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
+#include "mrroc/conditions/path_travelled.hpp"
+#include "mrroc/conditions/position_reached.hpp"
+#include "mrroc/conditions/reading_older_than.hpp"
+#include "mrroc/conditions/torque_above.hpp"
+#include "mrroc/conditions/touching_along.hpp"
 #include "mrroc/conditions/travelled.hpp"
 #include "mrroc/generators/blended_path.hpp"
 #include "mrroc/generators/cartesian_arc.hpp"
 #include "mrroc/generators/cartesian_line.hpp"
+#include "mrroc/generators/contact_search.hpp"
 #include "mrroc/generators/guarded_approach.hpp"
+#include "mrroc/generators/guarded_motion.hpp"
 #include "mrroc/generators/image_servo.hpp"
+#include "mrroc/generators/impedance.hpp"
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/generators/joint_path.hpp"
+#include "mrroc/generators/lead_through.hpp"
 #include "mrroc/generators/pose_spline.hpp"
 #include "mrroc/generators/position_servo.hpp"
+#include "mrroc/generators/replay.hpp"
 #include "mrroc/generators/spiral_search.hpp"
+#include "mrroc/generators/surface_following.hpp"
+#include "mrroc/generators/teach_in.hpp"
 #include "mrroc/generators/together.hpp"
 #include "mrroc/generators/tool_velocity.hpp"
 #include "mrroc/generators/track_frame.hpp"
+#include "mrroc/generators/weight_measurement.hpp"
 #include "mrroc/move.hpp"
 
 namespace {
@@ -203,6 +217,45 @@ TEST(Allocation, PathsOfTwoRobotsTogetherGoOnAfterAPauseWithoutAllocating) {
   EXPECT_EQ(cell.observer.total, planned) << "and allocated nothing else";
   EXPECT_TRUE(cell.a->state().desired_pose.isApprox(aside, 1e-12));
   EXPECT_TRUE(cell.b->state().desired_joints.isApprox(JointVector::Constant(6, 0.5), 1e-12));
+}
+
+TEST(Allocation, ReadyConditionsAllocateNothing) {
+  Cell cell;
+  const Robot& arm = *cell.a;
+  Wait({*cell.a}, {*cell.wrist},
+       PositionReached{arm, Pose(Eigen::Translation3d(1, 0, 0)), 0.1, 0.1} ||
+           JointsReached{arm, JointVector::Constant(6, 1), 0.1} || PathTravelled{arm, 1} || TorqueAbove{arm, 1} ||
+           TouchingAlong{arm, {0, 0, 1}, 1} || ReadingOlderThan{*cell.wrist, 10} || ElapsedTime{cell.task, 4});
+  EXPECT_EQ(cell.observer.steps, 201u) << "a reply comes before its step of 20 ms is over";
+  EXPECT_EQ(cell.observer.total, 0u);
+}
+
+TEST(Allocation, GeneratorsOfForceAndTeachingAllocateNothing) {
+  Cell cell;
+  Robot& arm = *cell.a;
+  const std::vector<JointVector> places{JointVector::Constant(6, 0.1), JointVector::Constant(6, 0.2)};
+  TaughtPath way, taught;
+  way.timed = true;
+  for (int i = 0; i < 20; ++i) way.points.push_back({0.3 * i, JointVector::Constant(6, 0.02 * i), {}});
+  TaughtPath stations = way;
+  stations.timed = false;
+  Impedance impedance(arm, Pose::Identity());
+  LeadThrough lead(arm);
+  GuardedMotion guarded(arm, {0, 0, 0.01}, 5);
+  SurfaceFollowing along(arm, 5, {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}}, 0.05);
+  ContactSearch search(arm, {{{0, 0, 0}, {0, 0, 1}, 0.1}, {{1, 0, 0}, {0, 0, 1}, 0.1}});
+  WeightMeasurement scale(arm, places, {.speed = 1, .settling = 0.1, .measuring = 0.1});
+  Replay timed(arm, way), visited(arm, stations);
+  TeachIn teach(arm, taught, 0.02);
+  for (Generator* generator : std::initializer_list<Generator*>{&impedance, &lead, &guarded, &along, &search, &scale,
+                                                                &timed, &visited, &teach}) {
+    cell.observer = {};
+    Move({arm}, {}, generator->until(ElapsedSteps{300}));
+    EXPECT_GT(cell.observer.steps, 50u) << generator->name();
+    EXPECT_EQ(cell.observer.total, 0u) << generator->name();
+  }
+  EXPECT_GT(visited.point(), 2u) << "it has planned several ways";
+  EXPECT_EQ(scale.terminal_condition(), true) << "it has been at both places";
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "mrroc/generator.hpp"
+#include "mrroc/robot.hpp"
+#include "mrroc/taught_path.hpp"
+
+namespace mrroc {
+
+/// Goes where the robot has been taught to go.
+///
+///   timed path     along q(s), the cubic spline in joint space through the points at their times (twice continuously
+///                  differentiable, no curvature at its ends), with s going from the first time to the last from rest
+///                  to rest: ds/dt comes up to `speed` in half a second. It is less where a joint's limits ask for it,
+///                  all the way: `rate()` tells. The way passes through every point.
+///   places         a joint line from place to place, at rest at each; `speed` is JointLine's.
+///
+/// First it goes to the first point by a joint line. Poses become joints by the inverse kinematics, each on the branch
+/// nearest to the point before it. Ends by itself at the last point, at rest; after a pause it goes back to where it
+/// was on its way, and on. (The original's `teach_in` replayed; its `spline`.)
+class Replay : public Generator {
+ public:
+  /// `speed` above 0; with places at most 1. Throws NonFatalError: invalid_argument (speed, no point, a timed path of
+  /// one point, times that do not increase, another number of joints), not_finite, joint_limit.
+  Replay(Robot& robot, TaughtPath path, double speed = 1);
+  ~Replay() override;
+  Replay(Replay&&) noexcept;
+  Replay& operator=(Replay&&) noexcept;
+
+  /// Throws NonFatalError (out_of_workspace, singular, joint_limit) for a pose that the robot cannot take.
+  void start() override;
+  void resume() override;
+  bool terminal_condition() override;
+  void next_state() override;
+
+  /// Of a timed path, after `start()`: the largest ds/dt, at most `speed`.
+  double rate() const noexcept;
+  /// Number of points that have been reached.
+  std::size_t point() const noexcept;
+
+ private:
+  struct Plan;
+  void find_joints();
+
+  Robot* robot_;
+  TaughtPath path_;
+  double speed_;
+  std::unique_ptr<Plan> plan_;
+};
+
+}  // namespace mrroc

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mrroc/robot.hpp"
+
+namespace mrroc {
+
+/// One place that a robot has been taught, as it was desired there.
+struct TaughtPoint {
+  double time = 0;               ///< s since the teaching began
+  JointVector joints;            ///< rad or m
+  Pose pose = Pose::Identity();  ///< of the tool frame in the robot's base frame
+};
+
+/// What a robot has been taught: a way in time (`timed`), or places that it goes to one after the other.
+struct TaughtPath {
+  enum class Space : std::uint8_t {
+    joints,  ///< the joints are saved and replayed
+    poses    ///< the tool's poses are: for another tool, or another robot
+  };
+
+  Space space = Space::joints;
+  bool timed = false;
+  std::vector<TaughtPoint> points;
+
+  /// Adds where the robot is desired to be. Throws NonFatalError(invalid_argument) when its state is not known. Task's
+  /// thread.
+  void add(const Robot& robot, double time = 0);
+};
+
+/// Writes a path as a table: a line of column names, then a line for each point, values separated by commas. Columns:
+/// `time` (s) of a timed path, then the names of the robot's axes (rad, m), or x, y, z (m), qw, qx, qy, qz
+/// (orientation, a quaternion of length 1). Lines that begin with # are comments. Every number reads back to the same
+/// bits. An old file stays until the new one is whole. Throws NonFatalError(invalid_argument) when the path is empty or
+/// the file cannot be written.
+///
+///     # mrroc taught path of irb6
+///     time,column,lower_arm,upper_arm,wrist_pitch,wrist_roll,tool_roll
+///     0,0.1,-1.7,0.5,-0.3,4.7,1.57
+void save(const TaughtPath& path, const Robot& robot, const std::string& file);
+
+/// Reads such a file, or one that was written by hand. Throws NonFatalError(invalid_argument), one line
+/// "file:line: column: value: what is wrong, expected what", when it is not one for this robot: other columns, a value
+/// that is no finite number, joints beyond the limits, a quaternion that is none, times that do not increase, no point.
+TaughtPath load_taught_path(const std::string& file, const Robot& robot);
+
+}  // namespace mrroc

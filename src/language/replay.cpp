@@ -1,0 +1,213 @@
+#include "mrroc/generators/replay.hpp"
+
+#include <cmath>
+#include <ruckig/ruckig.hpp>
+
+#include "language/joint_leg.hpp"
+#include "language/natural_spline.hpp"
+#include "language/require.hpp"
+#include "language/rigid_motion.hpp"
+#include "mrroc/task.hpp"
+
+namespace mrroc {
+
+namespace {
+
+constexpr double kLegSpeed = 0.5;  // of the way to a timed path, as JointLine's
+constexpr double kRamp = 0.5;      // s in which ds/dt comes up
+// of the robot's limits, as JointLine has them
+constexpr double kVelocityShare = 0.99;
+constexpr double kAccelerationShare = 0.9;
+constexpr double kJerkShare = 0.45;
+constexpr int kHalvings = 40;
+
+/// How s may change.
+struct Pace {
+  explicit Pace(double rate) : speed(rate), acceleration(rate / (0.5 * kRamp)), jerk(acceleration / (0.5 * kRamp)) {}
+  double speed, acceleration, jerk;
+};
+
+/// Whether the joints keep their limits where the way is `sample`, at any ds/dt up to the pace's: by the chain rule,
+/// every term at its worst.
+bool keeps_limits(const RobotParameters& parameters, const NaturalSpline::Sample& sample, const Pace& pace) {
+  for (std::size_t i = 0; i < parameters.axes.size(); ++i) {
+    const AxisParameters& axis = parameters.axes[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    const double first = std::abs(sample.first[row]), second = std::abs(sample.second[row]),
+                 third = std::abs(sample.third[row]), r = pace.speed;
+    const double velocity = first * r, acceleration = second * r * r + first * pace.acceleration,
+                 jerk = third * r * r * r + 3 * second * r * pace.acceleration + first * pace.jerk;
+    if (velocity > kVelocityShare * axis.velocity_max || acceleration > kAccelerationShare * axis.acceleration_max ||
+        jerk > kJerkShare * axis.jerk_max)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+struct Replay::Plan {
+  explicit Plan(const RobotParameters& parameters) : leg(parameters) {}
+
+  JointLeg leg;
+  bool on_leg = true;
+  bool begun = false;     // the spline
+  double time = 0;        // since the start of the leg or of the run along the spline, at the end of what is commanded
+  std::size_t point = 0;  // the next one
+  NaturalSpline spline;
+  double rate = 0;
+  double s = 0;  // on the spline, likewise
+  ruckig::Ruckig<1> ruckig;
+  ruckig::InputParameter<1> input;
+  ruckig::Trajectory<1> run;  // of s
+
+  bool run_over() const { return time >= run.get_duration() - 1e-9; }
+
+  /// From rest at s to rest at the end.
+  void begin_run() {
+    on_leg = false;
+    begun = true;
+    time = 0;
+    const Pace pace(rate);
+    input.current_position = {s};
+    input.target_position = {spline.end()};
+    input.max_velocity = {pace.speed};
+    input.max_acceleration = {pace.acceleration};
+    input.max_jerk = {pace.jerk};
+    ruckig.calculate(input, run);
+  }
+};
+
+Replay::Replay(Robot& robot, TaughtPath path, double speed)
+    : Generator("Replay"), robot_(&robot), path_(std::move(path)), speed_(speed) {
+  require_above_zero("Replay", "speed", speed);
+  if (!path_.timed) require(speed <= 1, "Replay", "speed", speed, "at most 1 from place to place");
+  const std::size_t least = path_.timed ? 2 : 1;
+  require(path_.points.size() >= least, "Replay", "points", static_cast<double>(path_.points.size()),
+          path_.timed ? "at least two" : "at least one");
+  for (std::size_t i = 0; i < path_.points.size(); ++i) {
+    const TaughtPoint& point = path_.points[i];
+    const std::string what = "taught point " + std::to_string(i + 1);
+    if (path_.timed && i > 0)
+      require(point.time > path_.points[i - 1].time, "Replay", "time of a point", point.time,
+              "later than the one before");
+    if (path_.space == TaughtPath::Space::joints)
+      check_joints(robot.parameters(), point.joints, what.c_str());
+    else if (!is_rigid(point.pose))
+      throw NonFatalError(ErrorCode::invalid_argument, what + ": no rigid pose");
+  }
+}
+
+Replay::~Replay() = default;
+Replay::Replay(Replay&&) noexcept = default;
+Replay& Replay::operator=(Replay&&) noexcept = default;
+
+void Replay::find_joints() {
+  JointVector near = robot_->known_state().desired_joints;
+  for (std::size_t i = 0; i < path_.points.size(); ++i) {
+    TaughtPoint& point = path_.points[i];
+    const std::string what = "taught point " + std::to_string(i + 1);
+    point.joints = near;
+    const ErrorCode code = robot_->kinematics().inverse(point.pose, near, point.joints);
+    if (code != ErrorCode::none) {
+      const Eigen::Vector3d p = point.pose.translation();
+      throw NonFatalError(
+          code,
+          what + " at (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ") m",
+          {robot_->task().process_name(), robot_->name(), 0, robot_->state().tick});
+    }
+    check_joints(robot_->parameters(), point.joints, what.c_str());
+    near = point.joints;
+  }
+}
+
+void Replay::start() {
+  if (path_.space == TaughtPath::Space::poses) find_joints();
+  plan_ = std::make_unique<Plan>(robot_->parameters());
+  Plan& plan = *plan_;
+  if (path_.timed) {
+    std::vector<double> times;
+    std::vector<JointVector> positions;
+    for (const TaughtPoint& point : path_.points) {
+      times.push_back(point.time);
+      positions.push_back(point.joints);
+    }
+    plan.spline = NaturalSpline(times, positions);
+    plan.s = plan.spline.begin();
+    const auto possible = [&](double rate) {
+      // the shares of the limits leave room for what lies between
+      for (std::size_t i = 1; i < times.size(); ++i)
+        for (const double share : {0.0, 0.25, 0.5, 0.75, 0.999999}) {
+          const double t = times[i - 1] + share * (times[i] - times[i - 1]);
+          if (!keeps_limits(robot_->parameters(), plan.spline.at(t), Pace(rate))) return false;
+        }
+      return true;
+    };
+    plan.rate = speed_;
+    double low = 0, high = speed_;
+    for (int i = 0; i < kHalvings && !possible(plan.rate); ++i) {
+      high = plan.rate;
+      plan.rate = low = 0.5 * high;
+    }
+    for (int i = 0; i < 10 && high > plan.rate; ++i) {
+      const double middle = 0.5 * (low + high);
+      (possible(middle) ? low : high) = middle;
+      plan.rate = low;
+    }
+  }
+  resume();
+}
+
+void Replay::resume() {
+  Plan& plan = *plan_;
+  plan.on_leg = true;
+  plan.time = 0;
+  const JointVector& target = path_.timed ? plan.spline.at(plan.s).position
+                                          : path_.points[std::min(plan.point, path_.points.size() - 1)].joints;
+  plan.leg.plan(robot_->known_state(), target, path_.timed ? kLegSpeed : speed_);
+}
+
+bool Replay::terminal_condition() {
+  Plan& plan = *plan_;
+  if (plan.on_leg && plan.leg.over(plan.time)) {
+    if (path_.timed) {
+      plan.begin_run();
+    } else {
+      if (plan.point < path_.points.size()) ++plan.point;
+      if (plan.point < path_.points.size()) resume();
+    }
+  }
+  if (!path_.timed) return plan.point >= path_.points.size();
+  return !plan.on_leg && plan.run_over();
+}
+
+void Replay::next_state() {
+  Plan& plan = *plan_;
+  RobotCommand& command = robot_->command();
+  plan.time += robot_->step_duration();
+  if (plan.on_leg) return plan.leg.write(plan.time, command);
+  command.kind = CommandKind::joint;
+  if (plan.run_over()) {
+    plan.s = plan.spline.end();
+    command.joints = path_.points.back().joints;
+    return;  // at rest
+  }
+  double speed = 0, acceleration = 0;
+  plan.run.at_time(plan.time, plan.s, speed, acceleration);
+  const NaturalSpline::Sample way = plan.spline.at(plan.s);
+  command.joints = way.position;
+  command.joint_velocity = way.first * speed;
+  command.joint_acceleration = way.second * speed * speed + way.first * acceleration;
+}
+
+double Replay::rate() const noexcept { return plan_ ? plan_->rate : 0; }
+
+std::size_t Replay::point() const noexcept {
+  if (!plan_) return 0;
+  if (!path_.timed) return plan_->point;
+  std::size_t reached = 0;
+  while (plan_->begun && reached < path_.points.size() && path_.points[reached].time <= plan_->s) ++reached;
+  return reached;
+}
+
+}  // namespace mrroc
