@@ -24,9 +24,20 @@ namespace mrroc::test {
 /// a reply lets the world go on, tick by tick.
 class SimulatedCell : public Task, private RobotLink {
  public:
-  explicit SimulatedCell(const std::string& scene, const std::vector<std::string>& sensors = {})
-      : simulation_(deployment(scene, sensors), *memory_) {
+  /// Opens the force sensor of the arm's EDP (tests/generators/force_cell.hpp), whose hardware is slot `slot`.
+  using Wrist = std::function<std::unique_ptr<edp::ForceSensor>(const config::Deployment& deployment, std::size_t slot,
+                                                                const sim::WorldMemory& world)>;
+
+  /// `wrist`: the arm has a sensor of type force_torque, too.
+  explicit SimulatedCell(const std::string& scene, const std::vector<std::string>& sensors = {},
+                         const Wrist& wrist = {})
+      : deployment_(deployment(scene, sensors, wrist != nullptr)), simulation_(deployment_, *memory_) {
     for (std::size_t i = 0; i < sensors.size(); ++i) links_.push_back({*this, sensors[i], i});
+    if (wrist) {
+      wrist_ = wrist(deployment_, sensors.size(), *memory_);
+      servo_.use_force_sensor(*wrist_, (edp::ForceLimits() << 65, 65, 130, 5, 5, 5).finished());
+      effector_.use_force_sensor(wrist_->mount());
+    }
     simulation_.publish_initial();
     effector_.enable(true);
     servo_.tick(0);
@@ -65,6 +76,8 @@ class SimulatedCell : public Task, private RobotLink {
   }
   /// The measured tool, in the arm's base frame.
   Pose tool() const { return ToolKinematics(*model_).direct(servo_.snapshot().joints); }
+  /// That the arm's force sensor feels, in its own axes.
+  const Wrench& force() const { return servo_.snapshot().wrench; }
 
   static constexpr double kPeriod = 0.002;
   std::function<void()> on_tick;
@@ -93,7 +106,7 @@ class SimulatedCell : public Task, private RobotLink {
     std::uint64_t sequence = 0;
   };
 
-  config::Deployment deployment(const std::string& scene, const std::vector<std::string>& sensors) const {
+  config::Deployment deployment(const std::string& scene, const std::vector<std::string>& sensors, bool wrist) const {
     config::Deployment deployment;
     deployment.sim.emplace();
     deployment.sim->scene = scratch_.write("scene.xml", scene);
@@ -107,6 +120,13 @@ class SimulatedCell : public Task, private RobotLink {
       config::SensorEntry sensor;
       sensor.name = name;
       sensor.type = "raw";
+      deployment.sensors.push_back(sensor);
+    }
+    if (wrist) {
+      config::SensorEntry sensor;
+      sensor.name = "wrist";
+      sensor.type = "force_torque";
+      sensor.robot = "arm";
       deployment.sensors.push_back(sensor);
     }
     return deployment;
@@ -134,6 +154,7 @@ class SimulatedCell : public Task, private RobotLink {
   std::string name_ = "arm";
   config::Scratch scratch_;
   std::unique_ptr<sim::WorldMemory> memory_ = std::make_unique<sim::WorldMemory>();
+  config::Deployment deployment_;
   sim::Simulation simulation_;
   std::shared_ptr<const RobotModel> model_ = load_irb6().front();
   edp::MujocoHardware hardware_{*model_, *memory_, 0, edp::MujocoHardware::Timing::lockstep};
@@ -141,6 +162,7 @@ class SimulatedCell : public Task, private RobotLink {
   edp::ModelSet models_{*model_};
   edp::Servo servo_{models_, hardware_, kPeriod, hand_over_};
   edp::Effector effector_{models_, kPeriod, hand_over_};
+  std::unique_ptr<edp::ForceSensor> wrist_;
   std::vector<Readings> links_;
   std::uint64_t number_ = 0;
   Tick now_ = 0;
