@@ -1,18 +1,15 @@
 #include "language/joint_leg.hpp"
 
 #include <array>
-#include <cmath>
 #include <ruckig/ruckig.hpp>
 #include <string>
+
+#include "language/joint_targets.hpp"
+#include "mrroc/task.hpp"
 
 namespace mrroc {
 
 namespace {
-
-// of the robot's limits, as JointLine has them
-constexpr double kVelocityShare = 0.99;
-constexpr double kAccelerationShare = 0.9;
-constexpr double kJerkShare = 0.45;
 
 constexpr std::size_t kMost = kMaxJoints;
 
@@ -24,7 +21,7 @@ struct JointLeg::Plan {
   ruckig::Trajectory<kMost> trajectory;
 };
 
-JointLeg::JointLeg(const RobotParameters& parameters) : parameters_(&parameters), plan_(std::make_unique<Plan>()) {
+JointLeg::JointLeg(const Robot& robot) : robot_(&robot), plan_(std::make_unique<Plan>()) {
   plan_->input.synchronization = ruckig::Synchronization::Phase;
 }
 
@@ -32,9 +29,10 @@ JointLeg::~JointLeg() = default;
 JointLeg::JointLeg(JointLeg&&) noexcept = default;
 JointLeg& JointLeg::operator=(JointLeg&&) noexcept = default;
 
-void JointLeg::plan(const RobotState& state, const JointVector& target, double speed) {
+void JointLeg::plan(const JointVector& target, double speed) {
+  const RobotState& state = robot_->known_state();
   ruckig::InputParameter<kMost>& input = plan_->input;
-  const auto& axes = parameters_->axes;
+  const auto& axes = robot_->parameters().axes;
   target_ = target;
   for (std::size_t i = 0; i < kMost; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -51,7 +49,8 @@ void JointLeg::plan(const RobotState& state, const JointVector& target, double s
   const ruckig::Result result = plan_->ruckig.calculate(input, plan_->trajectory);
   if (result != ruckig::Result::Working && result != ruckig::Result::Finished) {
     throw NonFatalError(ErrorCode::invalid_argument,
-                        "no trajectory to the target (Ruckig result " + std::to_string(static_cast<int>(result)) + ")");
+                        "no trajectory to the target (Ruckig result " + std::to_string(static_cast<int>(result)) + ")",
+                        {robot_->task().process_name(), robot_->name(), 0, state.tick});
   }
 }
 
@@ -69,23 +68,6 @@ void JointLeg::write(double time, RobotCommand& command) const {
   command.joints = Eigen::Map<const Eigen::VectorXd>(position.data(), joints);
   command.joint_velocity = Eigen::Map<const Eigen::VectorXd>(velocity.data(), joints);
   command.joint_acceleration = Eigen::Map<const Eigen::VectorXd>(acceleration.data(), joints);
-}
-
-void check_joints(const RobotParameters& parameters, const JointVector& target, const char* what) {
-  const auto& axes = parameters.axes;
-  if (static_cast<std::size_t>(target.size()) != axes.size()) {
-    throw NonFatalError(ErrorCode::invalid_argument, std::string{what} + " has " + std::to_string(target.size()) +
-                                                         " joints, expected " + std::to_string(axes.size()));
-  }
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const double position = target[static_cast<Eigen::Index>(i)];
-    if (!std::isfinite(position)) throw NonFatalError(ErrorCode::not_finite, std::string{what} + ", " + axes[i].name);
-    if (position >= axes[i].position_min && position <= axes[i].position_max) continue;
-    throw NonFatalError(ErrorCode::joint_limit, std::string{what} + ": joint " + axes[i].name + " is " +
-                                                    std::to_string(position) + ", expected " +
-                                                    std::to_string(axes[i].position_min) + " to " +
-                                                    std::to_string(axes[i].position_max));
-  }
 }
 
 }  // namespace mrroc

@@ -2,25 +2,23 @@
 
 #include <memory>
 
-#include "mrroc/robot_command.hpp"
-#include "mrroc/robot_parameters.hpp"
-#include "mrroc/robot_state.hpp"
+#include "mrroc/robot.hpp"
 
 namespace mrroc {
 
-/// One way in joint space for a generator that goes along several: as `JointLine` plans it, time-optimal under the
-/// limits scaled by speed, speed^2, speed^3, but without allocating, so that a step may plan the next one. Task's
-/// thread.
+/// A way in joint space to rest at a target, of `JointLine` and of generators that go along several: time-optimal under
+/// the shares of the limits scaled by speed, speed^2, speed^3 (Ruckig, phase-synchronised). Planning does not allocate,
+/// so a step may plan the next way. Task's thread.
 class JointLeg {
  public:
-  /// Allocates. `parameters` must outlive it.
-  explicit JointLeg(const RobotParameters& parameters);
+  /// Allocates. `robot` must outlive it.
+  explicit JointLeg(const Robot& robot);
   ~JointLeg();
   JointLeg(JointLeg&&) noexcept;
   JointLeg& operator=(JointLeg&&) noexcept;
 
-  /// From the desired state, in motion or not, to rest at `target`. Throws NonFatalError(invalid_argument).
-  void plan(const RobotState& state, const JointVector& target, double speed);
+  /// From the robot's desired state, in motion or not. Throws NonFatalError(invalid_argument).
+  void plan(const JointVector& target, double speed);
   double duration() const noexcept;
   /// Whether the end lies at or before `time` (s since the start); sums of step durations are not exact.
   bool over(double time) const noexcept { return time >= duration() - 1e-9; }
@@ -29,13 +27,9 @@ class JointLeg {
 
  private:
   struct Plan;
-  const RobotParameters* parameters_;
+  const Robot* robot_;
   JointVector target_;
   std::unique_ptr<Plan> plan_;
 };
-
-/// Throws NonFatalError unless `target` has a finite value within the limits for each axis: invalid_argument,
-/// not_finite, joint_limit. `what` says whose target it is.
-void check_joints(const RobotParameters& parameters, const JointVector& target, const char* what);
 
 }  // namespace mrroc

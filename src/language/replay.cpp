@@ -4,6 +4,7 @@
 #include <ruckig/ruckig.hpp>
 
 #include "language/joint_leg.hpp"
+#include "language/joint_targets.hpp"
 #include "language/natural_spline.hpp"
 #include "language/require.hpp"
 #include "language/rigid_motion.hpp"
@@ -15,10 +16,6 @@ namespace {
 
 constexpr double kLegSpeed = 0.5;  // of the way to a timed path, as JointLine's
 constexpr double kRamp = 0.5;      // s in which ds/dt comes up
-// of the robot's limits, as JointLine has them
-constexpr double kVelocityShare = 0.99;
-constexpr double kAccelerationShare = 0.9;
-constexpr double kJerkShare = 0.45;
 constexpr int kHalvings = 40;
 
 /// How s may change.
@@ -47,7 +44,7 @@ bool keeps_limits(const RobotParameters& parameters, const NaturalSpline::Sample
 }  // namespace
 
 struct Replay::Plan {
-  explicit Plan(const RobotParameters& parameters) : leg(parameters) {}
+  explicit Plan(const Robot& robot) : leg(robot) {}
 
   JointLeg leg;
   bool on_leg = true;
@@ -92,7 +89,7 @@ Replay::Replay(Robot& robot, TaughtPath path, double speed)
       require(point.time > path_.points[i - 1].time, "Replay", "time of a point", point.time,
               "later than the one before");
     if (path_.space == TaughtPath::Space::joints)
-      check_joints(robot.parameters(), point.joints, what.c_str());
+      check_joints(robot, point.joints, what);
     else if (!is_rigid(point.pose))
       throw NonFatalError(ErrorCode::invalid_argument, what + ": no rigid pose");
   }
@@ -116,14 +113,14 @@ void Replay::find_joints() {
           what + " at (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ") m",
           {robot_->task().process_name(), robot_->name(), 0, robot_->state().tick});
     }
-    check_joints(robot_->parameters(), point.joints, what.c_str());
+    check_joints(*robot_, point.joints, what);
     near = point.joints;
   }
 }
 
 void Replay::start() {
   if (path_.space == TaughtPath::Space::poses) find_joints();
-  plan_ = std::make_unique<Plan>(robot_->parameters());
+  plan_ = std::make_unique<Plan>(*robot_);
   Plan& plan = *plan_;
   if (path_.timed) {
     std::vector<double> times;
@@ -164,7 +161,7 @@ void Replay::resume() {
   plan.time = 0;
   const JointVector& target = path_.timed ? plan.spline.at(plan.s).position
                                           : path_.points[std::min(plan.point, path_.points.size() - 1)].joints;
-  plan.leg.plan(robot_->known_state(), target, path_.timed ? kLegSpeed : speed_);
+  plan.leg.plan(target, path_.timed ? kLegSpeed : speed_);
 }
 
 bool Replay::terminal_condition() {

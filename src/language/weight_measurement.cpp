@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "language/joint_leg.hpp"
+#include "language/joint_targets.hpp"
 #include "language/require.hpp"
 #include "mrroc/task.hpp"
 
@@ -14,10 +15,9 @@ WeightMeasurement::WeightMeasurement(Robot& robot, std::vector<JointVector> post
       postures_(std::move(postures)),
       weighing_(weighing),
       readings_(weighing.offset, weighing.gravity),
-      leg_(std::make_unique<JointLeg>(robot.parameters())) {
+      leg_(std::make_unique<JointLeg>(robot)) {
   require(!postures_.empty(), "WeightMeasurement", "postures", 0, "at least three");
-  for (const JointVector& posture : postures_)
-    check_joints(robot.parameters(), posture, "a posture of WeightMeasurement");
+  for (const JointVector& posture : postures_) check_joints(robot, posture, "a posture of WeightMeasurement");
   require(weighing.speed > 0 && weighing.speed <= 1, "WeightMeasurement", "speed", weighing.speed,
           "above 0 and at most 1");
   require_not_negative("WeightMeasurement", "settling time", weighing.settling);
@@ -37,7 +37,7 @@ void WeightMeasurement::start() {
 
 void WeightMeasurement::resume() {
   const RobotState& state = robot_->known_state();
-  if (posture_ < postures_.size()) leg_->plan(state, postures_[posture_], weighing_.speed);
+  if (posture_ < postures_.size()) leg_->plan(postures_[posture_], weighing_.speed);
   time_ = 0;
   resting_ = false;
   rest_ = 0;

@@ -34,7 +34,8 @@ struct SurfaceContact {
 ///                v = dp/ds ds/dt + 4/s (p(s) - x)        without its z component, ds/dt <= speed
 ///
 ///              and ends by itself when it has come to the last point within kTolerance. Begins at the first point:
-///              the way there is made along the surface.
+///              the way there is made along the surface. It does not slow down in corners: when it turns round there it
+///              goes too far by v^2 / (2 acceleration) and what it makes in two steps.
 ///
 /// Before the tool touches it comes down at `approach_speed`, and goes along only from then on; likewise when it has
 /// felt next to nothing (a tenth of the force) for 10 steps.
