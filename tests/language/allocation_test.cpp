@@ -17,6 +17,7 @@
 #include "mrroc/generators/cartesian_arc.hpp"
 #include "mrroc/generators/cartesian_line.hpp"
 #include "mrroc/generators/contact_search.hpp"
+#include "mrroc/generators/cooperative_motion.hpp"
 #include "mrroc/generators/guarded_approach.hpp"
 #include "mrroc/generators/guarded_motion.hpp"
 #include "mrroc/generators/image_servo.hpp"
@@ -256,6 +257,22 @@ TEST(Allocation, GeneratorsOfForceAndTeachingAllocateNothing) {
   }
   EXPECT_GT(visited.point(), 2u) << "it has planned several ways";
   EXPECT_EQ(scale.terminal_condition(), true) << "it has been at both places";
+}
+
+TEST(Allocation, ArmsCarryAnObjectWithoutAllocating) {
+  Cell cell;
+  Wait({*cell.a, *cell.b, *cell.c}, {}, ElapsedSteps{0});
+  const auto felt = [] { return Wrench(Wrench::Constant(0.1)); };
+  const Pose here = Pose::Identity(), there(Eigen::Translation3d(0.2, 0, 0));
+  CooperativeMotion motion({{cell.a.get(), here, felt}, {cell.b.get(), there, felt}, {cell.c.get(), there, felt}},
+                           {here, there, there * Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX())});
+  motion.start();
+  const std::uint64_t before = allocations;
+  int steps = 0;
+  for (; !motion.terminal_condition() && steps < 10000; ++steps) motion.next_state();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(steps, 100);
+  EXPECT_TRUE(motion.terminal_condition());
 }
 
 }  // namespace
