@@ -1,0 +1,4 @@
+#include "sensors/tracker/tracker_sensor.hpp"
+#include "vsp/shell.hpp"
+
+MRROC_VSP(mrroc::vsp::TrackerSensor)
