@@ -1,0 +1,1 @@
+mrroc_bench(transfer_sweep SOURCES transfer_sweep.cpp LINKS mrroc_transfer_report)

@@ -1,0 +1,157 @@
+#include "cooperative_transfer/report/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "cooperative_transfer/transfer_path.hpp"
+#include "language/object_path.hpp"
+#include "language/rigid_motion.hpp"
+
+namespace mrroc::transfer {
+
+namespace {
+
+constexpr double kServoPeriod = 0.002;                                      // s, the deployment's
+constexpr double kGripInWrist = 0.285;                                      // m
+constexpr double kToolMass = 2.04;                                          // kg, of gripper and adapter by their MJCF
+constexpr std::array<double, 3> kToolCentre{0.002157, 0.002059, 0.136078};  // m, in the wrist's frame
+
+/// The numbers behind `field`, from `from` on; none when the line does not have it.
+std::vector<double> numbers(const std::string& line, const std::string& field, std::size_t from = 0) {
+  std::vector<double> values;
+  const std::size_t at = line.find(field, from);
+  if (at == std::string::npos) return values;
+  const std::size_t begin = at + field.size();
+  std::istringstream text(line.substr(begin, line.find(' ', begin) - begin));
+  for (std::string value; std::getline(text, value, ',');) values.push_back(std::stod(value));
+  return values;
+}
+
+std::vector<double> numbers_of(const std::string& line, const std::string& device, const std::string& field) {
+  const std::size_t at = line.find(" " + device + " ");
+  return at == std::string::npos ? std::vector<double>{} : numbers(line, " " + field + "=", at);
+}
+
+Pose pose_of(const std::vector<double>& v) {
+  if (v.size() < 7) throw std::runtime_error("a line without a pose");
+  Pose pose = Pose::Identity();
+  pose.translation() << v[0], v[1], v[2];
+  pose.linear() = Eigen::Quaterniond(v[3], v[4], v[5], v[6]).toRotationMatrix();
+  return pose;
+}
+
+/// That the bar exerts on an arm's grip, in the world's axes (those of both bases), without the tool's weight.
+Wrench wrench_of(const std::string& line, const std::string& arm) {
+  const Eigen::Matrix3d axes = pose_of(numbers_of(line, "robot=" + arm, "pose")).linear();
+  const Eigen::Vector3d weight(0, 0, -9.81 * kToolMass);
+  const Eigen::Vector3d centre(kToolCentre[0], kToolCentre[1], kToolCentre[2] - kGripInWrist);
+  const std::vector<double> v = numbers_of(line, "sensor=" + arm + "_wrist", "values");
+  if (v.size() != 6) throw std::runtime_error("a line without a wrench");
+  const Eigen::Vector3d force(v[0], v[1], v[2]), torque(v[3], v[4], v[5]);
+  Wrench wrench;
+  wrench << axes * force - weight,
+      axes * (torque - kGripInWrist * Eigen::Vector3d::UnitZ().cross(force)) - (axes * centre).cross(weight);
+  return wrench;
+}
+
+double angle(const Pose& a, const Pose& b) { return rotation_vector(a.linear().transpose() * b.linear()).norm(); }
+
+template <class Value>
+double worst(const std::vector<ReportStep>& steps, Value&& value) {
+  double most = 0;
+  for (const ReportStep& step : steps) most = std::max(most, value(step));
+  return most;
+}
+
+}  // namespace
+
+Report read_report(const std::filesystem::path& trace) {
+  struct Part {
+    std::vector<Pose> poses;
+    const CooperativeLimits* limits;
+  };
+  const std::vector<Part> parts{
+      {way::lift(), &kNear}, {way::carry(), &kFree}, {way::lower(), &kNear}, {way::put_down(), &kTouch}};
+  Report report;
+  std::ifstream file(trace);
+  std::string last;
+  std::size_t moves = 0;  // cooperative ones
+  std::optional<ObjectPath> path;
+  Tick begin = 0, first = 0;
+  Pose held = Pose::Identity();
+  for (std::string line; std::getline(file, line);) {
+    if (line.find(" process=mp ") == std::string::npos) continue;
+    if (const auto skew = numbers(line, " skew="); !skew.empty())
+      report.skew = std::max(report.skew, static_cast<std::uint64_t>(skew[0]));
+    if (line.find(" move=\"CooperativeMotion\"") == std::string::npos) continue;
+    const std::string instruction = std::to_string(static_cast<int>(numbers(line, " instruction=").at(0)));
+    const Tick tick = static_cast<Tick>(numbers_of(line, "sensor=tracker", "tick").at(0));
+    if (instruction != last) {
+      last = instruction;
+      ++moves;
+      path.reset();
+      if (moves < 2 || moves - 2 >= parts.size()) continue;  // the first one holds the bar where it is
+      path.emplace(parts[moves - 2].poses, *parts[moves - 2].limits);
+      const std::size_t start = line.find(",start");
+      if (start == std::string::npos) throw std::runtime_error("a motion without a start");
+      begin = std::stoull(line.substr(start + 6));
+      if (moves == 2) {
+        first = begin;
+        held = parts[0].poses.front().inverse() * pose_of(numbers_of(line, "sensor=tracker", "values"));
+      }
+    }
+    if (!path) continue;
+    report.complete = moves == 1 + parts.size() && line.find(" end") != std::string::npos;
+    const double time = (static_cast<double>(tick) - static_cast<double>(begin)) * kServoPeriod;
+    const Pose there = path->at(time), bar = pose_of(numbers_of(line, "sensor=tracker", "values"));
+    const Pose wanted = there * held;
+    ReportStep step;
+    step.tick = tick;
+    step.time = (static_cast<double>(tick) - static_cast<double>(first)) * kServoPeriod;
+    if (moves < parts.size() + 1) {  // not while it is put down: it stops on the stands
+      step.way = (bar.translation() - wanted.translation()).norm();
+      step.turn = angle(bar, wanted);
+      step.way_off = (bar.translation() - there.translation()).norm();
+      step.turn_off = angle(bar, there);
+    }
+    const Wrench left = wrench_of(line, "left"), right = wrench_of(line, "right");
+    step.internal = bar.linear().transpose() * (left - right).head<3>() / 2;
+    step.internal_torque = bar.linear().transpose() * (left - right).tail<3>() / 2;
+    step.weight = -left.z() - right.z();
+    report.steps.push_back(step);
+  }
+  if (report.steps.empty()) throw std::runtime_error(trace.string() + ": no bar is carried");
+  return report;
+}
+
+double Report::worst_way() const {
+  return worst(steps, [](const ReportStep& s) { return s.way; });
+}
+double Report::worst_turn() const {
+  return worst(steps, [](const ReportStep& s) { return s.turn; });
+}
+double Report::worst_way_off() const {
+  return worst(steps, [](const ReportStep& s) { return s.way_off; });
+}
+double Report::worst_turn_off() const {
+  return worst(steps, [](const ReportStep& s) { return s.turn_off; });
+}
+double Report::worst_internal() const {
+  return worst(steps, [](const ReportStep& s) { return s.internal.norm(); });
+}
+double Report::worst_internal_torque() const {
+  return worst(steps, [](const ReportStep& s) { return s.internal_torque.norm(); });
+}
+double Report::rms_internal() const {
+  double sum = 0;
+  for (const ReportStep& step : steps) sum += step.internal.squaredNorm();
+  return std::sqrt(sum / static_cast<double>(steps.size()));
+}
+
+}  // namespace mrroc::transfer

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "cooperative_transfer/report/report.hpp"
+#include "cooperative_transfer/report/variant.hpp"
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+using transfer::Report;
+using transfer::Variant;
+
+constexpr double kDegree = 0.017453292519943295;
+
+std::vector<std::string> run_of(const std::filesystem::path& deployment, const std::filesystem::path& trace) {
+  return {"run", deployment.string(), "--quiet", "--clock", "lockstep", "--trace", trace.string()};
+}
+
+/// The bars of `bench/transfer_sweep` are more and take longer.
+class CooperativeTransfer : public testing::TestWithParam<Variant> {};
+
+TEST_P(CooperativeTransfer, TheBarFollowsItsPathAndTheArmsDoNotFight) {
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "trace";
+  const std::string out = run_mrroc(run_of(write_variant(GetParam(), folder.path()), trace), 0);
+  const Report report = transfer::read_report(trace);
+  EXPECT_TRUE(report.complete) << out;
+  EXPECT_LT(report.worst_way(), 0.002);
+  EXPECT_LT(report.worst_turn(), 0.5 * kDegree);
+  EXPECT_LT(report.worst_internal(), 15);
+  EXPECT_EQ(report.skew, 0u);
+  // both arms bear the bar, no more and no less
+  const auto& half_way = report.steps[report.steps.size() / 2];
+  EXPECT_NEAR(half_way.weight, 9.81 * GetParam().mass, 3);
+  std::printf("%g kg: off by %.2f mm, %.3f degrees, internal force %.1f N\n", GetParam().mass,
+              1000 * report.worst_way(), report.worst_turn() / kDegree, report.worst_internal());
+}
+
+INSTANTIATE_TEST_SUITE_P(Bars, CooperativeTransfer,
+                         testing::Values(Variant{0.5, Variant::error_of(1)}, Variant{3, Variant::error_of(2)},
+                                         Variant{1.5, Variant::error_of(3)}));
+
+TEST(CooperativeTransferTask, FiveRunsAreTheSameBitForBit) {
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "trace";
+  std::set<std::string> hashes;
+  for (int run = 0; run < 5; ++run) {
+    run_mrroc(run_of("tasks/cooperative_transfer/cooperative_transfer.toml", trace), 0);
+    hashes.insert(trace_hash(trace));
+  }
+  EXPECT_EQ(hashes.size(), 1u);
+}
+
+}  // namespace
+}  // namespace mrroc::test
