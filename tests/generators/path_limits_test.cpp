@@ -3,6 +3,7 @@
 
 #include "generators/planned_cell.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "language/rigid_motion.hpp"
 #include "mrroc/generators/blended_path.hpp"
 #include "mrroc/generators/cartesian_arc.hpp"
@@ -18,13 +19,10 @@ namespace {
 
 using Eigen::Vector3d;
 using fakes::check_property;
+using fakes::pick;
+using fakes::random_vector;
 
 constexpr int kCases = 60;
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
-Vector3d random_vector(double largest) {
-  return Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100)) * (0.01 * largest);
-}
 
 /// What the ticks of a motion have come to, as parts of the limits.
 struct Worst {

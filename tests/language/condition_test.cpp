@@ -120,8 +120,8 @@ TEST(Condition, TravelledHoldsFromTheDistanceOn) {
   check_property(500, [] {
     FakeTask task;
     const auto arm = task.robot("arm");
-    const double step = 0.001 * fakes::detail::pick(1, 20);
-    const double distance = 0.001 * fakes::detail::pick(1, 200);
+    const double step = 0.001 * fakes::pick(1, 20);
+    const double distance = 0.001 * fakes::pick(1, 200);
     Advance generator(*arm, step);
     generator.until(Travelled{*arm, distance});
     task.robot_fake("arm").state.pose.translation() << 0.3, -0.2, 0.1;  // away from the origin of its base

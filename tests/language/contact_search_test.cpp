@@ -4,6 +4,7 @@
 
 #include "language/force_flyer.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
@@ -13,10 +14,9 @@ namespace {
 using Eigen::Vector3d;
 using fakes::check_property;
 using fakes::ForceFlyer;
+using fakes::pick;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
 
 Pose turned_by(const Vector3d& turn, const Vector3d& place = Vector3d::Zero()) {
   Pose pose = Pose::Identity();

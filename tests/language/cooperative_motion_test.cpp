@@ -6,7 +6,7 @@
 #include "language/internal_wrench.hpp"
 #include "language/object_path.hpp"
 #include "language/property.hpp"
-#include "language/random_poses.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 

@@ -6,6 +6,7 @@
 #include "language/fakes.hpp"
 #include "language/motion_recorder.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "language/rigid_motion.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
@@ -17,11 +18,10 @@ using Eigen::Vector3d;
 using fakes::check_property;
 using fakes::FakeTask;
 using fakes::MotionRecorder;
+using fakes::pick;
 
 constexpr int kCases = 300;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
 
 struct Place {
   JointVector joints = Eigen::Vector4d(0.1, -0.2, 0.3, 0.7);

@@ -4,6 +4,7 @@
 
 #include "language/fakes.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/move.hpp"
 
 namespace mrroc {
@@ -11,8 +12,7 @@ namespace {
 
 using fakes::check_property;
 using fakes::FakeTask;
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
+using fakes::pick;
 
 TEST(Hold, LastsItsTimeRoundedUpToStepsEveryTime) {
   check_property(500, [] {

@@ -4,6 +4,7 @@
 
 #include "language/force_flyer.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
@@ -13,14 +14,10 @@ namespace {
 using Eigen::Vector3d;
 using fakes::check_property;
 using fakes::ForceFlyer;
+using fakes::pick;
+using fakes::random_vector;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
-
-Vector3d random_vector(double size) {
-  return 0.01 * size * Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100));
-}
 
 Pose random_pose() {
   Pose pose = Pose::Identity();

@@ -1,7 +1,7 @@
 #include "language/internal_wrench.hpp"
 
 #include "language/property.hpp"
-#include "language/random_poses.hpp"
+#include "language/random_values.hpp"
 
 namespace mrroc {
 namespace {

@@ -6,6 +6,7 @@
 #include "language/fakes.hpp"
 #include "language/motion_recorder.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
@@ -15,10 +16,9 @@ namespace {
 using fakes::check_property;
 using fakes::FakeTask;
 using fakes::MotionRecorder;
+using fakes::pick;
 
 constexpr int kCases = 500;
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
 
 /// Positions from -1.9 to 1.9, the limits being +-2.
 JointVector random_joints(int axes) {

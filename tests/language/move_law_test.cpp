@@ -277,8 +277,8 @@ TEST(MoveLaw, StepsAndTicksAreThoseOfTheExchanges) {
 TEST(MoveLaw, APauseHoldsTheRobotsAndResumesTheGeneratorButNoCondition) {
   check_property(kCases, [] {
     Script script = random_script({.faults = false, .pauses = false});
-    const auto begin = static_cast<std::size_t>(detail::pick(0, static_cast<int>(script.requests.size()) - 1));
-    const auto length = static_cast<std::size_t>(detail::pick(1, 6));
+    const auto begin = static_cast<std::size_t>(pick(0, static_cast<int>(script.requests.size()) - 1));
+    const auto length = static_cast<std::size_t>(pick(1, 6));
     script.requests.insert(script.requests.begin() + static_cast<std::ptrdiff_t>(begin), length,
                            OperatorRequest::pause);
     Script unpaused = script;
@@ -311,7 +311,7 @@ TEST(MoveLaw, APauseHoldsTheRobotsAndResumesTheGeneratorButNoCondition) {
 TEST(MoveLaw, StopAndEndMotionLeaveAtOnce) {
   check_property(kCases, [] {
     Script script = random_script({.faults = false, .pauses = false});
-    const auto place = static_cast<std::size_t>(detail::pick(0, static_cast<int>(script.requests.size()) - 1));
+    const auto place = static_cast<std::size_t>(pick(0, static_cast<int>(script.requests.size()) - 1));
     const bool stop = detail::chance(50);
     const std::uint64_t uninterrupted = execute(script).result->steps;
     script.requests[place] = stop ? OperatorRequest::stop : OperatorRequest::end_motion;

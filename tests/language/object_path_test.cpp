@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "language/property.hpp"
-#include "language/random_poses.hpp"
+#include "language/random_values.hpp"
 
 namespace mrroc {
 namespace {

@@ -6,24 +6,12 @@
 
 #include "language/fakes.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "language/rigid_motion.hpp"
 #include "language/rotation_rates.hpp"
 #include "mrroc/move.hpp"
 
 namespace mrroc::fakes {
-
-inline int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
-
-inline Eigen::Vector3d random_vector(double largest) {
-  return Eigen::Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100)) * (0.01 * largest);
-}
-
-inline Pose random_pose(double largest, double turn) {
-  Pose pose = Pose::Identity();
-  pose.translation() = random_vector(largest);
-  pose.linear() = rotation_of(random_vector(turn));
-  return pose;
-}
 
 inline double distance(const Pose& a, const Pose& b) { return (a.translation() - b.translation()).norm(); }
 inline double angle(const Pose& a, const Pose& b) {

@@ -3,6 +3,7 @@
 
 #include "language/free_flyer.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/elapsed_time.hpp"
 #include "mrroc/conditions/path_travelled.hpp"
@@ -20,16 +21,12 @@ using Eigen::Vector3d;
 using fakes::check_property;
 using fakes::FakeTask;
 using fakes::FreeFlyer;
+using fakes::pick;
+using fakes::random_vector;
 
 constexpr int kCases = 500;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
-
-Vector3d random_vector(double size) {
-  return 0.01 * size * Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100));
-}
 
 /// Of length 1.
 Vector3d random_direction() { return (random_vector(1) + Vector3d(0, 0, 2.5)).normalized(); }

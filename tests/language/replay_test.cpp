@@ -6,6 +6,7 @@
 #include "language/free_flyer.hpp"
 #include "language/motion_recorder.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/generators/teach_in.hpp"
@@ -20,10 +21,9 @@ using fakes::check_property;
 using fakes::FakeTask;
 using fakes::FreeFlyer;
 using fakes::MotionRecorder;
+using fakes::pick;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
 
 /// q_i(t) = offset + size sin(rate t + phase).
 struct Swing {

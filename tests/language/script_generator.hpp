@@ -2,14 +2,13 @@
 
 #include <rapidcheck.h>
 
+#include "language/random_values.hpp"
 #include "language/script.hpp"
 
 namespace mrroc::fakes {
 
 namespace detail {
 
-/// Uniform in from..to, at any size; shrinks to `from`.
-inline int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
 /// Shrinks to false.
 inline bool chance(int percent) { return pick(0, 99) >= 100 - percent; }
 

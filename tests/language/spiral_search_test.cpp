@@ -5,6 +5,7 @@
 
 #include "language/free_flyer.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
@@ -13,8 +14,7 @@ namespace {
 
 using fakes::check_property;
 using fakes::FreeFlyer;
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
+using fakes::pick;
 
 TEST(SpiralSearch, PassesEveryPlaceOfTheDiscAtTheSpeedAndEnds) {
   check_property(50, [] {

@@ -4,6 +4,7 @@
 
 #include "language/force_flyer.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/travelled.hpp"
 #include "mrroc/move.hpp"
@@ -14,10 +15,9 @@ namespace {
 using Eigen::Vector3d;
 using fakes::check_property;
 using fakes::ForceFlyer;
+using fakes::pick;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
 
 /// The tool with its z axis down, turned by `yaw` about it, its tip at `place`.
 Pose down(const Vector3d& place, double yaw = 0) {

@@ -9,6 +9,7 @@
 
 #include "language/free_flyer.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
@@ -18,9 +19,8 @@ namespace {
 using fakes::check_property;
 using fakes::FakeTask;
 using fakes::FreeFlyer;
+using fakes::pick;
 using Space = TaughtPath::Space;
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
 
 /// A number with all its digits.
 double digits(double size) { return size * pick(-1000000, 1000000) / 999983.0; }

@@ -4,6 +4,7 @@
 
 #include "language/fakes.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/generators/together.hpp"
 #include "mrroc/move.hpp"
@@ -13,8 +14,7 @@ namespace {
 
 using fakes::check_property;
 using fakes::FakeTask;
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
+using fakes::pick;
 
 /// Moves every axis by 0.001 a step.
 class Creep : public Generator {

@@ -2,6 +2,7 @@
 
 #include "language/fakes.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/generators/hold.hpp"
 #include "mrroc/generators/joint_line.hpp"
@@ -12,8 +13,7 @@ namespace {
 
 using fakes::check_property;
 using fakes::FakeTask;
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
+using fakes::pick;
 
 /// Moves its robot by joints for `steps` steps; counts what it is asked.
 class Stepping : public Generator {

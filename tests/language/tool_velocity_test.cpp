@@ -5,6 +5,7 @@
 #include "language/fakes.hpp"
 #include "language/motion_recorder.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
@@ -15,14 +16,10 @@ using Eigen::Vector3d;
 using fakes::check_property;
 using fakes::FakeTask;
 using fakes::MotionRecorder;
+using fakes::pick;
+using fakes::random_vector;
 
 constexpr int kCases = 500;
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
-
-Vector3d random_vector(double largest) {
-  return Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100)) * (0.01 * largest);
-}
 
 /// One robot whose tool stands at a random place and orientation, and a recorded ToolVelocity.
 struct Cell {

@@ -5,6 +5,7 @@
 
 #include "language/free_flyer.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
@@ -14,15 +15,11 @@ namespace {
 using Eigen::Vector3d;
 using fakes::check_property;
 using fakes::FreeFlyer;
+using fakes::pick;
+using fakes::random_vector;
 
 constexpr int kCases = 150;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
-
-Vector3d random_vector(double largest) {
-  return Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100)) * (0.01 * largest);
-}
 
 Pose random_pose(double largest, double turn) {
   Pose pose = Pose::Identity();

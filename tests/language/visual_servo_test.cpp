@@ -4,6 +4,7 @@
 
 #include "language/free_flyer.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/generators/image_servo.hpp"
 #include "mrroc/generators/position_servo.hpp"
@@ -15,16 +16,12 @@ namespace {
 using Eigen::Vector3d;
 using fakes::check_property;
 using fakes::FreeFlyer;
+using fakes::pick;
+using fakes::random_vector;
 
 constexpr int kCases = 100;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t kMostSteps = 20000;
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
-
-Vector3d random_vector(double largest) {
-  return Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100)) * (0.01 * largest);
-}
 
 /// Of at most `largest` m per axis and sqrt(3) * `turn` rad.
 Pose random_pose(double largest, double turn) {

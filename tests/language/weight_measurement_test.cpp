@@ -5,6 +5,7 @@
 
 #include "language/free_flyer.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
@@ -14,16 +15,12 @@ namespace {
 using Eigen::Vector3d;
 using fakes::check_property;
 using fakes::FreeFlyer;
+using fakes::pick;
+using fakes::random_vector;
 using Offset = LoadIdentification::Offset;
 
 constexpr int kCases = 300;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
-
-Vector3d random_vector(double size) {
-  return 0.01 * size * Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100));
-}
 
 Load random_load() { return {0.01 * pick(5, 1000), random_vector(0.2)}; }
 

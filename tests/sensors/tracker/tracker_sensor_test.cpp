@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "language/random_poses.hpp"
+#include "language/random_values.hpp"
 #include "sensors/tracker/made_sensor.hpp"
 #include "vsp/count_allocations.hpp"
 

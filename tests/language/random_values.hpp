@@ -6,7 +6,7 @@
 
 namespace mrroc::fakes {
 
-/// Within a property: a number from `from` to `to`.
+/// Within a property: uniform in from..to, at any size; shrinks to `from`.
 inline int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, to + 1)); }
 
 /// Each coordinate of at most `largest`.
@@ -14,6 +14,7 @@ inline Eigen::Vector3d random_vector(double largest) {
   return Eigen::Vector3d(pick(-100, 100), pick(-100, 100), pick(-100, 100)) * (0.01 * largest);
 }
 
+/// At most `largest` m along each axis, turned by a rotation vector of at most `turn` rad about each.
 inline Pose random_pose(double largest, double turn) {
   Pose pose = Pose::Identity();
   pose.translation() = random_vector(largest);
