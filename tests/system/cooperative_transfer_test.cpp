@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "cooperative_transfer/report/report.hpp"
 #include "cooperative_transfer/report/variant.hpp"
-#include "system/mrroc_run.hpp"
+#include "repetitions.hpp"
+#include "system/equal_runs.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -44,13 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Bars, CooperativeTransfer,
 
 TEST(CooperativeTransferTask, FiveRunsAreTheSameBitForBit) {
   const ScratchFolder folder;
-  const auto trace = folder.path() / "trace";
-  std::set<std::string> hashes;
-  for (int run = 0; run < 5; ++run) {
-    run_mrroc(run_of("tasks/cooperative_transfer/cooperative_transfer.toml", trace), 0);
-    hashes.insert(trace_hash(trace));
-  }
-  EXPECT_EQ(hashes.size(), 1u);
+  expect_equal_runs("tasks/cooperative_transfer/cooperative_transfer.toml", repetitions(5), folder);
 }
 
 }  // namespace

@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <memory>
-#include <set>
 
 #include "config/deployment.hpp"
 #include "engraving/board.hpp"
+#include "repetitions.hpp"
 #include "sim/model.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
-#include "system/mrroc_run.hpp"
+#include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
 
 namespace mrroc::test {
@@ -20,7 +19,6 @@ namespace {
 
 constexpr const char* kDeployment = "tasks/engraving/engraving.toml";
 constexpr double kDepth = 0.001;
-constexpr int kRuns = 5;
 constexpr int kPatience = 1200;  // s
 
 /// Depths of the cutter's tip, and what is said of them.
@@ -103,29 +101,14 @@ std::filesystem::path deployment_with(const ScratchFolder& folder, const std::st
 
 TEST(Engraving, CarvesTheInscriptionATenthOfAMillimetreExactIntoABoardThatItHasTouched) {
   const ScratchFolder folder;
-  const auto states = folder.path() / "states";
-  std::filesystem::create_directory(states);
-  const auto trace = [&folder](int run) { return folder.path() / ("trace_" + std::to_string(run)); };
-  std::set<std::string> hashes;
-  for (int first = 0; first < kRuns; first += 2) {  // two at a time, on two cores
-    std::vector<std::unique_ptr<MrrocRun>> runs;
-    for (int run = first; run < std::min(first + 2, kRuns); ++run) {
-      std::vector<std::string> arguments{"run", kDeployment, "--quiet", "--trace", trace(run).string()};
-      if (run == 0) arguments.insert(arguments.end(), {"--snapshots", states.string()});
-      runs.push_back(std::make_unique<MrrocRun>(arguments));
-    }
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      ASSERT_EQ(runs[i]->wait(kPatience), 0) << runs[i]->out() << runs[i]->err();
-      EXPECT_NE(runs[i]->out().find("touched 44 times"), std::string::npos) << runs[i]->out();
-      hashes.insert(trace_hash(trace(first + static_cast<int>(i))));
-    }
-  }
-  EXPECT_EQ(hashes.size(), 1u);
+  const EqualRuns runs = expect_equal_runs(kDeployment, repetitions(5), folder);
+  for (const std::string& output : runs.outputs)
+    EXPECT_NE(output.find("touched 44 times"), std::string::npos) << output;
 
-  const Strokes strokes = strokes_of(trace(0));
+  const Strokes strokes = strokes_of(runs.trace);
   ASSERT_GT(strokes.measured.values.size(), 1000u);
   EXPECT_EQ(strokes.ticks.size(), 16u) << "pieces of strokes between corners";
-  const Depths truth = true_depths(states, strokes);
+  const Depths truth = true_depths(runs.states, strokes);
   ASSERT_GT(truth.values.size(), 100u);
   std::printf("depth 1 mm: error %.3f mm RMS, %.3f mm at most as measured; %.3f mm RMS, %.3f mm at most in the world\n",
               1000 * strokes.measured.error(), 1000 * strokes.measured.worst(), 1000 * truth.error(),

@@ -3,14 +3,14 @@
 
 #include <cmath>
 #include <fstream>
-#include <memory>
 #include <set>
 
 #include "config/deployment.hpp"
+#include "repetitions.hpp"
 #include "sim/model.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
-#include "system/mrroc_run.hpp"
+#include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
 
 namespace mrroc::test {
@@ -115,29 +115,13 @@ HandOvers hand_overs_of(const std::filesystem::path& trace) {
 }
 
 TEST(HandOver, ThreeBarsGoFromHandToHandWhenTheGiverFeelsThePullFiveTimesTheSame) {
-  constexpr int kRuns = 5;
   const ScratchFolder folder;
-  const auto trace = [&folder](int run) { return folder.path() / ("trace_" + std::to_string(run)); };
-  const auto states = folder.path() / "states";
-  std::filesystem::create_directory(states);
-  std::set<std::string> hashes;
-  for (int first = 0; first < kRuns; first += 2) {  // two at a time, on two cores
-    std::vector<std::unique_ptr<MrrocRun>> runs;
-    for (int run = first; run < std::min(first + 2, kRuns); ++run) {
-      std::vector<std::string> arguments{"run", kDeployment, "--quiet", "--trace", trace(run).string()};
-      if (run == 0) arguments.insert(arguments.end(), {"--snapshots", states.string()});
-      runs.push_back(std::make_unique<MrrocRun>(arguments));
-    }
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      ASSERT_EQ(runs[i]->wait(1200), 0) << runs[i]->out() << runs[i]->err();
-      hashes.insert(trace_hash(trace(first + static_cast<int>(i))));
-      EXPECT_NE(runs[i]->out().find("bar 3: the giver feels the pull and lets go"), std::string::npos);
-    }
-  }
-  EXPECT_EQ(hashes.size(), 1u);
-  expect_in_place(states);
+  const EqualRuns runs = expect_equal_runs(kDeployment, repetitions(5), folder);
+  for (const std::string& output : runs.outputs)
+    EXPECT_NE(output.find("bar 3: the giver feels the pull and lets go"), std::string::npos) << output;
+  expect_in_place(runs.states);
 
-  const HandOvers found = hand_overs_of(trace(0));
+  const HandOvers found = hand_overs_of(runs.trace);
   ASSERT_EQ(found.felt.size(), static_cast<std::size_t>(kBars));
   ASSERT_EQ(found.opened.size(), static_cast<std::size_t>(kBars));
   EXPECT_LE(found.largest_before, kFelt);

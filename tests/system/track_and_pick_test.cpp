@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <set>
 
 #include "config/deployment.hpp"
@@ -11,14 +10,13 @@
 #include "sim/model.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
-#include "system/mrroc_run.hpp"
+#include "system/equal_runs.hpp"
 
 namespace mrroc::test {
 namespace {
 
 constexpr const char* kDeployment = "tasks/track_and_pick/track_and_pick.toml";
 constexpr int kParts = 20;
-constexpr int kRuns = repetitions(5);
 
 /// The newest of the states that a run has saved.
 sim::WorldState last_state(const std::filesystem::path& folder) {
@@ -50,30 +48,14 @@ int parts_in_place(const sim::WorldState& state) {
 
 TEST(TrackAndPick, PicksTwentyOfTwentyPartsFromABeltAt150MillimetresPerSecond) {
   const ScratchFolder folder;
-  const auto states = folder.path() / "states";
-  std::filesystem::create_directory(states);
-  const auto trace = [&folder](int run) { return folder.path() / ("trace_" + std::to_string(run)); };
-  std::set<std::string> hashes;
-  for (int first = 0; first < kRuns; first += 2) {  // two at a time, on two cores
-    std::vector<std::unique_ptr<MrrocRun>> runs;
-    for (int run = first; run < std::min(first + 2, kRuns); ++run) {
-      std::vector<std::string> arguments{"run", kDeployment, "--quiet", "--trace", trace(run).string()};
-      if (run == 0) arguments.insert(arguments.end(), {"--snapshots", states.string()});
-      runs.push_back(std::make_unique<MrrocRun>(arguments));
-    }
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      ASSERT_EQ(runs[i]->wait(1200), 0) << runs[i]->out() << runs[i]->err();
-      const int run = first + static_cast<int>(i);
-      hashes.insert(trace_hash(trace(run)));
-      std::filesystem::remove(trace(run));
-      for (int part = 1; part <= kParts; ++part) {
-        const std::string line = "part " + std::to_string(part) + " picked";
-        EXPECT_NE(runs[i]->out().find(line), std::string::npos) << line;
-      }
+  const EqualRuns runs = expect_equal_runs(kDeployment, repetitions(5), folder);
+  for (const std::string& output : runs.outputs) {
+    for (int part = 1; part <= kParts; ++part) {
+      const std::string line = "part " + std::to_string(part) + " picked";
+      EXPECT_NE(output.find(line), std::string::npos) << line;
     }
   }
-  EXPECT_EQ(parts_in_place(last_state(states)), kParts);
-  EXPECT_EQ(hashes.size(), 1u);
+  EXPECT_EQ(parts_in_place(last_state(runs.states)), kParts);
 }
 
 }  // namespace

@@ -1,0 +1,49 @@
+#include "system/equal_runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+namespace mrroc::test {
+
+namespace {
+
+constexpr int kPatience = 1200;  // s, of a run beside another
+
+std::string hash_of(const std::filesystem::path& trace) {
+  MrrocRun run({"trace", "hash", trace.string()});
+  EXPECT_EQ(run.wait(), 0) << run.err();
+  return run.out();
+}
+
+}  // namespace
+
+EqualRuns expect_equal_runs(const std::string& deployment, int runs, const ScratchFolder& folder) {
+  const auto trace = [&folder](int run) { return folder.path() / ("trace_" + std::to_string(run)); };
+  EqualRuns left{{}, trace(0), folder.path() / "states"};
+  std::filesystem::create_directory(left.states);
+  std::set<std::string> hashes;
+  for (int first = 0; first < runs; first += 2) {  // two at a time, on two cores
+    std::vector<std::unique_ptr<MrrocRun>> pair;
+    for (int run = first; run < std::min(first + 2, runs); ++run) {
+      std::vector<std::string> arguments{"run",      deployment, "--quiet",          "--clock",
+                                         "lockstep", "--trace",  trace(run).string()};
+      if (run == 0) arguments.insert(arguments.end(), {"--snapshots", left.states.string()});
+      pair.push_back(std::make_unique<MrrocRun>(arguments));
+    }
+    for (std::size_t i = 0; i < pair.size(); ++i) {
+      EXPECT_EQ(pair[i]->wait(kPatience), 0) << pair[i]->out() << pair[i]->err();
+      left.outputs.push_back(pair[i]->out());
+      const int run = first + static_cast<int>(i);
+      hashes.insert(hash_of(trace(run)));
+      if (run != 0) std::filesystem::remove(trace(run));
+    }
+  }
+  EXPECT_EQ(hashes.size(), 1U);
+  expect_laws(left.trace);
+  return left;
+}
+
+}  // namespace mrroc::test

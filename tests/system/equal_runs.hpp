@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+
+/// What several runs of one deployment have left behind.
+struct EqualRuns {
+  std::vector<std::string> outputs;  ///< of each
+  std::filesystem::path trace;       ///< of the first, as of all
+  std::filesystem::path states;      ///< folder of the snapshots that the first has saved
+};
+
+/// Runs the deployment `runs` times in lockstep, two at a time. Expects that all succeed and that all have the same
+/// trace, which keeps the laws. The files are in `folder`.
+EqualRuns expect_equal_runs(const std::string& deployment, int runs, const ScratchFolder& folder);
+
+}  // namespace mrroc::test
