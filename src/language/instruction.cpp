@@ -12,12 +12,6 @@ namespace {
 
 /// Length of a step without robots: the original's macrostep.
 constexpr Tick kStepWithoutRobots = 10;
-/// Greatest margin of a common start; a robot that is late even then starts after the others.
-constexpr Tick kLongestStartMargin = 256;
-
-bool rests(const RobotState& state) {
-  return (state.desired_velocity.array() == 0.0).all() && (state.desired_acceleration.array() == 0.0).all();
-}
 
 bool ends_in_motion(const RobotCommand& command) {
   switch (command.kind) {
@@ -164,17 +158,12 @@ void Instruction::come_to_rest() {
 
 void Instruction::resume_after_late_command() {
   const std::uint64_t before = std::exchange(late_, late_commands());
-  const auto late = [this](const Robot* robot) { return has_braked(*robot) || began_late(*robot); };
+  const auto late = [this](const Robot* robot) { return has_braked(*robot) || common_start_.missed_by(*robot); };
   if (late_ == before && std::none_of(robots_.begin(), robots_.end(), late)) return;
-  start_margin_ = std::min(2 * start_margin_, kLongestStartMargin);
+  common_start_.allow_more_time();
   come_to_rest();
   late_ = late_commands();
   if (generator_ != nullptr) generator_->resume();
-}
-
-bool Instruction::began_late(const Robot& robot) const noexcept {
-  return common_start_ != 0 && start_margin_ < kLongestStartMargin && robot.command().start_tick == common_start_ &&
-         robot.state().macrostep_start > common_start_;
 }
 
 std::uint64_t Instruction::late_commands() const noexcept {
@@ -194,23 +183,7 @@ std::optional<Ending> Instruction::evaluate_end() {
 void Instruction::write_next_state() {
   for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
   if (generator_ != nullptr) generator_->next_state();
-  align_start_ticks();
-}
-
-void Instruction::align_start_ticks() {
-  if (robots_.size() < 2) return;
-  Tick start = 0;
-  bool resting = true;
-  for (const Robot* robot : robots_) {
-    start = std::max(start, robot->state().desired_tick);
-    resting = resting && rests(robot->state());
-  }
-  // a moving robot would have to brake for a later start
-  if (resting) start = std::max(start, task_->tick() + start_margin_);
-  common_start_ = resting ? start : 0;
-  for (Robot* robot : robots_) {
-    if (robot->command().start_tick == 0) robot->command().start_tick = start;
-  }
+  common_start_.align(robots_, task_->tick());
 }
 
 void Instruction::measure_skew() noexcept {

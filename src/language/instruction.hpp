@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "language/common_start.hpp"
 #include "mrroc/move.hpp"
 #include "mrroc/step_observer.hpp"
 #include "mrroc/task.hpp"
@@ -30,8 +31,6 @@ class Instruction {
   /// A robot has braked, or started after the others, because its command came late: what the generator planned is no
   /// more. All come to rest, then it plans the rest of the motion.
   void resume_after_late_command();
-  /// It was to start from rest with the others and started after them.
-  bool began_late(const Robot& robot) const noexcept;
   std::uint64_t late_commands() const noexcept;
   /// One macrostep in which every robot holds.
   void hold();
@@ -42,7 +41,6 @@ class Instruction {
   void send(std::uint64_t next_step);
   /// Awaits every reply, then collects the readings due at `next_step`.
   void receive(std::uint64_t next_step);
-  void align_start_ticks();
   void measure_skew() noexcept;
   /// The tick at which e^{i+1} will be measured.
   Tick next_measurement() const;
@@ -62,10 +60,7 @@ class Instruction {
   double start_wall_ = 0;
   Tick measure_at_ = 0;
   Tick skew_ = 0;
-  Tick common_start_ = 0;  ///< of the last commands, 0 when they did not start from rest
-  /// Ticks between the present and the common start of several robots at rest: time for every command to arrive.
-  /// Doubled whenever a command came late, so that a slow machine does not make the robots start over and over.
-  Tick start_margin_ = 2;
+  CommonStart common_start_;
   std::uint64_t late_ = 0;  ///< late commands of all robots, as known
 };
 
