@@ -1,22 +1,12 @@
 #pragma once
 
 #include "edp/desired_state.hpp"
+#include "language/moving_pose.hpp"
 #include "mrroc/tool_kinematics.hpp"
 
 namespace mrroc::edp {
 
-/// A frame that moves: where it is, its twist and the twist's rate, all in base axes.
-struct MovingPose {
-  Pose pose = Pose::Identity();
-  Twist twist = Twist::Zero();
-  Twist rate = Twist::Zero();
-
-  /// Where it is `t` seconds later at this rate, to second order: p + v t + a t^2/2, exp(w t + alpha t^2/2) R.
-  Pose after(double t) const noexcept;
-};
-
-/// The tool's motion that belongs to a motion of the joints: twist = J dq/dt, rate = J d2q/dt2 + dJ/dt dq/dt, dJ/dt the
-/// central difference of J over +-`dt` s along dq/dt.
+/// The tool's motion that belongs to a motion of the joints (language/moving_pose.hpp).
 MovingPose tool_motion(const ToolKinematics& kinematics, const DesiredState& joints, double dt) noexcept;
 
 /// The joint velocity that gives the tool this twist at `joints`: dq/dt = J^+ twist, least squares, of least norm where

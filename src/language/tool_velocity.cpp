@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "language/moving_pose.hpp"
 #include "language/rigid_motion.hpp"
 #include "mrroc/task.hpp"
 
@@ -10,8 +11,10 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kJerkRate = 10;    // 1/s: the jerk of a ramp is this times its acceleration
-constexpr double kRounding = 1e-9;  // macrosteps
+constexpr double kJerkRate = 10;     // 1/s: the jerk of a ramp is this times its acceleration
+constexpr double kRounding = 1e-9;   // macrosteps
+constexpr double kTolerance = 1e-6;  // of the limits
+constexpr int kSamples = 64;         // of the rate along a ramp
 
 }  // namespace
 
@@ -27,44 +30,65 @@ ToolVelocity::ToolVelocity(Robot& robot, const Eigen::Vector3d& linear, const Ei
 }
 
 void ToolVelocity::start() {
-  const RobotState& state = robot_->known_state();
-  reference_ = state.desired_pose;
-  const Twist base = robot_->kinematics().jacobian(state.desired_joints) * state.desired_velocity;
-  start_ = turned(reference_.linear().transpose(), base);
+  reference_ = robot_->known_state().desired_pose;
+  const OwnMotion motion = in_own_axes(desired_motion(*robot_));
+  start_ = motion.twist;
+  rate_ = motion.rate;
   const Twist missing = target_ - start_;
   const double change = std::max(missing.head<3>().norm(), missing.tail<3>().norm());
-  // the steepest slope of u^2 (3 - 2u) is 1.5, its second derivative at the ends is 6
+  // from no rate: the steepest slope of u^2 (3 - 2u) is 1.5, its second derivative at the ends is 6
   const double ramp = std::max(1.5 * change / acceleration_, std::sqrt(6 * change / (kJerkRate * acceleration_)));
   // in whole macrosteps: a polynomial through a ramp's end would overshoot the velocity, which may be the limit
   const double step = robot_->step_duration();
-  ramp_ = step * std::ceil(ramp / step - kRounding);
+  double steps = std::ceil(ramp / step - kRounding);
+  if (!rate_.isZero(0)) {
+    while (!gentle(steps * step)) ++steps;
+  }
+  ramp_ = steps * step;
   time_ = 0;
+}
+
+bool ToolVelocity::gentle(double duration) const noexcept {
+  const Twist missing = target_ - start_;
+  const auto within = [&](const Twist& value, double bound, const Twist& allowed) {
+    return value.head<3>().norm() <= std::max(bound, allowed.head<3>().norm()) * (1 + kTolerance) &&
+           value.tail<3>().norm() <= std::max(bound, allowed.tail<3>().norm()) * (1 + kTolerance);
+  };
+  if (!(duration > 0)) return missing.isZero(0) && within(rate_, kTolerance * acceleration_, Twist::Zero());
+  for (int i = 1; i < kSamples; ++i) {
+    const double u = static_cast<double>(i) / kSamples;
+    const Twist rate = missing * (6 * u * (1 - u) / duration) + rate_ * (1 - u * (4 - 3 * u));
+    if (!within(rate, acceleration_, rate_)) return false;
+  }
+  // the second derivative is linear in u: its norm is greatest at an end
+  const Twist first = (6 / duration * missing - 4 * rate_) / duration;
+  const Twist last = (2 * rate_ - 6 / duration * missing) / duration;
+  return within(first, kJerkRate * acceleration_, Twist::Zero()) &&
+         within(last, kJerkRate * acceleration_, Twist::Zero());
 }
 
 void ToolVelocity::next_state() {
   const double before = time_;
   time_ += robot_->step_duration();
-  const Twist missing = target_ - start_;
-  const Twist way = start_ * (time_ - before) + missing * (blend_integral(time_) - blend_integral(before));
-  reference_ = reference_ * exponential(way);
+  reference_ = reference_ * exponential(way(time_) - way(before));
   reference_.linear() = orthonormal(reference_.linear());
 
-  const double u = ramp_ > 0 ? std::min(time_ / ramp_, 1.0) : 1.0;
-  const Twist twist = start_ + missing * (u * u * (3 - 2 * u));
-  Twist rate = u < 1 ? Twist(missing * (6 * u * (1 - u) / ramp_)) : Twist::Zero();
-  // the tool's axes turn: seen from the base its velocity changes by w x v in addition
-  rate.head<3>() += twist.tail<3>().cross(twist.head<3>());
-  RobotCommand& command = robot_->command();
-  command.kind = CommandKind::pose;
-  command.pose = reference_;
-  command.twist = turned(reference_.linear(), twist);
-  command.twist_rate = turned(reference_.linear(), rate);
+  OwnMotion motion{target_, Twist::Zero()};
+  if (time_ < ramp_) {
+    const double u = time_ / ramp_;
+    const Twist missing = target_ - start_;
+    motion.twist = start_ + missing * (u * u * (3 - 2 * u)) + rate_ * (time_ * (1 - u) * (1 - u));
+    motion.rate = missing * (6 * u * (1 - u) / ramp_) + rate_ * (1 - u * (4 - 3 * u));
+  }
+  command_motion(robot_->command(), in_base_axes(reference_, motion));
 }
 
-double ToolVelocity::blend_integral(double t) const noexcept {
-  if (t >= ramp_) return t - 0.5 * ramp_;
+Twist ToolVelocity::way(double t) const noexcept {
+  const Twist missing = target_ - start_;
+  if (t >= ramp_) return start_ * t + missing * (t - 0.5 * ramp_) + rate_ * (ramp_ * ramp_ / 12);
   const double u = t / ramp_;
-  return ramp_ * u * u * u * (1 - 0.5 * u);
+  return start_ * t + missing * (ramp_ * u * u * u * (1 - 0.5 * u)) +
+         rate_ * (t * t * (0.5 - u * (2.0 / 3 - 0.25 * u)));
 }
 
 }  // namespace mrroc

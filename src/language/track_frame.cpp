@@ -5,6 +5,7 @@
 #include <ruckig/ruckig.hpp>
 
 #include "language/frame_observer.hpp"
+#include "language/moving_pose.hpp"
 #include "language/rigid_motion.hpp"
 #include "mrroc/task.hpp"
 
@@ -62,13 +63,13 @@ struct TrackFrame::Plan {
     return {p.x(), p.y(), p.z(), turn.x(), turn.y(), turn.z()};
   }
 
-  void plan_leg(const Coordinates& position, const Coordinates& velocity) {
-    input.current_acceleration.fill(0);
+  void plan_leg(const Coordinates& position, const Coordinates& velocity, const Coordinates& acceleration) {
     input.target_position = coordinates(target());
     for (std::size_t i = 0; i < 6; ++i) {  // no motions of the size of rounding errors: Ruckig would plan them
       const bool there = std::abs(position[i] - input.target_position[i]) < 1e-12;
       input.current_position[i] = there ? input.target_position[i] : position[i];
       input.current_velocity[i] = std::abs(velocity[i]) < 1e-9 ? 0 : velocity[i];
+      input.current_acceleration[i] = std::abs(acceleration[i]) < 1e-6 ? 0 : acceleration[i];
     }
     const ruckig::Result result = ruckig.calculate(input, trajectory);
     if (result != ruckig::Result::Working && result != ruckig::Result::Finished) {
@@ -167,25 +168,16 @@ void TrackFrame::resume() {
   plan.correction_rate.setZero();
   plan.correction_jerk.setZero();
 
-  // the tool in the frame, and its twist relative to it: p' = R^T (v - v_f - w_f x (p - p_f)), turned about its own
-  // axes
-  const Pose x = frame.pose.inverse() * state.desired_pose;
-  const Twist tool = robot_->kinematics().jacobian(state.desired_joints) * state.desired_velocity;
-  const Eigen::Vector3d arm = state.desired_pose.translation() - frame.pose.translation();
-  const Eigen::Vector3d w = frame.twist.tail<3>();
-  const Eigen::Vector3d velocity =
-      frame.pose.linear().transpose() * (tool.head<3>() - frame.twist.head<3>() - w.cross(arm));
-  const Eigen::Vector3d turning = state.desired_pose.linear().transpose() * (tool.tail<3>() - w);
-  const auto moved = [&](double t) {
-    Pose pose = x;
-    pose.translation() += t * velocity;
-    pose.linear() = x.linear() * rotation_of(t * turning);
-    return plan.coordinates(pose);
-  };
-  const Coordinates before = moved(-kDifference), after = moved(kDifference);
-  Coordinates speeds{};
-  for (std::size_t i = 0; i < 6; ++i) speeds[i] = (after[i] - before[i]) / (2 * kDifference);
-  plan.plan_leg(plan.coordinates(x), speeds);
+  // the way of the tool in the frame, were both to go on as they do
+  const MovingPose tool = desired_motion(*robot_);
+  const auto moved = [&](double t) { return plan.coordinates(frame.after(t).pose.inverse() * tool.after(t)); };
+  const Coordinates before = moved(-kDifference), at = moved(0), after = moved(kDifference);
+  Coordinates velocity{}, acceleration{};
+  for (std::size_t i = 0; i < 6; ++i) {
+    velocity[i] = (after[i] - before[i]) / (2 * kDifference);
+    acceleration[i] = (after[i] - 2 * at[i] + before[i]) / (kDifference * kDifference);
+  }
+  plan.plan_leg(at, velocity, acceleration);
 }
 
 bool TrackFrame::terminal_condition() { return plan_->over(); }
@@ -252,7 +244,7 @@ void TrackFrame::next_state() {
   if (plan.stayed >= plan.path[std::min(plan.point, plan.path.size() - 1)].dwell && ++plan.point < plan.path.size()) {
     // from where the last leg ended, at rest
     const Pose x = plan.path[plan.point - 1].pose;
-    plan.plan_leg(plan.coordinates(x), Coordinates{});
+    plan.plan_leg(plan.coordinates(x), Coordinates{}, Coordinates{});
   }
 }
 

@@ -34,19 +34,16 @@ TwistFollower::TwistFollower(TwistFollower&&) noexcept = default;
 TwistFollower& TwistFollower::operator=(TwistFollower&&) noexcept = default;
 
 void TwistFollower::start() {
-  const RobotState& state = robot_->known_state();
-  pose_ = state.desired_pose;
-  const Twist base = robot_->kinematics().jacobian(state.desired_joints) * state.desired_velocity;
-  twist_ = turned(pose_.linear().transpose(), base);
-  rate_.setZero();
+  pose_ = robot_->known_state().desired_pose;
+  motion_ = in_own_axes(desired_motion(*robot_));
 }
 
 void TwistFollower::step(const Twist& wanted) {
   if (!wanted.allFinite()) throw NonFatalError(ErrorCode::not_finite, "wanted tool velocity of " + robot_->name());
   ruckig::InputParameter<6>& input = plan_->input;
   const Eigen::Matrix3d back = axes_.transpose();
-  Eigen::Map<Twist>(input.current_velocity.data()) = turned(back, twist_);
-  Eigen::Map<Twist>(input.current_acceleration.data()) = turned(back, rate_);
+  Eigen::Map<Twist>(input.current_velocity.data()) = turned(back, motion_.twist);
+  Eigen::Map<Twist>(input.current_acceleration.data()) = turned(back, motion_.rate);
   Eigen::Map<Twist>(input.target_velocity.data()) = turned(back, wanted);
   const ruckig::Result result = plan_->ruckig.calculate(input, plan_->trajectory);
   if (result != ruckig::Result::Working && result != ruckig::Result::Finished) {
@@ -59,19 +56,12 @@ void TwistFollower::step(const Twist& wanted) {
   plan_->trajectory.at_time(robot_->step_duration(), way, velocity, acceleration);
   // the end itself, not what rounding makes of it: rest is rest
   const bool there = plan_->trajectory.get_duration() <= robot_->step_duration();
-  twist_ = there ? wanted : turned(axes_, Eigen::Map<const Twist>(velocity.data()));
-  rate_ = there ? Twist(Twist::Zero()) : turned(axes_, Eigen::Map<const Twist>(acceleration.data()));
+  motion_.twist = there ? wanted : turned(axes_, Eigen::Map<const Twist>(velocity.data()));
+  motion_.rate = there ? Twist(Twist::Zero()) : turned(axes_, Eigen::Map<const Twist>(acceleration.data()));
   pose_ = pose_ * exponential(turned(axes_, Eigen::Map<const Twist>(way.data())));
   pose_.linear() = orthonormal(pose_.linear());
 
-  RobotCommand& command = robot_->command();
-  command.kind = CommandKind::pose;
-  command.pose = pose_;
-  command.twist = turned(pose_.linear(), twist_);
-  Twist rate = rate_;
-  // the tool's axes turn: seen from the base its velocity changes by w x v in addition
-  rate.head<3>() += twist_.tail<3>().cross(twist_.head<3>());
-  command.twist_rate = turned(pose_.linear(), rate);
+  command_motion(robot_->command(), in_base_axes(pose_, motion_));
 }
 
 }  // namespace mrroc

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "language/moving_pose.hpp"
 #include "mrroc/robot.hpp"
 
 namespace mrroc {
@@ -19,7 +20,8 @@ class TwistFollower {
   TwistFollower(TwistFollower&&) noexcept;
   TwistFollower& operator=(TwistFollower&&) noexcept;
 
-  /// Begins with the desired pose and twist of the robot. Throws NonFatalError when its state is not known.
+  /// Begins with the desired motion of the robot: pose, twist and its rate. Throws NonFatalError when its state is not
+  /// known.
   void start();
   /// Writes the robot's command of the next macrostep, at whose end the twist is as near to `wanted` as the limits
   /// allow. Throws NonFatalError(not_finite).
@@ -27,8 +29,8 @@ class TwistFollower {
 
   /// Desired at the end of what has been commanded; the twist in tool axes.
   const Pose& pose() const noexcept { return pose_; }
-  const Twist& twist() const noexcept { return twist_; }
-  bool at_rest() const noexcept { return twist_.isZero(0) && rate_.isZero(0); }
+  const Twist& twist() const noexcept { return motion_.twist; }
+  bool at_rest() const noexcept { return motion_.twist.isZero(0) && motion_.rate.isZero(0); }
 
   static constexpr double kJerkRate = 10;  ///< 1/s: the jerk is this times the acceleration
 
@@ -38,8 +40,7 @@ class TwistFollower {
   Eigen::Matrix3d axes_;
   std::unique_ptr<Plan> plan_;
   Pose pose_ = Pose::Identity();
-  Twist twist_ = Twist::Zero();
-  Twist rate_ = Twist::Zero();  ///< of the twist, in tool axes
+  OwnMotion motion_;
 };
 
 }  // namespace mrroc

@@ -119,23 +119,46 @@ TEST(ToolVelocity, TheTwistIsThePosesDerivativeAndItsRateTheTwists) {
   });
 }
 
-TEST(ToolVelocity, FromAMotionUnderWayTheSpeedChangesAtTheAcceleration) {
+/// The rate of a command's twist, in axes of its own tool pose.
+Twist rate_in_tool(const RobotCommand& command) {
+  const Twist twist = in_tool(command);
+  const Eigen::Matrix3d back = command.pose.linear().transpose();
+  Twist rate;
+  rate << back * command.twist_rate.head<3>() - twist.tail<3>().cross(twist.head<3>()),
+      back * command.twist_rate.tail<3>();
+  return rate;
+}
+
+double larger_norm(const Twist& twist) { return std::max(twist.head<3>().norm(), twist.tail<3>().norm()); }
+
+TEST(ToolVelocity, FromAMotionUnderWaySpeedAndAccelerationGoOnWithoutAStep) {
   check_property(kCases, [] {
     Cell cell;
     RobotState& state = cell.task.robot_fake("arm").state;
     state.desired_velocity << random_vector(0.3), 0.01 * pick(-50, 50);
-    const double acceleration = 0.01 * pick(10, 200);
-    Twist before;
-    before << cell.start.linear().transpose() * state.desired_velocity.head<3>(), 0, 0, state.desired_velocity[3];
+    state.desired_acceleration << random_vector(0.3), 0.01 * pick(-50, 50);
+    const double acceleration = 0.01 * pick(50, 200);
+    const Eigen::Matrix3d back = cell.start.linear().transpose();
+    Twist before, rate;
+    before << back * state.desired_velocity.head<3>(), 0, 0, state.desired_velocity[3];
+    rate << back * state.desired_acceleration.head<3>() - before.tail<3>().cross(before.head<3>()), 0, 0,
+        state.desired_acceleration[3];
+    const double most = std::max(acceleration, larger_norm(rate));
     Twist target;
     target << random_vector(0.5), 0, 0, 0.01 * pick(-100, 100);
-    cell.move(target.head<3>(), target.tail<3>(), acceleration, 200);
+    cell.move(target.head<3>(), target.tail<3>(), acceleration, static_cast<std::uint64_t>(12 / cell.dt()));
     for (const RobotCommand& command : cell.recorder.commands) {
-      const Twist change = in_tool(command) - before;
-      RC_ASSERT(change.head<3>().norm() <= acceleration * cell.dt() + 1e-9);
-      RC_ASSERT(change.tail<3>().norm() <= acceleration * cell.dt() + 1e-9);
-      before = in_tool(command);
+      const Twist now = in_tool(command), rate_now = rate_in_tool(command);
+      RC_ASSERT(larger_norm(now - before) <= most * cell.dt() * (1 + 1e-4) + 1e-9);
+      RC_ASSERT(larger_norm(rate_now - rate) <= 10 * acceleration * cell.dt() * (1 + 1e-4) + 1e-9);
+      // the twist is the integral of its rate, to the order of Simpson's end terms
+      RC_ASSERT(larger_norm(now - before - 0.5 * cell.dt() * (rate + rate_now)) <=
+                10 * acceleration * cell.dt() * cell.dt());
+      before = now;
+      rate = rate_now;
     }
+    RC_ASSERT(larger_norm(before - target) < 1e-9);
+    RC_ASSERT(larger_norm(rate) < 1e-9);
   });
 }
 

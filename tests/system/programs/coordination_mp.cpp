@@ -86,10 +86,12 @@ class Coordination : public mp::Task {
     Wait({right}, {}, When{"left has heard", [this] { return heard<Arrived>("left"); }});
     show("left");
     show("left");
-    // what one tells goes on to the other
+    // once more while it still gains speed
+    Wait({right}, {}, ElapsedSteps{5});
+    tell("left", Faster{0.02});
+    Wait({right}, {}, ElapsedSteps{5});
     start("right", Run{0.01});
     tell("right", Faster{0.02});
-    tell("left", Faster{0.02});
     wait_until([this] { return heard<Arrived>("left") && heard<Arrived>("right"); });
     end_motion("left");
     end_motion("right");
