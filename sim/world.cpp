@@ -20,7 +20,10 @@ namespace {
 }  // namespace
 
 World::World(const Composition& composition, double period, double timestep)
-    : model_(load_model(composition)), data_(nullptr), substeps_(static_cast<int>(std::lround(period / timestep))) {
+    : model_(load_model(composition)),
+      data_(nullptr),
+      substeps_(static_cast<int>(std::lround(period / timestep))),
+      weld_torques_(*model_) {
   if (model_->opt.integrator != mjINT_EULER) {
     throw config::ConfigurationError(composition.scene, 0, "option.integrator",
                                      "is not Euler, in which the drives are integrated", "integrator=\"Euler\"");
@@ -96,6 +99,7 @@ void World::evaluate_forces() {
   mj_fwdAcceleration(model_.get(), data_.get());
   mj_fwdConstraint(model_.get(), data_.get());
   mj_sensorAcc(model_.get(), data_.get());
+  weld_torques_.correct(*model_, *data_);
   mj_checkAcc(model_.get(), data_.get());
 }
 

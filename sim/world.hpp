@@ -8,6 +8,7 @@
 #include "sim/model.hpp"
 #include "sim/mujoco_messages.hpp"
 #include "sim/terminals.hpp"
+#include "sim/weld_torques.hpp"
 
 namespace mrroc::sim {
 
@@ -72,6 +73,7 @@ class World {
   Model model_;
   Data data_;
   int substeps_;
+  WeldTorques weld_torques_;
   std::vector<DrivenJoints> robots_;
   std::vector<Terminals> terminals_;
   std::vector<FreeBody> held_;
