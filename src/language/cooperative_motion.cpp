@@ -59,6 +59,10 @@ double CooperativeMotion::internal_torque() const noexcept { return plan_->inter
 
 void CooperativeMotion::start() { plan_->start(); }
 void CooperativeMotion::resume() { plan_->resume(); }
+bool CooperativeMotion::brake() {
+  plan_->brake();
+  return true;
+}
 bool CooperativeMotion::terminal_condition() { return plan_->ended(); }
 
 void CooperativeMotion::next_state() {

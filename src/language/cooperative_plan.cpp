@@ -75,6 +75,7 @@ void CooperativePlan::start() {
   const auto size = static_cast<Eigen::Index>(6 * arms_.size());
   for (Eigen::VectorXd* stack : {&measured_, &excess_, &given_, &speed_, &rate_, &jerk_}) stack->setZero(size);
   time_ = clock_ = 0;
+  braking_ = false;
   off_.setZero();
   object_ = poses_[0];
   for (std::size_t i = 0; i < arms_.size(); ++i) take_motion(i);
@@ -108,10 +109,18 @@ void CooperativePlan::resume() {
   const Pose there = path_.restart(time_, object_, kReturn);
   off_ << object_.translation() - there.translation(), rotation_vector(there.linear().transpose() * object_.linear());
   time_ = clock_ = 0;
+  braking_ = false;
+}
+
+void CooperativePlan::brake() {
+  path_.stop(time_);
+  time_ = 0;
+  braking_ = true;
 }
 
 bool CooperativePlan::over(double t) const {
-  return poses_.size() > 1 && time_ + t >= path_.duration() - kRounding && (clock_ + t >= kReturn || off_.isZero(0));
+  return (braking_ || poses_.size() > 1) && time_ + t >= path_.duration() - kRounding &&
+         (clock_ + t >= kReturn || off_.isZero(0));
 }
 
 Pose CooperativePlan::object_at(double t) const {

@@ -20,6 +20,8 @@ class CooperativePlan {
   void start();
   /// From where the arms have stopped.
   void resume();
+  /// From now on to rest, on the path.
+  void brake();
   /// Takes the wrenches. Throws as CooperativeMotion::next_state.
   void measure();
   /// Chooses the jerk of the coming macrostep.
@@ -30,7 +32,7 @@ class CooperativePlan {
   void advance();
 
   /// The object is at the end of its path and the arms rest.
-  bool ended() const { return over(0) && speed_.isZero(0); }
+  bool ended() const { return !braking_ && over(0) && speed_.isZero(0); }
   std::size_t size() const noexcept { return arms_.size(); }
   double duration() const noexcept { return path_.duration(); }
   const Pose& object() const noexcept { return object_; }
@@ -65,6 +67,7 @@ class CooperativePlan {
   ObjectPath path_;
   double time_ = 0;            // since the path's start, at the start of the coming macrostep
   double clock_ = 0;           // since start or resume, likewise
+  bool braking_ = false;       // the path ends where the object can come to rest
   Twist off_ = Twist::Zero();  // of the object from its path when it was resumed: translation, rotation vector
   Pose object_ = Pose::Identity();
 

@@ -125,13 +125,20 @@ void Instruction::throw_reported_errors() const {
 
 bool Instruction::operator_ends_it() {
   OperatorRequest request = task_->operator_request();
-  if (request == OperatorRequest::pause) request = hold_until_resumed();
+  const bool pause = request == OperatorRequest::pause;
+  if (pause && !braking_ && generator_ != nullptr && moving()) braking_ = generator_->brake();
+  // a pause that ends early leads to rest all the same: the generator goes on from there
+  if (braking_ && (pause || request == OperatorRequest::none) && moving()) return false;
+  if (pause || braking_) request = hold_until_resumed(request);
   if (request == OperatorRequest::stop) throw Stopped{};
   return request == OperatorRequest::end_motion;
 }
 
-OperatorRequest Instruction::hold_until_resumed() {
-  OperatorRequest request = OperatorRequest::pause;
+bool Instruction::moving() const noexcept {
+  return std::any_of(robots_.begin(), robots_.end(), [](const Robot* robot) { return !rests(robot->state()); });
+}
+
+OperatorRequest Instruction::hold_until_resumed(OperatorRequest request) {
   while (request == OperatorRequest::pause) {
     hold();
     request = task_->operator_request();
@@ -140,6 +147,7 @@ OperatorRequest Instruction::hold_until_resumed() {
     come_to_rest();
     generator_->resume();
   }
+  braking_ = false;
   return request;
 }
 
@@ -152,8 +160,7 @@ void Instruction::hold() {
 }
 
 void Instruction::come_to_rest() {
-  const auto moves = [](const Robot* robot) { return !rests(robot->state()); };
-  while (std::any_of(robots_.begin(), robots_.end(), moves)) hold();
+  while (moving()) hold();
 }
 
 void Instruction::resume_after_late_command() {
@@ -163,6 +170,7 @@ void Instruction::resume_after_late_command() {
   timing_.allow_more_time();
   come_to_rest();
   late_ = late_commands();
+  braking_ = false;
   if (generator_ != nullptr) generator_->resume();
 }
 

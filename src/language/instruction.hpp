@@ -24,8 +24,10 @@ class Instruction {
   void throw_reported_errors() const;
   /// Handles pause (holding), stop (throws) and end-motion (true).
   bool operator_ends_it();
-  /// What came after the pause.
-  OperatorRequest hold_until_resumed();
+  /// Some robot does not rest.
+  bool moving() const noexcept;
+  /// What came after the pause; `request` is what is asked now.
+  OperatorRequest hold_until_resumed(OperatorRequest request);
   /// Holds until every robot rests.
   void come_to_rest();
   /// A robot has braked, or started after the others, because its command came late: what the generator planned is no
@@ -55,6 +57,7 @@ class Instruction {
   Task* task_ = nullptr;
   std::uint64_t instruction_ = 0;
   std::uint64_t step_ = 0;  // i - i0
+  bool braking_ = false;    // the generator leads the robots to rest, for a pause
   std::uint64_t held_ = 0;  // macrosteps of hold since the last command that was observed
   Tick start_tick_ = 0;
   double start_wall_ = 0;

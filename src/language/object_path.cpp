@@ -134,6 +134,16 @@ double ObjectPath::parameter(double t) const noexcept {
   return u[0];
 }
 
+void ObjectPath::stop(double t) noexcept {
+  if (knots_.size() == 1) return;
+  ruckig::InputParameter<1> input = input_;
+  input.control_interface = ruckig::ControlInterface::Velocity;
+  trajectory_.at_time(std::clamp(t, 0.0, trajectory_.get_duration()), input.current_position, input.current_velocity,
+                      input.current_acceleration);
+  ruckig::Ruckig<1> ruckig;
+  ruckig.calculate(input, trajectory_);  // to rest there is always a way
+}
+
 Pose ObjectPath::restart(double t, const Pose& pose, double ahead) {
   if (knots_.size() == 1) return this->pose(0);
   const double from = parameter(t), to = std::min(from + ahead * input_.max_velocity[0], knots_.back());

@@ -13,8 +13,8 @@ namespace mrroc {
 ///
 ///   |x'| du/dt <= speed,   |x'| d2u/dt2 + |x''| (du/dt)^2 <= acceleration
 ///
-/// for position and rotation each, with the largest |x'|, |x''| of the whole spline. The task's thread; `at` allocates
-/// nothing.
+/// for position and rotation each, with the largest |x'|, |x''| of the whole spline. The task's thread; `at` and `stop`
+/// allocate nothing.
 class ObjectPath {
  public:
   /// Throws NonFatalError(invalid_argument): no pose, one that is not rigid, equals the one before or is turned by more
@@ -26,6 +26,8 @@ class ObjectPath {
   /// Where the frame is `t` s after the start; before it at the first pose, after the end at the last one.
   Pose at(double t) const noexcept { return pose(parameter(t)); }
 
+  /// From now on the motion is that from the place of `t` to where it can come to rest first, within the limits.
+  void stop(double t) noexcept;
   /// From now on the motion is that from the place nearest to `pose`, within what `ahead` s at full speed pass beyond
   /// the place of `t`, at rest, to the end. Returns that place.
   Pose restart(double t, const Pose& pose, double ahead);

@@ -23,6 +23,13 @@ void Together::resume() {
     if (!part.ended) part.generator->resume();
 }
 
+bool Together::brake() {
+  bool all = true;
+  for (Part& part : parts_)
+    if (!part.ended && !part.generator->brake()) all = false;  // those that could are resumed with the others
+  return all;
+}
+
 bool Together::terminal_condition() {
   for (Part& part : parts_) {
     if (part.ended) continue;

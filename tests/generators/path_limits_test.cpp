@@ -12,6 +12,7 @@
 #include "mrroc/generators/pose_spline.hpp"
 #include "mrroc/move.hpp"
 #include "mrroc/robots/irb6.hpp"
+#include "repetitions.hpp"
 #include "robots/irb6/irb6_model.hpp"
 
 namespace mrroc::test {
@@ -124,7 +125,7 @@ void check(Make make) {
   });
   std::printf("%d moved, %d refused before; of the joints' limits: velocity %.3f, acceleration %.3f, jerk %.3f\n",
               moved, refused, worst.velocity, worst.acceleration, worst.jerk);
-  EXPECT_GT(moved, 2 * refused);
+  EXPECT_GT(moved, kSanitized ? refused : 2 * refused);  // of the few cases with a sanitizer
   EXPECT_GT(worst.velocity, 0.9) << "some are as fast as the joints are";
 }
 
@@ -179,7 +180,7 @@ TEST(PathLimits, PoseSplineByTimes) {
     cell.assert_limits();
     RC_ASSERT((cell.end().translation() - poses.back().pose.translation()).norm() < 1e-9);
   });
-  EXPECT_GT(moved, kCases / 4) << "others have times that are too short";
+  EXPECT_GT(moved, repetitions(kCases) / 4) << "others have times that are too short";
 }
 
 TEST(PathLimits, JointPath) {
@@ -211,7 +212,7 @@ TEST(PathLimits, JointPath) {
     cell.assert_limits();
     RC_ASSERT((cell.desired().position - waypoints.back()).isZero(0));
   });
-  EXPECT_GT(moved, kCases / 2) << "others are beyond a motor's range";
+  EXPECT_GT(moved, repetitions(kCases) / 2) << "others are beyond a motor's range";
 }
 
 TEST(PathLimits, AJointPathBeyondAMotorsRangeIsRefusedBeforeItBegins) {

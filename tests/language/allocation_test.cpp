@@ -273,6 +273,14 @@ TEST(Allocation, ArmsCarryAnObjectWithoutAllocating) {
   EXPECT_EQ(allocations, before);
   EXPECT_GT(steps, 100);
   EXPECT_TRUE(motion.terminal_condition());
+
+  motion.start();
+  const std::uint64_t before_pause = allocations;
+  for (steps = 0; steps < 100; ++steps) {
+    if (steps == 30) motion.brake();
+    motion.next_state();
+  }
+  EXPECT_EQ(allocations, before_pause);
 }
 
 }  // namespace

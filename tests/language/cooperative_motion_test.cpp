@@ -193,14 +193,18 @@ TEST(CooperativeMotion, HoldsTheInternalForceOnTheWay) {
   });
 }
 
-TEST(CooperativeMotion, GoesOnAfterAPauseWithoutAJump) {
+/// The steps until the path is nearly at its end.
+std::size_t random_step(const CooperativeMotion& motion) {
+  return static_cast<std::size_t>(pick(1, static_cast<int>(motion.duration() / 0.02) - 1));
+}
+
+// each arm brakes by itself
+TEST(CooperativeMotion, GoesOnAfterALateCommandWithoutAJump) {
   check_property(kCases, [] {
     Cell cell(pick(2, 4));
     for (auto& member : cell.team->members) member->overrun = 0.001 * pick(0, 50);
     CooperativeMotion motion(cell.arms(false), cell.path);
-    const auto before = static_cast<std::size_t>(pick(1, static_cast<int>(motion.duration() / 0.02) - 1));
-    cell.team->requests.assign(before, OperatorRequest::none);
-    cell.team->requests.insert(cell.team->requests.end(), static_cast<std::size_t>(pick(1, 5)), OperatorRequest::pause);
+    cell.team->members[0]->late_at = random_step(motion);
     RC_ASSERT(cell.move(motion.until(ElapsedSteps{20000})).ending == Ending::generator);
     const double step = cell.team->arms[0]->step_duration();
     for (const auto& member : cell.team->members) {
@@ -222,6 +226,38 @@ TEST(CooperativeMotion, GoesOnAfterAPauseWithoutAJump) {
     RC_ASSERT(turn(motion.object(), cell.path.back()) < 1e-9);
     // each arm is off by no more than its stop differed from the others'
     RC_ASSERT(cell.misfit(cell.path.back()) < 0.05 * 0.3);
+  });
+}
+
+TEST(CooperativeMotion, APauseLeadsTheObjectToRestOnItsPath) {
+  check_property(kCases, [] {
+    Cell cell(pick(2, 4));
+    CooperativeMotion motion(cell.arms(false), cell.path);
+    const ObjectPath path(cell.path, {});
+    cell.team->requests.assign(random_step(motion), OperatorRequest::none);
+    cell.team->requests.insert(cell.team->requests.end(), static_cast<std::size_t>(pick(1, 200)),
+                               OperatorRequest::pause);
+    RC_ASSERT(cell.move(motion.until(ElapsedSteps{20000})).ending == Ending::generator);
+    const auto& commands = cell.team->members[0]->commands;
+    const double step = cell.team->arms[0]->step_duration();
+    double along = 0;
+    for (std::size_t k = 0; k < commands.size(); ++k) {
+      if (commands[k].kind != CommandKind::pose) {
+        RC_ASSERT(commands[k].kind == CommandKind::hold);
+        RC_ASSERT(commands[k - 1].kind == CommandKind::hold || commands[k - 1].twist.isZero(0));
+        continue;
+      }
+      const Pose object = cell.carried(0, k);
+      for (std::size_t arm = 1; arm < cell.bases.size(); ++arm) RC_ASSERT(way(cell.carried(arm, k), object) < 1e-9);
+      // on the path, and forward
+      while (along < path.duration() && way(path.at(along + 1e-3), object) < way(path.at(along), object)) along += 1e-3;
+      RC_ASSERT(way(path.at(along), object) < 2e-4);
+      const bool goes_on = k > 0 && commands[k - 1].kind == CommandKind::pose;
+      const Twist before = goes_on ? commands[k - 1].twist : Twist{Twist::Zero()};
+      RC_ASSERT((commands[k].twist - before).head<3>().norm() < 1.0 * step);
+    }
+    RC_ASSERT(way(motion.object(), cell.path.back()) < 1e-9);
+    RC_ASSERT(cell.misfit(cell.path.back()) < 1e-9);
   });
 }
 

@@ -43,6 +43,7 @@ class FreeTeam : public FakeTask {
           state.desired_velocity = command_.twist;
           if (command_.twist_rate.size() > 0) state.desired_acceleration = command_.twist_rate;
         }
+        if (commands.size() == late_at) ++state.late_commands;
         state.tick = state.desired_tick = state.macrostep_start + command_.motion_steps;
         state.joints = state.desired_joints;
         time_.reach(state.tick);
@@ -52,6 +53,7 @@ class FreeTeam : public FakeTask {
 
     RobotState state;
     std::vector<RobotCommand> commands;  ///< all but queries
+    std::size_t late_at = 0;             ///< this one, from 1, comes late; 0: none
     double overrun = 0;                  ///< s: how far it goes on when it is told to hold
     std::shared_ptr<FreeModel> model = std::make_shared<FreeModel>();
 

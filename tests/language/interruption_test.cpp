@@ -96,6 +96,59 @@ TEST(Interruption, AnEndMotionDuringAPauseEndsTheMotionWithoutResumingIt) {
   EXPECT_EQ(end.steps, 1u);
 }
 
+/// Moves, and when it is to brake does so within `steps` steps.
+class Braking : public Drive {
+ public:
+  Braking(const std::vector<Robot*>& robots, int steps) : Drive(robots), steps_(steps), robots_(robots) {}
+  bool brake() override {
+    ++brakes;
+    left_ = steps_;
+    return true;
+  }
+  void resume() override {
+    for (const Robot* robot : robots_) EXPECT_TRUE(robot->state().desired_velocity.isZero(0));
+    ++resumes;
+    left_ = -1;
+  }
+  void next_state() override {
+    Drive::next_state();
+    if (left_ > 0 && --left_ > 0) return;
+    if (left_ == 0)
+      for (Robot* robot : robots_) robot->command().joint_velocity.setZero();
+  }
+  int brakes = 0, resumes = 0;
+
+ private:
+  int steps_, left_ = -1;
+  std::vector<Robot*> robots_;
+};
+
+TEST(Interruption, AGeneratorThatBrakesLeadsToRestBeforeAPauseHolds) {
+  for (const std::size_t pauses : {std::size_t{1}, std::size_t{3}, std::size_t{7}}) {
+    FakeTask task;
+    const auto arm = task.robot("arm");
+    task.requests = {OperatorRequest::none, OperatorRequest::none};
+    task.requests.insert(task.requests.end(), pauses, OperatorRequest::pause);
+    Braking motion({arm.get()}, 3);
+    const Outcome end = Move({*arm}, {}, motion.until(ElapsedSteps{8}));
+    EXPECT_EQ(end.steps, 8u) << "braking is steps, holding is not";
+    EXPECT_EQ(motion.brakes, 1);
+    EXPECT_EQ(motion.resumes, 1);
+    std::size_t holds = 0;
+    for (const Call& call : task.log.calls) holds += call.action == Action::send && call.kind == CommandKind::hold;
+    EXPECT_EQ(holds, pauses > 3 ? pauses - 3 : 0) << "a pause of " << pauses;
+  }
+}
+
+TEST(Interruption, AStopWhileAGeneratorBrakesIsNotPutOff) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  task.requests = {OperatorRequest::none, OperatorRequest::pause, OperatorRequest::stop};
+  Braking motion({arm.get()}, 100);
+  EXPECT_THROW(Move({*arm}, {}, motion), Stopped);
+  EXPECT_EQ(motion.resumes, 0);
+}
+
 TEST(Interruption, AfterALateCommandAllRobotsComeToRestAndTheGeneratorGoesOnFromThere) {
   FakeTask task;
   const auto left = task.robot("left");

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "cooperative_transfer/report/report.hpp"
 #include "cooperative_transfer/report/variant.hpp"
 #include "repetitions.hpp"
@@ -40,6 +42,18 @@ TEST_P(CooperativeTransfer, TheBarFollowsItsPathAndTheArmsDoNotFight) {
 INSTANTIATE_TEST_SUITE_P(Bars, CooperativeTransfer,
                          testing::Values(Variant{0.5, Variant::error_of(1)}, Variant{3, Variant::error_of(2)},
                                          Variant{1.5, Variant::error_of(3)}));
+
+TEST(CooperativeTransferTask, GoesOnAfterAPauseOnTheWay) {
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "trace", deployment = write_variant({}, folder.path());
+  std::ofstream(deployment, std::ios::app) << "\n[[events]]\ntick = 6000\ncommand = \"pause\"\n"
+                                              "\n[[events]]\ntick = 6500\ncommand = \"resume\"\n";
+  const std::string out = run_mrroc(run_of(deployment, trace), 0);
+  const Report report = transfer::read_report(trace);
+  EXPECT_TRUE(report.complete) << out;
+  EXPECT_LT(report.worst_way(), 0.002);
+  EXPECT_LT(report.worst_internal(), 15);
+}
 
 TEST(CooperativeTransferTask, FiveRunsAreTheSameBitForBit) {
   const ScratchFolder folder;

@@ -30,6 +30,7 @@ class Together : public Generator {
 
   void start() override;
   void resume() override;
+  bool brake() override;
   bool terminal_condition() override;
   void next_state() override;
 
