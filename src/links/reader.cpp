@@ -67,9 +67,11 @@ struct Reader<T>::Impl {
     switch (header.kind) {
       case kData:
         ring.push(message);
-        if (receiver >= 0) {
+        if (receiver >= 0 && options.wakes) {
           clock.arrived(receiver);
-        } else {
+        } else if (receiver >= 0) {
+          clock.arrived_quietly(receiver);
+        } else if (options.wakes) {
           clock.notify();
         }
         break;
