@@ -12,12 +12,13 @@ struct Load {
 };
 
 /// Standard gravity in a base frame that stands upright, m/s^2.
-inline const Eigen::Vector3d kGravity{0, 0, -9.81};
+inline Eigen::Vector3d standard_gravity() noexcept { return {0, 0, -9.81}; }
 
 /// The wrench that the load's weight exerts at rest, in the axes of its frame and about its origin, the frame being
 /// turned by `rotation` in the base frame:  f = R^T m g,  t = c x f.  `gravity` in the base frame. Any thread; never
 /// throws.
-inline Wrench weight_of(const Load& load, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& gravity = kGravity) {
+inline Wrench weight_of(const Load& load, const Eigen::Matrix3d& rotation,
+                        const Eigen::Vector3d& gravity = standard_gravity()) {
   const Eigen::Vector3d force = load.mass * (rotation.transpose() * gravity);
   Wrench wrench;
   wrench << force, load.centre.cross(force);

@@ -38,7 +38,7 @@ class LoadIdentification {
   enum class Offset { unknown, zero };
 
   /// `gravity` in the base frame, m/s^2. Throws NonFatalError(invalid_argument) unless it is finite and not zero.
-  explicit LoadIdentification(Offset offset = Offset::unknown, const Eigen::Vector3d& gravity = kGravity);
+  explicit LoadIdentification(Offset offset = Offset::unknown, const Eigen::Vector3d& gravity = standard_gravity());
 
   /// Memory for `count` readings, so that `add` does not allocate.
   void reserve(std::size_t count) { readings_.reserve(count); }

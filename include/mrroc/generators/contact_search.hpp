@@ -29,7 +29,7 @@ struct Probing {
   double acceleration = 0.1;   ///< m/s^2
   bool first_only = false;     ///< ends at the first contact, the tool resting there
   Load load{};                 ///< on the tool, in the tool frame: its weight is no contact
-  Eigen::Vector3d gravity = kGravity;
+  Eigen::Vector3d gravity = standard_gravity();
 };
 
 /// Looks for contact by several probes, one after the other: goes straight to the start of each, from there along its

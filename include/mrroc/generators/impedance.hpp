@@ -19,7 +19,7 @@ struct ImpedanceParameters {
   double speed = 0.1;                                                                     ///< m/s, at most
   double angular_speed = 0.3;                                                             ///< rad/s, likewise
   Load load{};  ///< on the tool, in the tool frame: its weight is no force to give way to
-  Eigen::Vector3d gravity = kGravity;
+  Eigen::Vector3d gravity = standard_gravity();
 };
 
 /// The tool behaves like a mass on a spring and a damper between it and a set-point that may move (impedance control):

@@ -20,7 +20,7 @@ struct Guidance {
   double force_threshold = 2;     ///< N that do not move it: noise, a zero that has drifted
   double torque_threshold = 0.2;  ///< N m, likewise
   Load load{};                    ///< on the tool, in the tool frame: its weight is no hand
-  Eigen::Vector3d gravity = kGravity;
+  Eigen::Vector3d gravity = standard_gravity();
 };
 
 /// Hand guiding (lead-through): the tool goes where a hand on it pushes or turns it, and stays where it is left. For

@@ -20,7 +20,7 @@ struct SurfaceContact {
   double angular_speed = 0.3;        ///< rad/s, at most
   double angular_acceleration = 1;   ///< rad/s^2
   Load load{};                       ///< on the tool, in the tool frame: its weight is no contact
-  Eigen::Vector3d gravity = kGravity;
+  Eigen::Vector3d gravity = standard_gravity();
 };
 
 /// Follows a surface that nobody has measured: presses along the tool's z axis with a force, and moves along the

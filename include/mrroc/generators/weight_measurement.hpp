@@ -17,7 +17,7 @@ struct Weighing {
   double settling = 0.8;   ///< s of rest before the readings
   double measuring = 0.4;  ///< s over which they are averaged
   LoadIdentification::Offset offset = LoadIdentification::Offset::unknown;
-  Eigen::Vector3d gravity = kGravity;  ///< in the robot's base frame, m/s^2
+  Eigen::Vector3d gravity = standard_gravity();  ///< in the robot's base frame, m/s^2
 };
 
 /// Weighs what hangs on the wrist's force sensor: goes to each of several postures in turn, rests, averages the wrench
