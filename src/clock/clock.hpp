@@ -62,8 +62,6 @@ class Clock {
   virtual void sent(int sender) noexcept = 0;
   /// Takes one message off and wakes the participant when due. The listener's thread; call after the sample is stored.
   virtual void arrived(int receiver) noexcept = 0;
-  /// The same without waking: the participant finds the message when something else has woken it.
-  virtual void arrived_quietly(int receiver) noexcept = 0;
 };
 
 }  // namespace mrroc::clock

@@ -40,10 +40,6 @@ void LockstepClock::sent(int sender) noexcept { count_sent(memory(), sender); }
 void LockstepClock::arrived(int receiver) noexcept {
   // the mail first: once the link is balanced the host may close the delta and look for mail
   slot().mail.fetch_add(1);
-  arrived_quietly(receiver);
-}
-
-void LockstepClock::arrived_quietly(int receiver) noexcept {
   memory().links[static_cast<std::size_t>(receiver)].arrived.fetch_add(1);
   if (quiescent(memory())) memory().host.open();
 }

@@ -26,7 +26,6 @@ class LockstepClock : public ParticipantClock {
   bool visible(std::uint64_t delta) const noexcept override { return delta < delta_.load(); }
   void sent(int sender) noexcept override;
   void arrived(int receiver) noexcept override;
-  void arrived_quietly(int receiver) noexcept override;
 
  private:
   void look_at_the_time() noexcept;

@@ -28,7 +28,6 @@ class OperatorClock final : public ParticipantClock {
   bool visible(std::uint64_t) const noexcept override { return true; }
   void sent(int sender) noexcept override { count_sent(memory(), sender); }
   void arrived(int) noexcept override { notify(); }
-  void arrived_quietly(int) noexcept override {}
 
  private:
   std::uint32_t seen_ = 0;

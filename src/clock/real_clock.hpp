@@ -23,7 +23,6 @@ class RealClock final : public ParticipantClock {
   bool visible(std::uint64_t) const noexcept override { return true; }
   void sent(int) noexcept override {}
   void arrived(int) noexcept override { notify(); }
-  void arrived_quietly(int) noexcept override {}
 
  private:
   std::uint32_t seen_ = 0;  // openings of the gate that earlier waits have reported

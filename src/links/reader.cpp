@@ -67,11 +67,9 @@ struct Reader<T>::Impl {
     switch (header.kind) {
       case kData:
         ring.push(message);
-        if (receiver >= 0 && options.wakes) {
+        if (receiver >= 0) {
           clock.arrived(receiver);
-        } else if (receiver >= 0) {
-          clock.arrived_quietly(receiver);
-        } else if (options.wakes) {
+        } else {
           clock.notify();
         }
         break;

@@ -14,7 +14,6 @@ struct ReaderOptions {
   /// Messages kept between two looks; when more come the oldest are overwritten and counted.
   std::size_t depth = 16;
   bool counted = true;  ///< as the topic's writer
-  bool wakes = true;    ///< the participant; false: it finds the messages when something else has woken it
   /// Writers through which a ping that comes here is answered; they outlive the reader.
   std::vector<WriterBase*> answer_through = {};
 };

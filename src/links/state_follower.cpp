@@ -11,7 +11,7 @@ StateFollower::StateFollower(Domain& domain, clock::Clock& clock, const std::str
                              std::string peer)
     : peer_(std::move(peer)),
       handshake_(domain, clock, topic_name(prefix, sensor + "/follow")),
-      state_(domain, clock, topic_name(prefix, sensor + "/state"), {.depth = 64, .wakes = false}) {}
+      state_(domain, clock, topic_name(prefix, sensor + "/state"), {.depth = 64}) {}
 
 void StateFollower::connect(double timeout) { links::connect(handshake_, {&state_}, timeout, peer_); }
 

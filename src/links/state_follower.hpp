@@ -10,8 +10,7 @@
 namespace mrroc::links {
 
 /// The VSP's end of a robot's `StateFeed`: the state e_l of the robot that its sensor is mounted on. Topics:
-/// `<prefix>/<sensor>/state`, and `<prefix>/<sensor>/follow` for the hand-shake. It wakes nobody: the VSP
-/// takes the states when it has something to do. The participant's thread calls it.
+/// `<prefix>/<sensor>/state`, and `<prefix>/<sensor>/follow` for the hand-shake. The participant's thread calls it.
 class StateFollower {
  public:
   /// `prefix`: "<deployment>/<robot>"; `sensor`: name of the sensor; `peer`: the EDP's name, for errors.

@@ -49,7 +49,6 @@ class StrandClock final : public clock::Clock {
     clock_->sent(sender);
   }
   void arrived(int receiver) noexcept override { clock_->arrived(receiver); }
-  void arrived_quietly(int receiver) noexcept override { clock_->arrived_quietly(receiver); }
 
  private:
   struct Strand;

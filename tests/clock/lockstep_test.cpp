@@ -87,29 +87,6 @@ TEST(Lockstep, AMessageIsSeenInTheNextDeltaOfTheSameTick) {
   deployment.join();
 }
 
-TEST(Lockstep, AQuietMessageHoldsTheTimeButWakesNobody) {
-  ThreadDeployment deployment({"a", "b"});
-  Clock& a = deployment.attach("a");
-  const int sender = a.register_sender("a/b");
-  std::atomic<Tick> ended{0};
-  deployment.body([&](Clock& clock) {
-    clock.sent(sender);
-    EXPECT_EQ(clock.wait(3), Wake::tick);
-    ended.store(clock.tick());
-  });
-  Clock& b = deployment.add("b", [](Clock& clock) {
-    EXPECT_EQ(clock.wait(5), Wake::tick) << "no mail";
-    EXPECT_EQ(clock.tick(), 5U);
-  });
-  const int receiver = b.register_receiver("a/b");
-  deployment.start();
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  EXPECT_EQ(ended.load(), 0U) << "it is in flight";
-  b.arrived_quietly(receiver);
-  deployment.join();
-  EXPECT_EQ(ended.load(), 3U);
-}
-
 TEST(Lockstep, AMessageInFlightHoldsTheTime) {
   ThreadDeployment deployment({"a", "b"});
   Clock& a = deployment.attach("a");

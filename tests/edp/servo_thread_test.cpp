@@ -28,7 +28,6 @@ class GridClock : public clock::Clock {
   bool visible(std::uint64_t) const noexcept override { return true; }
   void sent(int) noexcept override {}
   void arrived(int) noexcept override {}
-  void arrived_quietly(int) noexcept override {}
 
   std::atomic<int> notified{0};
 

@@ -118,19 +118,6 @@ TEST(Reader, AnUncountedLinkIsNotTheClocksBusiness) {
   EXPECT_TRUE(reader.take(status, header)) << "visible at once";
 }
 
-TEST(Reader, OneThatDoesNotWakeIsFoundAtTheNextLook) {
-  TestDomain net;
-  TestClock clock;
-  Writer<TaskStatus> writer(net.domain, clock, "t/x");
-  Reader<TaskStatus> reader(net.domain, clock, "t/x", {.wakes = false});
-  writer.write({}, 1);
-  EXPECT_EQ(clock.in_flight.load(), 0) << "it has arrived";
-  EXPECT_EQ(clock.mails.load(), 0) << "and has woken nobody";
-  TaskStatus status;
-  Header header;
-  EXPECT_TRUE(reader.take(status, header));
-}
-
 TEST(Reader, TakeFreshRefusesWhatIsTooOld) {
   TestDomain net;
   TestClock clock;

@@ -59,18 +59,14 @@ class TestClock final : public clock::Clock {
   void sent(int) noexcept override { in_flight.fetch_add(1); }
   void arrived(int) noexcept override {
     in_flight.fetch_sub(1);
-    mails.fetch_add(1);
     open();
   }
-
-  void arrived_quietly(int) noexcept override { in_flight.fetch_sub(1); }
 
   void next_delta() { delta_.fetch_add(1); }
 
   std::atomic<int> senders{0};
   std::atomic<int> receivers{0};
   std::atomic<int> in_flight{0};
-  std::atomic<int> mails{0};
   std::atomic<int> notified{0};
 
  private:

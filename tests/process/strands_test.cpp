@@ -32,7 +32,6 @@ class JumpingClock final : public clock::Clock {
   bool visible(std::uint64_t) const noexcept override { return true; }
   void sent(int) noexcept override {}
   void arrived(int) noexcept override {}
-  void arrived_quietly(int) noexcept override {}
 
   int waits = 0;
   bool interrupted = false;
