@@ -1,4 +1,4 @@
-#include "language/macrostep_timing.hpp"
+#include "language/common_start.hpp"
 
 #include <algorithm>
 
@@ -15,18 +15,7 @@ bool rests(const RobotState& state) noexcept {
   return (state.desired_velocity.array() == 0.0).all() && (state.desired_acceleration.array() == 0.0).all();
 }
 
-void MacrostepTiming::plan(const std::vector<Robot*>& robots, Tick now) {
-  align_starts(robots, now);
-  if (margin_ == kFirstMargin) return;
-  for (Robot* robot : robots) {
-    RobotCommand& command = robot->command();
-    if (command.reply_step > command.motion_steps) continue;
-    const Tick latest = command.motion_steps > margin_ ? command.motion_steps - margin_ : 1;
-    command.reply_step = static_cast<std::uint16_t>(std::min(Tick{command.reply_step}, latest));
-  }
-}
-
-void MacrostepTiming::align_starts(const std::vector<Robot*>& robots, Tick now) {
+void CommonStart::align(const std::vector<Robot*>& robots, Tick now) {
   if (robots.size() < 2) return;
   Tick start = 0;
   bool resting = true;
@@ -41,11 +30,11 @@ void MacrostepTiming::align_starts(const std::vector<Robot*>& robots, Tick now) 
   }
 }
 
-bool MacrostepTiming::missed_by(const Robot& robot) const noexcept {
+bool CommonStart::missed_by(const Robot& robot) const noexcept {
   return start_ != 0 && margin_ < kLongestMargin && robot.command().start_tick == start_ &&
          robot.state().macrostep_start > start_;
 }
 
-void MacrostepTiming::allow_more_time() noexcept { margin_ = std::min(2 * margin_, kLongestMargin); }
+void CommonStart::allow_more_time() noexcept { margin_ = std::min(2 * margin_, kLongestMargin); }
 
 }  // namespace mrroc
