@@ -17,13 +17,11 @@ bool rests(const RobotState& state) noexcept {
 
 void CommonStart::align(const std::vector<Robot*>& robots, Tick now) {
   if (robots.size() < 2) return;
-  Tick start = 0;
-  bool resting = true;
+  const bool resting = std::all_of(robots.begin(), robots.end(), [](Robot* robot) { return rests(robot->state()); });
+  Tick start = resting ? now + margin_ : 0;
   for (const Robot* robot : robots) {
-    start = std::max(start, robot->state().desired_tick);
-    resting = resting && rests(robot->state());
+    if (resting || !rests(robot->state())) start = std::max(start, robot->state().desired_tick);
   }
-  if (resting) start = std::max(start, now + margin_);
   start_ = resting ? start : 0;
   for (Robot* robot : robots) {
     if (robot->command().start_tick == 0) robot->command().start_tick = start;

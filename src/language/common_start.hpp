@@ -13,8 +13,10 @@ bool rests(const RobotState& state) noexcept;
 /// nothing.
 class CommonStart {
  public:
-  /// Writes the start tick, the same for all, into the commands that have none; `now` is the present tick. Robots that
-  /// all rest get a margin, time for every command to arrive; one that moves would have to brake for it.
+  /// Writes start ticks into the commands that have none; `now` is the present tick. While all rest: the tick at which
+  /// the last of them can, and not before a margin, time for every command to arrive. While some move: the tick at
+  /// which the last of these can; one that rests and cannot yet begins later by itself, a moving one would have to
+  /// brake.
   void align(const std::vector<Robot*>& robots, Tick now);
   /// The robot was to start from rest with the others and started after them.
   bool missed_by(const Robot& robot) const noexcept;

@@ -176,6 +176,26 @@ TEST(Interruption, AfterALateCommandAllRobotsComeToRestAndTheGeneratorGoesOnFrom
   EXPECT_EQ(kinds, expected);
 }
 
+// a robot at rest that began its hold late would make the one that moves brake, and its next command be refused
+TEST(Interruption, ARobotAtRestThatIsLateDoesNotKeepOneThatMovesWaiting) {
+  FakeTask task;
+  const auto resting = task.robot("resting");
+  const auto moving = task.robot("moving");
+  Drive drive({moving.get()});
+  drive.act = [&task] { task.robot_fake("resting").way = task.log.calls.size() > 20 ? 3 : 0; };
+  const Outcome end = Move({*resting, *moving}, {}, drive.until(ElapsedSteps{8}));
+  EXPECT_GT(end.skew, 0u) << "it was late";
+  Tick expected = 0;
+  for (const Call& call : task.log.calls) {
+    if (call.action != Action::send || call.who != "moving" || call.kind != CommandKind::joint) continue;
+    if (expected != 0) {
+      EXPECT_EQ(call.tick, expected);
+    }
+    expected = call.tick + static_cast<Tick>(call.motion_steps);
+  }
+  EXPECT_NE(expected, 0u);
+}
+
 // with a margin that never grew, a machine that is slower than it would make the robots start over and over
 TEST(Interruption, RobotsGetMoreTimeForACommonStartUntilTheyStartTogether) {
   FakeTask task;

@@ -177,15 +177,15 @@ class Model {
   }
 
   /// Several robots begin on one tick: when the last of them can, from rest not before the commands have had 2 ticks.
+  /// One that rests does not keep those that move waiting.
   Tick common_start() const {
     if (robots_.size() < 2) return 0;
-    Tick start = 0;
-    bool moving = false;
+    const bool moving = std::any_of(robots_.begin(), robots_.end(), [](const ModelRobot& r) { return r.moving; });
+    Tick start = moving ? 0 : now_ + 2;
     for (const ModelRobot& robot : robots_) {
-      start = std::max(start, robot.desired_tick);
-      moving = moving || robot.moving;
+      if (!moving || robot.moving) start = std::max(start, robot.desired_tick);
     }
-    return moving ? start : std::max(start, now_ + 2);
+    return start;
   }
 
   /// One macrostep of all robots, and the readings that are due when it is over.
