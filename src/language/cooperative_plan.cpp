@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "language/moving_pose.hpp"
 #include "language/rigid_motion.hpp"
 #include "mrroc/task.hpp"
 
@@ -82,12 +83,10 @@ void CooperativePlan::start() {
 }
 
 void CooperativePlan::take_motion(std::size_t arm) {
-  const Robot& robot = *arms_[arm].robot;
-  const RobotState& state = robot.state();
+  const MovingPose tool = desired_motion(*arms_[arm].robot);
   const Eigen::Matrix3d axes = poses_[0].linear().transpose() * arms_[arm].base.linear();
-  const Jacobian jacobian = robot.kinematics().jacobian(state.desired_joints);
-  of(speed_, arm) = turned(axes, jacobian * state.desired_velocity);
-  of(rate_, arm) = turned(axes, jacobian * state.desired_acceleration);
+  of(speed_, arm) = turned(axes, tool.twist);
+  of(rate_, arm) = turned(axes, tool.rate);
   of(speed_, arm).tail<3>() *= force_.length;
   of(rate_, arm).tail<3>() *= force_.length;
 }

@@ -227,10 +227,7 @@ void TrackFrame::next_state() {
   twist << (after.translation() - before.translation()) / (2 * h), 0.5 * (turn_before + turn_after);
   rate << (after.translation() - 2 * there.translation() + before.translation()) / (h * h),
       (turn_after - turn_before) / h;
-  command.kind = CommandKind::pose;
-  command.pose = there;
-  command.twist = twist;
-  command.twist_rate = rate;
+  command_motion(command, {there, twist, rate});
 
   plan.first = false;
   plan.observer.advance(duration);
