@@ -165,9 +165,9 @@ void Instruction::come_to_rest() {
 
 void Instruction::resume_after_late_command() {
   const std::uint64_t before = std::exchange(late_, late_commands());
-  const auto late = [this](const Robot* robot) { return has_braked(*robot) || common_start_.missed_by(*robot); };
+  const auto late = [this](const Robot* robot) { return has_braked(*robot) || timing_.missed_by(*robot); };
   if (late_ == before && std::none_of(robots_.begin(), robots_.end(), late)) return;
-  common_start_.allow_more_time();
+  timing_.allow_more_time();
   come_to_rest();
   late_ = late_commands();
   braking_ = false;
@@ -191,7 +191,7 @@ std::optional<Ending> Instruction::evaluate_end() {
 void Instruction::write_next_state() {
   for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
   if (generator_ != nullptr) generator_->next_state();
-  common_start_.align(robots_, task_->tick());
+  timing_.plan(robots_, task_->tick());
 }
 
 void Instruction::measure_skew() noexcept {

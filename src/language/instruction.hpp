@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "language/common_start.hpp"
+#include "language/macrostep_timing.hpp"
 #include "mrroc/move.hpp"
 #include "mrroc/step_observer.hpp"
 #include "mrroc/task.hpp"
@@ -63,7 +63,7 @@ class Instruction {
   double start_wall_ = 0;
   Tick measure_at_ = 0;
   Tick skew_ = 0;
-  CommonStart common_start_;
+  MacrostepTiming timing_;
   std::uint64_t late_ = 0;  ///< late commands of all robots, as known
 };
 

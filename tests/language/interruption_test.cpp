@@ -196,6 +196,20 @@ TEST(Interruption, ARobotAtRestThatIsLateDoesNotKeepOneThatMovesWaiting) {
   EXPECT_NE(expected, 0u);
 }
 
+TEST(Interruption, AfterALateCommandRobotsReplyEarlier) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  arm->set_macrostep(10, 9);
+  task.robot_fake("arm").late_at = 3;
+  Drive drive({arm.get()});
+  Move({*arm}, {}, drive.until(ElapsedSteps{6}));
+  Move({*arm}, {}, drive.until(ElapsedSteps{2}));
+  std::vector<int> replies;
+  for (const Call& call : task.log.calls)
+    if (call.action == Action::send && call.kind == CommandKind::joint) replies.push_back(call.reply_step);
+  EXPECT_EQ(replies, (std::vector<int>{9, 9, 9, 6, 6, 6, 9, 9})) << "for the rest of the Move";
+}
+
 // with a margin that never grew, a machine that is slower than it would make the robots start over and over
 TEST(Interruption, RobotsGetMoreTimeForACommonStartUntilTheyStartTogether) {
   FakeTask task;

@@ -21,8 +21,7 @@ std::filesystem::path deployment(const ScratchFolder& folder, const std::string&
                                                more);
 }
 
-/// s: a machine that wakes its processes late makes the robots of a real run brake and start over and over.
-constexpr int kPatience = 240;
+constexpr int kPatience = 60;  // s
 
 /// Runs the scenario twice in lockstep and once in real time; the lines must come in this order. Returns the output of
 /// the first run.

@@ -1,4 +1,4 @@
-#include "language/common_start.hpp"
+#include "language/macrostep_timing.hpp"
 
 #include <algorithm>
 
@@ -15,7 +15,18 @@ bool rests(const RobotState& state) noexcept {
   return (state.desired_velocity.array() == 0.0).all() && (state.desired_acceleration.array() == 0.0).all();
 }
 
-void CommonStart::align(const std::vector<Robot*>& robots, Tick now) {
+void MacrostepTiming::plan(const std::vector<Robot*>& robots, Tick now) {
+  align_starts(robots, now);
+  if (margin_ == kFirstMargin) return;
+  for (Robot* robot : robots) {
+    RobotCommand& command = robot->command();
+    if (command.reply_step > command.motion_steps) continue;
+    const Tick latest = command.motion_steps > margin_ ? command.motion_steps - margin_ : 1;
+    command.reply_step = static_cast<std::uint16_t>(std::min(Tick{command.reply_step}, latest));
+  }
+}
+
+void MacrostepTiming::align_starts(const std::vector<Robot*>& robots, Tick now) {
   if (robots.size() < 2) return;
   const bool resting = std::all_of(robots.begin(), robots.end(), [](Robot* robot) { return rests(robot->state()); });
   Tick start = resting ? now + margin_ : 0;
@@ -28,11 +39,11 @@ void CommonStart::align(const std::vector<Robot*>& robots, Tick now) {
   }
 }
 
-bool CommonStart::missed_by(const Robot& robot) const noexcept {
+bool MacrostepTiming::missed_by(const Robot& robot) const noexcept {
   return start_ != 0 && margin_ < kLongestMargin && robot.command().start_tick == start_ &&
          robot.state().macrostep_start > start_;
 }
 
-void CommonStart::allow_more_time() noexcept { margin_ = std::min(2 * margin_, kLongestMargin); }
+void MacrostepTiming::allow_more_time() noexcept { margin_ = std::min(2 * margin_, kLongestMargin); }
 
 }  // namespace mrroc
