@@ -12,14 +12,14 @@
 
 namespace mrroc::fakes {
 
-/// Checks `property` (a function that uses RC_ASSERT and `*generator`) on `cases` random cases (`repetitions`), as a
-/// part of the running GoogleTest. The seed is fixed and printed, so that every run checks the same cases; rapidcheck's
-/// own RC_PARAMS="seed=7" chooses others.
+/// Checks `property` (a function that uses RC_ASSERT and `*generator`) on `cases` random cases, as a part of the running
+/// GoogleTest. The seed is fixed and printed, so that every run checks the same cases; rapidcheck's own
+/// RC_PARAMS="seed=7" chooses others. With a sanitizer all are checked too, for tests that count over them.
 template <class Property>
-void check_property(int cases, Property&& property) {
+void check_every_case(int cases, Property&& property) {
   setenv("RC_PARAMS", "seed=20240229", 0);
   rc::detail::TestParams params = rc::detail::configuration().testParams;
-  params.maxSuccess = test::repetitions(cases);
+  params.maxSuccess = cases;
   rc::detail::TestMetadata metadata;
   metadata.id = ::testing::UnitTest::GetInstance()->current_test_info()->name();
   const rc::detail::TestResult result =
@@ -28,6 +28,12 @@ void check_property(int cases, Property&& property) {
   rc::detail::printResultMessage(result, text);
   std::cout << "seed " << params.seed << ": " << text.str() << "\n";
   if (!result.template is<rc::detail::SuccessResult>()) ADD_FAILURE() << "RC_PARAMS=\"seed=" << params.seed << "\"";
+}
+
+/// The same, with fewer cases under a sanitizer (`repetitions`).
+template <class Property>
+void check_property(int cases, Property&& property) {
+  check_every_case(test::repetitions(cases), std::forward<Property>(property));
 }
 
 }  // namespace mrroc::fakes

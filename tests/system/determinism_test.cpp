@@ -7,6 +7,7 @@
 
 #include "repetitions.hpp"
 #include "system/mrroc_run.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -43,8 +44,7 @@ TEST(Determinism, TwentyRunsOfPressGiveOneTraceUnderAnyLoad) {
   const ScratchFolder folder;
   const auto trace = folder.path() / "press.trace";
   EXPECT_EQ(hashes_of("tasks/press/press.toml", trace).size(), 1U);
-  std::ifstream file(trace);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = text_of(trace);
   EXPECT_NE(text.find("wait=\"gate closer than 0.1 m\""), std::string::npos);
   EXPECT_NE(text.find("move=\"ToolVelocity\""), std::string::npos);
   EXPECT_NE(text.find("process=arm"), std::string::npos);

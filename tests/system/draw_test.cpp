@@ -4,7 +4,7 @@
 #include <fstream>
 #include <map>
 
-#include "system/mrroc_run.hpp"
+#include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
 
 namespace mrroc::test {
@@ -59,13 +59,10 @@ std::vector<Stroke> strokes_of(const std::filesystem::path& trace) {
 
 TEST(Draw, EveryStrokeIsOnItsPathAndTwoRunsAreTheSame) {
   const ScratchFolder folder;
-  const auto first = folder.path() / "first", second = folder.path() / "second";
-  for (const auto& trace : {first, second})
-    run_mrroc({"run", "tasks/draw/draw.toml", "--clock", "lockstep", "--quiet", "--trace", trace.string()}, 0, 600);
-  EXPECT_EQ(trace_hash(first), trace_hash(second));
+  const auto trace = expect_equal_runs("tasks/draw/draw.toml", 2, folder).trace;
 
   std::map<std::string, int> drawn;
-  for (const Stroke& stroke : strokes_of(first)) {
+  for (const Stroke& stroke : strokes_of(trace)) {
     ++drawn[stroke.generator];
     double worst = 0, longest = 0;
     for (std::size_t i = 2; i < stroke.measured.size(); ++i)

@@ -13,13 +13,13 @@
 #include "sim/state_file.hpp"
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
 
 constexpr const char* kDeployment = "tasks/engraving/engraving.toml";
 constexpr double kDepth = 0.001;
-constexpr int kPatience = 1200;  // s
 
 /// Depths of the cutter's tip, and what is said of them.
 struct Depths {
@@ -81,11 +81,6 @@ Depths true_depths(const std::filesystem::path& states, const Strokes& strokes) 
   return depths;
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// The deployment with another order for the machine, in `folder`.
 std::filesystem::path deployment_with(const ScratchFolder& folder, const std::string& what,
                                       const std::string& instead) {
@@ -121,7 +116,7 @@ TEST(Engraving, ABoardTakenForFlatIsCarvedMillimetresWrong) {
   const ScratchFolder folder;
   const auto trace = folder.path() / "trace";
   const auto deployment = deployment_with(folder, "columns = 11, rows = 4", "columns = 1, rows = 1");
-  run_mrroc({"run", deployment.string(), "--quiet", "--trace", trace.string()}, 0, kPatience);
+  run_mrroc({"run", deployment.string(), "--quiet", "--trace", trace.string()}, 0, MrrocRun::kLongPatience);
   const Strokes strokes = strokes_of(trace);
   ASSERT_EQ(strokes.ticks.size(), 16u);
   std::printf("taken for flat: error %.3f mm RMS, %.3f mm at most\n", 1000 * strokes.measured.error(),

@@ -8,18 +8,6 @@
 
 namespace mrroc::test {
 
-namespace {
-
-constexpr int kPatience = 1200;  // s, of a run beside another
-
-std::string hash_of(const std::filesystem::path& trace) {
-  MrrocRun run({"trace", "hash", trace.string()});
-  EXPECT_EQ(run.wait(), 0) << run.err();
-  return run.out();
-}
-
-}  // namespace
-
 EqualRuns expect_equal_runs(const std::string& deployment, int runs, const ScratchFolder& folder) {
   const auto trace = [&folder](int run) { return folder.path() / ("trace_" + std::to_string(run)); };
   EqualRuns left{{}, trace(0), folder.path() / "states"};
@@ -34,10 +22,10 @@ EqualRuns expect_equal_runs(const std::string& deployment, int runs, const Scrat
       pair.push_back(std::make_unique<MrrocRun>(arguments));
     }
     for (std::size_t i = 0; i < pair.size(); ++i) {
-      EXPECT_EQ(pair[i]->wait(kPatience), 0) << pair[i]->out() << pair[i]->err();
+      EXPECT_EQ(pair[i]->wait(MrrocRun::kLongPatience), 0) << pair[i]->out() << pair[i]->err();
       left.outputs.push_back(pair[i]->out());
       const int run = first + static_cast<int>(i);
-      hashes.insert(hash_of(trace(run)));
+      hashes.insert(trace_hash(trace(run)));
       if (run != 0) std::filesystem::remove(trace(run));
     }
   }

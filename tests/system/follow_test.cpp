@@ -3,8 +3,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "system/mrroc_run.hpp"
+#include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -35,11 +36,9 @@ std::vector<Step> way_along(const std::filesystem::path& trace) {
 
 TEST(Follow, PressesACurvedSurfaceWith10NewtonAt50MillimetresPerSecond) {
   const ScratchFolder folder;
-  const auto first = folder.path() / "first", second = folder.path() / "second";
-  for (const auto& trace : {first, second}) run_mrroc({"run", kDeployment, "--quiet", "--trace", trace.string()}, 0);
-  EXPECT_EQ(trace_hash(first), trace_hash(second));
+  const auto trace = expect_equal_runs(kDeployment, 2, folder).trace;
 
-  const std::vector<Step> steps = way_along(first);
+  const std::vector<Step> steps = way_along(trace);
   ASSERT_GT(steps.size(), 100u);
   double squares = 0, lowest = 1e9, highest = -1e9, way = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -59,8 +58,7 @@ TEST(Follow, PressesACurvedSurfaceWith10NewtonAt50MillimetresPerSecond) {
 
 TEST(Follow, AForceLimitStopsTheArmAndTheTaskSaysWhy) {
   const ScratchFolder folder;
-  std::ifstream file(std::filesystem::path(MRROC_SOURCE_DIR) / kDeployment);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string text = text_of(std::filesystem::path(MRROC_SOURCE_DIR) / kDeployment);
   const std::string limit = "force_limit = [40, 40, 60]", scene = "\"follow.xml\"";
   ASSERT_NE(text.find(limit), std::string::npos);
   text.replace(text.find(limit), limit.size(), "force_limit = [40, 40, 8]");

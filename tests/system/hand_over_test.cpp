@@ -12,6 +12,7 @@
 #include "sim/state_file.hpp"
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -22,11 +23,6 @@ constexpr int kBars = 3;
 constexpr double kFelt = 6.0;          // N, of arm.cpp
 constexpr double kWidth = 0.060;       // m, of a bar
 constexpr double kTolerance = 0.0015;  // m
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return std::string{std::istreambuf_iterator<char>(file), {}};
-}
 
 void replace(std::string& text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -133,17 +129,21 @@ TEST(HandOver, ThreeBarsGoFromHandToHandWhenTheGiverFeelsThePullFiveTimesTheSame
 
 TEST(HandOver, BarsThatComeOtherwiseLieInTheirPlacesToo) {
   const ScratchFolder folder;
-  for (const int seed : {11, 31}) {
+  std::array<std::filesystem::path, 2> states;
+  std::array<std::vector<std::string>, 2> runs;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const int seed = i == 0 ? 11 : 31;
     std::string text = deployment();
     for (int bar = 1; bar <= kBars; ++bar)
       replace(text, std::string{"seed = "} + std::to_string(bar) + "\n",
               std::string{"seed = "} + std::to_string(seed + bar) + "\n");
-    const auto states = folder.path() / ("states_" + std::to_string(seed));
-    std::filesystem::create_directory(states);
-    run_mrroc({"run", folder.write("hand_over.toml", text).string(), "--quiet", "--snapshots", states.string()}, 0,
-              1200);
-    expect_in_place(states);
+    const std::string name = std::to_string(seed);
+    states[i] = folder.path() / name;
+    std::filesystem::create_directory(states[i]);
+    runs[i] = {"run", folder.write(name + ".toml", text).string(), "--quiet", "--snapshots", states[i].string()};
   }
+  run_two(runs, 0, MrrocRun::kLongPatience);
+  for (const auto& folder_of_run : states) expect_in_place(folder_of_run);
 }
 
 TEST(HandOver, WithoutAPullTheGiverSaysSoAndKeepsTheBar) {
@@ -152,7 +152,7 @@ TEST(HandOver, WithoutAPullTheGiverSaysSoAndKeepsTheBar) {
   std::filesystem::create_directory(states);
   const std::string output = run_mrroc({"run", folder.write("hand_over.toml", late_deployment(60)).string(), "--trace",
                                         trace.string(), "--snapshots", states.string()},
-                                       1, 1200);
+                                       1, MrrocRun::kLongPatience);
   EXPECT_NE(output.find("nobody pulls at the bar"), std::string::npos) << output;
   const HandOvers found = hand_overs_of(trace);
   EXPECT_TRUE(found.felt.empty());
@@ -166,13 +166,15 @@ TEST(HandOver, ALaterPullIsFeltLater) {
   constexpr Tick kLater = 2500;
   const ScratchFolder folder;
   const std::string end = "\n[[events]]\ntick = 24000\ncommand = \"stop\"\n";
+  const auto run = [&](int seconds) -> std::vector<std::string> {
+    const std::string name = std::to_string(seconds);
+    return {"run", folder.write(name + ".toml", late_deployment(seconds) + end).string(), "--quiet", "--trace",
+            folder.path() / name};
+  };
+  run_two({run(0), run(5)}, 5, MrrocRun::kLongPatience);
   std::vector<Tick> felt;
-  for (const int seconds : {0, 5}) {
-    const auto trace = folder.path() / ("trace_" + std::to_string(seconds));
-    run_mrroc({"run", folder.write("hand_over.toml", late_deployment(seconds) + end).string(), "--quiet", "--trace",
-               trace.string()},
-              5, 1200);
-    const HandOvers found = hand_overs_of(trace);
+  for (const char* name : {"0", "5"}) {
+    const HandOvers found = hand_overs_of(folder.path() / name);
     ASSERT_EQ(found.felt.size(), 1u);
     ASSERT_EQ(found.opened.size(), 1u);
     EXPECT_GT(found.opened[0], found.felt[0]);

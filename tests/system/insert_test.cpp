@@ -4,8 +4,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "system/mrroc_run.hpp"
+#include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -45,12 +46,9 @@ std::vector<Trial> trials_of(const std::filesystem::path& trace) {
 
 TEST(Insert, PutsThePegIntoTheHoleFromTenPlacesUpTo2MillimetresBesideIt) {
   const ScratchFolder folder;
-  const auto first = folder.path() / "first", second = folder.path() / "second";
-  for (const auto& trace : {first, second})
-    run_mrroc({"run", kDeployment, "--quiet", "--trace", trace.string()}, 0, 600);
-  EXPECT_EQ(trace_hash(first), trace_hash(second));
+  const auto trace = expect_equal_runs(kDeployment, 2, folder).trace;
 
-  const std::vector<Trial> trials = trials_of(first);
+  const std::vector<Trial> trials = trials_of(trace);
   ASSERT_EQ(trials.size(), 10u);
   double farthest = 0;
   for (const Trial& trial : trials) {
@@ -66,10 +64,6 @@ TEST(Insert, PutsThePegIntoTheHoleFromTenPlacesUpTo2MillimetresBesideIt) {
 TEST(Insert, WithoutAHoleTheTaskSaysSo) {
   const ScratchFolder folder;
   const std::filesystem::path tasks = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/insert";
-  const auto text_of = [](const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return std::string{std::istreambuf_iterator<char>(file), {}};
-  };
   std::string scene = text_of(tasks / "insert.xml");
   const std::string joint = "<joint name=\"bush_z\"";
   ASSERT_NE(scene.find(joint), std::string::npos);

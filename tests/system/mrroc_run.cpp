@@ -51,6 +51,19 @@ pid_t parent_of(pid_t pid) {
   return state == 'Z' ? -1 : parent;
 }
 
+/// Waits for the end of a run and checks it: see run_mrroc().
+std::string finish(MrrocRun& run, const std::vector<std::string>& arguments, int expected, int patience) {
+  const int code = run.wait(patience);
+  std::string line = "mrroc";
+  for (const std::string& argument : arguments) line += " " + argument;
+  EXPECT_EQ(code, expected) << line << "\n" << run.out() << run.err();
+  const auto trace = std::find(arguments.begin(), arguments.end(), "--trace");
+  // a trace is empty when the run was refused
+  if (trace != arguments.end() && std::filesystem::is_regular_file(trace[1]) && !std::filesystem::is_empty(trace[1]))
+    expect_laws(trace[1]);
+  return run.out() + run.err();
+}
+
 }  // namespace
 
 MrrocRun::MrrocRun(const std::vector<std::string>& arguments) : folder_(new_folder()) {
@@ -155,15 +168,13 @@ std::string faulty_deployment(const std::string& kind, const std::string& clock)
 
 std::string run_mrroc(const std::vector<std::string>& arguments, int expected, int patience) {
   MrrocRun run(arguments);
-  const int code = run.wait(patience);
-  std::string line = "mrroc";
-  for (const std::string& argument : arguments) line += " " + argument;
-  EXPECT_EQ(code, expected) << line << "\n" << run.out() << run.err();
-  const auto trace = std::find(arguments.begin(), arguments.end(), "--trace");
-  // a trace is empty when the run was refused
-  if (trace != arguments.end() && std::filesystem::is_regular_file(trace[1]) && !std::filesystem::is_empty(trace[1]))
-    expect_laws(trace[1]);
-  return run.out() + run.err();
+  return finish(run, arguments, expected, patience);
+}
+
+std::array<std::string, 2> run_two(const std::array<std::vector<std::string>, 2>& arguments, int expected,
+                                   int patience) {
+  MrrocRun first(arguments[0]), second(arguments[1]);
+  return {finish(first, arguments[0], expected, patience), finish(second, arguments[1], expected, patience)};
 }
 
 void expect_laws(const std::filesystem::path& trace) {
@@ -172,7 +183,6 @@ void expect_laws(const std::filesystem::path& trace) {
 }
 
 std::string trace_hash(const std::filesystem::path& trace) {
-  expect_laws(trace);
   MrrocRun run({"trace", "hash", trace.string()});
   EXPECT_EQ(run.wait(), 0) << run.err();
   return run.out();

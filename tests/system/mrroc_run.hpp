@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ class MrrocRun {
   MrrocRun& operator=(const MrrocRun&) = delete;
 
   pid_t pid() const noexcept { return pid_; }
-  static constexpr int kPatience = 120;  ///< s
+  static constexpr int kPatience = 120;       ///< s
+  static constexpr int kLongPatience = 1200;  ///< s, with a task that takes minutes under a sanitizer
   /// Waits for its end; returns the exit code, or minus the signal that ended it. After `patience` s it is killed and
   /// the test fails.
   int wait(int patience = kPatience);
@@ -54,10 +56,14 @@ std::string faulty_deployment(const std::string& kind, const std::string& clock 
 /// one is written, keeps the laws. Returns stdout and stderr.
 std::string run_mrroc(const std::vector<std::string>& arguments, int expected, int patience = MrrocRun::kPatience);
 
+/// Runs two at the same time, for there are two cores; checks each as run_mrroc() does. Returns what each has printed.
+std::array<std::string, 2> run_two(const std::array<std::vector<std::string>, 2>& arguments, int expected,
+                                   int patience = MrrocRun::kPatience);
+
 /// The trace keeps the laws of Move and Wait: `mrroc trace check`.
 void expect_laws(const std::filesystem::path& trace);
 
-/// Hash of a trace, by `mrroc trace hash`; the trace keeps the laws, too.
+/// Hash of a trace, by `mrroc trace hash`.
 std::string trace_hash(const std::filesystem::path& trace);
 
 /// A folder of this test's own, removed with the object.

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "system/mrroc_run.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -17,8 +18,7 @@ constexpr int kStopped = 5;
 
 /// The task press with operator events appended.
 std::filesystem::path press_with(const ScratchFolder& folder, const std::string& events) {
-  std::ifstream original(std::string{MRROC_SOURCE_DIR} + "/tasks/press/press.toml");
-  std::string text{std::istreambuf_iterator<char>(original), {}};
+  std::string text = text_of(std::string{MRROC_SOURCE_DIR} + "/tasks/press/press.toml");
   const std::string scene = "scene = \"press.xml\"";
   text.replace(text.find(scene), scene.size(), "scene = \"" MRROC_SOURCE_DIR "/tasks/press/press.xml\"");
   return folder.write("press.toml", text + events);
@@ -104,8 +104,7 @@ TEST(Operator, AStopEndsAPause) {
 }
 
 TEST(Operator, AStopReachesATaskOfTheMp) {
-  std::ifstream original(std::string{MRROC_SOURCE_DIR} + "/tasks/press_mp/press_mp.toml");
-  std::string text{std::istreambuf_iterator<char>(original), {}};
+  std::string text = text_of(std::string{MRROC_SOURCE_DIR} + "/tasks/press_mp/press_mp.toml");
   const std::string scene = "../press/press.xml";
   text.replace(text.find(scene), scene.size(), MRROC_SOURCE_DIR "/tasks/press/press.xml");
   const ScratchFolder folder;

@@ -6,6 +6,7 @@
 
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -77,10 +78,6 @@ TEST(Polish, PressesTheWorkpieceAlongLinesWithItsToolTurnedToTheNormal) {
 TEST(Polish, WithoutAWorkpieceTheTaskSaysSo) {
   const ScratchFolder folder;
   const std::filesystem::path tasks = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/polish";
-  const auto text_of = [](const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return std::string{std::istreambuf_iterator<char>(file), {}};
-  };
   std::string scene = text_of(tasks / "polish.xml");
   const std::string geom = "<geom name=\"workpiece\"";
   ASSERT_NE(scene.find(geom), std::string::npos);

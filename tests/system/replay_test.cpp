@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "system/mrroc_run.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -17,8 +16,7 @@ TEST(Replay, LoopbackDrivesAndPlayedReadingsNeedNoSimulator) {
   EXPECT_EQ(output.find("sim "), std::string::npos) << output;
   run_mrroc({"run", kDeployment, "--quiet", "--trace", second.string()}, 0);
   EXPECT_EQ(trace_hash(first), trace_hash(second));
-  std::ifstream file(first);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = text_of(first);
   EXPECT_NE(text.find("condition=\"wrist force above 10 N\":1"), std::string::npos) << "no contact was played";
 }
 

@@ -1,18 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "repetitions.hpp"
-#include "system/mrroc_run.hpp"
+#include "system/equal_runs.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Every robot that has a demo, by the name of its folder: a new one is tested without being named here.
 std::vector<std::string> robots_with_a_demo() {
@@ -28,14 +23,8 @@ class Demo : public testing::TestWithParam<std::string> {};
 TEST_P(Demo, ToursItsWorkspaceTheSameWayTenTimes) {
   const ScratchFolder folder;
   const std::string deployment = "robots/" + GetParam() + "/demo.toml";
-  std::string first;
-  for (int run = 0; run < repetitions(10); ++run) {
-    const std::filesystem::path trace = folder.path() / ("trace_" + std::to_string(run));
-    run_mrroc({"run", deployment, "--quiet", "--clock", "lockstep", "--trace", trace.string()}, 0);
-    if (run == 0) first = trace_hash(trace);
-    ASSERT_EQ(trace_hash(trace), first) << "run " << run;
-  }
-  EXPECT_NE(text_of(folder.path() / "trace_0").find(" move="), std::string::npos) << "nothing has moved";
+  const EqualRuns runs = expect_equal_runs(deployment, repetitions(10), folder);
+  EXPECT_NE(text_of(runs.trace).find(" move="), std::string::npos) << "nothing has moved";
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Demo, testing::ValuesIn(robots_with_a_demo()),

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "system/mrroc_run.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -127,8 +128,7 @@ TEST(StateMachine, IsDrawnAsAGraph) {
     EXPECT_NE(dot.find(line), std::string::npos) << line << " is missing in\n" << dot;
   const auto picture = folder.path() / "shuttle.svg";
   run_mrroc({"graph", kTask + "shuttle.toml", "-o", picture.string()}, 0);
-  std::ifstream file(picture);
-  const std::string svg{std::istreambuf_iterator<char>(file), {}};
+  const std::string svg = text_of(picture);
   EXPECT_NE(svg.find("<svg"), std::string::npos);
   const std::string missing = run_mrroc({"graph", std::string{MRROC_SOURCE_DIR} + "/tasks/press/press.toml"}, 2);
   EXPECT_NE(missing.find("mp.states: is missing"), std::string::npos) << missing;

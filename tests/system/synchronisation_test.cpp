@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -13,6 +12,7 @@
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
 #include "system/mrroc_run.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -28,8 +28,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 /// The demo's deployment of a robot with another program, which has to synchronise it first.
 std::string unsynchronised(const std::string& robot) {
-  std::ifstream stream(kRobots / robot / "demo.toml");
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text = text_of(kRobots / robot / "demo.toml");
   text = replaced(text, std::string("\"").append(robot).append("_demo\"\nhardware"),
                   "\"" MRROC_BINARY_DIR "/tests/synchronise_ecp\"\nsynchronised = false\nhardware");
   return replaced(text, "\"demo.xml\"", std::string("\"").append(kRobots / robot / "demo.xml").append("\""));

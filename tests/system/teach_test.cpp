@@ -8,6 +8,7 @@
 #include "repetitions.hpp"
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -95,10 +96,6 @@ TEST(Teach, WhatWasTaughtIsReplayed) {
 TEST(Teach, AToolThatNobodyHoldsIsLedNowhere) {
   const ScratchFolder folder;
   const std::filesystem::path task = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/teach";
-  const auto text_of = [](const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return std::string{std::istreambuf_iterator<char>(file), {}};
-  };
   std::string scene = text_of(task / "teach.xml");
   const std::string grip = "gainprm=\"0 -400 -20\"";
   ASSERT_NE(scene.find(grip), std::string::npos);

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
-#include "system/mrroc_run.hpp"
+#include "system/equal_runs.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -23,17 +23,8 @@ class SensorDemo : public testing::TestWithParam<std::string> {};
 
 TEST_P(SensorDemo, RunsTheSameWayEveryTime) {
   const ScratchFolder folder;
-  std::string first;
-  for (int run = 0; run < 3; ++run) {
-    const std::filesystem::path trace = folder.path() / ("trace_" + std::to_string(run));
-    run_mrroc(
-        {"run", "sensors/" + GetParam() + "/demo.toml", "--quiet", "--clock", "lockstep", "--trace", trace.string()},
-        0);
-    if (run == 0) first = trace_hash(trace);
-    ASSERT_EQ(trace_hash(trace), first) << "run " << run;
-  }
-  std::ifstream stream(folder.path() / "trace_0");
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const EqualRuns runs = expect_equal_runs("sensors/" + GetParam() + "/demo.toml", 2, folder);
+  const std::string text = text_of(runs.trace);
   EXPECT_NE(text.find(" sensor="), std::string::npos) << "nothing was read";
 }
 

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 
-#include "system/mrroc_run.hpp"
+#include "system/equal_runs.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -53,8 +53,7 @@ class Keyboard {
 
 /// The demo without its events, or with only the first `events` of them.
 std::filesystem::path demo_with(const ScratchFolder& folder, std::size_t events) {
-  std::ifstream original(std::string{MRROC_SOURCE_DIR} + "/" + kDemo);
-  const std::string text{std::istreambuf_iterator<char>(original), {}};
+  const std::string text = text_of(std::string{MRROC_SOURCE_DIR} + "/" + kDemo);
   std::size_t end = text.find("[[events]]");
   for (std::size_t i = 0; i < events; ++i) end = text.find("[[events]]", end + 1);
   return folder.write("demo.toml", text.substr(0, end));
@@ -62,19 +61,13 @@ std::filesystem::path demo_with(const ScratchFolder& folder, std::size_t events)
 
 TEST(OperatorInputDemo, EventsAnswerAtTheirTicksOnEveryRun) {
   const ScratchFolder folder;
-  std::string first;
-  for (int run = 0; run < 5; ++run) {
-    const auto trace = folder.path() / "trace";
-    const std::string output = run_mrroc({"run", kDemo, "--quiet", "--trace", trace.string()}, 0);
+  const EqualRuns runs = expect_equal_runs(kDemo, 5, folder);
+  for (const std::string& output : runs.outputs)
     EXPECT_NE(output.find("2 parts of 3.75 kg together"), std::string::npos) << output;
-    if (run == 0) first = trace_hash(trace);
-    ASSERT_EQ(trace_hash(trace), first) << "run " << run;
-    std::ifstream file(trace);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    for (const char* answer : {"sensor=parts tick=500 values=1,2 ", "sensor=weight tick=800 values=1,1.5 ",
-                               "sensor=weight tick=1000 values=1,2.25 "})
-      EXPECT_NE(text.find(answer), std::string::npos) << answer;
-  }
+  const std::string text = text_of(runs.trace);
+  for (const char* answer : {"sensor=parts tick=500 values=1,2 ", "sensor=weight tick=800 values=1,1.5 ",
+                             "sensor=weight tick=1000 values=1,2.25 "})
+    EXPECT_NE(text.find(answer), std::string::npos) << answer;
 }
 
 class Typed : public testing::TestWithParam<const char*> {};
