@@ -7,6 +7,7 @@
 
 #include "config/table.hpp"
 #include "mrroc/errors.hpp"
+#include "sim/contact_filter.hpp"
 
 namespace mrroc::sim {
 
@@ -29,6 +30,7 @@ World::World(const Composition& composition, double period, double timestep)
                                      "is not Euler, in which the drives are integrated", "integrator=\"Euler\"");
   }
   model_->opt.timestep = timestep;
+  mjcb_contactfilter = cannot_touch;
   data_ = make_data(*model_);
 }
 
