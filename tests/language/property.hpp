@@ -12,8 +12,8 @@
 
 namespace mrroc::fakes {
 
-/// Checks `property` (a function that uses RC_ASSERT and `*generator`) on `cases` random cases, as a part of the running
-/// GoogleTest. The seed is fixed and printed, so that every run checks the same cases; rapidcheck's own
+/// Checks `property` (a function that uses RC_ASSERT and `*generator`) on `cases` random cases, as a part of the
+/// running GoogleTest. The seed is fixed and printed, so that every run checks the same cases; rapidcheck's own
 /// RC_PARAMS="seed=7" chooses others. With a sanitizer all are checked too, for tests that count over them.
 template <class Property>
 void check_every_case(int cases, Property&& property) {

@@ -49,8 +49,11 @@ std::vector<fs::path> sources() {
 bool in_links(const fs::path& file) { return file.parent_path() == kRoot / "src" / "links"; }
 
 TEST(Structure, DdsIsIncludedInLinksOnlyAndShownByNoPublicHeader) {
-  const Words shows_dds = {"#include <dds/", "#include \"dds/", "#include \"messages.h\"",
-                           "#include \"links/codec.hpp\"", "#include \"links/entity.hpp\"",
+  const Words shows_dds = {"#include <dds/",
+                           "#include \"dds/",
+                           "#include \"messages.h\"",
+                           "#include \"links/codec.hpp\"",
+                           "#include \"links/entity.hpp\"",
                            "#include \"links/wire_parts.hpp\""};
   int users = 0;
   for (const fs::path& file : sources()) {
