@@ -17,6 +17,7 @@ void PathGenerator::start() {
 }
 
 void PathGenerator::resume() { runner_->resume(); }
+bool PathGenerator::brake() { return runner_->brake(); }
 bool PathGenerator::terminal_condition() { return runner_->over(); }
 void PathGenerator::next_state() { runner_->step(); }
 double PathGenerator::duration() const noexcept { return runner_->duration(); }

@@ -14,6 +14,7 @@ constexpr double kRounding = 1e-9;    // s: sums of step durations are not exact
 constexpr double kSame = 1e-9;        // s at full speed: no way to go
 constexpr double kReturnSpeed = 0.5;  // back to the path, of the robot's limits
 constexpr double kFarthest = 2;       // the nearest point is sought so many times as far along the path as beside it
+constexpr double kSoon = 2;           // s: what is nearer its stop than it can brake rests there
 constexpr int kLooks = 64;            // of the search for it, each way
 constexpr int kHalvings = 40;
 
@@ -36,6 +37,8 @@ JointVector PathRunner::begin() {
   timings_.clear();
   next_ = 0;
   leading_ = false;
+  brake_.reset();
+  halting_ = false;
   duration_ = 0;
   if (state.desired_velocity.isZero(0) && state.desired_acceleration.isZero(0)) return state.desired_joints;
   const JointVector rest = resting_joints(*robot_);
@@ -93,11 +96,23 @@ void PathRunner::plan_from(double s) {
   place_ = s;
 }
 
+bool PathRunner::brake() noexcept {
+  if (leading_ || over()) return false;
+  const PathTiming& timing = timings_[next_];
+  brake_ = PathBrake::find(*path_, timing.at(time_), timing.end(), robot_->step_duration());
+  braked_ = 0;
+  halting_ = !brake_ && timing.duration() - time_ < kSoon;
+  return brake_ || halting_;
+}
+
 void PathRunner::resume() {
   if (!path_) return;
+  brake_.reset();
+  halting_ = false;
   duration_ = 0;
   leading_ = false;
-  const double s = path_->length() > 0 ? nearest_point() : 0;
+  const bool on_path = path_->length() == 0 || distance(place_) <= kSame;
+  const double s = on_path ? place_ : nearest_point();
   if (distance(s) > kSame) lead_to(path_->joints(s), kReturnSpeed);
   plan_from(s);
 }
@@ -159,6 +174,7 @@ void PathRunner::step() {
     leading_ = !lead_->terminal_condition();
     return;
   }
+  if (brake_) return step_of_brake();
   const PathTiming& timing = timings_[next_];
   time_ += robot_->step_duration();
   if (time_ < timing.duration() - kRounding) {
@@ -169,8 +185,16 @@ void PathRunner::step() {
   }
   place_ = timing.end();
   path_->command(place_, 0, 0, robot_->command());
+  if (halting_) return;
   ++next_;
   time_ = 0;
+}
+
+void PathRunner::step_of_brake() noexcept {
+  braked_ += robot_->step_duration();
+  const PathTiming::Point point = brake_->at(braked_);
+  place_ = point.position;
+  path_->command(place_, point.speed, point.acceleration, robot_->command());
 }
 
 }  // namespace mrroc

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "language/path_brake.hpp"
 #include "language/path_timing.hpp"
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/robot.hpp"
@@ -11,7 +12,7 @@
 namespace mrroc {
 
 /// Leads a robot along a RobotPath, for generators: from stop to stop as PathTiming says, each stop held at the end of
-/// a macrostep. Task's thread; `step` and `over` allocate nothing.
+/// a macrostep. Task's thread; `step`, `over` and `brake` allocate nothing.
 class PathRunner {
  public:
   explicit PathRunner(Robot& robot) : robot_(&robot) {}
@@ -22,9 +23,11 @@ class PathRunner {
   /// The path of the motion that has begun. Throws NonFatalError when it is timed and too fast (velocity_limit,
   /// acceleration_limit, jerk_limit).
   void follow(std::unique_ptr<RobotPath> path);
-  /// The robot has come to rest beside the path: it is led back to the nearest point (in joint space, in time at full
-  /// speed) of what lies between the last stop and the next waypoint, straight in joint space, and along the rest from
-  /// there.
+  /// From now on the robot comes to rest on the path, until `resume`. False when it is not on the path, or cannot.
+  bool brake() noexcept;
+  /// The robot has come to rest, on the path or beside it: it is led back to the nearest point (in joint space, in time
+  /// at full speed) of what lies between the last stop and the next waypoint, straight in joint space, and along the
+  /// rest from there.
   void resume();
 
   bool over() const noexcept { return !leading_ && next_ == timings_.size(); }
@@ -39,6 +42,7 @@ class PathRunner {
   double nearest_point() const;
   /// From the robot's desired joints to those at s, in seconds at full speed.
   double distance(double s) const;
+  void step_of_brake() noexcept;
   void lead_to(const JointVector& joints, double speed);
   double whole_steps(double duration) const noexcept;
 
@@ -50,6 +54,9 @@ class PathRunner {
   double place_ = 0;                 ///< on the path, there
   std::optional<JointLine> lead_;    ///< to where the path is taken up
   bool leading_ = false;
+  std::optional<PathBrake> brake_;
+  double braked_ = 0;     ///< time in it, at the end of what has been commanded
+  bool halting_ = false;  ///< to rest at the next stop
   double duration_ = 0;
 };
 

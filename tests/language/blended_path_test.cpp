@@ -141,19 +141,20 @@ TEST(BlendedPath, LinesThatOnlyTurnAndLinesThatGoBackAreRounded) {
   EXPECT_NEAR(least, 0.05 + 3.0 / 8 * 0.05, 1e-4) << "it is turned round in before the corner";
 }
 
-TEST(BlendedPath, AfterAPauseItGoesAlongTheRest) {
+TEST(BlendedPath, AfterAnInterruptionItGoesAlongTheRest) {
   check_property(kCases, [] {
     const std::vector<BlendPoint> points = random_points();
     PathArm whole(random_pose(0.3, 0.8));
     PathArm task(whole.state.desired_pose, static_cast<std::uint16_t>(pick(1, 10)));
     whole.move(BlendedPath(*whole.arm, points, kLimits));
-    task.pause_at(pick(1, 200));
+    const bool paused = task.interrupt_at(pick(1, 200)) == PathArm::Interruption::pause;
     task.move(BlendedPath(*task.arm, points, kLimits));
     RC_ASSERT(task.ending == Ending::generator);
     RC_ASSERT(task.commands.back().pose.isApprox(points.back().pose, 1e-12));
     if (task.resumed_at == 0 || task.resumed_at == task.commands.size()) return;
     const JointVector first = task.joints[task.resumed_at] - task.rested_at;
     RC_ASSERT(first.cwiseAbs().maxCoeff() <= 0.5 * 1e4 * task.dt() * task.dt());
+    if (paused) fakes::assert_tool_motion(task, kLimits);
     // every place of the interrupted motion is one of the whole's; looked at every tenth
     for (std::size_t k = 0; k < task.commands.size(); k += 10) {
       if (task.commands[k].kind != CommandKind::pose) continue;

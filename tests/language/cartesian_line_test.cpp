@@ -131,13 +131,13 @@ TEST(CartesianLine, TheJointsLimitsHoldToo) {
   });
 }
 
-// the stop leaves the line; the rest of it is gone along from the nearest point
-TEST(CartesianLine, AfterAPauseItComesBackToTheLine) {
+// a pause ends on the line; a late command leaves it, and the rest is gone along from the nearest point
+TEST(CartesianLine, AfterAnInterruptionItGoesAlongTheRest) {
   check_property(kCases, [] {
     const Pose start = random_pose(0.5, 1), target = random_pose(0.5, 1);
     const PathLimits limits = random_limits();
     PathArm task(start, static_cast<std::uint16_t>(pick(1, 10)));
-    task.pause_at(pick(1, 60));
+    const bool paused = task.interrupt_at(pick(1, 60)) == PathArm::Interruption::pause;
     task.move(CartesianLine(*task.arm, target, limits));
     RC_ASSERT(task.ending == Ending::generator);
     if (task.commands.empty() || task.resumed_at == 0 || task.resumed_at == task.commands.size()) return;
@@ -146,9 +146,9 @@ TEST(CartesianLine, AfterAPauseItComesBackToTheLine) {
     // from rest, without a jump: no farther than the joints' acceleration takes it in a step
     const JointVector first = task.joints[task.resumed_at] - task.rested_at;
     RC_ASSERT(first.cwiseAbs().maxCoeff() <= 0.5 * 1e4 * task.dt() * task.dt());
-    // and on the line: the last three quarters of what was left
+    if (paused) fakes::assert_tool_motion(task, limits);
     const Vector3d way = target.translation() - start.translation();
-    for (std::size_t k = task.resumed_at; k < task.commands.size(); ++k) {
+    for (std::size_t k = paused ? 0 : task.resumed_at; k < task.commands.size(); ++k) {
       if (task.commands[k].kind != CommandKind::pose) continue;
       const Vector3d gone = task.commands[k].pose.translation() - start.translation();
       if (way.norm() > 0.01) RC_ASSERT(gone.cross(way.normalized()).norm() < 1e-9);

@@ -58,8 +58,8 @@ class WideModel : public FakeModel {
   RobotParameters parameters_;
 };
 
-/// A task with one robot, a WideModel that executes every command of joints or a pose exactly. A `hold` in motion rolls
-/// on, joint by joint, for some ms before the robot rests: it leaves its path.
+/// A task with one robot, a WideModel that executes every command of joints or a pose exactly. After a `hold` in
+/// motion, or a late command, it rolls on, joint by joint, for some ms before it rests: it leaves its path.
 class PathArm : public FakeTask, private RobotLink {
  public:
   explicit PathArm(const Pose& start, std::uint16_t motion_steps = 1, double room = 100, double fast = 1000)
@@ -77,10 +77,16 @@ class PathArm : public FakeTask, private RobotLink {
   double dt() const { return arm->step_duration(); }
   void move(Generator& generator) { ending = Move({*arm}, {}, generator).ending; }
   void move(Generator&& generator) { move(generator); }
-  /// The operator pauses at this step for a while.
-  void pause_at(int step) {
+  /// Within a property: at this step the operator pauses for a while, or the command comes late. Returns which.
+  enum class Interruption { pause, late_command };
+  Interruption interrupt_at(int step) {
+    if (pick(0, 1) == 1) {
+      late_at_ = static_cast<std::size_t>(step);
+      return Interruption::late_command;
+    }
     requests.assign(static_cast<std::size_t>(step), OperatorRequest::none);
     requests.insert(requests.end(), 3, OperatorRequest::pause);
+    return Interruption::pause;
   }
   /// It moves already: joints per second.
   void roll(const JointVector& velocity) { state.desired_velocity = velocity; }
@@ -89,21 +95,33 @@ class PathArm : public FakeTask, private RobotLink {
   Ending ending = Ending::condition;
   std::vector<RobotCommand> commands;  ///< all of a motion
   std::vector<JointVector> joints;     ///< after each
-  std::size_t resumed_at = 0;          ///< number of the first command after a pause
-  JointVector rested_at;               ///< where the pause left the robot
+  std::size_t resumed_at = 0;          ///< number of the first command after an interruption
+  JointVector rested_at;               ///< where the interruption left the robot
   std::unique_ptr<Robot> arm;
 
  private:
   static constexpr double kRollOn = 0.05;  // s
 
   void rest() { state.desired_velocity = state.desired_acceleration = JointVector::Zero(6); }
+  /// The joints roll on for different times.
+  void roll_on() {
+    const Eigen::Array<double, 6, 1> times = Eigen::Array<double, 6, 1>::LinSpaced(6, 0.5 * kRollOn, kRollOn);
+    state.desired_joints.array() += times * state.desired_velocity.array();
+    rest();
+    rested_at = state.desired_joints;
+    resumed_at = commands.size();
+  }
   void send(const RobotCommand& command) override {
     command_ = command;
     if (command.kind == CommandKind::joint || command.kind == CommandKind::pose) commands.push_back(command);
   }
   void receive(RobotState& reply) override {
     if (command_.kind != CommandKind::query) {
-      if (command_.kind == CommandKind::pose) {
+      const bool late = command_.kind != CommandKind::hold && commands.size() == late_at_;
+      if (late) {
+        ++state.late_commands;
+        roll_on();
+      } else if (command_.kind == CommandKind::pose) {
         model_->inverse(command_.pose, JointVector(state.desired_joints), state.desired_joints);
         const Turning turning =
             vector_rates_of(state.desired_joints.tail<3>(), {command_.twist.tail<3>(), command_.twist_rate.tail<3>()});
@@ -115,12 +133,7 @@ class PathArm : public FakeTask, private RobotLink {
         if (command_.joint_velocity.size() > 0) state.desired_velocity = command_.joint_velocity;
         if (command_.joint_acceleration.size() > 0) state.desired_acceleration = command_.joint_acceleration;
       } else {
-        // the joints roll on for different times
-        const Eigen::Array<double, 6, 1> times = Eigen::Array<double, 6, 1>::LinSpaced(6, 0.5 * kRollOn, kRollOn);
-        state.desired_joints.array() += times * state.desired_velocity.array();
-        rest();
-        rested_at = state.desired_joints;
-        resumed_at = commands.size();
+        roll_on();
       }
       if (command_.kind != CommandKind::hold) joints.push_back(state.desired_joints);
       state.desired_pose = model_->flange(state.desired_joints);
@@ -135,6 +148,7 @@ class PathArm : public FakeTask, private RobotLink {
 
   std::shared_ptr<WideModel> model_;
   RobotCommand command_;
+  std::size_t late_at_ = 0;
 };
 
 /// What holds for every path of the tool that is commanded tick by tick: speeds and accelerations within the limits,

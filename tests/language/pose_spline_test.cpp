@@ -142,7 +142,7 @@ TEST(PoseSpline, QuinticAboutOneAxisHasContinuousJerkAndTurnsAsFarAsItIsTold) {
   EXPECT_LT(worst, 0.1) << "of the angular jerk from tick to tick, rad/s^3";
 }
 
-TEST(PoseSpline, AfterAPauseItPassesThePosesThatAreLeft) {
+TEST(PoseSpline, AfterAnInterruptionItPassesThePosesThatAreLeft) {
   check_property(kCases, [] {
     const std::vector<Pose> poses = random_poses();
     const bool timed = pick(0, 1) == 1;
@@ -150,11 +150,12 @@ TEST(PoseSpline, AfterAPauseItPassesThePosesThatAreLeft) {
     const SplineKind kind = random_kind();
     PoseSpline spline =
         timed ? PoseSpline(*task.arm, with_times(poses, task.dt()), kind) : PoseSpline(*task.arm, poses, kind, kLimits);
-    task.pause_at(pick(1, 3000));
+    const bool paused = task.interrupt_at(pick(1, 3000)) == PathArm::Interruption::pause;
     task.move(spline);
     RC_ASSERT(task.ending == Ending::generator);
     RC_ASSERT(task.commands.back().pose.isApprox(poses.back(), 1e-12));
     if (task.resumed_at == 0 || task.resumed_at == task.commands.size()) return;
+    if (paused && !timed) fakes::assert_tool_motion(task, kLimits);
     for (const Pose& pose : poses) RC_ASSERT(nearest(task, pose) < 3e-3);
     const JointVector first = task.joints[task.resumed_at] - task.rested_at;
     RC_ASSERT(first.cwiseAbs().maxCoeff() <= 0.5 * 1e4 * task.dt() * task.dt());

@@ -24,9 +24,10 @@ class RobotPath;
 /// It begins at the desired state. From a motion under way the robot first comes to rest, within its limits, and the
 /// path begins there. It ends by itself when the last macrostep has been commanded: at rest, exactly at the last pose.
 ///
-/// After a pause or a late command the robot stands beside the path, since a stop brakes each joint by itself. It is
-/// led straight in joint space to the nearest point of the path, not beyond the next waypoint, and goes along the rest
-/// from there, from rest.
+/// A pause brings the robot to rest on its path, within all limits, and it goes on along the rest from there. After a
+/// late command, or a pause on the way to the path, it stands beside it, since such a stop brakes each joint by itself:
+/// it is led straight in joint space to the nearest point of the path, not beyond the next waypoint, and goes along the
+/// rest from there, from rest.
 ///
 /// Poses are commanded with twist and twist rate, joints with velocity and acceleration. Planning takes some
 /// milliseconds, in `start()` and `resume()`; a step allocates nothing.
@@ -38,6 +39,7 @@ class PathGenerator : public Generator {
 
   void start() override;
   void resume() override;
+  bool brake() override;
   bool terminal_condition() override;
   void next_state() override;
 
