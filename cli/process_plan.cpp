@@ -16,4 +16,10 @@ std::vector<PlannedProcess> plan_processes(const config::Deployment& deployment)
   return plan;
 }
 
+std::vector<std::string> names_of(const std::vector<PlannedProcess>& processes) {
+  std::vector<std::string> names;
+  for (const PlannedProcess& process : processes) names.push_back(process.name);
+  return names;
+}
+
 }  // namespace mrroc::cli

@@ -18,4 +18,6 @@ struct PlannedProcess {
 /// All processes of a deployment: sim first (hardware is there before its drivers), then EDPs, VSPs, ECPs, the MP.
 std::vector<PlannedProcess> plan_processes(const config::Deployment& deployment);
 
+std::vector<std::string> names_of(const std::vector<PlannedProcess>& processes);
+
 }  // namespace mrroc::cli

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/trace.hpp"
+#include "cli/clock_options.hpp"
 #include "clock/realtime.hpp"
 #include "config/resources.hpp"
 #include "process/arguments.hpp"
@@ -20,34 +20,6 @@ namespace {
 constexpr int kTurn = 20;             // ms between looks at the mail
 constexpr double kHandShake = 0.1;    // s of one try to reach the MP
 constexpr double kPatienceToEnd = 3;  // s that processes get to end by themselves
-
-clock::Mode mode_of(config::ClockMode mode) {
-  switch (mode) {
-    case config::ClockMode::real:
-      return clock::Mode::real;
-    case config::ClockMode::paced:
-      return clock::Mode::paced;
-    case config::ClockMode::lockstep:
-      return clock::Mode::lockstep;
-  }
-  return clock::Mode::lockstep;
-}
-
-std::vector<std::string> names_of(const std::vector<PlannedProcess>& plan) {
-  std::vector<std::string> names;
-  for (const PlannedProcess& process : plan) names.push_back(process.name);
-  return names;
-}
-
-clock::HostOptions host_options(const config::Deployment& deployment, const std::vector<PlannedProcess>& plan) {
-  clock::HostOptions options;
-  options.mode = mode_of(deployment.clock);
-  options.period = deployment.servo_period;
-  options.participants = names_of(plan);
-  options.delta_limit = deployment.delta_limit;
-  options.live_operator = true;
-  return options;
-}
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -71,7 +43,7 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       plan_(plan_processes(deployment_)),
       progress_(names_of(plan_), deployment_.servo_period, options_.quiet),
       domain_lock_(deployment_.domain),
-      clock_(host_options(deployment_, plan_)),
+      clock_(clock_options(deployment_, names_of(plan_))),
       signals_(open_signals()),
       crew_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
       operator_clock_(clock_.operator_clock()),
@@ -88,12 +60,12 @@ Runner::~Runner() {
 RunResult Runner::run() {
   check_somebody_answers(deployment_, input_.attended());
   // before anything is started: a run whose trace is lost would be in vain
-  if (!options_.trace.empty()) create_trace(options_.trace);
+  const TraceParts trace(options_.trace);
   if (!options_.snapshots.empty()) std::filesystem::create_directories(options_.snapshots);
   // lockstep is serial by nature: one CPU for all is several times faster than two
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
   try {
-    start_processes();
+    start_processes(trace);
     if (!stopping_) pass_barrier();
     if (!stopping_) supervise();
   } catch (const std::exception& error) {
@@ -101,25 +73,16 @@ RunResult Runner::run() {
   }
   end_processes();
   result_.statuses = statuses_;
-  if (!options_.trace.empty()) collect_trace();
+  try {
+    trace.join(plan_, deployment_.clock);
+  } catch (const std::exception& error) {
+    if (result_.code == process::ExitCode::success) stopping_ = false;  // a success is none without its trace
+    fail(process::ExitCode::system, error.what());
+  }
   return result_;
 }
 
-void Runner::collect_trace() {
-  std::vector<std::filesystem::path> parts;
-  for (const PlannedProcess& process : plan_) {
-    const std::filesystem::path part = trace_part(process.name);
-    if (process.has_task && std::filesystem::exists(part)) parts.push_back(part);
-  }
-  try {
-    merge_traces(parts, options_.trace, deployment_.clock);
-    for (const std::filesystem::path& part : parts) std::filesystem::remove(part);
-  } catch (const std::exception& error) {  // what the run has come to is not lost with its trace
-    fail(process::ExitCode::system, error.what());
-  }
-}
-
-void Runner::start_processes() {
+void Runner::start_processes(const TraceParts& trace) {
   // a program may lie elsewhere than the others: it finds them, and the data files, where the runner does
   config::hand_down_directories();
   std::vector<PlannedProcess> order = plan_;
@@ -133,7 +96,7 @@ void Runner::start_processes() {
     arguments.clock_fd = clock_.fd();
     arguments.world_fd = world_ ? world_->fd() : -1;
     arguments.domain = domain_lock_.domain();
-    if (process.has_task && !options_.trace.empty()) arguments.trace = trace_part(process.name);
+    arguments.trace = trace.of(process);
     if (process.name == "mp") arguments.behaviours = options_.behaviours;
     if (process.name == "sim") arguments.snapshots = options_.snapshots;
     crew_.start(process.name, process.program.string(), process::to_command_line(arguments));
@@ -327,10 +290,6 @@ void Runner::end_processes() {
   while (!crew_.all_ended()) turn(kTurn);
   turn(0);
   progress_.finish();
-}
-
-std::filesystem::path Runner::trace_part(const std::string& process) const {
-  return options_.trace.string() + "." + process + ".part";
 }
 
 }  // namespace mrroc::cli

@@ -14,6 +14,7 @@
 #include "cli/operator_desk.hpp"
 #include "cli/process_plan.hpp"
 #include "cli/progress.hpp"
+#include "cli/trace_parts.hpp"
 #include "cli/typed_lines.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
@@ -54,8 +55,7 @@ class Runner {
   RunResult run();
 
  private:
-  void start_processes();
-  void collect_trace();
+  void start_processes(const TraceParts& trace);
   void pass_barrier();
   /// Shakes hands with the MP, and sees meanwhile who dies and what the operator wants; false when all is to end.
   bool connect_to_mp(double deadline);
@@ -78,7 +78,6 @@ class Runner {
   void look_at_desk();
   void interrupt_by_operator();
   void fail(process::ExitCode code, std::string reason);
-  std::filesystem::path trace_part(const std::string& process) const;
 
   config::Deployment deployment_;
   RunOptions options_;

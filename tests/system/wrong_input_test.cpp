@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kTaskFailed = 1;
 constexpr int kUsage = 2;
+constexpr int kSystem = 4;
 
 void expect_text(const std::string& output, const std::string& text) {
   EXPECT_NE(output.find(text), std::string::npos) << "'" << text << "' is missing in\n" << output;
@@ -111,6 +112,15 @@ TEST(WrongInput, ATraceThatCannotBeWrittenIsSaidBeforeAnythingStarts) {
   expect_text(output, "/no/such/folder/trace: No such file or directory");
   expect_nothing_started(output);
   expect_nothing_started(run_mrroc({"run", "tasks/press/press.toml", "--trace", "tasks"}, kUsage));
+}
+
+TEST(WrongInput, ATraceThatIsLostAtTheEndIsAnErrorAndItsPartsAreKept) {
+  const ScratchFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "trace");
+  MrrocRun run({"run", "tasks/press_replay/press_replay.toml", "--quiet", "--trace", folder.path() / "trace"});
+  EXPECT_EQ(run.wait(), kSystem);
+  expect_text(run.err(), "cannot write the trace " + (folder.path() / "trace").string());
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "trace.arm.part"));
 }
 
 TEST(WrongInput, SnapshotsThatCannotBeWrittenAreSaidBeforeAnythingStarts) {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clock/host.hpp"
+#include "config/deployment.hpp"
+
+namespace mrroc::cli {
+
+/// What the clock of a deployment is to be like, with these processes as participants.
+clock::HostOptions clock_options(const config::Deployment& deployment, const std::vector<std::string>& processes);
+
+}  // namespace mrroc::cli
