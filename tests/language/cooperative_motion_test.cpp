@@ -2,8 +2,7 @@
 
 #include <limits>
 
-#include "language/free_team.hpp"
-#include "language/internal_wrench.hpp"
+#include "language/elastic_object.hpp"
 #include "language/object_path.hpp"
 #include "language/property.hpp"
 #include "language/random_values.hpp"
@@ -16,90 +15,19 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using fakes::check_property;
-using fakes::FreeTeam;
+using fakes::ElasticObject;
+using fakes::kSoft;
 using fakes::pick;
-using fakes::random_pose;
 using fakes::random_vector;
+using fakes::turn;
+using fakes::way;
 
 constexpr int kCases = 60;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kStiffness = 1e4;  // N/m, of the object between the arms
-constexpr InternalForce kSoft{.admittance = 4e-4};
-
-double way(const Pose& a, const Pose& b) { return (a.translation() - b.translation()).norm(); }
-double turn(const Pose& a, const Pose& b) { return rotation_vector(a.linear().transpose() * b.linear()).norm(); }
-
-/// Arms with random bases that hold an elastic object at random places, each off by up to `error` m and rad times 5 of
-/// where the object is without force.
-class Cell {
- public:
-  explicit Cell(int count, double error = 0) {
-    std::vector<Pose> starts;
-    std::vector<Vector3d> places;
-    for (int i = 0; i < count; ++i) {
-      bases.push_back(random_pose(2, 0.8));
-      grasps.push_back(random_pose(0.3, 0.8) * Eigen::Translation3d(0.1 * i, 0, 0));
-      natural.push_back(grasps.back() * random_pose(error, 5 * error));
-      starts.push_back(bases.back().inverse() * path[0] * grasps.back());
-      places.push_back(grasps.back().translation());
-    }
-    team = std::make_unique<FreeTeam>(starts);
-    internal = InternalWrench(places, kSoft.length);
-  }
-  std::vector<CooperatingArm> arms(bool with_wrench) {
-    std::vector<CooperatingArm> arms;
-    for (std::size_t i = 0; i < bases.size(); ++i) {
-      CooperatingArm arm{team->arms[i].get(), bases[i], nullptr};
-      if (with_wrench) arm.wrench = [this, i] { return wrench(i); };
-      arms.push_back(arm);
-    }
-    return arms;
-  }
-  /// What arm `i` feels of the object: a spring to what fits all arms best.
-  Wrench wrench(std::size_t arm) const {
-    const auto size = static_cast<Eigen::Index>(6 * bases.size());
-    VectorXd off(size), part(size);
-    for (std::size_t i = 0; i < bases.size(); ++i) {
-      const Pose seen = there().inverse() * bases[i] * team->members[i]->state.desired_pose;
-      off.segment<6>(static_cast<Eigen::Index>(6 * i)) << seen.translation() - natural[i].translation(),
-          kSoft.length * rotation_vector(seen.linear() * natural[i].linear().transpose());
-    }
-    internal.of(off, part);
-    const Twist force = -kStiffness * part.segment<6>(static_cast<Eigen::Index>(6 * arm));
-    const Eigen::Matrix3d axes = grasps[arm].linear().transpose();
-    Wrench wrench;
-    wrench << axes * force.head<3>(), kSoft.length * (axes * force.tail<3>());
-    return wrench;
-  }
-  /// Where the commanded tools have the object, as they held it at the start.
-  Pose carried(std::size_t arm, std::size_t step) const {
-    return bases[arm] * team->members[arm]->commands[step].pose * grasps[arm].inverse();
-  }
-  /// The least internal displacement: what the tools differ by from a rigid hold of the object at `pose`.
-  double misfit(const Pose& pose) const {
-    double most = 0;
-    for (std::size_t i = 0; i < bases.size(); ++i)
-      most = std::max(most, way(bases[i] * team->members[i]->state.desired_pose, pose * grasps[i]));
-    return most;
-  }
-  Outcome move(Generator& motion) {
-    carrying = dynamic_cast<const CooperativeMotion*>(&motion);
-    return Move(team->list(), {}, motion);
-  }
-  /// About where the object is, for the spring.
-  Pose there() const { return carrying != nullptr ? carrying->object() : path[0]; }
-
-  std::vector<Pose> path{random_pose(0.5, 0.5), random_pose(0.5, 0.5) * Eigen::Translation3d(0.01, 0, 0),
-                         random_pose(0.5, 0.5) * Eigen::Translation3d(0, 0.01, 0)};
-  const CooperativeMotion* carrying = nullptr;
-  std::vector<Pose> bases, grasps, natural;
-  std::unique_ptr<FreeTeam> team;
-  InternalWrench internal;
-};
 
 TEST(CooperativeMotion, TheGraspsFollowTheObjectRigidly) {
   check_property(kCases, [] {
-    Cell cell(pick(1, 4));
+    ElasticObject cell(pick(1, 4));
     const CooperativeLimits limits{.speed = 0.01 * pick(2, 20)};
     CooperativeMotion motion(cell.arms(false), cell.path, limits);
     const ObjectPath path(cell.path, limits);
@@ -119,7 +47,7 @@ TEST(CooperativeMotion, TheGraspsFollowTheObjectRigidly) {
 
 TEST(CooperativeMotion, AllArmsAreCommandedInEveryStepOnOneGridAndRestAtTheEnd) {
   check_property(kCases, [] {
-    Cell cell(pick(2, 4), 1e-4);
+    ElasticObject cell(pick(2, 4), 1e-4);
     CooperativeMotion motion(cell.arms(true), cell.path, {}, kSoft);
     const Outcome end = cell.move(motion.until(ElapsedSteps{20000}));
     RC_ASSERT(end.ending == Ending::generator);
@@ -139,7 +67,7 @@ TEST(CooperativeMotion, AllArmsAreCommandedInEveryStepOnOneGridAndRestAtTheEnd) 
 
 TEST(CooperativeMotion, TheTwistIsThePosesDerivativeAndItsRateTheTwists) {
   check_property(20, [] {
-    Cell cell(2, 1e-4);
+    ElasticObject cell(2, 1e-4);
     for (auto& arm : cell.team->arms) arm->set_macrostep(1, 1);
     CooperativeMotion motion(cell.arms(true), cell.path, {}, kSoft);
     cell.move(motion.until(ElapsedSteps{1000}));
@@ -162,7 +90,7 @@ TEST(CooperativeMotion, TheTwistIsThePosesDerivativeAndItsRateTheTwists) {
 // errors of the grasp and of the arms show as internal wrench; the object stays where it is while they are let go
 TEST(CooperativeMotion, GivesWayUntilTheInternalForceIsAsWanted) {
   check_property(kCases, [] {
-    Cell cell(2, 3e-4);
+    ElasticObject cell(2, 3e-4);
     InternalForce force = kSoft;
     force.squeeze = 0.1 * pick(-100, 100);
     CooperativeMotion hold(cell.arms(true), {cell.path[0]}, {}, force);
@@ -185,7 +113,7 @@ TEST(CooperativeMotion, GivesWayUntilTheInternalForceIsAsWanted) {
 
 TEST(CooperativeMotion, HoldsTheInternalForceOnTheWay) {
   check_property(30, [] {
-    Cell cell(pick(2, 3), 1e-4);
+    ElasticObject cell(pick(2, 3), 1e-4);
     CooperativeMotion motion(cell.arms(true), cell.path, {}, kSoft);
     cell.move(motion);
     RC_ASSERT(motion.internal_force() < 0.5);
@@ -201,7 +129,7 @@ std::size_t random_step(const CooperativeMotion& motion) {
 // each arm brakes by itself
 TEST(CooperativeMotion, GoesOnAfterALateCommandWithoutAJump) {
   check_property(kCases, [] {
-    Cell cell(pick(2, 4));
+    ElasticObject cell(pick(2, 4));
     for (auto& member : cell.team->members) member->overrun = 0.001 * pick(0, 50);
     CooperativeMotion motion(cell.arms(false), cell.path);
     cell.team->members[0]->late_at = random_step(motion);
@@ -231,7 +159,7 @@ TEST(CooperativeMotion, GoesOnAfterALateCommandWithoutAJump) {
 
 TEST(CooperativeMotion, APauseLeadsTheObjectToRestOnItsPath) {
   check_property(kCases, [] {
-    Cell cell(pick(2, 4));
+    ElasticObject cell(pick(2, 4));
     CooperativeMotion motion(cell.arms(false), cell.path);
     const ObjectPath path(cell.path, {});
     cell.team->requests.assign(random_step(motion), OperatorRequest::none);
@@ -264,7 +192,7 @@ TEST(CooperativeMotion, APauseLeadsTheObjectToRestOnItsPath) {
 // an instruction that was ended in motion is followed by another one
 TEST(CooperativeMotion, ArmsThatMoveComeToRest) {
   check_property(kCases, [] {
-    Cell cell(2);
+    ElasticObject cell(2);
     std::vector<Twist> twists;
     for (auto& member : cell.team->members) {
       Twist twist;
@@ -284,7 +212,7 @@ TEST(CooperativeMotion, ArmsThatMoveComeToRest) {
 }
 
 TEST(CooperativeMotion, ThrowsWhenTheInternalForceCannotBeHeld) {
-  const auto code_of = [](Cell& cell, const InternalForce& force) {
+  const auto code_of = [](ElasticObject& cell, const InternalForce& force) {
     CooperativeMotion hold(cell.arms(true), {cell.path[0]}, {}, force);
     try {
       cell.move(hold.until(ElapsedSteps{1000}));
@@ -294,7 +222,7 @@ TEST(CooperativeMotion, ThrowsWhenTheInternalForceCannotBeHeld) {
     return ErrorCode::none;
   };
   check_property(20, [&] {
-    Cell cell(2, 1e-4);
+    ElasticObject cell(2, 1e-4);
     InternalForce wanted = kSoft;
     RC_ASSERT(code_of(cell, wanted) == ErrorCode::none);
     wanted.squeeze = 30;
@@ -302,7 +230,7 @@ TEST(CooperativeMotion, ThrowsWhenTheInternalForceCannotBeHeld) {
     RC_ASSERT(code_of(cell, wanted) == ErrorCode::force_limit);
   });
   check_property(20, [&] {
-    Cell cell(2, 1e-4);
+    ElasticObject cell(2, 1e-4);
     InternalForce wanted = kSoft;
     wanted.squeeze = 30;  // by 3 mm
     wanted.travel = 0.002;
@@ -312,7 +240,7 @@ TEST(CooperativeMotion, ThrowsWhenTheInternalForceCannotBeHeld) {
 
 TEST(CooperativeMotion, AWrenchThatIsNoneIsAnError) {
   check_property(5, [] {
-    Cell cell(2);
+    ElasticObject cell(2);
     auto arms = cell.arms(true);
     arms[1].wrench = [] { return Wrench(Wrench::Constant(kNan)); };
     CooperativeMotion hold(arms, {cell.path[0]});
@@ -326,7 +254,7 @@ TEST(CooperativeMotion, AWrenchThatIsNoneIsAnError) {
 }
 
 TEST(CooperativeMotion, RefusesWhatIsNone) {
-  FreeTeam team({Pose::Identity(), Pose::Identity()});
+  fakes::FreeTeam team({Pose::Identity(), Pose::Identity()});
   const std::vector<Pose> path{Pose::Identity(), Pose(Eigen::Translation3d(1, 0, 0))};
   const CooperatingArm first{team.arms[0].get()}, second{team.arms[1].get()};
   const auto none = [] { return Wrench(Wrench::Zero()); };
