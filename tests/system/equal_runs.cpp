@@ -19,7 +19,7 @@ EqualRuns expect_equal_runs(const std::string& deployment, int runs, const Scrat
       std::vector<std::string> arguments{"run",      deployment, "--quiet",          "--clock",
                                          "lockstep", "--trace",  trace(run).string()};
       if (run == 0) arguments.insert(arguments.end(), {"--snapshots", left.states.string()});
-      pair.push_back(std::make_unique<MrrocRun>(arguments));
+      pair.push_back(std::make_unique<MrrocRun>(arguments, 1 + run - first));
     }
     for (std::size_t i = 0; i < pair.size(); ++i) {
       EXPECT_EQ(pair[i]->wait(MrrocRun::kLongPatience), 0) << pair[i]->out() << pair[i]->err();

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -39,6 +40,20 @@ void end_with_test() {
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() == 1) _exit(125);
 }
 
+/// In a child: of the CPUs that it may use, the one of this number, from 1 on.
+void keep_to_cpu(int number) {
+  cpu_set_t allowed, one;
+  CPU_ZERO(&one);
+  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+  number = 1 + (number - 1) % CPU_COUNT(&allowed);
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (!CPU_ISSET(cpu, &allowed) || --number > 0) continue;
+    CPU_SET(cpu, &one);
+    sched_setaffinity(0, sizeof one, &one);
+    return;
+  }
+}
+
 /// The parent of a process that runs; -1 when there is none or it has ended and waits to be reaped.
 pid_t parent_of(pid_t pid) {
   const std::string stat = read_file("/proc/" + std::to_string(pid) + "/stat");
@@ -66,7 +81,7 @@ std::string finish(MrrocRun& run, const std::vector<std::string>& arguments, int
 
 }  // namespace
 
-MrrocRun::MrrocRun(const std::vector<std::string>& arguments) : folder_(new_folder()) {
+MrrocRun::MrrocRun(const std::vector<std::string>& arguments, int place) : folder_(new_folder()) {
   const std::string program = std::string{MRROC_BINARY_DIR} + "/bin/mrroc";
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -78,6 +93,7 @@ MrrocRun::MrrocRun(const std::vector<std::string>& arguments) : folder_(new_fold
   pid_ = fork();
   if (pid_ == 0) {
     end_with_test();
+    if (place > 0) keep_to_cpu(place);
     dup2(open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
     if (chdir(MRROC_SOURCE_DIR) != 0) _exit(126);
@@ -173,7 +189,7 @@ std::string run_mrroc(const std::vector<std::string>& arguments, int expected, i
 
 std::array<std::string, 2> run_two(const std::array<std::vector<std::string>, 2>& arguments, int expected,
                                    int patience) {
-  MrrocRun first(arguments[0]), second(arguments[1]);
+  MrrocRun first(arguments[0], 1), second(arguments[1], 2);
   return {finish(first, arguments[0], expected, patience), finish(second, arguments[1], expected, patience)};
 }
 

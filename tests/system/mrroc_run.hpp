@@ -12,7 +12,9 @@ namespace mrroc::test {
 /// A run of the `mrroc` command as a user would start it, from the source folder.
 class MrrocRun {
  public:
-  explicit MrrocRun(const std::vector<std::string>& arguments);
+  /// `place` above 0: beside others, each on a CPU of its own as far as there are so many. A run in lockstep keeps to
+  /// the CPU that it finds itself on, and two might to one.
+  explicit MrrocRun(const std::vector<std::string>& arguments, int place = 0);
   /// Kills it when it is still there.
   ~MrrocRun();
   MrrocRun(const MrrocRun&) = delete;

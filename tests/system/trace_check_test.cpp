@@ -6,7 +6,8 @@
 
 #include "cli/trace/mutations.hpp"
 #include "language/property.hpp"
-#include "system/mrroc_run.hpp"
+#include "repetitions.hpp"
+#include "system/equal_runs.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test {
@@ -32,19 +33,18 @@ std::filesystem::path press_with_pause(const ScratchFolder& folder) {
   return folder.write("press.toml", text);
 }
 
-/// A test of this task checks its trace already, for expect_equal_runs() does.
-bool is_checked_by_its_test(const std::string& task) {
+/// A test of this task runs it several times and checks its trace already.
+bool is_run_by_its_test(const std::string& task) {
   return text_of(MRROC_SOURCE_DIR "/tests/system/" + task + "_test.cpp").find("expect_equal_runs(") !=
          std::string::npos;
 }
 
-/// The tasks whose deployment has their name and that nothing else checks.
+/// The tasks whose deployment has their name and that no other test runs several times.
 std::vector<std::string> other_tasks() {
   std::vector<std::string> names;
   for (const auto& folder : std::filesystem::directory_iterator(MRROC_SOURCE_DIR "/tasks")) {
     const std::string name = folder.path().filename().string();
-    if (std::filesystem::exists(folder.path() / (name + ".toml")) && !is_checked_by_its_test(name))
-      names.push_back(name);
+    if (std::filesystem::exists(folder.path() / (name + ".toml")) && !is_run_by_its_test(name)) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -52,13 +52,12 @@ std::vector<std::string> other_tasks() {
 
 class TraceOfTask : public testing::TestWithParam<std::string> {};
 
-TEST_P(TraceOfTask, KeepsEveryRule) {
+TEST_P(TraceOfTask, KeepsEveryRuleAndIsTheSameOnEveryRun) {
   const ScratchFolder folder;
   const std::string& task = GetParam();
-  const auto trace = folder.path() / (task + ".trace");
-  run_mrroc({"run", "tasks/" + task + "/" + task + ".toml", "--quiet", "--trace", trace.string()}, 0);
+  const auto trace = expect_equal_runs("tasks/" + task + "/" + task + ".toml", repetitions(5), folder).trace;
   const std::string output = run_mrroc({"trace", "check", trace.string()}, kHolds);
-  const std::regex line(task + R"(\.trace: \d+ steps of \d+ instructions of \d+ process(es)?: \d+ rules hold\n)");
+  const std::regex line(R"(trace_0: \d+ steps of \d+ instructions of \d+ process(es)?: \d+ rules hold\n)");
   EXPECT_TRUE(std::regex_match(output, line)) << output;
   EXPECT_EQ(read_trace(trace).text(), text_of(trace)) << "every field is read to the last bit";
 }
