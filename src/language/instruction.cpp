@@ -70,7 +70,6 @@ Outcome Instruction::run() {
 }
 
 Outcome Instruction::run_steps() {
-  instruction_ = task_->begin_instruction();
   start_wall_ = task_->wall_seconds();
   obtain_initial_state();
   start_tick_ = newest_tick();
@@ -241,6 +240,7 @@ Tick Instruction::newest_tick() const {
 void Instruction::observe(StepEnding ending) {
   StepObserver* observer = task_->observer();
   if (observer == nullptr) return;
+  if (instruction_ == 0) instruction_ = task_->begin_instruction();
   StepRecord record;
   record.is_move = generator_ != nullptr;
   record.instruction = instruction_;

@@ -55,10 +55,10 @@ class Instruction {
   std::shared_ptr<Condition> condition_;
   std::vector<const Condition*> leaves_;
   Task* task_ = nullptr;
-  std::uint64_t instruction_ = 0;
-  std::uint64_t step_ = 0;  // i - i0
-  bool braking_ = false;    // the generator leads the robots to rest, for a pause
-  std::uint64_t held_ = 0;  // macrosteps of hold since the last command that was observed
+  std::uint64_t instruction_ = 0;  // its number, from the first step that is observed
+  std::uint64_t step_ = 0;         // i - i0
+  bool braking_ = false;           // the generator leads the robots to rest, for a pause
+  std::uint64_t held_ = 0;         // macrosteps of hold since the last command that was observed
   Tick start_tick_ = 0;
   double start_wall_ = 0;
   Tick measure_at_ = 0;

@@ -73,6 +73,23 @@ TEST(Observer, TheObserverSeesEveryStepAndInstructionsAreCounted) {
   EXPECT_EQ(recorder.seen[2].instruction, 2u);
 }
 
+// parts of a task that begin together: whose first reply comes first is told of first
+TEST(Observer, InstructionsSideBySideAreCountedInTheOrderInWhichTheyAreToldOf) {
+  FakeTask task;
+  Recorder recorder;
+  task.step_observer = &recorder;
+  const auto left = task.robot("left");
+  const auto right = task.robot("right");
+  Drive slow({left.get()}), quick({right.get()});
+  slow.act = [&] {
+    if (recorder.seen.empty()) Move({*right}, {}, quick.until(ElapsedSteps{1}));
+  };
+  Move({*left}, {}, slow.until(ElapsedSteps{1}));
+  std::vector<std::uint64_t> numbers;
+  for (const Recorder::Seen& seen : recorder.seen) numbers.push_back(seen.instruction);
+  EXPECT_EQ(numbers, (std::vector<std::uint64_t>{1, 1, 2, 2}));
+}
+
 TEST(Observer, AtAnEndMotionNoValuesAreShownThatWereNotEvaluated) {
   FakeTask task;
   Recorder recorder;
