@@ -5,6 +5,8 @@
 
 #include <fstream>
 
+#include "text_of.hpp"
+
 namespace mrroc::cli {
 namespace {
 
@@ -17,10 +19,6 @@ class Trace : public testing::Test {
     std::ofstream(folder_ / name) << text;
     return folder_ / name;
   }
-  std::string read(const std::filesystem::path& path) const {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
 
   std::filesystem::path folder_ =
       std::filesystem::path(testing::TempDir()) / ("mrroc_trace" + std::to_string(getpid()));
@@ -32,7 +30,7 @@ TEST_F(Trace, PartsAreMergedByTickThenProcessThenOrder) {
   const auto merged = folder_ / "t";
   merge_traces({b, a}, merged, config::ClockMode::lockstep);
   EXPECT_EQ(
-      read(merged),
+      test::text_of(merged),
       "# mrroc trace 2 clock=lockstep\ntick=1 process=a step=0\ntick=1 process=b step=0\ntick=9 process=b step=1\n"
       "tick=9 process=b step=2\ntick=10 process=a step=1\n");
 }
@@ -41,7 +39,7 @@ TEST_F(Trace, ALineWithoutATickStaysBelowTheOneBefore) {
   const auto a = write("t.a.part", "tick=5 process=a step=0\n# process=a lines=1 dropped=3 cut=0\n");
   const auto b = write("t.b.part", "tick=1 process=b step=0\ntick=7 process=b step=1\n");
   merge_traces({a, b}, folder_ / "t", config::ClockMode::lockstep);
-  EXPECT_EQ(read(folder_ / "t"),
+  EXPECT_EQ(test::text_of(folder_ / "t"),
             "# mrroc trace 2 clock=lockstep\ntick=1 process=b step=0\ntick=5 process=a step=0\n# process=a lines=1 "
             "dropped=3 cut=0\n"
             "tick=7 process=b step=1\n");
@@ -51,14 +49,14 @@ TEST_F(Trace, ALineWithAnOlderTickStaysBelowTheOneBefore) {
   const auto a = write("t.a.part", "tick=5 process=a step=0\ntick=3 process=a step=1\n");
   const auto b = write("t.b.part", "tick=4 process=b step=0\n");
   merge_traces({a, b}, folder_ / "t", config::ClockMode::real);
-  EXPECT_EQ(read(folder_ / "t"),
+  EXPECT_EQ(test::text_of(folder_ / "t"),
             "# mrroc trace 2 clock=real\ntick=4 process=b step=0\ntick=5 process=a step=0\ntick=3 process=a step=1\n");
 }
 
 TEST_F(Trace, ALineThatAKilledProcessHasNotFinishedIsLeftOut) {
   const auto a = write("t.a.part", "tick=5 process=a step=0\ntick=15 proc");
   merge_traces({a}, folder_ / "t", config::ClockMode::lockstep);
-  EXPECT_EQ(read(folder_ / "t"), "# mrroc trace 2 clock=lockstep\ntick=5 process=a step=0\n");
+  EXPECT_EQ(test::text_of(folder_ / "t"), "# mrroc trace 2 clock=lockstep\ntick=5 process=a step=0\n");
 }
 
 TEST_F(Trace, EqualTracesHaveEqualHashesAndOthersDiffer) {

@@ -3,6 +3,7 @@
 
 #include "config/deployment_fixture.hpp"
 #include "config/toml_places.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::config {
 namespace {
@@ -11,8 +12,7 @@ namespace {
 class MutatedDeployment : public DeploymentFixture {
  protected:
   MutatedDeployment() : DeploymentFixture("valid") {
-    std::ifstream stream("full.toml");
-    text_.assign(std::istreambuf_iterator<char>(stream), {});
+    text_ = test::text_of("full.toml");
     erase_line("host = ");  // nothing here shall ask the network
     erase_line("rate = ");  // together with `mode`: what depends on two keys has tests of its own
     erase_line("mode = \"non");

@@ -12,6 +12,7 @@
 #include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
+#include "text_of.hpp"
 
 namespace mrroc {
 namespace {
@@ -34,10 +35,7 @@ struct File {
   }
   ~File() { std::filesystem::remove_all(folder); }
   void write(const std::string& text) const { std::ofstream(name, std::ios::binary) << text; }
-  std::string read() const {
-    std::ifstream file(name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  std::string read() const { return test::text_of(name); }
   std::filesystem::path folder;
   std::string name;
 };

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "text_of.hpp"
 
 namespace {
 
@@ -21,12 +21,7 @@ const std::set<std::string> kInternal = {"codec.hpp", "entity.hpp", "wire_parts.
 
 using Words = std::vector<std::string>;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  return content.str();
-}
+using mrroc::test::text_of;
 
 bool has_one_of(const fs::path& file, const Words& words) {
   const std::string text = text_of(file);

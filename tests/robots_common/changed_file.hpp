@@ -1,17 +1,16 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
+
+#include "text_of.hpp"
 
 namespace mrroc {
 
 /// Text of `file` with the first `from` replaced by `to`; throws when there is none.
 inline std::string changed_file(const std::filesystem::path& file, const std::string& from, const std::string& to) {
-  std::ifstream stream(file);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
+  std::string text = test::text_of(file);
   const auto at = text.find(from);
   if (at == std::string::npos) throw std::runtime_error("no \"" + from + "\" in " + file.string());
   return text.replace(at, from.size(), to);

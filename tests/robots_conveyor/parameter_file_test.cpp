@@ -3,6 +3,7 @@
 #include "config/scratch.hpp"
 #include "robots_common/changed_file.hpp"
 #include "robots_conveyor/conveyor_fixture.hpp"
+#include "text_of.hpp"
 
 namespace mrroc {
 namespace {
@@ -27,8 +28,7 @@ TEST(ConveyorFile, MistakesNameTheirKey) {
 }
 
 TEST(ConveyorFile, OneAxisIsExpected) {
-  std::ifstream stream(conveyor_file("toml"));
-  std::string text(std::istreambuf_iterator<char>(stream), {});
+  std::string text = test::text_of(conveyor_file("toml"));
   const auto begin = text.find("[[axes]]"), end = text.find("[geometry]");
   std::string second = text.substr(begin, end - begin);
   second.replace(second.find("\"belt\""), 6, "\"second\"");

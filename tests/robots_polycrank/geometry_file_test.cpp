@@ -2,19 +2,15 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "config/table.hpp"
 #include "robots_polycrank/polycrank_fixture.hpp"
+#include "text_of.hpp"
 
 namespace mrroc {
 namespace {
 
-std::string file_text() {
-  std::stringstream text;
-  text << std::ifstream(polycrank_source("polycrank.toml")).rdbuf();
-  return text.str();
-}
+std::string file_text() { return test::text_of(polycrank_source("polycrank.toml")); }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);

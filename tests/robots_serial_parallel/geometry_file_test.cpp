@@ -2,18 +2,16 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "fixture.hpp"
+#include "text_of.hpp"
 
 namespace mrroc {
 namespace {
 
 /// The error of loading serial_parallel.toml with `from` replaced by `to`; empty: it loads.
 std::string error_with(const std::string& from, const std::string& to) {
-  std::stringstream text;
-  text << std::ifstream(serial_parallel_source("serial_parallel.toml")).rdbuf();
-  std::string changed = text.str();
+  std::string changed = test::text_of(serial_parallel_source("serial_parallel.toml"));
   const auto at = changed.find(from);
   if (at == std::string::npos) throw std::runtime_error("no \"" + from + "\" in serial_parallel.toml");
   changed.replace(at, from.size(), to);

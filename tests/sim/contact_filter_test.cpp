@@ -1,6 +1,5 @@
 #include "sim/contact_filter.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <tuple>
 

@@ -1,8 +1,6 @@
 // Tasks as state machines, through `mrroc run`, and their errors.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
@@ -11,15 +9,10 @@ namespace {
 
 const std::string kTask = std::string{MRROC_SOURCE_DIR} + "/tasks/shuttle/";
 
-std::string read(const std::string& name) {
-  std::ifstream file(kTask + name);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// The task with `from` replaced by `to` in its state machine, and other answers.
 std::filesystem::path shuttle(const ScratchFolder& folder, const std::string& from = "", const std::string& to = "",
                               const std::vector<std::string>& answers = {}) {
-  std::string states = read("states.toml"), deployment = read("shuttle.toml");
+  std::string states = text_of(kTask + "states.toml"), deployment = text_of(kTask + "shuttle.toml");
   const std::size_t at = states.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   if (!from.empty()) states.replace(at, from.size(), to);

@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "config/table.hpp"
 #include "robots_irb6/family/robot_under_test.hpp"
+#include "text_of.hpp"
 
 namespace mrroc {
 
@@ -18,9 +18,7 @@ using Loader = std::function<RobotModels(const std::filesystem::path&)>;
 
 /// Loads the robot's parameter file with the first `from` in it replaced by `to`.
 inline RobotModels load_with(const Loader& load, const std::string& from, const std::string& to) {
-  std::stringstream text;
-  text << std::ifstream(robot_file("toml")).rdbuf();
-  std::string changed = text.str();
+  std::string changed = test::text_of(robot_file("toml"));
   const auto at = changed.find(from);
   if (at == std::string::npos) throw std::runtime_error("no \"" + from + "\" in the file");
   changed.replace(at, from.size(), to);

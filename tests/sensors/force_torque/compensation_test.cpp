@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <random>
 
@@ -12,6 +11,7 @@
 #include "sim/sensors.hpp"
 #include "sim/world.hpp"
 #include "sim/worlds.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -24,8 +24,7 @@ constexpr const char* kNoise = "force_noise = 0.05\ntorque_noise = 0.004\n";  //
 
 /// The robot's own MJCF with a tool of 1 kg in place of 1.1 kg.
 std::string with_tool_of_one_kilogram() {
-  std::ifstream file(config::robot_file("irb6", "irb6.xml"));
-  std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string text = test::text_of(config::robot_file("irb6", "irb6.xml"));
   const std::string mass = "mass=\"1.1\"";
   const std::size_t at = text.find(mass);
   EXPECT_NE(at, std::string::npos) << "the tool has another mass";
