@@ -76,8 +76,7 @@ RunResult Runner::run() {
   try {
     trace.join(plan_, deployment_.clock);
   } catch (const std::exception& error) {
-    if (result_.code == process::ExitCode::success) stopping_ = false;  // a success is none without its trace
-    fail(process::ExitCode::system, error.what());
+    fail(process::ExitCode::system, error.what());  // a success is none without its trace
   }
   return result_;
 }
@@ -184,6 +183,7 @@ void Runner::read_signals() {
 }
 
 void Runner::interrupt_by_operator() {
+  if (stopping_) return;
   ++interrupts_;
   if (interrupts_ > 1 || !task_started_) {
     fail(process::ExitCode::stopped, "ended by the operator");
@@ -268,7 +268,7 @@ void Runner::check_clock() {
 }
 
 void Runner::fail(process::ExitCode code, std::string reason) {
-  if (stopping_) return;
+  if (result_.code != process::ExitCode::success) return;  // it is but a consequence
   stopping_ = true;
   result_.code = code;
   result_.reason = std::move(reason);
