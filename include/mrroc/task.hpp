@@ -58,7 +58,7 @@ class Task {
   /// Is told every step; null: nobody. It must neither allocate nor block.
   virtual StepObserver* observer() noexcept = 0;
 
-  /// Number of the instruction that begins now; counts from 1. Used by Move and Wait.
+  /// Number of an instruction, when its first step is observed; counts from 1. Used by Move and Wait.
   std::uint64_t begin_instruction() noexcept { return ++instructions_; }
 
  private:

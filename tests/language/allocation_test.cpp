@@ -188,6 +188,14 @@ TEST(Allocation, GeneratorsOfPathsComputeTheNextStateWithoutAllocating) {
     EXPECT_EQ(allocations, before) << generator->name();
     EXPECT_GT(steps, 50) << generator->name();
     EXPECT_LT(steps, 5000) << generator->name();
+
+    generator->start();
+    const std::uint64_t before_pause = allocations;
+    for (steps = 0; steps < 100; ++steps) {
+      if (steps == 30) EXPECT_TRUE(generator->brake()) << generator->name();
+      generator->next_state();
+    }
+    EXPECT_EQ(allocations, before_pause) << generator->name() << " comes to rest for a pause";
   }
 }
 

@@ -6,9 +6,12 @@
 #include <memory>
 #include <set>
 
+#include "cli/trace/mutations.hpp"
+#include "text_of.hpp"
+
 namespace mrroc::test {
 
-EqualRuns expect_equal_runs(const std::string& deployment, int runs, const ScratchFolder& folder) {
+EqualRuns expect_equal_runs(const std::string& deployment, int runs, const ScratchFolder& folder, int patience) {
   const auto trace = [&folder](int run) { return folder.path() / ("trace_" + std::to_string(run)); };
   EqualRuns left{{}, trace(0), folder.path() / "states"};
   std::filesystem::create_directory(left.states);
@@ -22,7 +25,7 @@ EqualRuns expect_equal_runs(const std::string& deployment, int runs, const Scrat
       pair.push_back(std::make_unique<MrrocRun>(arguments, 1 + run - first));
     }
     for (std::size_t i = 0; i < pair.size(); ++i) {
-      EXPECT_EQ(pair[i]->wait(MrrocRun::kLongPatience), 0) << pair[i]->out() << pair[i]->err();
+      EXPECT_EQ(pair[i]->wait(patience), 0) << pair[i]->out() << pair[i]->err();
       left.outputs.push_back(pair[i]->out());
       const int run = first + static_cast<int>(i);
       hashes.insert(trace_hash(trace(run)));
@@ -31,6 +34,7 @@ EqualRuns expect_equal_runs(const std::string& deployment, int runs, const Scrat
   }
   EXPECT_EQ(hashes.size(), 1U);
   expect_laws(left.trace);
+  EXPECT_EQ(cli::trace::read_trace(left.trace).text(), text_of(left.trace)) << "every field is read to the last bit";
   return left;
 }
 

@@ -59,7 +59,6 @@ TEST_P(TraceOfTask, KeepsEveryRuleAndIsTheSameOnEveryRun) {
   const std::string output = run_mrroc({"trace", "check", trace.string()}, kHolds);
   const std::regex line(R"(trace_0: \d+ steps of \d+ instructions of \d+ process(es)?: \d+ rules hold\n)");
   EXPECT_TRUE(std::regex_match(output, line)) << output;
-  EXPECT_EQ(read_trace(trace).text(), text_of(trace)) << "every field is read to the last bit";
 }
 
 INSTANTIATE_TEST_SUITE_P(Tasks, TraceOfTask, testing::ValuesIn(other_tasks()),
