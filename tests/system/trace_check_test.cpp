@@ -1,8 +1,8 @@
 // `mrroc trace check` on traces of real runs, as they are and spoilt.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <filesystem>
-#include <regex>
 
 #include "cli/trace/mutations.hpp"
 #include "language/property.hpp"
@@ -50,6 +50,15 @@ std::vector<std::string> other_tasks() {
   return names;
 }
 
+/// "trace_0: 463 steps of 5 instructions of 1 process: 36 rules hold", and nothing else.
+bool says_that_all_rules_hold(std::string output) {
+  if (const std::size_t plural = output.find("processes"); plural != std::string::npos) output.erase(plural + 7, 2);
+  int steps = 0, instructions = 0, processes = 0, rules = 0, end = 0;
+  const int found = std::sscanf(output.c_str(), "trace_0: %d steps of %d instructions of %d process: %d rules hold\n%n",
+                                &steps, &instructions, &processes, &rules, &end);
+  return found == 4 && end == std::ssize(output) && steps > 0 && instructions > 0 && processes > 0 && rules > 0;
+}
+
 class TraceOfTask : public testing::TestWithParam<std::string> {};
 
 TEST_P(TraceOfTask, KeepsEveryRuleAndIsTheSameOnEveryRun) {
@@ -57,8 +66,7 @@ TEST_P(TraceOfTask, KeepsEveryRuleAndIsTheSameOnEveryRun) {
   const std::string& task = GetParam();
   const auto trace = expect_equal_runs("tasks/" + task + "/" + task + ".toml", repetitions(5), folder).trace;
   const std::string output = run_mrroc({"trace", "check", trace.string()}, kHolds);
-  const std::regex line(R"(trace_0: \d+ steps of \d+ instructions of \d+ process(es)?: \d+ rules hold\n)");
-  EXPECT_TRUE(std::regex_match(output, line)) << output;
+  EXPECT_TRUE(says_that_all_rules_hold(output)) << output;
 }
 
 INSTANTIATE_TEST_SUITE_P(Tasks, TraceOfTask, testing::ValuesIn(other_tasks()),
