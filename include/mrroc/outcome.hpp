@@ -45,8 +45,20 @@ struct Outcome {
   }
   /// Whether the condition of this name was (one of) the reason(s).
   bool by(std::string_view name) const noexcept;
+  /// For an instruction that is to end by one condition only: throws NonFatalError(task_failed) with `otherwise` unless
+  /// by<C>(). `Move(...).require<Gripped>("no part between the fingers");`
+  template <class C>
+  const Outcome& require(std::string_view otherwise) const {
+    if (!by<C>()) fail(otherwise);
+    return *this;
+  }
+  /// Likewise with the condition of this name.
+  const Outcome& require(std::string_view name, std::string_view otherwise) const;
   /// Names of the reasons joined with " and "; "generator" or "end of motion" when it was no condition.
   std::string reason() const;
+
+ private:
+  [[noreturn]] static void fail(std::string_view otherwise);
 };
 
 }  // namespace mrroc

@@ -9,9 +9,8 @@ class TwoFingerGripperDemo : public ecp::Task {
 
   void run() override {
     Move({gripper}, {}, JointLine{gripper, TwoFingerGripper::at(0.089), 0.9});
-    const Outcome end =
-        Move({gripper}, {}, JointLine{gripper, TwoFingerGripper::at(0.055), 0.9}.until(Gripped{gripper}));
-    if (!end.by<Gripped>()) throw NonFatalError{"nothing between the fingers"};
+    Move({gripper}, {}, JointLine{gripper, TwoFingerGripper::at(0.055), 0.9}.until(Gripped{gripper}))
+        .require<Gripped>("nothing between the fingers");
     Move({gripper}, {}, Hold{gripper, 1.0});
     Move({gripper}, {}, JointLine{gripper, gripper.parameters().home, 0.9});
   }

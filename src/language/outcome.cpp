@@ -1,5 +1,7 @@
 #include "mrroc/outcome.hpp"
 
+#include "mrroc/errors.hpp"
+
 namespace mrroc {
 
 bool Outcome::by(std::string_view name) const noexcept {
@@ -8,6 +10,13 @@ bool Outcome::by(std::string_view name) const noexcept {
   }
   return false;
 }
+
+const Outcome& Outcome::require(std::string_view name, std::string_view otherwise) const {
+  if (!by(name)) fail(otherwise);
+  return *this;
+}
+
+void Outcome::fail(std::string_view otherwise) { throw NonFatalError{std::string{otherwise}}; }
 
 std::string Outcome::reason() const {
   switch (ending) {

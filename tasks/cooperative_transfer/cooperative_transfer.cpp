@@ -66,9 +66,9 @@ class CooperativeTransfer : public mp::Task {
     for (Irb6* arm : {&left, &right}) arm->set_tool(arm->kinematics().tool() * left_gripper.grip_centre());
     Move({left, right, left_gripper, right_gripper}, {}, Together{reach(way::lift()[0], 0.1), grippers_to(kOpen)});
     Move({left, right}, {}, reach(way::lift()[0], 0));
-    const Outcome gripped = Move({left, right, left_gripper, right_gripper}, sensors,
-                                 grippers_to(kClosed).until(Gripped{left_gripper} && Gripped{right_gripper}));
-    if (!gripped.by<Gripped>()) throw NonFatalError{"no bar between the fingers"};
+    Move({left, right, left_gripper, right_gripper}, sensors,
+         grippers_to(kClosed).until(Gripped{left_gripper} && Gripped{right_gripper}))
+        .require<Gripped>("no bar between the fingers");
 
     // let go of what the grippers have forced upon each other
     Move({left, right}, sensors, carry({way::lift()[0]}, kFree).until(ElapsedSteps{50}));

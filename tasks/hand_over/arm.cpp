@@ -8,8 +8,6 @@ using namespace mrroc;
 struct Arm : ecp::Task {
   Irb6 arm{*this};
 
-  double pull() const { return -arm.state().wrench[1]; }  // N, along the bar, away from the hand
-
   Arm() {
     on<Reach>([this](const Reach& to) {
       arm.set_tool(Pose{Eigen::Translation3d{0, -0.08, 0.378}});  // of the bar, in the flange frame
@@ -21,10 +19,9 @@ struct Arm : ecp::Task {
       Move({arm}, {}, JointLine{arm, place, 0.2}.until(Touching{arm, 5.0}));
     });
     on<Give>([this](const Give&) {
-      const Outcome end = Wait({arm}, {}, When{"pulled", [this] { return pull() > 6; }} || ElapsedSteps{1000});
-      if (!end.by("pulled")) throw NonFatalError{"nobody pulls at the bar"};
-      tell(Pulled{});
-      Wait({arm}, {}, When{"gone", [this] { return pull() < 2; }});
+      const When pulled{"pulled",
+                        [this] { return -arm.state().wrench[1] > 6; }};  // N, along the bar, away from the hand
+      Wait({arm}, {}, pulled || ElapsedSteps{1000}).require("pulled", "nobody pulls at the bar");
     });
     on<Take>([this](const Take&) {
       ForceLaw law = ForceLaw{}.guarded(0).guarded(1).guarded(2).guarded(3).guarded(4).guarded(5);

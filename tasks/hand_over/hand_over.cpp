@@ -10,14 +10,10 @@ using namespace mrroc;
 class HandOver : public mp::Task {
   TwoFingerGripper giver_hand{*this, "giver_hand"}, receiver_hand{*this, "receiver_hand"};
 
-  void perform(const std::string& robot, const auto& behaviour) {
-    start(robot, behaviour);
-    wait_for_all({robot});
-  }
   void open(TwoFingerGripper& hand) { Move({hand}, {}, JointLine{hand, TwoFingerGripper::at(0.070), 1.0}); }
   void grip(TwoFingerGripper& hand) {
-    const Outcome end = Move({hand}, {}, JointLine{hand, TwoFingerGripper::at(0.057), 1.0}.until(Gripped{hand}));
-    if (!end.by<Gripped>()) throw NonFatalError{"no bar between the fingers"};
+    Move({hand}, {}, JointLine{hand, TwoFingerGripper::at(0.057), 1.0}.until(Gripped{hand}))
+        .require<Gripped>("no bar between the fingers");
   }
 
   void fetch() {
@@ -40,10 +36,9 @@ class HandOver : public mp::Task {
       start("receiver", Take{});
       grip(receiver_hand);
       end_motion("receiver");  // of giving way: now it pulls
-      wait_until([this] { return heard<Pulled>("giver"); });
+      wait_for_all({"giver"});
       std::printf("bar %d: the giver feels the pull and lets go\n", bar);
       open(giver_hand);
-      wait_for_all({"giver"});
       end_motion("receiver");
       perform("giver", Reach{0.8, -0.25, 0.0});
     }

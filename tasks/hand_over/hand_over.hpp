@@ -6,12 +6,10 @@ struct Reach {  // up, over and down to (x, y, z) m in its base frame and `turn`
   double x = 0, y = 0, z = 0, turn = 0;
 };
 MRROC_MESSAGE(Reach, x, y, z, turn)
-struct Give {};  // waits until somebody pulls at the bar, tells it, waits until the bar is gone
+struct Give {};  // waits until somebody pulls at the bar
 MRROC_MESSAGE(Give)
 struct Take {};  // gives way to what the hand grips until end-motion, then pulls until end-motion
 MRROC_MESSAGE(Take)
-struct Pulled {};  // the giver tells it
-MRROC_MESSAGE(Pulled)
 
 // What the belt can do.
 struct Bring {};  // brings a bar and tells how the giver reaches it

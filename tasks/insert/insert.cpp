@@ -33,12 +33,10 @@ class Insert : public ecp::Task {
     Move({arm}, {}, ForceControl{arm, press(8, false)}.until(ElapsedSteps{25}));
     const double top = height();
     const auto lower_by = [this, top](double way) { return [this, top, way] { return height() < top - way; }; };
-    const Outcome found = Move(
-        {arm}, {}, SpiralSearch{arm, press(8, false), 0.0004, 0.0025, 0.006}.until(When{"found", lower_by(0.001)}));
-    if (!found.by("found")) throw NonFatalError{"there is no hole"};
-    const Outcome in =
-        Move({arm}, {}, ForceControl{arm, press(10, true)}.until(When{"in", lower_by(kDepth)} || ElapsedSteps{250}));
-    if (!in.by("in")) throw NonFatalError{"the peg is stuck"};
+    Move({arm}, {}, SpiralSearch{arm, press(8, false), 0.0004, 0.0025, 0.006}.until(When{"found", lower_by(0.001)}))
+        .require("found", "there is no hole");
+    Move({arm}, {}, ForceControl{arm, press(10, true)}.until(When{"in", lower_by(kDepth)} || ElapsedSteps{250}))
+        .require("in", "the peg is stuck");
     ForceLaw out = press(0, false);
     out.guarded(0).guarded(1);  // the axes stay: a peg that turns as it gives way swings from wall to wall
     out.behaviour[2] = AxisBehaviour::unguarded;

@@ -16,9 +16,8 @@ class Pick : public mp::Task {
     Move({arm, gripper}, {}, JointLine{gripper, TwoFingerGripper::at(0.085), 0.9});
     Move({arm, gripper}, {}, JointLine{arm, around(0.72, 0.15, -0.08)});
     Move({arm, gripper}, {}, JointLine{arm, around(0.72, 0.15, -0.18), 0.3});
-    const Outcome end =
-        Move({arm, gripper}, {}, JointLine{gripper, TwoFingerGripper::at(0.055), 0.9}.until(Gripped{gripper}));
-    if (!end.by<Gripped>()) throw NonFatalError{"no cube between the fingers"};
+    Move({arm, gripper}, {}, JointLine{gripper, TwoFingerGripper::at(0.055), 0.9}.until(Gripped{gripper}))
+        .require<Gripped>("no cube between the fingers");
     for (const double y : {0.15, -0.15}) {
       const Outcome way =
           Move({arm, gripper}, {}, JointLine{arm, around(0.72, y, -0.08), 0.3}.until(!Gripped{gripper}));

@@ -52,8 +52,7 @@ class TrackAndPick : public mp::Task {
   }
 
   void look() {
-    const Outcome found = Wait({arm, gripper}, {eye, encoder}, Seen{eye} || BeltTravelled{encoder, 4.0});
-    if (!found.by<Seen>()) throw NonFatalError{"no part comes"};
+    Wait({arm, gripper}, {eye, encoder}, Seen{eye} || BeltTravelled{encoder, 4.0}).require<Seen>("no part comes");
     remember(eye.pose());
     Pose ahead = part().pose * grip(kAbove);
     ahead.translation().y() = kWaiting;
@@ -65,10 +64,9 @@ class TrackAndPick : public mp::Task {
   void pick() {
     Move({arm, gripper}, {encoder}, track(kAbove, 0, 0.15, 0.3));
     Move({arm, gripper}, {encoder}, track(0));
-    const Outcome end = Move(
-        {arm, gripper}, {encoder},
-        Together{track(0, 4.0), JointLine{gripper, TwoFingerGripper::at(kPart - 0.003), 1.0}}.until(Gripped{gripper}));
-    if (!end.by<Gripped>()) throw NonFatalError{"no part between the fingers"};
+    Move({arm, gripper}, {encoder},
+         Together{track(0, 4.0), JointLine{gripper, TwoFingerGripper::at(kPart - 0.003), 1.0}}.until(Gripped{gripper}))
+        .require<Gripped>("no part between the fingers");
     Move({arm, gripper}, {encoder}, track(0.03));
   }
 

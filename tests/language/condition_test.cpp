@@ -1,5 +1,6 @@
 #include "mrroc/condition.hpp"
 
+#include <functional>
 #include <limits>
 
 #include "language/fakes.hpp"
@@ -8,6 +9,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
 #include "mrroc/conditions/travelled.hpp"
+#include "mrroc/generators/joint_line.hpp"
 #include "mrroc/move.hpp"
 
 namespace mrroc {
@@ -90,6 +92,26 @@ TEST(Condition, ANamedCombinationIsFoundByItsNameAndByItsParts) {
   EXPECT_TRUE(end.by<ElapsedSteps>());
   EXPECT_FALSE(end.by<Travelled>());
   EXPECT_EQ(end.reason(), "both sides and elapsed 2 steps and yes");
+}
+
+TEST(Condition, AnInstructionThatHasNotEndedAsRequiredThrowsTheTasksReason) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  const auto wait = [&] { return Wait({*arm}, {}, named("late", ElapsedSteps{2}) || Travelled{*arm, 1}); };
+  EXPECT_EQ(wait().require<ElapsedSteps>("too far").require("late", "too far").steps, 2u);
+  const auto refusal = [&](const std::function<void()>& instruction) -> std::string {
+    try {
+      instruction();
+    } catch (const NonFatalError& error) {
+      EXPECT_EQ(error.code(), ErrorCode::task_failed);
+      return error.detail();
+    }
+    return "nothing is thrown";
+  };
+  EXPECT_EQ(refusal([&] { wait().require<Travelled>("nobody moves"); }), "nobody moves");
+  EXPECT_EQ(refusal([&] { wait().require("early", "it is late"); }), "it is late");
+  const auto generator = [&] { return Move({*arm}, {}, JointLine{*arm, JointVector::Constant(6, 0.1)}); };
+  EXPECT_EQ(refusal([&] { generator().require<Travelled>("it has arrived"); }), "it has arrived");
 }
 
 TEST(Condition, UntilTwiceMeansEither) {

@@ -1,10 +1,14 @@
 // What an MP can do with the programs of its ECPs, and with several parts of its own task, through `mrroc run`.
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <fstream>
+#include <tuple>
 
+#include "system/keyboard.hpp"
 #include "system/mrroc_run.hpp"
+#include "system/trace_line.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -22,6 +26,7 @@ std::filesystem::path deployment(const ScratchFolder& folder, const std::string&
 }
 
 constexpr int kPatience = 60;  // s
+constexpr int kStopped = 5;
 
 /// Runs the scenario twice in lockstep and once in real time; the lines must come in this order. Returns the output of
 /// the first run.
@@ -107,6 +112,58 @@ TEST(Coordination, QuestionsAreAnsweredByTheDeployment) {
         "coordination.toml:24: answers.answer: '1.25' is out of range, expected a number from 5 to 6 to 'How long?'",
         "0 choices of 'Which?', expected 1 to 8", "a text of 128 characters for the operator, expected 1 to 127"})
     EXPECT_NE(output.find(line), std::string::npos) << "'" << line << "' is missing in\n" << output;
+}
+
+std::string answers_but(const std::string& unanswered) {
+  std::string text;
+  for (const auto& [question, answer] : {std::pair{"More?", "yes"}, {"How long?", "1.25"}, {"Where to?", "0.04"}})
+    if (question != unanswered)
+      text += std::string{"[[answers]]\nquestion = \""} + question + "\"\nanswer = \"" + answer + "\"\n";
+  return text;
+}
+
+/// Clock, and the question that nobody answers: "More?" is the MP's, "Where to?" an ECP's.
+class Dialogue : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(Dialogue, IsLeftWhenTheOperatorStopsTheTask) {
+  const auto [clock, question] = GetParam();
+  const ScratchFolder folder;
+  const Keyboard keyboard;  // nobody types
+  MrrocRun run({"run", deployment(folder, "questions", answers_but(question)).string(), "--clock", clock});
+  ASSERT_TRUE(run.wait_for_output(question)) << run.out() << run.err();
+  const std::vector<pid_t> pids = run.children();
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), kStopped) << run.out() << run.err();
+  EXPECT_NE(run.err().find("stopped by the operator"), std::string::npos) << run.err();
+  EXPECT_EQ(run.out().find("does not end"), std::string::npos) << run.out();
+  EXPECT_TRUE(all_end(pids));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Dialogue,
+                         testing::Combine(testing::Values("paced", "real"), testing::Values("More?", "Where to?")),
+                         [](const auto& test) {
+                           const std::string question = std::get<1>(test.param);
+                           return std::get<0>(test.param) + std::string{question == "More?" ? "_mp" : "_ecp"};
+                         });
+
+TEST(Coordination, AnAnswerToAPausedTaskIsTakenWhenItGoesOn) {
+  constexpr Tick kResume = 1500;
+  const ScratchFolder folder;
+  const auto file = deployment(folder, "questions",
+                               answers_but("Where to?") + "[[events]]\ntick = 200\ncommand = \"pause\"\n" +
+                                   "[[events]]\ntick = " + std::to_string(kResume) + "\ncommand = \"resume\"\n");
+  const auto trace = folder.path() / "trace";
+  Keyboard keyboard;
+  MrrocRun run({"run", file.string(), "--clock", "paced", "--trace", trace.string()});
+  ASSERT_TRUE(run.wait_for_output("Where to?")) << run.out() << run.err();
+  ASSERT_TRUE(run.wait_for_output("paused")) << run.out() << run.err();
+  keyboard.type("0.04\nyes\n");  // and to "Is anybody there?"
+  EXPECT_EQ(run.wait(), 0) << run.out() << run.err();
+  EXPECT_NE(run.out().find("left at 0.040 m by answer"), std::string::npos) << run.out();
+  std::ifstream lines(trace);
+  std::string line;
+  while (std::getline(lines, line) && line.find("process=left ") == std::string::npos) continue;
+  EXPECT_GE(numbers_after(line, "tick=").at(0), static_cast<double>(kResume)) << line;
 }
 
 TEST(Coordination, PauseAndResumeReachThePartsAndTheProgramsAlike) {

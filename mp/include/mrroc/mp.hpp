@@ -46,6 +46,12 @@ class Task : public process::TaskProcess {
   void start(const std::string& name, const B& behaviour) {
     start_with(name, pack(behaviour));
   }
+  /// Starts it and waits until it has ended, as wait_for_all({name}) does.
+  template <MessageType B>
+  void perform(const std::string& name, const B& behaviour) {
+    start(name, behaviour);
+    wait_for_all({name});
+  }
   /// Starts the program of every ECP.
   void start_all();
   /// Whether what was started in the ECP of robot `name` goes on. In a Move: .until(When{"belt has ended", [this] {

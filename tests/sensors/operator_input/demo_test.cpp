@@ -2,54 +2,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <optional>
-#include <stdexcept>
-
 #include "system/equal_runs.hpp"
+#include "system/keyboard.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test {
 namespace {
 
 constexpr const char* kDemo = "sensors/operator_input/demo.toml";
-
-/// Puts another file in the place of this process's standard input, which `mrroc` inherits.
-class StandardInput {
- public:
-  explicit StandardInput(int fd) : before_(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)) { dup2(fd, STDIN_FILENO); }
-  ~StandardInput() {
-    dup2(before_, STDIN_FILENO);
-    close(before_);
-  }
-  StandardInput(const StandardInput&) = delete;
-  StandardInput& operator=(const StandardInput&) = delete;
-
- private:
-  int before_;
-};
-
-/// A pipe on which the test types.
-class Keyboard {
- public:
-  Keyboard() {
-    if (pipe2(ends_, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-    input_.emplace(ends_[0]);
-  }
-  ~Keyboard() {
-    input_.reset();
-    leave();
-    close(ends_[0]);
-  }
-  void type(const std::string& line) { ASSERT_EQ(write(ends_[1], line.data(), line.size()), std::ssize(line)); }
-  void leave() {
-    if (ends_[1] >= 0) close(ends_[1]);
-    ends_[1] = -1;
-  }
-
- private:
-  int ends_[2] = {-1, -1};
-  std::optional<StandardInput> input_;
-};
 
 /// The demo without its events, or with only the first `events` of them.
 std::filesystem::path demo_with(const ScratchFolder& folder, std::size_t events) {

@@ -67,10 +67,7 @@ class Coordination : public mp::Task {
     show("left");
     show("right");
     show("left");
-    refused([this] {
-      start("left", Fly{});
-      wait_for_all();
-    });
+    refused([this] { perform("left", Fly{}); });
     refused([this] { start("nobody", Go{}); });
     start("left", Run{0.02});
     Move({right}, {}, JointLine{right, Conveyor::at(0.2), 0.9});
