@@ -23,10 +23,10 @@ std::set<std::string> shared_memory() {
   return names;
 }
 
-/// Waits until the run has started the process `name`.
-pid_t await_child(const MrrocRun& run, const std::string& name) {
+/// Waits until the run has started the process `name`; -1 when it has ended without one.
+pid_t await_child(MrrocRun& run, const std::string& name) {
   pid_t pid = -1;
-  while ((pid = run.child(name)) < 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while ((pid = run.child(name)) < 0 && !run.has_ended()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   return pid;
 }
 
@@ -37,6 +37,7 @@ class Kill : public testing::TestWithParam<std::tuple<std::pair<const char*, int
 void kill_one(const std::vector<std::string>& arguments, const std::string& name, std::uint_fast32_t delay) {
   MrrocRun run(arguments);
   const pid_t victim = await_child(run, name);
+  ASSERT_GT(victim, 0) << run.out() << run.err();
   std::this_thread::sleep_for(std::chrono::milliseconds(delay));
   const std::vector<pid_t> pids = run.children();
   ASSERT_EQ(kill(victim, SIGKILL), 0);
@@ -104,7 +105,7 @@ TEST_P(KillRunner, NoProcessOutlivesIt) {
 TEST_P(KillRunner, NoProcessOutlivesItBeforeTheBarrier) {
   for (int i = 0; i < 5; ++i) {
     MrrocRun run({"run", "tasks/press/press.toml", "--clock", GetParam()});
-    await_child(run, "mp");
+    ASSERT_GT(await_child(run, "mp"), 0) << run.out() << run.err();
     std::this_thread::sleep_for(std::chrono::milliseconds(10 * i));
     const std::vector<pid_t> pids = run.children();
     run.signal(SIGKILL);

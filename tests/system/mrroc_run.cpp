@@ -103,21 +103,21 @@ MrrocRun::MrrocRun(const std::vector<std::string>& arguments, int place) : folde
 }
 
 MrrocRun::~MrrocRun() {
-  if (!poll_end()) {
+  if (!has_ended()) {
     kill(pid_, SIGKILL);
     waitpid(pid_, &status_, 0);
   }
   std::filesystem::remove_all(folder_);
 }
 
-bool MrrocRun::poll_end() {
+bool MrrocRun::has_ended() {
   if (!ended_ && waitpid(pid_, &status_, WNOHANG) == pid_) ended_ = true;
   return ended_;
 }
 
 int MrrocRun::wait(int patience) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(patience);
-  while (!poll_end()) {
+  while (!has_ended()) {
     if (std::chrono::steady_clock::now() > deadline) {
       ADD_FAILURE() << "mrroc does not end\n" << out() << err();
       kill(pid_, SIGKILL);
@@ -132,7 +132,7 @@ int MrrocRun::wait(int patience) {
 bool MrrocRun::wait_for_output(const std::string& text) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(kPatience);
   for (;;) {
-    const bool ended = poll_end();
+    const bool ended = has_ended();
     if (out().find(text) != std::string::npos) return true;
     if (ended || std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(kPause);

@@ -29,6 +29,8 @@ class MrrocRun {
   /// True when its output has come to contain `text`; false when it has ended before.
   bool wait_for_output(const std::string& text);
   void signal(int number) const;
+  /// Whether it has ended.
+  bool has_ended();
 
   /// The process of this run that was started with `--name NAME`; -1 when there is none (yet).
   pid_t child(const std::string& name) const;
@@ -39,8 +41,6 @@ class MrrocRun {
   std::string err() const;
 
  private:
-  bool poll_end();
-
   std::filesystem::path folder_;
   pid_t pid_ = -1;
   bool ended_ = false;
