@@ -33,7 +33,7 @@ struct Network {
 
 /// Process 0 is the world; 1..5 are a ring of senders.
 void take_part(int fd, std::size_t process, bool messages, const Network& network) {
-  const auto clock = clock::attach_clock(fd, name(process), process == 0);
+  const auto clock = clock::attach_clock(fd, name(process), process == 0 ? clock::Part::world : clock::Part::task);
   const std::size_t next = process % (kProcesses - 1) + 1;
   const std::size_t previous = (process + kProcesses - 3) % (kProcesses - 1) + 1;
   const bool talks = messages && process != 0;

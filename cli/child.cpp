@@ -60,6 +60,7 @@ Child::Child(Child&& other) noexcept
       pid_(other.pid_),
       output_(other.output_),
       ended_(other.ended_),
+      stopped_(other.stopped_),
       status_(other.status_),
       unfinished_(std::move(other.unfinished_)),
       last_line_(std::move(other.last_line_)) {
@@ -75,12 +76,30 @@ Child::~Child() {
   if (output_ >= 0) close(output_);
 }
 
+void Child::look() noexcept {
+  int status = 0;
+  while (!ended_ && waitpid(pid_, &status, WNOHANG | WUNTRACED | WCONTINUED) == pid_) {
+    stopped_ = WIFSTOPPED(status);
+    ended_ = WIFEXITED(status) || WIFSIGNALED(status);
+    status_ = status;
+  }
+}
+
 bool Child::ended() noexcept {
-  if (!ended_ && waitpid(pid_, &status_, WNOHANG) == pid_) ended_ = true;
+  look();
   return ended_;
 }
 
+bool Child::lost() noexcept {
+  look();
+  return ended_ || stopped_;
+}
+
 std::string Child::how_it_ended() const {
+  if (WIFSTOPPED(status_)) {
+    const int number = WSTOPSIG(status_);
+    return "stopped by signal " + std::to_string(number) + " (" + strsignal(number) + ")";
+  }
   if (WIFSIGNALED(status_)) {
     const int number = WTERMSIG(status_);
     return "signal " + std::to_string(number) + " (" + strsignal(number) + ")";

@@ -27,7 +27,10 @@ class Child {
 
   /// True when it has ended; then `how_it_ended()` and `exit_code()` tell how. Never waits.
   bool ended() noexcept;
-  /// "exit code 3" or "signal 9 (Killed)".
+  /// True when it has ended, or a signal has stopped it (SIGSTOP): it does nothing any more. The kernel tells the
+  /// runner of both at once, by SIGCHLD. Never waits.
+  bool lost() noexcept;
+  /// "exit code 3", "signal 9 (Killed)" or "stopped by signal 19 (Stopped (signal))".
   std::string how_it_ended() const;
   /// Nothing when it lives or a signal has ended it.
   std::optional<int> exit_code() const noexcept;
@@ -40,11 +43,14 @@ class Child {
   std::string wait_for_output();
 
  private:
+  void look() noexcept;
+
   std::string name_;
   pid_t pid_ = -1;
   int output_ = -1;
   bool ended_ = false;
-  int status_ = 0;
+  bool stopped_ = false;
+  int status_ = 0;  ///< of its end, or of its stop
   std::string unfinished_;
   std::string last_line_;
 };

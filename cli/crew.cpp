@@ -7,43 +7,62 @@
 
 namespace mrroc::cli {
 
-void Crew::start(const std::string& name, const std::string& program, const std::vector<std::string>& arguments) {
-  children_.emplace_back(name, program, arguments);
+void Crew::start(const PlannedProcess& process, const std::vector<std::string>& arguments) {
+  members_.push_back({Child(process.name, process.program.string(), arguments), process.part});
 }
 
 void Crew::wait(int milliseconds, int also) {
   std::vector<pollfd> descriptors{{also, POLLIN, 0}};
-  for (Child& child : children_) {
+  for (Member& member : members_) {
     // the pipe of one that has ended stays readable for ever: polling it would not wait
-    descriptors.push_back({child.ended() ? -1 : child.output_fd(), POLLIN, 0});
+    descriptors.push_back({member.child.ended() ? -1 : member.child.output_fd(), POLLIN, 0});
   }
   poll(descriptors.data(), descriptors.size(), milliseconds);
-  for (Child& child : children_) listen(child);
+  for (Member& member : members_) listen(member.child);
 }
 
-Child* Crew::first_ended() {
-  for (Child& child : children_) {
-    if (!child.ended()) continue;
-    listen(child);
-    return &child;
+Child* Crew::first_lost() {
+  for (Member& member : members_) {
+    if (!member.child.lost()) continue;
+    listen(member.child);
+    return &member.child;
   }
   return nullptr;
 }
 
 bool Crew::all_ended() noexcept {
-  return std::all_of(children_.begin(), children_.end(), [](Child& child) { return child.ended(); });
+  return std::all_of(members_.begin(), members_.end(), [](Member& member) { return member.child.ended(); });
+}
+
+bool Crew::all_lost(clock::Part part) noexcept {
+  return std::all_of(members_.begin(), members_.end(),
+                     [part](Member& member) { return member.part != part || member.child.lost(); });
 }
 
 void Crew::signal(int number) noexcept {
-  for (Child& child : children_) child.signal(number);
+  for (Member& member : members_) member.child.signal(number);
+}
+
+void Crew::signal(int number, clock::Part part) noexcept {
+  for (Member& member : members_)
+    if (member.part == part) member.child.signal(number);
+}
+
+std::vector<std::string> Crew::kill_stopped() noexcept {
+  return kill_those([](Child& child) { return child.lost(); });
 }
 
 std::vector<std::string> Crew::kill_rest() noexcept {
+  return kill_those([](Child&) { return true; });
+}
+
+template <class Predicate>
+std::vector<std::string> Crew::kill_those(Predicate predicate) noexcept {
   std::vector<std::string> names;
-  for (Child& child : children_) {
-    if (child.ended()) continue;
-    names.push_back(child.name());
-    child.signal(SIGKILL);
+  for (Member& member : members_) {
+    if (member.child.ended() || !predicate(member.child)) continue;
+    names.push_back(member.child.name());
+    member.child.signal(SIGKILL);
   }
   return names;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/child.hpp"
+#include "cli/process_plan.hpp"
 
 namespace mrroc::cli {
 
@@ -17,21 +18,32 @@ class Crew {
   explicit Crew(Listener listener) : listener_(std::move(listener)) {}
 
   /// Throws std::runtime_error when it cannot be started.
-  void start(const std::string& name, const std::string& program, const std::vector<std::string>& arguments);
+  void start(const PlannedProcess& process, const std::vector<std::string>& arguments);
   /// Waits until a process writes or ends, `also` becomes readable, or the time is over; hands the lines on.
   void wait(int milliseconds, int also);
-  /// A process that has ended, with all that it has written handed on; null when all live.
-  Child* first_ended();
+  /// A process that has ended or been stopped, with all that it has written handed on; null when all are at work.
+  Child* first_lost();
   bool all_ended() noexcept;
+  /// Whether no process of this part is at work any more.
+  bool all_lost(clock::Part part) noexcept;
   void signal(int number) noexcept;
+  void signal(int number, clock::Part part) noexcept;
+  /// Kills those that a signal has stopped: they cannot end by themselves. Gives their names.
+  std::vector<std::string> kill_stopped() noexcept;
   /// Kills those that still live; gives their names.
   std::vector<std::string> kill_rest() noexcept;
 
  private:
+  struct Member {
+    Child child;
+    clock::Part part;
+  };
   void listen(Child& child);
+  template <class Predicate>
+  std::vector<std::string> kill_those(Predicate predicate) noexcept;
 
   Listener listener_;
-  std::deque<Child> children_;
+  std::deque<Member> members_;
 };
 
 }  // namespace mrroc::cli

@@ -4,15 +4,16 @@ namespace mrroc::cli {
 
 std::vector<PlannedProcess> plan_processes(const config::Deployment& deployment) {
   std::vector<PlannedProcess> plan;
-  if (deployment.sim) plan.push_back({"sim", deployment.sim->program, false});
+  if (deployment.sim) plan.push_back({"sim", deployment.sim->program, clock::Part::world, false});
   for (const config::RobotEntry& robot : deployment.robots) {
-    plan.push_back({robot.name + "_edp", robot.edp_program, false});
+    plan.push_back({robot.name + "_edp", robot.edp_program, clock::Part::drives, false});
   }
   for (const config::SensorEntry& sensor : deployment.sensors) {
-    plan.push_back({sensor.name, sensor.vsp_program, false});
+    plan.push_back({sensor.name, sensor.vsp_program, clock::Part::task, false});
   }
-  for (const config::RobotEntry& robot : deployment.robots) plan.push_back({robot.name, robot.program, true});
-  plan.push_back({"mp", deployment.mp.program, true});
+  for (const config::RobotEntry& robot : deployment.robots)
+    plan.push_back({robot.name, robot.program, clock::Part::task, true});
+  plan.push_back({"mp", deployment.mp.program, clock::Part::task, true});
   return plan;
 }
 

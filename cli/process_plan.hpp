@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "clock/clock.hpp"
 #include "config/deployment.hpp"
 
 namespace mrroc::cli {
@@ -12,6 +13,7 @@ namespace mrroc::cli {
 struct PlannedProcess {
   std::string name;  ///< mp; a robot's name (its ECP); <robot>_edp; a sensor's name (its VSP); sim
   std::filesystem::path program;
+  clock::Part part = clock::Part::task;
   bool has_task = false;  ///< an MP or ECP: it runs instructions and may write a trace
 };
 

@@ -17,9 +17,10 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr int kTurn = 20;             // ms between looks at the mail
-constexpr double kHandShake = 0.1;    // s of one try to reach the MP
-constexpr double kPatienceToEnd = 3;  // s that processes get to end by themselves
+constexpr int kTurn = 20;              // ms between looks at the mail
+constexpr double kHandShake = 0.1;     // s of one try to reach the MP
+constexpr double kPatienceToStop = 5;  // s that robots get to stop
+constexpr double kPatienceToEnd = 3;   // s that processes get to end by themselves
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -98,7 +99,7 @@ void Runner::start_processes(const TraceParts& trace) {
     arguments.trace = trace.of(process);
     if (process.name == "mp") arguments.behaviours = options_.behaviours;
     if (process.name == "sim") arguments.snapshots = options_.snapshots;
-    crew_.start(process.name, process.program.string(), process::to_command_line(arguments));
+    crew_.start(process, process::to_command_line(arguments));
   }
   // after the children: they would inherit the domain's sockets
   links::DomainOptions options;
@@ -234,9 +235,10 @@ void Runner::look_at_desk() {
 
 void Runner::check_children() {
   if (stopping_) return;
-  const Child* child = crew_.first_ended();
+  Child* const child = crew_.first_lost();
   if (child == nullptr) return;
-  std::string reason = "process " + child->name() + " died: " + child->how_it_ended();
+  const char* const what = child->ended() ? " died: " : " is ";
+  std::string reason = "process " + child->name() + what + child->how_it_ended();
   if (child->exit_code() && !child->last_line().empty()) reason += ": " + child->last_line();
   clock_.participant_died(child->name());
   fail(code_of_death(*child), reason);
@@ -275,15 +277,28 @@ void Runner::fail(process::ExitCode code, std::string reason) {
   progress_.error("mrroc: " + deployment_.name + ": " + result_.reason);
 }
 
+void Runner::stop_robots(double deadline) {
+  crew_.signal(SIGTERM, clock::Part::task);
+  clock_.stop();
+  const auto all_stand = [this] { return crew_.all_lost(clock::Part::drives) && crew_.all_lost(clock::Part::world); };
+  while (!all_stand() && clock_.state() == clock::State::running && operator_clock_->wall_seconds() < deadline)
+    turn(kTurn);
+}
+
 void Runner::end_processes() {
   const double start = result_.wall_seconds;
   const double now = operator_clock_->wall_seconds();
   result_.wall_seconds = task_started_ ? now - start : 0;
   if (result_.ticks == 0 && task_started_) result_.ticks = clock_.tick();
   // first the signal: who is still being set up must know that it is asked to end before its clock refuses it
+  if (task_started_) stop_robots(now + kPatienceToStop);
+  for (const std::string& name : crew_.kill_stopped()) {
+    progress_.message("process " + name + " does not go on, killing it");
+  }
   crew_.signal(SIGTERM);
   clock_.end();
-  while (!crew_.all_ended() && operator_clock_->wall_seconds() < now + kPatienceToEnd) turn(kTurn);
+  const double deadline = operator_clock_->wall_seconds() + kPatienceToEnd;
+  while (!crew_.all_ended() && operator_clock_->wall_seconds() < deadline) turn(kTurn);
   for (const std::string& name : crew_.kill_rest()) {
     progress_.message("process " + name + " does not end, killing it");
   }

@@ -64,6 +64,8 @@ class Runner {
   /// To the MP. Main thread, or the clock's when a command has its tick.
   void command(links::TaskCommandKind kind);
   void supervise();
+  /// Tasks end at once; EDPs stop their robots, switch the drives off and leave, and the world goes on until then.
+  void stop_robots(double deadline);
   void end_processes();
 
   /// One turn of the supervisor: waits at most `milliseconds` for signals and output; true when all is well.

@@ -114,12 +114,14 @@ class Shell {
       const clock::Wake wake = clock.wait(next);
       if (wake == clock::Wake::interrupted) return;
       if (clock.tick() >= next) {
+        if (clock.stopping()) servo_.switch_off();
         servo_.tick(clock.tick());
         next = clock.tick() + 1;
         feed();
       }
       exchange();
       process_.status().counters(counters(nullptr));
+      if (clock.stopping() && !servo_.drives_on()) return;
     }
   }
 
@@ -132,7 +134,7 @@ class Shell {
       feed();
       exchange();
       process_.status().counters(counters(&thread.ticker()));
-    } while (clock.wait(kNever) != clock::Wake::interrupted);
+    } while (clock.wait(kNever) != clock::Wake::interrupted && !clock.stopping());
     // the thread's destructor stops the robot and switches the drives off
   }
 

@@ -41,7 +41,7 @@ class Warnings {
   std::size_t told_ = 0;
 };
 
-/// Lockstep and paced: the clock's physics participant, one step per tick.
+/// Lockstep and paced: one step per tick, until no robot is driven any more when the deployment ends.
 void serve_simulated(mrroc::process::Process& process, mrroc::sim::Simulation& simulation) {
   Warnings warnings;
   for (Tick next = 1;; ++next) {
@@ -51,6 +51,7 @@ void serve_simulated(mrroc::process::Process& process, mrroc::sim::Simulation& s
     simulation.step(next);
     warnings.tell(simulation.world());
     snapshot(simulation, process.arguments().snapshots, next);
+    if (process.clock().stopping() && !simulation.driven()) throw mrroc::Stopped{};
   }
 }
 
@@ -67,7 +68,8 @@ void check_pace(Tick simulated, const mrroc::clock::Clock& clock) {
 }
 
 /// Real time: one step per tick of the grid, each after the drives of the tick before. A step that comes too late is
-/// made all the same: the world loses no time.
+/// made all the same: the world loses no time. Also when it is asked to end it goes on while a robot is driven: it is
+/// the robots' hardware, and they need it to stop.
 void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simulation) {
   mrroc::clock::Ticker ticker(process.clock().epoch_ns(), std::llround(process.clock().period() * 1e9));
   Tick simulated = 0;
@@ -79,7 +81,8 @@ void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simula
       snapshot(simulation, process.arguments().snapshots, simulated);
       warnings.tell(simulation.world());
       // the tick has come: it does not wait, it only tells when the process is to end
-      if (process.clock().wait(simulated) == mrroc::clock::Wake::interrupted) throw mrroc::Stopped{};
+      const bool ending = process.clock().wait(simulated) == mrroc::clock::Wake::interrupted;
+      if ((ending || process.clock().stopping()) && !simulation.driven()) throw mrroc::Stopped{};
       check_pace(simulated, process.clock());
     }
     mrroc::links::Counters counters;

@@ -114,6 +114,10 @@ bool Simulation::is_due(Slot& slot, Tick tick) noexcept {
   return drives(slot, tick) && slot.drive.tick + 1 < tick;
 }
 
+bool Simulation::driven() const noexcept {
+  return std::any_of(robots_.begin(), robots_.end(), [this](const Slot& slot) { return drives(slot, tick_); });
+}
+
 void Simulation::take_drive(Slot& slot, Tick tick) {
   memory_.drives[slot.memory].load(slot.drive);
   if (slot.drive.tick > 0) world_.set_outputs(slot.world, slot.drive.outputs);

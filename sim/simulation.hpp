@@ -23,7 +23,8 @@ Composition compose(const config::Deployment& deployment);
 /// One thread. `step` allocates nothing.
 class Simulation {
  public:
-  static constexpr Tick kDriveLifetime = 50;
+  /// As the watchdog of a real drive that misses its cyclic set-point.
+  static constexpr Tick kDriveLifetime = 5;
 
   /// Builds the world with each robot at its home. `memory` must outlive this object. Throws config::ConfigurationError
   /// (no [sim], broken scene, joints or sensors that the MJCF does not have) or SystemError (no memory).
@@ -39,6 +40,9 @@ class Simulation {
   /// are on is not waited for; one that keeps the world waiting for `patience` (s of wall time) is braked, and the
   /// world goes on without it until it drives again.
   void step_in_real_time(Tick tick, double patience = kPatienceWithDrives);
+
+  /// Whether any robot's drive acted in the last step: if not, all brakes are on.
+  bool driven() const noexcept;
 
   /// What `mrroc_render` makes pictures of; `save_state` writes it to a file.
   WorldState state() const;

@@ -7,6 +7,13 @@
 
 namespace mrroc::clock {
 
+/// What a process is to the deployment when it comes to its end.
+enum class Part : std::uint32_t {
+  task,    ///< it tells others what to do or measure: it leaves at once
+  drives,  ///< it moves a robot: it goes on until the robot stands and its drives are off
+  world    ///< the simulated world: it goes on until no robot is driven any more; in a new tick it runs first, alone
+};
+
 /// Why a wait ended.
 enum class Wake {
   mail,        ///< something new has become visible in the process's mailbox
@@ -42,6 +49,9 @@ class Clock {
   /// has already passed ends the wait in the next delta. After `interrupted` nobody waits for this process any more.
   virtual Wake wait(Tick wake_tick) = 0;
 
+  /// The deployment is coming to its end: drives are to be switched off by a stop, and the process is to leave then.
+  /// The waits of tasks return `interrupted` already, those of drives and world do not before all is over. Any thread.
+  virtual bool stopping() const noexcept { return false; }
   /// Makes the present and every later wait return `interrupted`. Any thread, signal handlers too.
   virtual void interrupt() noexcept = 0;
   /// Wakes the participant's thread as if mail had arrived. Real clock only: another thread of the process has

@@ -181,6 +181,27 @@ void count_sent(ClockMemory& memory, int sender) noexcept {
     if (memory.links[i].sender.load() == sender) memory.links[i].sent.fetch_add(1);
 }
 
+void stop(ClockMemory& memory) noexcept {
+  if (memory.state.load() == State::setting_up) {
+    end(memory);
+    return;
+  }
+  Tick never = kNever;
+  const Tick now = memory.mode == Mode::real ? wall_tick(memory) : memory.tick.load();
+  if (!memory.stop_tick.compare_exchange_strong(never, now)) return;
+  for (std::uint32_t i = 0; i < memory.participant_count; ++i) {
+    ParticipantSlot& slot = memory.participants[i];
+    if (slot.part.load() == Part::task) {
+      Membership alive = Membership::alive;
+      slot.membership.compare_exchange_strong(alive, Membership::dead);  // also one that never waits again
+      slot.gate.interrupt();
+    } else if (memory.mode == Mode::real) {
+      slot.gate.open();  // in simulated time the next tick wakes it
+    }
+  }
+  memory.host.open();
+}
+
 bool fail(ClockMemory& memory, std::string_view text) noexcept {
   if (memory.failing.exchange(1) != 0) return false;
   memory.error.assign(text);

@@ -39,7 +39,7 @@ struct alignas(64) ParticipantSlot {
   FixedText<kNameLength> name;            // host, when the memory is created
   std::atomic<std::int32_t> pid{0};       // participant; 0: nobody has attached
   std::atomic<std::uint32_t> ready{0};    // participant
-  std::atomic<std::uint32_t> physics{0};  // participant: woken before the others in a new tick
+  std::atomic<Part> part{Part::task};     // participant, before it is ready
   std::atomic<Membership> membership{};   // participant (left), host (dead)
   std::atomic<std::uint32_t> running{0};  // host sets, participant clears
   std::atomic<Tick> wake_tick{kNever};    // participant
@@ -73,6 +73,7 @@ struct ClockMemory {
   std::int32_t host_pid = 0;
   std::uint32_t participant_count = 0;
   std::atomic<State> state{State::setting_up};
+  std::atomic<Tick> stop_tick{kNever};    // newest tick when the owner asked for the deployment's end; kNever: not yet
   std::atomic<std::uint32_t> failing{0};  // claimed by whoever writes `error`
   FixedText<1023> error;                  // valid when state is `failed`
   std::atomic<std::int64_t> epoch_ns{0};  // CLOCK_MONOTONIC at tick 0
@@ -131,6 +132,10 @@ int add_link(ClockMemory& memory, std::uint32_t participant, std::string_view to
 void connect(ClockMemory& memory);
 /// Counts one message in flight to each receiver of the sender's topic. No allocation.
 void count_sent(ClockMemory& memory, int sender) noexcept;
+
+/// The beginning of the end: tasks are interrupted and not waited for any more, time goes on for drives and world.
+/// Before the start: as `end`. Any thread.
+void stop(ClockMemory& memory) noexcept;
 
 /// Ends the deployment's time, unless that has been done before (false): every wait of every process returns
 /// `interrupted`. Any thread.

@@ -66,7 +66,7 @@ bool DeltaCycle::open_delta(Who who) {
     if (!alive(slot)) continue;
     mail[i] = slot.mail.load();
     const bool tick_due = slot.wake_tick.load() < end;
-    due[i] = physics ? tick_due && slot.physics.load() != 0 : tick_due || mail[i] != seen_mail_[i];
+    due[i] = physics ? tick_due && slot.part.load() == Part::world : tick_due || mail[i] != seen_mail_[i];
     any = any || due[i];
   }
   if (!any) return false;

@@ -122,6 +122,8 @@ void ClockHost::participant_died(std::string_view name) {
 
 void ClockHost::fail(std::string_view text) { clock::fail(*memory_, text); }
 
+void ClockHost::stop() { clock::stop(*memory_); }
+
 void ClockHost::end() { clock::end(*memory_); }
 
 std::string ClockHost::error() const {

@@ -53,6 +53,12 @@ class ClockHost {
   /// Nobody waits for this participant any more, nor for anything it has sent or was to receive. Its owner has seen it
   /// die; for one that has left by itself it changes nothing. Throws SystemError for an unknown name.
   void participant_died(std::string_view name);
+  /// The beginning of the end: the waits of tasks return `interrupted`, nobody waits for them any more; time goes on
+  /// for drives and world (`Part`), who leave when the robots stand and their drives are off. Then call `end`. Before
+  /// the start it is `end`.
+  void stop();
+  /// The newest tick when `stop` was called; kNever: it has not been.
+  Tick stop_tick() const noexcept { return memory_->stop_tick.load(); }
   /// Every wait in every process returns `interrupted` from now on. The first of the two decides.
   void fail(std::string_view text);
   void end();

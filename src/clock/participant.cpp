@@ -32,10 +32,10 @@ std::uint32_t claim_slot(ClockMemory& memory, std::string_view name) {
 
 }  // namespace
 
-std::unique_ptr<Clock> attach_clock(int fd, std::string_view name, bool physics) {
+std::unique_ptr<Clock> attach_clock(int fd, std::string_view name, Part part) {
   MappedClock memory = MappedClock::attach(fd);
   const std::uint32_t index = claim_slot(*memory, name);
-  memory->participants[index].physics.store(physics ? 1 : 0);
+  memory->participants[index].part.store(part);
   if (memory->mode == Mode::real) return std::make_unique<RealClock>(std::move(memory), index);
   return std::make_unique<LockstepClock>(std::move(memory), index);
 }

@@ -18,6 +18,7 @@ class ParticipantClock : public Clock {
   double period() const noexcept override;
   double wall_seconds() const noexcept override;
   std::int64_t epoch_ns() const noexcept override;
+  bool stopping() const noexcept override { return memory_->stop_tick.load() != kNever; }
   void interrupt() noexcept override;
 
  protected:

@@ -83,6 +83,11 @@ ErrorCode code_of_foreign(const std::exception& error) noexcept {
   return system ? ErrorCode::resources : ErrorCode::task_failed;
 }
 
+clock::Part part_of(links::ProcessRole role) {
+  if (role == links::ProcessRole::sim) return clock::Part::world;
+  return role == links::ProcessRole::edp ? clock::Part::drives : clock::Part::task;
+}
+
 bool serves(links::ProcessRole role) {
   return role == links::ProcessRole::edp || role == links::ProcessRole::vsp || role == links::ProcessRole::sim;
 }
@@ -91,7 +96,7 @@ bool serves(links::ProcessRole role) {
 
 Process::Process(const Arguments& arguments, links::ProcessRole role)
     : arguments_(arguments), deployment_(config::load_deployment(arguments.deployment)) {
-  clock_ = clock::attach_clock(arguments.clock_fd, arguments.name, role == links::ProcessRole::sim);
+  clock_ = clock::attach_clock(arguments.clock_fd, arguments.name, part_of(role));
   if (role == links::ProcessRole::mp) {
     auto strands = std::make_unique<StrandClock>(std::move(clock_));
     strands_ = strands.get();

@@ -38,6 +38,7 @@ class StrandClock final : public clock::Clock {
   double wall_seconds() const noexcept override { return clock_->wall_seconds(); }
   bool start() override { return clock_->start(); }
   clock::Wake wait(Tick wake_tick) override;
+  bool stopping() const noexcept override { return clock_->stopping(); }
   void interrupt() noexcept override { clock_->interrupt(); }
   void notify() noexcept override { clock_->notify(); }
   int register_sender(std::string_view topic) override { return clock_->register_sender(topic); }

@@ -96,7 +96,8 @@ class Determinism : public ::testing::Test {
       children.emplace_back([&, node] {
         stray(200);
         if (delta_rule)
-          live(*attach_clock(host.fd(), ToyNetwork::name(node), node == 0), network, node, results[node]);
+          live(*attach_clock(host.fd(), ToyNetwork::name(node), node == 0 ? Part::world : Part::task), network, node,
+               results[node]);
         else {
           ImmediateClock clock(MappedClock::attach(host.fd()), node);
           live(clock, network, node, results[node]);

@@ -52,7 +52,7 @@ TEST(Lockstep, TheWorldStepsBeforeAnybodySeesTheTick) {
           world.store(clock.tick());
         } while (clock.wait(clock.tick() + 1) == Wake::tick && clock.tick() < 50);
       },
-      true);
+      Part::world);
   deployment.add("belt", look);
   deployment.start();
   deployment.join();

@@ -25,14 +25,14 @@ class ThreadDeployment {
   ~ThreadDeployment() { join(); }
 
   /// Joins the deployment as `name`. To be registered with, before `start`.
-  Clock& attach(const std::string& name, bool physics = false) {
-    members_.push_back({attach_clock(host.fd(), name, physics), nullptr});
+  Clock& attach(const std::string& name, Part part = Part::task) {
+    members_.push_back({attach_clock(host.fd(), name, part), nullptr});
     return *members_.back().clock;
   }
   /// What the thread of the newest member does after the start; then it leaves.
   void body(Body body) { members_.back().body = std::move(body); }
-  Clock& add(const std::string& name, Body what, bool physics = false) {
-    Clock& clock = attach(name, physics);
+  Clock& add(const std::string& name, Body what, Part part = Part::task) {
+    Clock& clock = attach(name, part);
     body(std::move(what));
     return clock;
   }

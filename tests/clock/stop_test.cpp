@@ -1,0 +1,97 @@
+#include <atomic>
+
+#include "clock/thread_deployment.hpp"
+
+namespace mrroc::clock {
+namespace {
+
+TEST(ClockStop, TasksAreInterruptedAndTimeGoesOnForDrivesAndWorld) {
+  ThreadDeployment deployment({"task", "drives", "world"});
+  std::atomic<Tick> task_ended{0};
+  Tick seen = 0, standing = 0, world_ended = 0;
+  std::atomic<bool> robot_stands{false};
+  deployment.add("task", [&task_ended](Clock& clock) {
+    while (clock.wait(clock.tick() + 1) == Wake::tick) {
+    }
+    EXPECT_TRUE(clock.stopping());
+    task_ended.store(clock.tick());
+  });
+  deployment.add(
+      "drives",
+      [&](Clock& clock) {
+        while (!clock.stopping()) EXPECT_EQ(clock.wait(clock.tick() + 1), Wake::tick);
+        seen = clock.tick();
+        for (int i = 0; i < 20; ++i) EXPECT_EQ(clock.wait(clock.tick() + 1), Wake::tick);
+        standing = clock.tick();
+        robot_stands.store(true);
+      },
+      Part::drives);
+  deployment.add(
+      "world",
+      [&](Clock& clock) {
+        while (!robot_stands.load()) EXPECT_EQ(clock.wait(clock.tick() + 1), Wake::tick);
+        world_ended = clock.tick();
+      },
+      Part::world);
+  deployment.host.at_tick(100, [&deployment] { deployment.host.stop(); });
+  deployment.start();
+  deployment.join();
+  EXPECT_EQ(deployment.host.stop_tick(), 99U) << "the tick that participants saw when the event of tick 100 ran";
+  EXPECT_EQ(task_ended.load(), 99U);
+  EXPECT_EQ(seen, 100U);
+  EXPECT_EQ(standing, 120U);
+  EXPECT_GE(world_ended, 120U);
+}
+
+TEST(ClockStop, ATaskThatNeverWaitsAgainHoldsNobodyUp) {
+  ThreadDeployment deployment({"task", "drives"});
+  std::atomic<bool> computes{false}, end{false};
+  deployment.add("task", [&](Clock&) {
+    computes.store(true);
+    while (!end.load()) std::this_thread::yield();
+  });
+  deployment.add(
+      "drives",
+      [](Clock& clock) {
+        while (!clock.stopping()) clock.wait(clock.tick() + 1);
+        for (int i = 0; i < 20; ++i) EXPECT_EQ(clock.wait(clock.tick() + 1), Wake::tick);
+      },
+      Part::drives);
+  deployment.start();
+  while (!computes.load()) std::this_thread::yield();
+  deployment.host.stop();
+  while (deployment.host.tick() < 20) std::this_thread::yield();
+  end.store(true);
+  deployment.join();
+}
+
+TEST(ClockStop, InRealTimeDrivesAreWokenAndTasksInterrupted) {
+  HostOptions options;
+  options.mode = Mode::real;
+  ThreadDeployment deployment({"task", "drives"}, options);
+  deployment.add("task", [](Clock& clock) { EXPECT_EQ(clock.wait(kNever), Wake::interrupted); });
+  deployment.add(
+      "drives",
+      [](Clock& clock) {
+        EXPECT_EQ(clock.wait(kNever), Wake::mail);
+        EXPECT_TRUE(clock.stopping());
+        EXPECT_EQ(clock.wait(clock.tick() + 3), Wake::tick);
+      },
+      Part::drives);
+  deployment.start();
+  while (deployment.host.state() != State::running) std::this_thread::yield();
+  deployment.host.stop();
+  deployment.join();
+}
+
+TEST(ClockStop, BeforeTheStartItIsTheEnd) {
+  HostOptions options;
+  options.participants = {"drives"};
+  ClockHost host(options);
+  host.stop();
+  EXPECT_EQ(host.state(), State::ended);
+  EXPECT_EQ(host.stop_tick(), kNever);
+}
+
+}  // namespace
+}  // namespace mrroc::clock
