@@ -11,6 +11,12 @@ void Crew::start(const PlannedProcess& process, const std::vector<std::string>& 
   members_.push_back({Child(process.name, process.program.string(), arguments), process.part});
 }
 
+pid_t Crew::pid(const std::string& name) const noexcept {
+  for (const Member& member : members_)
+    if (member.child.name() == name) return member.child.pid();
+  return -1;
+}
+
 void Crew::wait(int milliseconds, int also) {
   std::vector<pollfd> descriptors{{also, POLLIN, 0}};
   for (Member& member : members_) {

@@ -19,6 +19,8 @@ class Crew {
 
   /// Throws std::runtime_error when it cannot be started.
   void start(const PlannedProcess& process, const std::vector<std::string>& arguments);
+  /// -1: there is none of that name.
+  pid_t pid(const std::string& name) const noexcept;
   /// Waits until a process writes or ends, `also` becomes readable, or the time is over; hands the lines on.
   void wait(int milliseconds, int also);
   /// A process that has ended or been stopped, with all that it has written handed on; null when all are at work.

@@ -55,6 +55,13 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--trace", arguments->options.trace, "Write every step of every Move and Wait to this file");
   command->add_option("--snapshots", arguments->options.snapshots,
                       "Write states of the simulated world to this folder");
+  command->add_option("--motion", arguments->options.motion,
+                      "Write where the simulated world's robots are at every tick, and how fast, to this file");
+  command
+      ->add_option("--inject", arguments->options.faults,
+                   "Inject a fault, e.g. \"kill ecp:arm at step 120\" (docs/fault-injection.md); may be given again")
+      ->take_all()
+      ->expected(1);
   command->add_option("--shuffle-start", arguments->options.shuffle_seed,
                       "Start the processes in a random order with random delays, from this seed");
   command->add_flag("--quiet", arguments->options.quiet, "Print errors only");

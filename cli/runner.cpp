@@ -41,6 +41,7 @@ int open_signals() {
 Runner::Runner(const config::Deployment& deployment, RunOptions options)
     : deployment_(deployment),
       options_(std::move(options)),
+      faults_(options_.faults),
       plan_(plan_processes(deployment_)),
       progress_(names_of(plan_), deployment_.servo_period, options_.quiet),
       domain_lock_(deployment_.domain),
@@ -60,6 +61,7 @@ Runner::~Runner() {
 
 RunResult Runner::run() {
   check_somebody_answers(deployment_, input_.attended());
+  check_faults();
   // before anything is started: a run whose trace is lost would be in vain
   const TraceParts trace(options_.trace);
   if (!options_.snapshots.empty()) std::filesystem::create_directories(options_.snapshots);
@@ -99,6 +101,8 @@ void Runner::start_processes(const TraceParts& trace) {
     arguments.trace = trace.of(process);
     if (process.name == "mp") arguments.behaviours = options_.behaviours;
     if (process.name == "sim") arguments.snapshots = options_.snapshots;
+    if (process.name == "sim") arguments.motion = options_.motion;
+    arguments.faults = options_.faults;
     crew_.start(process, process::to_command_line(arguments));
   }
   // after the children: they would inherit the domain's sockets
@@ -125,6 +129,7 @@ void Runner::pass_barrier() {
   }
   if (!connect_to_mp(deadline)) return;
   schedule_commands();
+  schedule_faults();
   const double now = operator_clock_->wall_seconds();
   for (const PlannedProcess& process : plan_) last_heard_[process.name] = now;
   result_.wall_seconds = now;
@@ -167,6 +172,7 @@ bool Runner::turn(int milliseconds) {
   crew_.wait(milliseconds, signals_);
   read_signals();
   if (collector_ != nullptr) read_statuses();
+  tell_faults();
   // first the causes: what the task says about a death or a lost clock is but their consequence
   check_children();
   check_clock();
@@ -214,6 +220,7 @@ void Runner::read_task_status() {
   links::TaskStatus status;
   std::uint64_t last_command = 0;
   while (mp_->take(status, last_command)) {
+    check_children();  // a death may be why the task ends
     if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
     result_.ticks = status.tick;
     if (status.state == links::TaskState::failed) {
@@ -240,6 +247,8 @@ void Runner::check_children() {
   const char* const what = child->ended() ? " died: " : " is ";
   std::string reason = "process " + child->name() + what + child->how_it_ended();
   if (child->exit_code() && !child->last_line().empty()) reason += ": " + child->last_line();
+  if (task_started_) reason += " [tick " + std::to_string(std::min(clock_.stop_tick(), clock_.tick())) + "]";
+  tell_notice(child->name());
   clock_.participant_died(child->name());
   fail(code_of_death(*child), reason);
 }
@@ -271,6 +280,7 @@ void Runner::check_clock() {
 
 void Runner::fail(process::ExitCode code, std::string reason) {
   if (result_.code != process::ExitCode::success) return;  // it is but a consequence
+  tell_faults();
   stopping_ = true;
   result_.code = code;
   result_.reason = std::move(reason);

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "cli/typed_lines.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
+#include "faults/fault_plan.hpp"
 #include "links/domain.hpp"
 #include "links/status_collector.hpp"
 #include "links/task_superior.hpp"
@@ -29,6 +31,8 @@ namespace mrroc::cli {
 struct RunOptions {
   std::filesystem::path trace;      ///< empty: none
   std::filesystem::path snapshots;  ///< folder for world snapshots; empty: none
+  std::filesystem::path motion;     ///< file for the motion of the simulated world's robots; empty: none
+  std::vector<std::string> faults;  ///< to be injected: faults::parse_fault
   std::string behaviours;           ///< what the ECP programs have, for a state machine (config::ProgramsByRobot)
   bool quiet = false;
   /// Starts the processes in a random order with random delays (0 to 0.3 s) drawn from this seed: a test of the
@@ -61,6 +65,17 @@ class Runner {
   bool connect_to_mp(double deadline);
   /// The start at tick 0, and the deployment's events, at their ticks.
   void schedule_commands();
+  /// Throws std::invalid_argument: a fault names a process that is not there.
+  void check_faults() const;
+  void tell_faults();
+  /// Under the real clock: how long it took to see what the fault has done to this process.
+  void tell_notice(const std::string& process);
+  /// The injected faults: those of ticks are set off now, signals are sent at the ticks from which they are in force.
+  void schedule_faults();
+  /// An event of tick `tick`: strikes when fault `index` is in force, else looks again at the next tick.
+  void look_at_fault(std::size_t index, Tick tick);
+  /// Sends the fault's signal and waits until it has acted, so that in simulated time no tick goes by.
+  void strike(const faults::Fault& fault);
   /// To the MP. Main thread, or the clock's when a command has its tick.
   void command(links::TaskCommandKind kind);
   void supervise();
@@ -83,6 +98,10 @@ class Runner {
 
   config::Deployment deployment_;
   RunOptions options_;
+  faults::FaultPlan faults_;
+  std::set<std::size_t> told_faults_;     ///< indices
+  std::map<std::string, double> struck_;  ///< when a fault's signal was sent to a process, s of wall time
+  std::mutex struck_mutex_;
   std::vector<PlannedProcess> plan_;
   Progress progress_;
   DomainLock domain_lock_;

@@ -19,7 +19,7 @@ install(FILES ${package}/mrrocConfig.cmake ${package}/MrrocTargets.cmake ${packa
 # headers as they are included: "mrroc/move.hpp", "config/table.hpp", "robots/irb6/irb6_model.hpp"
 file(GLOB type_headers robots/*/include sensors/*/include)
 list(TRANSFORM type_headers APPEND /)
-install(DIRECTORY include/ src/ mp/include/ ecp/include/ ${type_headers} DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY include/ src/ mp/include/ ecp/include/ testing/include/ ${type_headers} DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY edp vsp robots sensors DESTINATION include/mrroc
   FILES_MATCHING PATTERN "*.hpp" PATTERN include EXCLUDE PATTERN description EXCLUDE)
 install(FILES sim/mapped_world.hpp sim/world_memory.hpp DESTINATION include/mrroc/sim)

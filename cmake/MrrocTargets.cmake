@@ -97,3 +97,18 @@ function(mrroc_add_task name)
     mrroc_program(${name}_ecp SOURCES ${ARG_ECP} LINKS mrroc::ecp_shell ${ARG_ROBOTS} ${ARG_SENSORS})
   endif()
 endfunction()
+
+# mrroc_add_task_test(NAME SOURCES ... [TIMEOUT s]): a GoogleTest program on <mrroc/testing.hpp>, which runs deployments with the
+# project's bin/mrroc and injects faults into them. Needs enable_testing() and find_package(GTest).
+function(mrroc_add_task_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_compile_options(${name} PRIVATE ${MRROC_WARNINGS})
+  target_compile_definitions(${name} PRIVATE MRROC_COMMAND="${CMAKE_BINARY_DIR}/bin/mrroc"
+    MRROC_TEST_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE mrroc::testing GTest::gtest_main)
+  add_test(NAME ${name} COMMAND ${name})
+  if(ARG_TIMEOUT)
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+  endif()
+endfunction()

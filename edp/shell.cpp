@@ -5,6 +5,7 @@
 
 #include "edp/describe.hpp"
 #include "edp/effector.hpp"
+#include "edp/faulty_hardware.hpp"
 #include "edp/loopback_hardware.hpp"
 #include "edp/mujoco_hardware.hpp"
 #include "edp/robot_check.hpp"
@@ -78,8 +79,9 @@ class Shell {
     for (std::size_t i = 0; i < sensors.size(); ++i) {
       if (sensors[i].name != place_.entry.force_sensor) continue;
       const sim::WorldMemory* const simulated = sensors[i].source == "simulated" ? &world() : nullptr;
-      return std::make_unique<WristSensor>(
-          vsp::SourceContext{process_.deployment(), sensors[i], i, simulated, process_.clock().period()});
+      return std::make_unique<WristSensor>(vsp::SourceContext{process_.deployment(), sensors[i], i, simulated,
+                                                              process_.clock().period(), nullptr, nullptr,
+                                                              process_.faults().of(sensors[i].name, process_.clock())});
     }
     return nullptr;
   }
@@ -101,6 +103,9 @@ class Shell {
       hardware =
           std::make_unique<LoopbackHardware>(*models_.front(), process_.clock().period(), place_.entry.synchronised);
     }
+    if (auto faults = process_.faults().of(process_.name(), process_.clock()); !faults.empty())
+      hardware =
+          std::make_unique<FaultyHardware>(std::move(hardware), std::move(faults), models_.front()->parameters());
     hardware->open();
     return hardware;
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "clock/ticker.hpp"
@@ -9,6 +10,7 @@
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "sim/mapped_world.hpp"
+#include "sim/motion_file.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
 
@@ -19,12 +21,28 @@ using mrroc::Tick;
 /// Ticks between two world snapshots: 0.1 s at 2 ms.
 constexpr Tick kSnapshotTicks = 50;
 
-void snapshot(const mrroc::sim::Simulation& simulation, const std::filesystem::path& folder, Tick tick) {
-  if (folder.empty() || tick % kSnapshotTicks != 0) return;
-  std::string name = std::to_string(tick);
-  name.insert(0, 8 - std::min<std::size_t>(8, name.size()), '0');
-  mrroc::sim::save_state(folder / (name + ".state"), simulation.state());
-}
+/// What is written of the world as it goes: snapshots and the robots' motion, where they are asked for.
+class Records {
+ public:
+  Records(const mrroc::process::Process& process, const mrroc::sim::Simulation& simulation,
+          const mrroc::sim::WorldMemory& memory)
+      : simulation_(simulation), snapshots_(process.arguments().snapshots) {
+    if (const auto& path = process.arguments().motion; !path.empty())
+      motion_.emplace(path, process.deployment(), memory);
+  }
+  void write(Tick tick) {
+    if (motion_) motion_->write(tick);
+    if (snapshots_.empty() || tick % kSnapshotTicks != 0) return;
+    std::string name = std::to_string(tick);
+    name.insert(0, 8 - std::min<std::size_t>(8, name.size()), '0');
+    mrroc::sim::save_state(snapshots_ / (name + ".state"), simulation_.state());
+  }
+
+ private:
+  const mrroc::sim::Simulation& simulation_;
+  std::filesystem::path snapshots_;
+  std::optional<mrroc::sim::MotionFile> motion_;
+};
 
 /// MuJoCo's warnings, each once, on stderr.
 class Warnings {
@@ -42,7 +60,7 @@ class Warnings {
 };
 
 /// Lockstep and paced: one step per tick, until no robot is driven any more when the deployment ends.
-void serve_simulated(mrroc::process::Process& process, mrroc::sim::Simulation& simulation) {
+void serve_simulated(mrroc::process::Process& process, mrroc::sim::Simulation& simulation, Records& records) {
   Warnings warnings;
   for (Tick next = 1;; ++next) {
     while (process.clock().tick() < next) {
@@ -50,7 +68,7 @@ void serve_simulated(mrroc::process::Process& process, mrroc::sim::Simulation& s
     }
     simulation.step(next);
     warnings.tell(simulation.world());
-    snapshot(simulation, process.arguments().snapshots, next);
+    records.write(next);
     if (process.clock().stopping() && !simulation.driven()) throw mrroc::Stopped{};
   }
 }
@@ -70,7 +88,7 @@ void check_pace(Tick simulated, const mrroc::clock::Clock& clock) {
 /// Real time: one step per tick of the grid, each after the drives of the tick before. A step that comes too late is
 /// made all the same: the world loses no time. Also when it is asked to end it goes on while a robot is driven: it is
 /// the robots' hardware, and they need it to stop.
-void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simulation) {
+void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simulation, Records& records) {
   mrroc::clock::Ticker ticker(process.clock().epoch_ns(), std::llround(process.clock().period() * 1e9));
   Tick simulated = 0;
   Warnings warnings;
@@ -78,7 +96,7 @@ void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simula
     const Tick tick = ticker.wait_next();
     while (simulated < tick) {
       simulation.step_in_real_time(++simulated);
-      snapshot(simulation, process.arguments().snapshots, simulated);
+      records.write(simulated);
       warnings.tell(simulation.world());
       // the tick has come: it does not wait, it only tells when the process is to end
       const bool ending = process.clock().wait(simulated) == mrroc::clock::Wake::interrupted;
@@ -95,12 +113,13 @@ void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simula
 void serve(mrroc::process::Process& process) {
   const mrroc::sim::MappedWorld world = mrroc::sim::MappedWorld::attach(process.arguments().world_fd);
   mrroc::sim::Simulation simulation(process.deployment(), *world);
+  Records records(process, simulation, *world);
   simulation.publish_initial();
   process.start();
   if (process.clock().simulated()) {
-    serve_simulated(process, simulation);
+    serve_simulated(process, simulation, records);
   } else {
-    serve_real(process, simulation);
+    serve_real(process, simulation, records);
   }
 }
 

@@ -63,8 +63,9 @@ class Shell : private ReadingSink {
     const double period = process_.clock().period();
     sensor_->set_up(entry_, period);
     if (process_.arguments().world_fd >= 0) world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
-    return make_source(*sensor_, {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period,
-                                  &process_.clock(), &process_.domain()});
+    return make_source(*sensor_,
+                       {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period, &process_.clock(),
+                        &process_.domain(), process_.faults().of(process_.name(), process_.clock())});
   }
 
   /// Whether e_l comes to this sensor.

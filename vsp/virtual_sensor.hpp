@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/deployment.hpp"
+#include "faults/fault_plan.hpp"
 #include "mrroc/robot_state.hpp"
 #include "mrroc/sensor_link.hpp"
 #include "sim/world_memory.hpp"
@@ -33,6 +34,7 @@ struct SourceContext {
   double servo_period;
   clock::Clock* clock = nullptr;
   links::Domain* domain = nullptr;
+  std::vector<faults::FaultSwitch> faults = {};  ///< to be injected into what its hardware reads
 };
 
 /// The aggregating function of one sensor type, the paper's equation (14): v = f_v(c_0, c_l, e_l, r).

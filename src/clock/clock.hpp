@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -57,6 +58,12 @@ class Clock {
   /// Wakes the participant's thread as if mail had arrived. Real clock only: another thread of the process has
   /// something for it. Any thread; a futex wake, no lock.
   virtual void notify() noexcept = 0;
+
+  // ---- for injected faults (src/faults)
+  /// The tick from which injected fault number `index` is in force; kNever: not yet. Any thread.
+  virtual Tick fault_tick(std::size_t /*index*/) const noexcept { return kNever; }
+  /// Sets it off, unless that has been done. Any thread.
+  virtual void set_off_fault(std::size_t /*index*/, Tick /*tick*/) noexcept {}
 
   // ---- for the links ------------------------------------------------------------------------------------------------
   /// Declares that this process sends (receives) on `topic`; returns the handle for `sent` (`arrived`). Before

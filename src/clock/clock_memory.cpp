@@ -78,6 +78,7 @@ MappedClock MappedClock::create(Mode mode, double period, const std::vector<std:
   MappedClock mapped(map(fd), fd);
   ClockMemory& memory = *new (mapped.memory_) ClockMemory;
   memory.mode = mode;
+  for (std::atomic<Tick>& tick : memory.fault_ticks) tick.store(kNever);
   memory.period_ns = static_cast<std::int64_t>(period_ns);
   memory.host_pid = ::getpid();
   memory.participant_count = static_cast<std::uint32_t>(participants.size());
@@ -179,6 +180,11 @@ void count_sent(ClockMemory& memory, int sender) noexcept {
   const std::uint32_t count = memory.link_count.load();
   for (std::uint32_t i = 0; i < count; ++i)
     if (memory.links[i].sender.load() == sender) memory.links[i].sent.fetch_add(1);
+}
+
+void set_off_fault(ClockMemory& memory, std::size_t index, Tick tick) noexcept {
+  Tick never = kNever;
+  memory.fault_ticks[index].compare_exchange_strong(never, tick);
 }
 
 void stop(ClockMemory& memory) noexcept {

@@ -33,6 +33,7 @@ inline constexpr std::size_t kMaxParticipants = 64;
 inline constexpr std::uint32_t kOperator = kMaxParticipants;
 inline constexpr std::uint32_t kMaxLinks = 2048;
 inline constexpr std::size_t kTopicLength = 95;
+inline constexpr std::size_t kMaxFaults = 32;
 
 /// One process. "Host" or "participant" says who writes.
 struct alignas(64) ParticipantSlot {
@@ -73,13 +74,14 @@ struct ClockMemory {
   std::int32_t host_pid = 0;
   std::uint32_t participant_count = 0;
   std::atomic<State> state{State::setting_up};
-  std::atomic<Tick> stop_tick{kNever};    // newest tick when the owner asked for the deployment's end; kNever: not yet
-  std::atomic<std::uint32_t> failing{0};  // claimed by whoever writes `error`
-  FixedText<1023> error;                  // valid when state is `failed`
-  std::atomic<std::int64_t> epoch_ns{0};  // CLOCK_MONOTONIC at tick 0
-  std::atomic<Tick> tick{0};              // lockstep: the newest tick that participants may see
-  std::atomic<std::uint64_t> delta{0};    // lockstep: the delta that is open
-  Gate host;                              // the host sleeps on it
+  std::atomic<Tick> stop_tick{kNever};  // newest tick when the owner asked for the deployment's end; kNever: not yet
+  std::array<std::atomic<Tick>, kMaxFaults> fault_ticks;  // from which an injected fault is in force; kNever
+  std::atomic<std::uint32_t> failing{0};                  // claimed by whoever writes `error`
+  FixedText<1023> error;                                  // valid when state is `failed`
+  std::atomic<std::int64_t> epoch_ns{0};                  // CLOCK_MONOTONIC at tick 0
+  std::atomic<Tick> tick{0};                              // lockstep: the newest tick that participants may see
+  std::atomic<std::uint64_t> delta{0};                    // lockstep: the delta that is open
+  Gate host;                                              // the host sleeps on it
   std::array<ParticipantSlot, kMaxParticipants + 1> participants;
   std::atomic<std::uint32_t> sender_count{0};
   std::array<SenderEntry, kMaxLinks> senders;
@@ -132,6 +134,9 @@ int add_link(ClockMemory& memory, std::uint32_t participant, std::string_view to
 void connect(ClockMemory& memory);
 /// Counts one message in flight to each receiver of the sender's topic. No allocation.
 void count_sent(ClockMemory& memory, int sender) noexcept;
+
+/// Sets injected fault `index` off from `tick` on, unless that has been done. Any thread.
+void set_off_fault(ClockMemory& memory, std::size_t index, Tick tick) noexcept;
 
 /// The beginning of the end: tasks are interrupted and not waited for any more, time goes on for drives and world.
 /// Before the start: as `end`. Any thread.

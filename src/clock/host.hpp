@@ -50,6 +50,10 @@ class ClockHost {
   /// As `start`, but goes on in the calling thread until the clock fails or ends.
   void run();
 
+  /// The tick from which injected fault `index` is in force; kNever: not yet. And to set it off.
+  Tick fault_tick(std::size_t index) const noexcept { return memory_->fault_ticks[index].load(); }
+  void set_off_fault(std::size_t index, Tick tick) noexcept { clock::set_off_fault(*memory_, index, tick); }
+
   /// Nobody waits for this participant any more, nor for anything it has sent or was to receive. Its owner has seen it
   /// die; for one that has left by itself it changes nothing. Throws SystemError for an unknown name.
   void participant_died(std::string_view name);

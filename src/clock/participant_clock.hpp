@@ -20,6 +20,8 @@ class ParticipantClock : public Clock {
   std::int64_t epoch_ns() const noexcept override;
   bool stopping() const noexcept override { return memory_->stop_tick.load() != kNever; }
   void interrupt() noexcept override;
+  Tick fault_tick(std::size_t index) const noexcept override { return memory_->fault_ticks[index].load(); }
+  void set_off_fault(std::size_t index, Tick tick) noexcept override { clock::set_off_fault(*memory_, index, tick); }
 
  protected:
   ClockMemory& memory() const noexcept { return *memory_; }

@@ -22,13 +22,13 @@ class Requester {
   /// Hand-shake, see `connect`; also on `also`, readers of the responder's other topics. Before the clock starts.
   void connect(double timeout, std::vector<ReaderBase*> also = {});
 
-  /// Sends a request; does not wait. Its reply is due at `deadline` (real time only).
+  /// Sends a request; does not wait. Its reply is due at `deadline`.
   void send(const Request& request, Tick deadline);
 
   /// Waits on the clock for the reply to the last `send`. Every other message that comes is dropped and counted: a
   /// reply to another request, to another process, or from before the peer's restart. Throws SystemError: process_died
-  /// (link_lost when other machines take part) when the peer is lost, process_silent when the deadline has passed; in
-  /// simulated time neither, there the clock's host notices. Throws Stopped when the clock is interrupted.
+  /// (link_lost when other machines take part) when the peer is lost (in simulated time the clock's host notices that),
+  /// process_silent when the deadline has passed. Throws Stopped when the clock is interrupted.
   void receive(Reply& reply);
   /// As `receive`, but does not wait: false when the reply has not come yet.
   bool poll(Reply& reply);

@@ -13,7 +13,7 @@ class RobotRequester final : public RobotLink {
   static constexpr Tick kSynchronisation = 150'000;  ///< what a robot may take to find its positions
 
   /// `prefix`: "<deployment>/<robot>"; `peer`: the other process's name, for errors; `timeout`: how many ticks a reply
-  /// may be late (real time only).
+  /// may be late.
   RobotRequester(Domain& domain, clock::Clock& clock, const std::string& prefix, std::string peer,
                  Tick timeout = kTimeout);
 

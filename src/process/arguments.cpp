@@ -17,6 +17,8 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
   if (!arguments.trace.empty()) add("--trace", arguments.trace.string());
   if (!arguments.behaviours.empty()) add("--behaviours-of-programs", arguments.behaviours);
   if (!arguments.snapshots.empty()) add("--snapshots", arguments.snapshots.string());
+  if (!arguments.motion.empty()) add("--motion", arguments.motion.string());
+  for (const std::string& fault : arguments.faults) add("--inject", fault);
   return words;
 }
 
@@ -31,6 +33,8 @@ Arguments parse_arguments(int argc, char** argv) {
   app.add_option("--trace", arguments.trace);
   app.add_option("--behaviours-of-programs", arguments.behaviours);
   app.add_option("--snapshots", arguments.snapshots);
+  app.add_option("--motion", arguments.motion);
+  app.add_option("--inject", arguments.faults)->take_all()->expected(1);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -17,6 +17,8 @@ struct Arguments {
   std::filesystem::path trace;      ///< this process's trace file; empty: no trace
   std::string behaviours;           ///< of every ECP program, for the MP of a state machine (config::ProgramsByRobot)
   std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); empty: none
+  std::filesystem::path motion;     ///< file for the motion of the world's robots (sim only); empty: none
+  std::vector<std::string> faults;  ///< to be injected into the run, see faults::parse_fault
 };
 
 std::vector<std::string> to_command_line(const Arguments& arguments);

@@ -95,7 +95,7 @@ bool serves(links::ProcessRole role) {
 }  // namespace
 
 Process::Process(const Arguments& arguments, links::ProcessRole role)
-    : arguments_(arguments), deployment_(config::load_deployment(arguments.deployment)) {
+    : arguments_(arguments), deployment_(config::load_deployment(arguments.deployment)), faults_(arguments.faults) {
   clock_ = clock::attach_clock(arguments.clock_fd, arguments.name, part_of(role));
   if (role == links::ProcessRole::mp) {
     auto strands = std::make_unique<StrandClock>(std::move(clock_));

@@ -6,6 +6,7 @@
 
 #include "clock/clock.hpp"
 #include "config/deployment.hpp"
+#include "faults/fault_plan.hpp"
 #include "links/domain.hpp"
 #include "process/arguments.hpp"
 #include "process/exit_code.hpp"
@@ -31,6 +32,8 @@ class Process {
   StrandClock* strands() noexcept { return strands_; }
   links::Domain& domain() noexcept { return *domain_; }
   StatusBoard& status() noexcept { return *status_; }
+  /// What is to be injected into this run; mostly nothing.
+  const faults::FaultPlan& faults() const noexcept { return faults_; }
   /// "<deployment>/<path>", the common beginning of topic names.
   std::string topic(const std::string& path) const { return deployment_.name + "/" + path; }
 
@@ -41,6 +44,7 @@ class Process {
  private:
   Arguments arguments_;
   config::Deployment deployment_;
+  faults::FaultPlan faults_;
   std::unique_ptr<clock::Clock> clock_;
   StrandClock* strands_ = nullptr;
   std::unique_ptr<links::Domain> domain_;

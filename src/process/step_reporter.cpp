@@ -179,6 +179,7 @@ StepReporter::StepReporter(Process& process) : process_(process) {
 }
 
 void StepReporter::on_step(const StepRecord& record) noexcept {
+  process_.faults().count_step(process_.name(), ++steps_, process_.clock().tick(), process_.clock());
   process_.status().step(record.instruction, *record.name, record.step);
   if (record.robots.size() > 1 && !record.last) {
     ++counters_.common_steps;

@@ -22,6 +22,7 @@ class StepReporter : public StepObserver {
   Process& process_;
   std::unique_ptr<TraceFile> trace_;
   links::Counters counters_;
+  std::uint64_t steps_ = 0;  ///< of all instructions
 };
 
 /// Writes one step as a line of a trace (without the end of line).

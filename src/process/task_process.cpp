@@ -49,7 +49,9 @@ RobotLink& TaskProcess::robot_link(const std::string& name, const std::string& t
     link = std::make_unique<links::RobotRequester>(process_.domain(), process_.clock(), robot_topic(name),
                                                    robot_peer(name), patience());
   }
-  return *link;
+  auto faults = process_.faults().of(process_.name(), process_.clock());
+  if (faults.empty()) return *link;
+  return faulty_.try_emplace(name, *link, std::move(faults), process_.clock()).first->second;
 }
 
 SensorLink& TaskProcess::sensor_link(const std::string& name, const std::string& type, bool& interactive) {

@@ -11,6 +11,7 @@
 #include "links/task_subordinate.hpp"
 #include "mrroc/task.hpp"
 #include "process/dialogue.hpp"
+#include "process/faulty_robot_link.hpp"
 #include "process/mailbox.hpp"
 #include "process/process.hpp"
 #include "process/step_reporter.hpp"
@@ -101,6 +102,7 @@ class TaskProcess : public Task {
   bool running_ = false;  // since `start` came, until the end is reported
   std::unique_ptr<StepReporter> reporter_;
   std::map<std::string, std::unique_ptr<links::RobotRequester>> robots_;
+  std::map<std::string, FaultyRobotLink> faulty_;
   std::map<std::string, std::unique_ptr<links::SensorRequester>> sensors_;
   OperatorRequest request_ = OperatorRequest::none;
   std::uint32_t triggers_ = 0;

@@ -137,20 +137,6 @@ INSTANTIATE_TEST_SUITE_P(Clocks, Signal,
                                   (std::get<1>(test.param) == SIGINT ? "interrupt" : "terminate");
                          });
 
-TEST(Operator, CtrlCTwiceEndsAtOnce) {
-  MrrocRun run({"run", "tasks/press/press.toml", "--clock", "paced"});
-  ASSERT_TRUE(run.wait_for_output("mp           running")) << run.out() << run.err();
-  const std::vector<pid_t> pids = run.children();
-  const pid_t mp = run.child("mp");
-  kill(mp, SIGSTOP);  // a task that does not react
-  run.signal(SIGINT);
-  ASSERT_TRUE(run.wait_for_output("stopping (once more to end at once)"));
-  run.signal(SIGINT);
-  EXPECT_EQ(run.wait(), kStopped) << run.out() << run.err();
-  EXPECT_NE(run.err().find("ended by the operator"), std::string::npos) << run.err();
-  EXPECT_TRUE(all_end(pids));
-}
-
 TEST(Operator, CtrlCTwiceEndsATaskThatNeverWaits) {
   const ScratchFolder folder;
   MrrocRun run({"run", folder.write("endless.toml", faulty_deployment("endless")).string()});

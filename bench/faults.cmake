@@ -1,0 +1,1 @@
+mrroc_bench(faults SOURCES faults.cpp LINKS mrroc_testing)

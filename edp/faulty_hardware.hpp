@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "edp/hardware.hpp"
+#include "faults/fault_plan.hpp"
+#include "mrroc/robot_parameters.hpp"
+
+namespace mrroc::edp {
+
+/// Drives with injected faults: what the real driver reads and writes, falsified while a fault is in force. Above it
+/// nothing knows. Its position in the servo tick makes it keep the tick's rules.
+class FaultyHardware final : public Hardware {
+ public:
+  /// `parameters` must outlive it. Throws NonFatalError(invalid_argument): a fault of an axis that the robot has not.
+  FaultyHardware(std::unique_ptr<Hardware> hardware, std::vector<faults::FaultSwitch> faults,
+                 const RobotParameters& parameters);
+
+  void open() override { hardware_->open(); }
+  void enable(bool on) noexcept override { hardware_->enable(on); }
+  void reset_fault() noexcept override { hardware_->reset_fault(); }
+  bool waits() const noexcept override { return hardware_->waits(); }
+  void read(Tick tick, HardwareInput& input) noexcept override;
+  void write(Tick tick, const JointVector& current) noexcept override;
+  void set_outputs(const Signals& outputs) noexcept override { hardware_->set_outputs(outputs); }
+  void set_origin(const JointVector& shift) noexcept override { hardware_->set_origin(shift); }
+
+ private:
+  void falsify(const faults::Fault& fault, HardwareInput& input) noexcept;
+
+  std::unique_ptr<Hardware> hardware_;
+  std::vector<faults::FaultSwitch> faults_;
+  const RobotParameters& parameters_;
+  JointVector last_motors_;  ///< as given to the servo in the tick before
+  bool read_ = false;
+};
+
+}  // namespace mrroc::edp

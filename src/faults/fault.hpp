@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "mrroc/types.hpp"
+
+namespace mrroc::faults {
+
+/// What an injected fault does, by the word that asks for it.
+enum class Kind : std::uint8_t {
+  // of a process; the runner does it
+  kill,  ///< SIGKILL
+  halt,  ///< SIGSTOP: it is there and does nothing
+  end,   ///< SIGTERM: it leaves early
+  // of a robot's drives; its EDP's hardware seems to do it
+  fault,        ///< a drive reports a fault
+  silence,      ///< the drives, or a sensor's hardware, do not answer
+  unreference,  ///< the drives have lost their positions
+  jump,         ///< an axis's encoder, or every value of a sensor, is off by `value`
+  freeze,       ///< an axis's encoder, or a sensor, goes on giving its last value
+  nan,          ///< an axis's encoder, or a sensor, gives something that is no number
+  overload,     ///< an axis's measured current is `value` times its greatest one
+  disconnect,   ///< an axis's motor gets no current
+  runaway,      ///< an axis's motor gets its greatest current, whatever the regulator says
+  // of the commands that a task program sends to its robots
+  lose,     ///< they do not arrive
+  delay,    ///< each is sent `value` ticks later
+  corrupt,  ///< their numbers are no numbers
+  leap      ///< their target is `value` rad or m farther, in every joint
+};
+
+/// Which processes a kind can strike.
+enum class Target : std::uint8_t { any_process, edp, edp_or_vsp, task };
+Target target_of(Kind kind) noexcept;
+
+/// One fault to be injected into a run: what, whom, when, for how long.
+struct Fault {
+  Kind kind = Kind::kill;
+  std::string process;   ///< as the deployment names it: mp, arm, arm_edp, wrist, sim
+  std::size_t axis = 0;  ///< from 0; of the kinds that strike one axis
+  double value = 0;      ///< see Kind
+  bool at_step = false;  ///< `when` counts the steps of process `counter`; else it is a tick
+  std::uint64_t when = 0;
+  std::string counter;     ///< the task process whose steps are counted, from its start; empty: not by steps
+  Tick duration = kNever;  ///< ticks; kNever: for ever
+  std::string text;        ///< as it was given
+};
+
+/// Reads one fault. Words, `[]` optional:
+///
+///     ACTION TARGET [axis N] [by X] at (tick N | step N [of PROCESS]) [for N ticks]
+///
+/// TARGET: `mp`, `sim`, `ecp:ROBOT`, `edp:ROBOT`, `vsp:SENSOR`. Axes count from 1. Steps are those of the target when
+/// it runs a task, of the robot's ECP for an EDP, else PROCESS must be named. Examples: "kill ecp:arm at step 120",
+/// "jump edp:arm axis 2 by 0.5 at tick 800", "lose ecp:arm at tick 500 for 100 ticks".
+///
+/// Throws std::invalid_argument that names the word that is wrong and what was expected. Any thread.
+Fault parse_fault(const std::string& text);
+
+}  // namespace mrroc::faults

@@ -1,0 +1,31 @@
+#include "faults/fault_plan.hpp"
+
+#include <stdexcept>
+
+#include "clock/clock_memory.hpp"
+
+namespace mrroc::faults {
+
+FaultPlan::FaultPlan(const std::vector<std::string>& texts) {
+  if (texts.size() > clock::kMaxFaults)
+    throw std::invalid_argument(std::to_string(texts.size()) + " faults to inject, expected at most " +
+                                std::to_string(clock::kMaxFaults));
+  for (const std::string& text : texts) faults_.push_back(parse_fault(text));
+}
+
+std::vector<FaultSwitch> FaultPlan::of(const std::string& process, const clock::Clock& clock) const {
+  std::vector<FaultSwitch> switches;
+  for (std::size_t i = 0; i < faults_.size(); ++i)
+    if (faults_[i].process == process && target_of(faults_[i].kind) != Target::any_process)
+      switches.emplace_back(faults_[i], i, clock);
+  return switches;
+}
+
+void FaultPlan::count_step(const std::string& process, std::uint64_t step, Tick tick,
+                           clock::Clock& clock) const noexcept {
+  for (std::size_t i = 0; i < faults_.size(); ++i)
+    if (faults_[i].at_step && faults_[i].when == step && faults_[i].counter == process)
+      clock.set_off_fault(i, tick + 1);
+}
+
+}  // namespace mrroc::faults

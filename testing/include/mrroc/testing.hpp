@@ -1,0 +1,37 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "mrroc/testing/run.hpp"
+
+namespace mrroc::testing {
+
+/// A GoogleTest fixture for a task of one's own: runs its deployment in lockstep, with real processes, real links and
+/// real physics, injects faults at ticks or steps, and asserts on what the robots did. `mrroc_add_task_test` in CMake
+/// builds such a test (docs/fault-injection.md):
+///
+///     using Press = mrroc::testing::DeploymentTest;
+///
+///     TEST_F(Press, StopsWhenItsEcpDies) {
+///       const auto run = deployment("press.toml").inject("kill ecp:arm at step 120").run();
+///       EXPECT_EQ(run.exit_code, 4);
+///       expect_safe(run);
+///     }
+class DeploymentTest : public ::testing::Test {
+ protected:
+  /// A run of this deployment file; a relative path is one in the folder of the test's CMakeLists.txt.
+  static DeploymentRun deployment(const std::filesystem::path& file) {
+    return {MRROC_COMMAND, std::filesystem::path(MRROC_TEST_FOLDER) / file};
+  }
+
+  /// At the end every robot stands, none has exceeded a limit, and no process is left.
+  static void expect_safe(const RunResult& run) {
+    EXPECT_EQ(run.leftovers, std::vector<std::string>{}) << run.output;
+    for (const auto& [robot, motion] : run.motion) {
+      EXPECT_NE(motion.standstill(), kNever) << robot << " moved to the end\n" << run.output;
+      EXPECT_EQ(motion.limits_exceeded(), std::vector<std::string>{}) << robot << "\n" << run.output;
+    }
+  }
+};
+
+}  // namespace mrroc::testing

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mrroc/types.hpp"
+
+namespace mrroc::testing {
+
+/// What one robot of the simulated world truly did in a run, tick by tick, and the limits that its parameters give it.
+struct Motion {
+  std::vector<Tick> ticks;              ///< one after the other
+  std::vector<JointVector> positions;   ///< rad or m, of each tick
+  std::vector<JointVector> velocities;  ///< rad/s or m/s
+  JointVector position_min, position_max, velocity_max;
+
+  /// The first tick from which on no joint is faster than `speed` (rad/s or m/s), to the end of the run; kNever: it
+  /// moved to the end. Regulators that hold a position tremble by some 0.005 rad/s.
+  Tick standstill(double speed = 0.02) const;
+  /// Every tick at which a joint was beyond its position limits by more than 0.01 rad (m), or faster than its velocity
+  /// limit by more than `tolerance` of it, in words; empty: none was. What a drive does differs a little from what it
+  /// is asked for, hence the tolerance.
+  std::vector<std::string> limits_exceeded(double tolerance = 0.1) const;
+};
+
+/// By robot, from the file that `mrroc run --motion` has written. Throws std::runtime_error that names file and line.
+/// An unfinished last line (its writer was killed) is left out.
+std::map<std::string, Motion> read_motion(const std::filesystem::path& file);
+
+}  // namespace mrroc::testing

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mrroc/testing/motion.hpp"
+#include "mrroc/types.hpp"
+
+namespace mrroc::testing {
+
+/// One step of a Move or Wait, as the trace tells it (docs/trace.md).
+struct Step {
+  Tick tick = 0;
+  std::string process;      ///< that runs the instruction
+  std::string instruction;  ///< name of the generator, or of the condition waited for
+  bool is_move = false;
+  std::uint64_t step = 0;  ///< of the instruction, from 0
+  std::string ending;      ///< what ends the instruction here; empty: it goes on
+  std::string line;        ///< the whole
+};
+
+/// What a run did.
+struct RunResult {
+  int exit_code = 0;                     ///< of `mrroc run`; minus the signal that has ended it
+  std::string output;                    ///< stdout and stderr
+  std::string error;                     ///< the line that says why it ended: "mrroc: <deployment>: ..."; may be empty
+  std::vector<Step> steps;               ///< of all task processes, as the trace has them
+  std::map<std::string, Motion> motion;  ///< of every robot of the simulated world
+  std::map<std::string, Tick> injected;  ///< when each fault was set off; those that never were are not there
+  std::vector<std::string> leftovers;    ///< processes that have outlived it: "<pid> <command>"; they have been killed
+
+  /// The steps of one process.
+  std::vector<Step> steps_of(const std::string& process) const;
+  /// The steps at which an instruction ends.
+  std::vector<Step> endings() const;
+};
+
+/// Runs a deployment with `mrroc run`, in lockstep unless an option says otherwise, with faults injected, and gives
+/// what it did. One thread.
+class DeploymentRun {
+ public:
+  /// `command`: the `mrroc` program.
+  DeploymentRun(std::filesystem::path command, std::filesystem::path deployment);
+
+  /// "kill ecp:arm at step 120": docs/fault-injection.md.
+  DeploymentRun& inject(std::string fault);
+  /// Further arguments of `mrroc run`, one word each.
+  DeploymentRun& option(std::string word);
+  /// Starts it and waits for its end; after `patience` s it is killed. Throws std::runtime_error when it cannot be
+  /// started or what it has written cannot be read.
+  RunResult run(int patience = 120);
+
+ private:
+  std::filesystem::path command_, deployment_;
+  std::vector<std::string> faults_, options_;
+};
+
+}  // namespace mrroc::testing

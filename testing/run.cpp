@@ -1,0 +1,207 @@
+#include "mrroc/testing/run.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+
+namespace mrroc::testing {
+
+namespace {
+
+/// Every process of a run has this variable in its environment, so that those it leaves behind are found.
+constexpr const char* kMark = "MRROC_TEST_RUN";
+
+/// A folder of one run's own.
+class Folder {
+ public:
+  Folder() {
+    std::string pattern = std::filesystem::temp_directory_path() / "mrroc_run_XXXXXX";
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder for the run under " + pattern);
+    path_ = pattern;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The whole file; nothing of one that cannot be read, as those of a process that ends meanwhile.
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  std::array<char, 65536> part{};
+  while (file.read(part.data(), part.size()) || file.gcount() > 0)
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+pid_t start(const std::vector<std::string>& words, const std::filesystem::path& output, const std::string& mark) {
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  std::vector<char*> environment;
+  for (char** each = environ; *each != nullptr; ++each) environment.push_back(*each);
+  environment.push_back(const_cast<char*>(mark.c_str()));
+  environment.push_back(nullptr);
+  const int file = open(output.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  const pid_t pid = fork();
+  if (pid == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
+    execve(words.front().c_str(), argv.data(), environment.data());
+    _exit(127);
+  }
+  close(file);
+  if (pid < 0) throw std::runtime_error("cannot start " + words.front());
+  return pid;
+}
+
+int wait_for(pid_t pid, int patience) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(patience);
+  int status = 0;
+  while (waitpid(pid, &status, WNOHANG) == 0) {
+    if (std::chrono::steady_clock::now() > deadline) kill(pid, SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+bool is_zombie(const std::filesystem::path& process) {
+  const std::string stat = text_of(process / "stat");
+  const std::size_t end = stat.rfind(')');
+  return end == std::string::npos || end + 2 >= stat.size() || stat[end + 2] == 'Z';
+}
+
+/// Processes with `mark` in their environment: "<pid> <command>".
+std::vector<std::string> find_processes(const std::string& mark) {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    if (text_of(entry.path() / "environ").find(mark) == std::string::npos || is_zombie(entry.path())) continue;
+    std::string command = text_of(entry.path() / "cmdline");
+    std::replace(command.begin(), command.end(), '\0', ' ');
+    found.push_back(name + " " + command);
+  }
+  return found;
+}
+
+/// Those that are still there a second after the end of the run; they are killed.
+std::vector<std::string> kill_leftovers(const std::string& mark) {
+  std::vector<std::string> found = find_processes(mark);
+  for (int i = 0; i < 20 && !found.empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    found = find_processes(mark);
+  }
+  for (const std::string& each : found) kill(static_cast<pid_t>(std::stoi(each)), SIGKILL);
+  return found;
+}
+
+/// What follows `key=` in a line of a trace, with its quotation marks taken off.
+std::string value_of(const std::string& line, const std::string& key) {
+  const std::size_t place = line.find(" " + key + "=");
+  if (place == std::string::npos) return line.starts_with(key + "=") ? value_of(" " + line, key) : "";
+  const std::size_t begin = place + key.size() + 2;
+  if (begin < line.size() && line[begin] == '"') return line.substr(begin + 1, line.find('"', begin + 1) - begin - 1);
+  return line.substr(begin, line.find(' ', begin) - begin);
+}
+
+std::vector<Step> read_steps(const std::filesystem::path& trace) {
+  std::vector<Step> steps;
+  std::ifstream file(trace);
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("tick=")) continue;
+    Step step;
+    step.tick = std::stoull(value_of(line, "tick"));
+    step.process = value_of(line, "process");
+    step.instruction = value_of(line, "move");
+    step.is_move = !step.instruction.empty();
+    if (!step.is_move) step.instruction = value_of(line, "wait");
+    step.step = std::stoull(value_of(line, "step"));
+    step.ending = value_of(line, "end");
+    step.line = line;
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+/// The rest of every line that begins with `beginning`.
+std::vector<std::string> rests_of(const std::string& text, const std::string& beginning) {
+  std::vector<std::string> rests;
+  for (std::size_t place = 0; place < text.size();) {
+    const std::size_t end = std::min(text.find('\n', place), text.size());
+    if (text.compare(place, beginning.size(), beginning) == 0)
+      rests.push_back(text.substr(place + beginning.size(), end - place - beginning.size()));
+    place = end + 1;
+  }
+  return rests;
+}
+
+}  // namespace
+
+std::vector<Step> RunResult::steps_of(const std::string& process) const {
+  std::vector<Step> own;
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(own),
+               [&](const Step& step) { return step.process == process; });
+  return own;
+}
+
+std::vector<Step> RunResult::endings() const {
+  std::vector<Step> ends;
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(ends),
+               [](const Step& step) { return !step.ending.empty(); });
+  return ends;
+}
+
+DeploymentRun::DeploymentRun(std::filesystem::path command, std::filesystem::path deployment)
+    : command_(std::move(command)), deployment_(std::move(deployment)) {}
+
+DeploymentRun& DeploymentRun::inject(std::string fault) {
+  faults_.push_back(std::move(fault));
+  return *this;
+}
+
+DeploymentRun& DeploymentRun::option(std::string word) {
+  options_.push_back(std::move(word));
+  return *this;
+}
+
+RunResult DeploymentRun::run(int patience) {
+  const Folder folder;
+  const std::filesystem::path trace = folder.path() / "trace", motion = folder.path() / "motion",
+                              output = folder.path() / "output";
+  std::vector<std::string> words{command_, "run", deployment_, "--quiet", "--trace", trace, "--motion", motion};
+  if (std::find(options_.begin(), options_.end(), "--clock") == options_.end())
+    words.insert(words.end(), {"--clock", "lockstep"});
+  for (const std::string& fault : faults_) words.insert(words.end(), {"--inject", fault});
+  words.insert(words.end(), options_.begin(), options_.end());
+  const std::string mark = std::string{kMark} + "=" + folder.path().string();
+  RunResult result;
+  result.exit_code = wait_for(start(words, output, mark), patience);
+  result.leftovers = kill_leftovers(mark);
+  result.output = text_of(output);
+  if (const auto reasons = rests_of(result.output, "mrroc: "); !reasons.empty()) result.error = reasons.front();
+  for (const std::string& rest : rests_of(result.output, "injected at tick "))
+    result.injected[rest.substr(rest.find(": ") + 2)] = std::stoull(rest);
+  if (std::filesystem::exists(trace)) result.steps = read_steps(trace);
+  if (std::filesystem::exists(motion)) result.motion = read_motion(motion);
+  return result;
+}
+
+}  // namespace mrroc::testing

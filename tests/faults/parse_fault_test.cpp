@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "faults/fault.hpp"
+
+namespace mrroc::faults {
+namespace {
+
+TEST(ParseFault, AProcessAtAStepOfItsOwn) {
+  const Fault fault = parse_fault("kill ecp:arm at step 120");
+  EXPECT_EQ(fault.kind, Kind::kill);
+  EXPECT_EQ(fault.process, "arm");
+  EXPECT_TRUE(fault.at_step);
+  EXPECT_EQ(fault.when, 120U);
+  EXPECT_EQ(fault.counter, "arm");
+  EXPECT_EQ(fault.duration, kNever);
+  EXPECT_EQ(fault.text, "kill ecp:arm at step 120");
+}
+
+TEST(ParseFault, AnAxisByAValueForSomeTime) {
+  const Fault fault = parse_fault("jump edp:arm axis 2 by -0.5 at tick 800 for 30 ticks");
+  EXPECT_EQ(fault.kind, Kind::jump);
+  EXPECT_EQ(fault.process, "arm_edp");
+  EXPECT_EQ(fault.axis, 1U);
+  EXPECT_EQ(fault.value, -0.5);
+  EXPECT_FALSE(fault.at_step);
+  EXPECT_EQ(fault.when, 800U);
+  EXPECT_EQ(fault.duration, 30U);
+}
+
+TEST(ParseFault, StepsOfAnotherProcess) {
+  EXPECT_EQ(parse_fault("halt edp:arm at step 5").counter, "arm");
+  EXPECT_EQ(parse_fault("halt edp:arm at step 5 of mp").counter, "mp");
+  EXPECT_EQ(parse_fault("kill sim at step 5 of arm").counter, "arm");
+  EXPECT_EQ(parse_fault("nan vsp:wrist at step 5 of mp").process, "wrist");
+}
+
+TEST(ParseFault, EveryKindSaysWhomItStrikes) {
+  EXPECT_EQ(target_of(Kind::end), Target::any_process);
+  EXPECT_EQ(target_of(Kind::runaway), Target::edp);
+  EXPECT_EQ(target_of(Kind::freeze), Target::edp_or_vsp);
+  EXPECT_EQ(target_of(Kind::lose), Target::task);
+}
+
+/// A text that is wrong, and what is said of it.
+struct Wrong {
+  const char* text;
+  const char* message;
+};
+
+class WrongFault : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongFault, IsRefusedWithTheWordAndWhatWasExpected) {
+  try {
+    parse_fault(GetParam().text);
+    FAIL() << GetParam().text;
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string{error.what()}, "the fault \"" + std::string{GetParam().text} + "\": " + GetParam().message);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Texts, WrongFault,
+    testing::Values(
+        Wrong{"",
+              "it ends, expected one of kill, halt, end, fault, silence, unreference, jump, freeze, nan, overload, "
+              "disconnect, runaway, lose, delay, corrupt, leap"},
+        Wrong{"kill arm at tick 1", "'arm', expected mp, sim, ecp:ROBOT, edp:ROBOT or vsp:SENSOR"},
+        Wrong{"kill ecp: at tick 1", "'ecp:', expected mp, sim, ecp:ROBOT, edp:ROBOT or vsp:SENSOR"},
+        Wrong{"fault ecp:arm at tick 1", "'ecp:arm', expected edp:ROBOT"},
+        Wrong{"lose edp:arm at tick 1", "'edp:arm', expected mp or ecp:ROBOT"},
+        Wrong{"nan edp:arm at tick 1", "'at', expected 'axis'"},
+        Wrong{"nan edp:arm axis 0 at tick 1", "'0', expected an axis from 1 to 8"},
+        Wrong{"jump edp:arm axis 1 by far at tick 1", "'far', expected a number"},
+        Wrong{"jump edp:arm axis 1 by inf at tick 1", "'inf', expected a number"},
+        Wrong{"kill mp", "it ends, expected 'at'"}, Wrong{"kill mp at noon", "'noon', expected 'tick' or 'step'"},
+        Wrong{"kill mp at tick -1", "'-1', expected a tick"},
+        Wrong{"kill mp at step 0", "'0', expected a step, from 1"},
+        Wrong{"kill sim at step 5", "it ends, expected 'of' and mp or a robot"},
+        Wrong{"kill mp at tick 5 for 3", "it ends, expected 'ticks'"},
+        Wrong{"kill mp at tick 5 please", "'please', expected nothing more"}));
+
+}  // namespace
+}  // namespace mrroc::faults

@@ -1,0 +1,102 @@
+#include <algorithm>
+
+#include "mrroc/testing.hpp"
+
+namespace mrroc::testing {
+namespace {
+
+/// tasks/press with faults, as its owner would test it.
+class FaultInjection : public DeploymentTest {
+ protected:
+  static DeploymentRun press() { return deployment("../../tasks/press/press.toml"); }
+};
+
+TEST_F(FaultInjection, AnEcpThatDiesAtAStepEndsTheRunThereAndTheArmBrakes) {
+  const RunResult run = press().inject("kill ecp:arm at step 120").run();
+  EXPECT_EQ(run.exit_code, 4) << run.output;
+  EXPECT_NE(run.error.find("process arm died: signal 9 (Killed)"), std::string::npos) << run.output;
+  EXPECT_LE(run.steps_of("arm").size(), 120U);  // what it had not written yet is lost with it
+  expect_safe(run);
+  const Tick killed = run.injected.at("kill ecp:arm at step 120");
+  const Motion& arm = run.motion.at("arm");
+  EXPECT_GT(arm.velocities[killed].cwiseAbs().maxCoeff(), 0.01) << "it was to be in motion";
+  EXPECT_GT(arm.standstill(), killed);
+}
+
+/// Up to the last step that both have in their traces: when the runner hears of a task's end, and how long it takes
+/// until all have left, are matters of wall time.
+bool same_motion(const RunResult& one, const RunResult& other) {
+  const Motion &first = one.motion.at("arm"), &second = other.motion.at("arm");
+  const std::size_t length =
+      std::min({one.steps.back().tick, other.steps.back().tick, first.ticks.size(), second.ticks.size()});
+  return length > 0 && std::equal(first.positions.begin(), first.positions.begin() + static_cast<long>(length),
+                                  second.positions.begin());
+}
+
+TEST_F(FaultInjection, TheSameFaultGivesTheSameRun) {
+  for (const char* fault : {"kill ecp:arm at step 120", "halt edp:arm at tick 2500", "kill mp at tick 1234",
+                            "disconnect edp:arm axis 2 at step 100", "delay ecp:arm by 40 at step 50 for 100 ticks"}) {
+    const RunResult first = press().inject(fault).run(), second = press().inject(fault).run();
+    EXPECT_EQ(first.exit_code, second.exit_code) << fault;
+    EXPECT_EQ(first.error, second.error) << fault;
+    EXPECT_EQ(first.injected, second.injected) << fault;
+    EXPECT_TRUE(same_motion(first, second)) << fault;
+  }
+}
+
+TEST_F(FaultInjection, ADriveFaultIsAHardwareErrorOfThatTick) {
+  const RunResult run = press().inject("fault edp:arm at tick 2500").run();
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_NE(run.error.find("hardware error: a drive reports a fault: at tick 2500"), std::string::npos) << run.output;
+  expect_safe(run);
+  const auto endings = run.endings();
+  EXPECT_TRUE(std::any_of(endings.begin(), endings.end(),
+                          [](const Step& step) { return step.process == "arm" && step.ending == "hardware_error"; }));
+}
+
+TEST_F(FaultInjection, ASensorThatGivesNoNumberIsAnErrorWhereItIsUsed) {
+  const RunResult run = press().inject("nan vsp:wrist at tick 10").run();
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_NE(run.error.find("the sensor hardware malfunctions"), std::string::npos) << run.output;
+  expect_safe(run);
+}
+
+TEST_F(FaultInjection, CommandsThatComeLateForAWhileAreMadeUpFor) {
+  const RunResult run = press().inject("delay ecp:arm by 40 at step 50 for 100 ticks").run();
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  expect_safe(run);
+}
+
+TEST_F(FaultInjection, ALostCommandStopsTheArmAndItsEcpMissesTheAnswer) {
+  const RunResult run = press().inject("lose ecp:arm at step 100").run();
+  EXPECT_EQ(run.exit_code, 4) << run.output;
+  EXPECT_NE(run.error.find("a process is silent: arm_edp has not answered"), std::string::npos) << run.output;
+  expect_safe(run);
+  EXPECT_LT(run.motion.at("arm").standstill(), run.injected.at("lose ecp:arm at step 100") + 500)
+      << "the arm does not wait for what its ECP thinks";
+}
+
+TEST_F(FaultInjection, WithoutAFaultNothingIsInjected) {
+  const RunResult run = press().run();
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_TRUE(run.injected.empty());
+  expect_safe(run);
+}
+
+TEST_F(FaultInjection, AWrongFaultIsRefusedBeforeAnythingIsStarted) {
+  for (const auto& [fault, message] : std::map<std::string, std::string>{
+           {"kill arm", "the fault \"kill arm\": 'arm', expected mp, sim, ecp:ROBOT, edp:ROBOT or vsp:SENSOR"},
+           {"kill ecp:leg at tick 1", "the deployment has no process 'leg', it has sim, arm_edp, wrist, gate, arm, mp"},
+           {"kill sim at step 1 of leg", "the deployment has no process 'leg'"}}) {
+    const RunResult run = press().inject(fault).run();
+    EXPECT_EQ(run.exit_code, 2) << run.output;
+    EXPECT_NE(run.output.find(message), std::string::npos) << run.output;
+    EXPECT_TRUE(run.motion.empty());
+  }
+  const RunResult run = press().inject("nan edp:arm axis 7 at tick 1").run();
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("irb6 has 6 axes"), std::string::npos) << run.output;
+}
+
+}  // namespace
+}  // namespace mrroc::testing
