@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/black_boxes.hpp"
 #include "cli/crew.hpp"
 #include "cli/domain_lock.hpp"
 #include "cli/operator_desk.hpp"
@@ -28,6 +29,7 @@ namespace mrroc::cli {
 
 struct RunOptions {
   std::filesystem::path trace;      ///< empty: none
+  std::filesystem::path black_box;  ///< folder for the black boxes of tasks that fail; empty: none
   std::filesystem::path snapshots;  ///< folder for world snapshots; empty: none
   std::string behaviours;           ///< what the ECP programs have, for a state machine (config::ProgramsByRobot)
   bool quiet = false;
@@ -84,6 +86,7 @@ class Runner {
   config::Deployment deployment_;
   RunOptions options_;
   std::vector<PlannedProcess> plan_;
+  BlackBoxes black_boxes_;
   Progress progress_;
   DomainLock domain_lock_;
   clock::ClockHost clock_;

@@ -16,6 +16,7 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
   if (arguments.world_fd >= 0) add("--world-fd", std::to_string(arguments.world_fd));
   if (!arguments.trace.empty()) add("--trace", arguments.trace.string());
   if (!arguments.behaviours.empty()) add("--behaviours-of-programs", arguments.behaviours);
+  if (!arguments.black_box.empty()) add("--black-box", arguments.black_box.string());
   if (!arguments.snapshots.empty()) add("--snapshots", arguments.snapshots.string());
   return words;
 }
@@ -30,6 +31,7 @@ Arguments parse_arguments(int argc, char** argv) {
   app.add_option("--domain", arguments.domain)->required();
   app.add_option("--trace", arguments.trace);
   app.add_option("--behaviours-of-programs", arguments.behaviours);
+  app.add_option("--black-box", arguments.black_box);
   app.add_option("--snapshots", arguments.snapshots);
   try {
     app.parse(argc, argv);
