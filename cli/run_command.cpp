@@ -53,6 +53,11 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--clock", arguments->clock, "Clock instead of the deployment's")
       ->check(CLI::IsMember({"real", "paced", "lockstep"}));
   command->add_option("--trace", arguments->options.trace, "Write every step of every Move and Wait to this file");
+  arguments->options.black_box = "mrroc-black-box";
+  command
+      ->add_option("--black-box", arguments->options.black_box,
+                   "Folder for the last steps of a task that fails, one file for each; empty: none")
+      ->capture_default_str();
   command->add_option("--snapshots", arguments->options.snapshots,
                       "Write states of the simulated world to this folder");
   command->add_option("--motion", arguments->options.motion,

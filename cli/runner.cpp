@@ -43,6 +43,7 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       options_(std::move(options)),
       faults_(options_.faults),
       plan_(plan_processes(deployment_)),
+      black_boxes_(options_.black_box, deployment_, plan_),
       progress_(names_of(plan_), deployment_.servo_period, options_.quiet),
       domain_lock_(deployment_.domain),
       clock_(clock_options(deployment_, names_of(plan_))),
@@ -99,6 +100,7 @@ void Runner::start_processes(const TraceParts& trace) {
     arguments.world_fd = world_ ? world_->fd() : -1;
     arguments.domain = domain_lock_.domain();
     arguments.trace = trace.of(process);
+    if (process.has_task) arguments.black_box = options_.black_box;
     if (process.name == "mp") arguments.behaviours = options_.behaviours;
     if (process.name == "sim") arguments.snapshots = options_.snapshots;
     if (process.name == "sim") arguments.motion = options_.motion;
@@ -224,9 +226,9 @@ void Runner::read_task_status() {
     if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
     result_.ticks = status.tick;
     if (status.state == links::TaskState::failed) {
-      fail(process::exit_code(status.error.error_class), std::string{describe(status.error.error_class)} + ": " +
-                                                             std::string{describe(status.error.code)} + ": " +
-                                                             std::string{status.error.detail.view()});
+      fail(process::exit_code(status.error.error_class),
+           std::string{describe(status.error.error_class)} + ": " + std::string{describe(status.error.code)} + ": " +
+               std::string{status.error.detail.view()} + black_boxes_.told());
     } else if (status.state == links::TaskState::stopped) {
       fail(process::ExitCode::stopped, "stopped by the operator");
     } else {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/black_boxes.hpp"
 #include "cli/crew.hpp"
 #include "cli/domain_lock.hpp"
 #include "cli/operator_desk.hpp"
@@ -30,6 +31,7 @@ namespace mrroc::cli {
 
 struct RunOptions {
   std::filesystem::path trace;      ///< empty: none
+  std::filesystem::path black_box;  ///< folder for the black boxes of tasks that fail; empty: none
   std::filesystem::path snapshots;  ///< folder for world snapshots; empty: none
   std::filesystem::path motion;     ///< file for the motion of the simulated world's robots; empty: none
   std::vector<std::string> faults;  ///< to be injected: faults::parse_fault
@@ -103,6 +105,7 @@ class Runner {
   std::map<std::string, double> struck_;  ///< when a fault's signal was sent to a process, s of wall time
   std::mutex struck_mutex_;
   std::vector<PlannedProcess> plan_;
+  BlackBoxes black_boxes_;
   Progress progress_;
   DomainLock domain_lock_;
   clock::ClockHost clock_;

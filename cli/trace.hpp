@@ -3,15 +3,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "config/deployment.hpp"
+#include "process/trace_header.hpp"
 
 namespace mrroc::cli {
 
-/// How the first line of a trace begins; the clock's name follows: "# mrroc trace 2 clock=lockstep".
-inline constexpr std::string_view kTraceHeader = "# mrroc trace 2 clock=";
+using process::kTraceHeader;
 
 /// An empty file in the trace's place. Throws std::runtime_error when it cannot be written.
 void create_trace(const std::filesystem::path& trace);

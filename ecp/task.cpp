@@ -88,7 +88,6 @@ void run_task(Task& task) {
   } catch (const Stopped&) {
     task.report(links::TaskState::stopped);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
     task.report_failure(error);
   }
 }

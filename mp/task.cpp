@@ -212,7 +212,6 @@ void serve(process::Process& process, const TaskFactory& factory) {
   } catch (const Stopped&) {
     task->report(links::TaskState::stopped);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
     task->report_failure(error);
   }
   // the operator ends the deployment when it has seen the result

@@ -186,7 +186,8 @@ RunResult DeploymentRun::run(int patience) {
   const Folder folder;
   const std::filesystem::path trace = folder.path() / "trace", motion = folder.path() / "motion",
                               output = folder.path() / "output";
-  std::vector<std::string> words{command_, "run", deployment_, "--quiet", "--trace", trace, "--motion", motion};
+  std::vector<std::string> words{command_, "run",      deployment_, "--quiet",     "--trace",
+                                 trace,    "--motion", motion,      "--black-box", ""};
   if (std::find(options_.begin(), options_.end(), "--clock") == options_.end())
     words.insert(words.end(), {"--clock", "lockstep"});
   for (const std::string& fault : faults_) words.insert(words.end(), {"--inject", fault});

@@ -15,6 +15,8 @@ std::vector<Answer> answers(const Step& step) {
     if (!moves || to.error != ErrorClass::none || from.name != to.name) continue;
     Answer answer{from, *from.command, to};
     const RobotMemory* known = step.memory.robot(from.name);
+    // of the first state in a black box it is not known where the motion before it leads
+    if (step.before->step != 0 && (known == nullptr || !known->answered)) continue;
     const bool forced = known != nullptr && known->forced;
     // at the first step the state is that of a query, which tells the end of all that was accepted
     answer.end_before = forced && step.before->step != 0 ? from.macrostep + known->steps : from.desired_tick;

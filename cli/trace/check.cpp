@@ -15,6 +15,7 @@ class Check {
   Check(const std::filesystem::path& file, const std::function<void(const std::string&)>& report)
       : name_(file.filename().string()), reader_(file), report_(report), rules_(all_rules()) {
     memory_.simulated = reader_.simulated();
+    memory_.black_box = reader_.black_box();
     verdict_.rules = rules_.size();
   }
 

@@ -25,6 +25,7 @@ void remember_robots(const Line& line, const Line* before, Memory& memory, Proce
     process.robots[robot.name].command.reset();
     RobotMemory& known = memory.robots[robot.name];
     const bool answers = before != nullptr && i < before->robots.size() && before->robots[i].command;
+    if (answers || line.held != 0 || line.step == 0) known.answered = true;
     if (answers || line.held != 0) {
       known.forced = line.held == 0 && before->robots[i].command->kind == CommandKind::force;
       known.steps = answers ? before->robots[i].command->motion_steps : 0;
@@ -65,6 +66,10 @@ const Line* Memory::before(const Line& line) const {
   return known == nullptr || known->interrupted || !follows(line, known->before) ? nullptr : &known->before;
 }
 
+bool Memory::began_before(const Line& line) const {
+  return black_box && line.step != 0 && instruction(line) == nullptr;
+}
+
 void Memory::take(const Line& line) {
   ProcessMemory& process = processes[line.process];
   ++lines;
@@ -73,9 +78,9 @@ void Memory::take(const Line& line) {
   process.newest = std::max(process.newest, line.tick);
   last_process = line.process;
   last_newest = process.newest;
-  const bool begins = line.instruction > process.last_instruction;
+  const bool begins = line.instruction > process.last_instruction || began_before(line);
   if (begins) {
-    process.last_instruction = line.instruction;
+    process.last_instruction = std::max(process.last_instruction, line.instruction);
     ++instructions;
     // one with the same robot is over, whatever the trace says
     std::erase_if(process.open, [&line](const auto& other) { return share_a_robot(line, other.second.before); });

@@ -37,6 +37,7 @@ struct Commanded {
 
 /// What is known of a robot, whoever commands it.
 struct RobotMemory {
+  bool answered = false;    ///< what the last state answers is known
   bool forced = false;      ///< the last command that it answered was a force motion: its end is not in the state
   std::uint64_t steps = 0;  ///< N of that command
   std::map<std::string, Commanded> by;  ///< by process
@@ -45,6 +46,7 @@ struct RobotMemory {
 /// All that is remembered of the lines so far: bounded by processes, robots and sensors, not by the trace's length.
 struct Memory {
   bool simulated = true;
+  bool black_box = false;  ///< the trace begins in the middle of its process's run
   std::uint64_t lines = 0;
   std::uint64_t instructions = 0;
   std::string last_process;  ///< of the line before
@@ -59,6 +61,9 @@ struct Memory {
   const Line* before(const Line& line) const;
   /// The instruction of `line`, when it has begun and goes on; else null.
   const InstructionMemory* instruction(const Line& line) const;
+
+  /// `line` is the first one of an instruction that began before the black box.
+  bool began_before(const Line& line) const;
 
   void take(const Line& line);
   void take(const Remark& remark);

@@ -31,7 +31,9 @@ Remark parse_remark(std::string_view text) {
 Reader::Reader(std::filesystem::path file) : path_(std::move(file)), file_(path_, std::ios::binary) {
   if (!file_) throw std::runtime_error("cannot read the trace " + path_.string() + ": " + std::strerror(errno));
   const bool known = read() && text_.starts_with(kTraceHeader);
-  const std::string clock = known ? text_.substr(kTraceHeader.size()) : "";
+  std::string clock = known ? text_.substr(kTraceHeader.size()) : "";
+  black_box_ = clock.ends_with(process::kBlackBoxMark);
+  if (black_box_) clock.resize(clock.size() - process::kBlackBoxMark.size());
   simulated_ = clock != "real";
   if (clock != "real" && clock != "paced" && clock != "lockstep")
     throw std::runtime_error(path_.string() + ":1: is no trace, expected the line \"" + std::string{kTraceHeader} +

@@ -25,6 +25,8 @@ class Reader {
 
   /// By whose ticks the trace was written: lockstep or paced, not real.
   bool simulated() const noexcept { return simulated_; }
+  /// Whether the trace is a black box: the last lines of a process, what was before is missing.
+  bool black_box() const noexcept { return black_box_; }
   /// The next line or remark; nothing (std::monostate) at the end. Throws std::runtime_error "FILE:LINE: field ..."
   /// when it is not of the format.
   std::variant<std::monostate, Line, Remark> next();
@@ -37,6 +39,7 @@ class Reader {
   std::string text_;
   std::size_t number_ = 0;
   bool simulated_ = true;
+  bool black_box_ = false;
 };
 
 }  // namespace mrroc::cli::trace

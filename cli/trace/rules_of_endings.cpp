@@ -68,7 +68,8 @@ void skew(const Step& step, Findings& findings) {
   // that of a step after which the robots held was measured on states that are not in the trace
   const bool seen = step.before != nullptr && line.held == 0;
   const Tick known = std::max(step.instruction == nullptr ? 0 : step.instruction->skew, seen ? spread(line) : 0);
-  const bool all_known = (step.instruction == nullptr || step.instruction->skew_is_known) && (step.begins() || seen);
+  const bool all_known = (step.instruction == nullptr || step.instruction->skew_is_known) &&
+                         (step.begins() ? !step.memory.began_before(line) : seen);
   if (*line.skew < known || (all_known && *line.skew != known))
     findings.add(words("skew=", *line.skew),
                  words(all_known ? "" : "at least ", known, ", the worst of its macrosteps"));

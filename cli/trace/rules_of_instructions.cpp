@@ -14,6 +14,7 @@ std::uint64_t last_instruction(const Step& step) {
 
 void instruction_count(const Step& step, Findings& findings) {
   const std::uint64_t last = last_instruction(step);
+  if (step.memory.black_box) return;  // those between may have ended before it begins
   if (!step.begins() || step.line.instruction == last + 1) return;
   if (step.line.instruction <= last) return;  // nothing-after-end tells
   findings.add_unless_dropped(words("instruction ", step.line.instruction), words("instruction ", last + 1));
@@ -21,7 +22,7 @@ void instruction_count(const Step& step, Findings& findings) {
 
 void step_count(const Step& step, Findings& findings) {
   if (step.begins()) {
-    if (step.line.step != 0 && step.line.instruction > last_instruction(step))
+    if (step.line.step != 0 && step.line.instruction > last_instruction(step) && !step.memory.began_before(step.line))
       findings.add_unless_dropped(words("it begins with step ", step.line.step), "step 0");
     return;
   }
@@ -118,7 +119,7 @@ void lists(const Step& step, Findings& findings) {
 }
 
 void nothing_after_end(const Step& step, Findings& findings) {
-  if (step.begins() && step.line.instruction <= last_instruction(step))
+  if (step.begins() && step.line.instruction <= last_instruction(step) && !step.memory.began_before(step.line))
     findings.add(words("a line of instruction ", step.line.instruction), "none: it has ended before");
 }
 
@@ -126,6 +127,7 @@ void all_end(const Remark& remark, const Memory& memory, Findings& findings) {
   const ProcessMemory* process = memory.process(remark.process);
   if (process == nullptr) return;
   if (process->ended) findings.add(words("a second remark of process ", remark.process), "one");
+  if (memory.black_box) return;  // others go on, side by side, when an error ends one
   for (const auto& [number, open] : process->open)
     findings.add_unless_dropped(words("instruction ", number, " stops at line ", open.before.number, " without end="),
                                 "an end: the process was not killed");

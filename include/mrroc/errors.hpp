@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -66,6 +67,8 @@ struct ErrorOrigin {
   Tick tick = 0;
 };
 
+class BlackBox;
+
 /// f_E as an exception: what `Move` and `Wait` throw. `what()` reads
 /// "<class> <code text>: <detail> [process arm, robot wrist, step 3, tick 120]".
 class Error : public std::runtime_error {
@@ -76,10 +79,15 @@ class Error : public std::runtime_error {
   const std::string& detail() const noexcept { return detail_; }
   const ErrorOrigin& origin() const noexcept { return origin_; }
   const char* what() const noexcept override { return text_.c_str(); }
+  /// The last steps of the task until this error ended one of its Moves or Waits (`mrroc/black_box.hpp`); it stays as
+  /// it is while the task goes on. Null: it has not passed through a Move or Wait of this process.
+  const std::shared_ptr<const BlackBox>& black_box() const noexcept { return black_box_; }
 
   /// Fills in what the origin does not say yet. Move and Wait do it for every error that passes through them, so that
   /// one thrown by a generator, a condition or a link says where it arose, too.
   void complete_origin(const ErrorOrigin& known);
+  /// Gives it the black box, unless it has one: that of the innermost instruction. Used by Move and Wait.
+  void attach(std::shared_ptr<const BlackBox> black_box) noexcept;
 
  protected:
   Error(ErrorClass error_class, ErrorCode code, std::string detail, ErrorOrigin origin);
@@ -90,6 +98,7 @@ class Error : public std::runtime_error {
   std::string detail_;
   ErrorOrigin origin_;
   std::string text_;
+  std::shared_ptr<const BlackBox> black_box_;
 };
 
 /// Pose out of workspace, invalid argument, sensor not ready ...: robots hold, the task may catch it and go on.

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "mrroc/black_box.hpp"
 #include "mrroc/robot_link.hpp"
 #include "mrroc/sensor_link.hpp"
 #include "mrroc/types.hpp"
@@ -58,10 +59,15 @@ class Task {
   /// Is told every step; null: nobody. It must neither allocate nor block.
   virtual StepObserver* observer() noexcept = 0;
 
+  /// The last steps of this task's Moves and Waits; it goes on as they do. Task's thread.
+  BlackBox& black_box() noexcept { return black_box_; }
+  const BlackBox& black_box() const noexcept { return black_box_; }
+
   /// Number of an instruction, when its first step is observed; counts from 1. Used by Move and Wait.
   std::uint64_t begin_instruction() noexcept { return ++instructions_; }
 
  private:
+  BlackBox black_box_;
   std::uint64_t instructions_ = 0;
 };
 

@@ -1,5 +1,7 @@
 #include "mrroc/errors.hpp"
 
+#include <utility>
+
 namespace mrroc {
 
 std::string_view describe(ErrorCode code) noexcept {
@@ -119,6 +121,10 @@ void Error::complete_origin(const ErrorOrigin& known) {
   if (origin_.step == 0) origin_.step = known.step;
   if (origin_.tick == 0) origin_.tick = known.tick;
   text_ = compose(class_, code_, detail_, origin_);
+}
+
+void Error::attach(std::shared_ptr<const BlackBox> black_box) noexcept {
+  if (black_box_ == nullptr) black_box_ = std::move(black_box);
 }
 
 NonFatalError::NonFatalError(ErrorCode code, std::string detail, ErrorOrigin origin)

@@ -54,11 +54,13 @@ Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Gen
 
 Outcome Instruction::run() {
   const ExclusiveUse use(robots_, sensors_);
+  begin_record();
   try {
     return run_steps();
   } catch (Error& error) {
     error.complete_origin({task_->process_name(), "", step_, newest_tick()});
     observe(ending_of(error.error_class()));
+    error.attach(std::make_shared<const BlackBox>(task_->black_box()));
     throw;
   } catch (const Stopped&) {
     observe(StepEnding::stopped);
@@ -237,26 +239,33 @@ Tick Instruction::newest_tick() const {
   return tick;
 }
 
+void Instruction::begin_record() {
+  record_ = std::make_shared<InstructionRecord>();
+  record_->is_move = generator_ != nullptr;
+  record_->name = generator_ != nullptr ? generator_->name() : condition_->name();
+  if (generator_ != nullptr && condition_) record_->until = condition_->name();
+  for (const Robot* robot : robots_) record_->robots.push_back(robot->name());
+  for (const Sensor* sensor : sensors_)
+    record_->sensors.push_back({sensor->name(), sensor->period(), sensor->interactive()});
+  for (const Condition* leaf : leaves_) record_->conditions.push_back(leaf->name());
+  task_->black_box().prepare(record_);
+}
+
 void Instruction::observe(StepEnding ending) {
-  StepObserver* observer = task_->observer();
-  if (observer == nullptr) return;
-  if (instruction_ == 0) instruction_ = task_->begin_instruction();
-  StepRecord record;
-  record.is_move = generator_ != nullptr;
-  record.instruction = instruction_;
-  record.name = generator_ != nullptr ? &generator_->name() : &condition_->name();
-  if (generator_ != nullptr && condition_) record.until = &condition_->name();
+  if (record_->number == 0) record_->number = task_->begin_instruction();
+  StepRecord& record = task_->black_box().record(record_);
   record.step = step_;
   record.held = std::exchange(held_, 0);
   record.tick = newest_tick();
-  record.last = ending != StepEnding::none;
   record.ending = ending;
   record.skew = skew_;
-  record.robots = robots_;
-  record.sensors = sensors_;
-  const bool evaluated = !record.last || ending == StepEnding::condition || ending == StepEnding::generator;
-  if (evaluated) record.conditions = leaves_;
-  observer->on_step(record);
+  for (const Robot* robot : robots_) record.states.push_back(robot->state());
+  if (!record.last())
+    for (Robot* robot : robots_) record.commands.push_back(robot->command());
+  for (const Sensor* sensor : sensors_) record.readings.push_back(sensor->reading());
+  if (!record.last() || ending == StepEnding::condition || ending == StepEnding::generator)
+    for (const Condition* leaf : leaves_) record.conditions.push_back(leaf->value() ? 1 : 0);
+  if (StepObserver* observer = task_->observer()) observer->on_step(record);
 }
 
 Outcome Instruction::finish(Ending ending) const {

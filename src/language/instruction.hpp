@@ -38,6 +38,9 @@ class Instruction {
   void hold();
   std::optional<Ending> evaluate_end();
   void write_next_state();
+  /// What does not change from step to step, for the records of the steps.
+  void begin_record();
+  /// Records the step in the task's black box and shows it to the task's observer.
   void observe(StepEnding ending);
   /// Requests the readings due at `next_step`, then sends e^{i+1}.
   void send(std::uint64_t next_step);
@@ -55,10 +58,10 @@ class Instruction {
   std::shared_ptr<Condition> condition_;
   std::vector<const Condition*> leaves_;
   Task* task_ = nullptr;
-  std::uint64_t instruction_ = 0;  // its number, from the first step that is observed
-  std::uint64_t step_ = 0;         // i - i0
-  bool braking_ = false;           // the generator leads the robots to rest, for a pause
-  std::uint64_t held_ = 0;         // macrosteps of hold since the last command that was observed
+  std::shared_ptr<InstructionRecord> record_;  // numbered when its first step is recorded
+  std::uint64_t step_ = 0;                     // i - i0
+  bool braking_ = false;                       // the generator leads the robots to rest, for a pause
+  std::uint64_t held_ = 0;                     // macrosteps of hold since the last command that was observed
   Tick start_tick_ = 0;
   double start_wall_ = 0;
   Tick measure_at_ = 0;

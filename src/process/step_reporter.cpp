@@ -98,9 +98,8 @@ bool moves(const RobotState& state) noexcept {
   return !state.desired_velocity.isZero(0) || !state.desired_acceleration.isZero(0);
 }
 
-void write_robot(TextLine& line, const Robot& robot, bool commanded) noexcept {
-  const RobotState& state = robot.state();
-  line << " robot=" << robot.name() << " tick=" << state.tick << " macrostep=" << state.macrostep_start << " joints=";
+void write_robot(TextLine& line, const std::string& name, const RobotState& state) noexcept {
+  line << " robot=" << name << " tick=" << state.tick << " macrostep=" << state.macrostep_start << " joints=";
   write_vector(line, state.joints);
   line << " pose=";
   write_pose(line, state.pose);
@@ -111,25 +110,21 @@ void write_robot(TextLine& line, const Robot& robot, bool commanded) noexcept {
   if (state.late_commands != 0) line << " late=" << std::uint64_t{state.late_commands};
   if (!state.wrench.isZero(0)) write_vector(line << " wrench=", state.wrench);
   write_error(line, state.error);
-  if (commanded) {
-    line << " command=";
-    write_command(line, robot.command());
-  }
 }
 
-bool is_polled(const Sensor& sensor, const config::Deployment& deployment) noexcept {
+bool is_polled(const std::string& sensor, const config::Deployment& deployment) noexcept {
   for (const config::SensorEntry& entry : deployment.sensors)
-    if (entry.name == sensor.name()) return entry.polled;
+    if (entry.name == sensor) return entry.polled;
   return false;
 }
 
-void write_sensor(TextLine& line, const Sensor& sensor, const config::Deployment& deployment) noexcept {
-  const SensorReading& reading = sensor.reading();
-  line << " sensor=" << sensor.name() << " tick=" << reading.tick << " values=";
+void write_sensor(TextLine& line, const InstructionRecord::SensorEntry& sensor, const SensorReading& reading,
+                  const config::Deployment& deployment) noexcept {
+  line << " sensor=" << sensor.name << " tick=" << reading.tick << " values=";
   for (std::uint32_t i = 0; i < reading.channel_count; ++i) line << (i == 0 ? "" : ",") << reading.values[i];
-  if (sensor.period() != 1) line << " period=" << std::uint64_t{sensor.period()};
-  if (!sensor.interactive()) line << " published";
-  if (is_polled(sensor, deployment)) line << " polled";
+  if (sensor.period != 1) line << " period=" << std::uint64_t{sensor.period};
+  if (!sensor.interactive) line << " published";
+  if (is_polled(sensor.name, deployment)) line << " polled";
   write_error(line, reading.error);
 }
 
@@ -159,18 +154,22 @@ const char* name_of(StepEnding ending) noexcept {
 
 void format_step(TextLine& line, const config::Deployment& deployment, std::string_view process,
                  const StepRecord& record) noexcept {
-  line << "tick=" << record.tick << " process=" << process << " instruction=" << record.instruction
-       << (record.is_move ? " move=\"" : " wait=\"") << *record.name << "\"";
-  if (record.until != nullptr) line << " until=\"" << *record.until << "\"";
+  const InstructionRecord& instruction = *record.instruction;
+  line << "tick=" << record.tick << " process=" << process << " instruction=" << instruction.number
+       << (instruction.is_move ? " move=\"" : " wait=\"") << instruction.name << "\"";
+  if (instruction.until) line << " until=\"" << *instruction.until << "\"";
   line << " step=" << record.step;
   if (record.held != 0) line << " held=" << record.held;
-  for (const Robot* robot : record.robots) write_robot(line, *robot, !record.last);
-  for (const Sensor* sensor : record.sensors) write_sensor(line, *sensor, deployment);
-  for (const Condition* condition : record.conditions) {
-    line << " condition=\"" << condition->name() << "\":" << (condition->value() ? "1" : "0");
+  for (std::size_t i = 0; i < record.states.size(); ++i) {
+    write_robot(line, instruction.robots[i], record.states[i]);
+    if (!record.last()) write_command(line << " command=", record.commands[i]);
   }
-  if (record.last) line << " end=" << name_of(record.ending);
-  if (record.last && record.robots.size() > 1) line << " skew=" << record.skew;
+  for (std::size_t i = 0; i < record.readings.size(); ++i)
+    write_sensor(line, instruction.sensors[i], record.readings[i], deployment);
+  for (std::size_t i = 0; i < record.conditions.size(); ++i)
+    line << " condition=\"" << instruction.conditions[i] << "\":" << (record.conditions[i] != 0 ? "1" : "0");
+  if (record.last()) line << " end=" << name_of(record.ending);
+  if (record.last() && record.states.size() > 1) line << " skew=" << record.skew;
 }
 
 StepReporter::StepReporter(Process& process) : process_(process) {
@@ -180,8 +179,8 @@ StepReporter::StepReporter(Process& process) : process_(process) {
 
 void StepReporter::on_step(const StepRecord& record) noexcept {
   process_.faults().count_step(process_.name(), ++steps_, process_.clock().tick(), process_.clock());
-  process_.status().step(record.instruction, *record.name, record.step);
-  if (record.robots.size() > 1 && !record.last) {
+  process_.status().step(record.instruction->number, record.instruction->name, record.step);
+  if (record.states.size() > 1 && !record.last()) {
     ++counters_.common_steps;
     counters_.skew_ticks = std::max<std::uint64_t>(counters_.skew_ticks, record.skew);
     process_.status().counters(counters_);

@@ -1,8 +1,10 @@
 #include "process/task_process.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 #include "mrroc/stopped.hpp"
+#include "process/black_box_file.hpp"
 
 namespace mrroc::process {
 
@@ -134,6 +136,7 @@ void TaskProcess::report(links::TaskState state) {
 void TaskProcess::report_failure(const std::exception& error) {
   running_ = false;
   const auto* known = dynamic_cast<const Error*>(&error);
+  std::fprintf(stderr, "%s%s\n", error.what(), save_black_box(known).c_str());
   const ErrorOrigin origin = known != nullptr ? known->origin() : ErrorOrigin{};
   links::TaskStatus status;
   status.state = links::TaskState::failed;
@@ -144,6 +147,17 @@ void TaskProcess::report_failure(const std::exception& error) {
   status.tick = tick();
   status.error_tick = origin.tick != 0 ? origin.tick : status.tick;
   superior_.report(status);
+}
+
+std::string TaskProcess::save_black_box(const Error* error) const try {
+  const BlackBox& box = error != nullptr && error->black_box() != nullptr ? *error->black_box() : black_box();
+  const std::filesystem::path& folder = process_.arguments().black_box;
+  if (folder.empty() || box.empty()) return "";
+  const std::filesystem::path file = black_box_path(folder, process_.deployment(), process_name());
+  write_black_box(file, box, process_.deployment(), process_name(), process_.clock().simulated());
+  return "; black box: " + file.string();
+} catch (const std::exception& failure) {
+  return std::string{"; "} + failure.what();
 }
 
 void TaskProcess::sleep_until(Tick tick) {

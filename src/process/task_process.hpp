@@ -44,7 +44,8 @@ class TaskProcess : public Task {
   const Parcel& started() const noexcept { return started_; }
   /// Tells the superior how the task stands.
   void report(links::TaskState state);
-  /// Tells it that the task has failed, why, and where that arose: in this process unless `error` names another.
+  /// Tells it that the task has failed, why, and where that arose: in this process unless `error` names another. The
+  /// error is told on stderr, too, with the file into which the black box has been written.
   void report_failure(const std::exception& error);
 
   // ---- the operator's dialogue, for the program; any of them may throw NonFatalError(invalid_argument), see Dialogue
@@ -90,6 +91,8 @@ class TaskProcess : public Task {
   virtual void on_superior_command(const links::TaskCommand& /*command*/) {}
 
  private:
+  /// Writes the error's black box, or else the task's, as it is now. What to tell of it; nothing when there is none.
+  std::string save_black_box(const Error* error) const;
   double put_question(links::OperatorQuestion question, const std::string& text);
   /// Ticks after which a peer that does not answer counts as silent.
   Tick patience() const;

@@ -38,7 +38,7 @@
 #include "mrroc/move.hpp"
 
 namespace {
-std::atomic<std::uint64_t> allocations{0};
+std::atomic<std::uint64_t> allocations{0}, frees{0};
 }
 
 // glibc's own entries: operator new, Eigen and the standard library all end in one of these
@@ -47,6 +47,7 @@ void* __libc_malloc(std::size_t size);                           // NOLINT
 void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT
 void* __libc_realloc(void* memory, std::size_t size);            // NOLINT
 void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT
+void __libc_free(void* memory);                                  // NOLINT
 
 void* malloc(std::size_t size) noexcept {
   ++allocations;
@@ -64,6 +65,10 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
   ++allocations;
   return __libc_memalign(alignment, size);
 }
+void free(void* memory) noexcept {
+  if (memory != nullptr) ++frees;
+  __libc_free(memory);
+}
 }
 
 namespace mrroc {
@@ -77,7 +82,7 @@ class AllocationObserver : public StepObserver {
   void on_step(const StepRecord& record) noexcept override {
     const std::uint64_t now = allocations;
     if (steps > 1) total += now - before;
-    if (!record.last) ++steps;
+    if (!record.last()) ++steps;
     before = allocations;
   }
   std::uint64_t steps = 0;
@@ -118,6 +123,23 @@ TEST(Allocation, AStepOfMoveAllocatesNothing) {
   Move({*cell.a, *cell.b, *cell.c}, {*cell.wrist, *cell.gate}, generator);
   EXPECT_EQ(cell.observer.steps, 200u);
   EXPECT_EQ(cell.observer.total, 0u);
+}
+
+// the black box forgets the steps of instructions that are over
+TEST(Allocation, TheStepsOfAnInstructionThatOverwriteThoseOfOthersFreeNothing) {
+  Cell cell;
+  for (int i = 0; i < 100; ++i) {
+    Wait({*cell.a, *cell.b}, {*cell.wrist}, ElapsedSteps{static_cast<std::uint64_t>(i % 3)});
+    Wait({*cell.c}, {}, When{"a name that is too long to be kept in a string of its own size", [] { return true; }});
+  }
+  std::uint64_t begin = 0, end = 0;
+  Wait({*cell.a, *cell.b, *cell.c}, {*cell.wrist, *cell.gate}, When{"counts", [&, steps = 0]() mutable {
+                                                                      if (steps == 0) begin = frees;
+                                                                      end = frees;
+                                                                      return ++steps == 120;
+                                                                    }});
+  EXPECT_GT(begin, 0u);
+  EXPECT_EQ(end, begin);
 }
 
 TEST(Allocation, AStepOfWaitAllocatesNothing) {

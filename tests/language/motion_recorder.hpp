@@ -8,9 +8,9 @@ namespace mrroc::fakes {
 class MotionRecorder : public StepObserver {
  public:
   void on_step(const StepRecord& record) noexcept override {
-    if (record.last) return;
-    states.push_back(record.robots[0]->state());
-    commands.push_back(record.robots[0]->command());
+    if (record.last()) return;
+    states.push_back(record.states[0]);
+    commands.push_back(record.commands[0]);
   }
   std::vector<RobotState> states;
   std::vector<RobotCommand> commands;

@@ -26,19 +26,20 @@ class Recorder : public StepObserver {
     std::vector<bool> values;
   };
   void on_step(const StepRecord& record) noexcept override {
-    seen.push_back({record.is_move,
-                    record.last,
-                    record.instruction,
+    const InstructionRecord& instruction = *record.instruction;
+    seen.push_back({instruction.is_move,
+                    record.last(),
+                    instruction.number,
                     record.step,
-                    *record.name,
+                    instruction.name,
                     record.tick,
-                    record.robots.size(),
-                    record.sensors.size(),
+                    record.states.size(),
+                    record.readings.size(),
                     {},
                     {}});
-    for (const Condition* condition : record.conditions) {
-      seen.back().conditions.push_back(condition->name());
-      seen.back().values.push_back(condition->value());
+    for (std::size_t i = 0; i < record.conditions.size(); ++i) {
+      seen.back().conditions.push_back(instruction.conditions[i]);
+      seen.back().values.push_back(record.conditions[i] != 0);
     }
   }
   std::vector<Seen> seen;

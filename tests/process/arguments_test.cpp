@@ -14,8 +14,8 @@ Arguments parse(const std::vector<std::string>& words) {
 }
 
 TEST(Arguments, TheCommandLineReadsBack) {
-  const Arguments arguments{"press.toml", "arm", 3, 4, 17, "t.arm", "left on Go x:number:8\nleft tells Here\n",
-                            "shots"};
+  const Arguments arguments{"press.toml", "arm",  3, 4, 17, "t.arm", "left on Go x:number:8\nleft tells Here\n",
+                            "boxes",      "shots"};
   const Arguments read = parse(to_command_line(arguments));
   EXPECT_EQ(read.deployment, arguments.deployment);
   EXPECT_EQ(read.name, arguments.name);
@@ -24,6 +24,7 @@ TEST(Arguments, TheCommandLineReadsBack) {
   EXPECT_EQ(read.domain, 17);
   EXPECT_EQ(read.trace, arguments.trace);
   EXPECT_EQ(read.behaviours, arguments.behaviours);
+  EXPECT_EQ(read.black_box, arguments.black_box);
   EXPECT_EQ(read.snapshots, arguments.snapshots);
 }
 

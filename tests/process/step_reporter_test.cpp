@@ -23,18 +23,18 @@ class Reported : public testing::Test {
     task.add_sensor("gate", false);
     for (const char* robot : {"arm", "belt"}) robots.push_back(task.robot(robot, 2));
     for (const char* sensor : {"gate", "eye"}) sensors.push_back(task.sensor(sensor));
-    sensors[0]->set_period(5);
     for (const auto& robot : robots) robot_list.push_back(robot.get());
-    for (const auto& sensor : sensors) sensor_list.push_back(sensor.get());
-    record.is_move = true;
-    record.instruction = 3;
-    record.name = &name;
-    record.until = &until;
+    auto instruction = std::make_shared<InstructionRecord>();
+    instruction->is_move = true;
+    instruction->number = 3;
+    instruction->name = "Together";
+    instruction->until = "a or b";
+    instruction->robots = {"arm", "belt"};
+    instruction->sensors = {{"gate", 5, false}, {"eye", 1, true}};
+    record.instruction = instruction;
     record.step = 7;
     record.held = 2;
     record.tick = 1234;
-    record.robots = robot_list;
-    record.sensors = sensor_list;
   }
 
   /// The robot's state is what its fake says.
@@ -44,11 +44,23 @@ class Reported : public testing::Test {
       robot->send();
       robot->receive();
     }
-    for (Sensor* sensor : sensor_list) sensor->collect_reading();
+    for (const auto& sensor : sensors) sensor->collect_reading();
+  }
+
+  /// As a Move does at this step.
+  void fill() {
+    record.states.clear();
+    record.commands.clear();
+    record.readings.clear();
+    for (Robot* robot : robot_list) record.states.push_back(robot->state());
+    if (!record.last())
+      for (Robot* robot : robot_list) record.commands.push_back(robot->command());
+    for (const auto& sensor : sensors) record.readings.push_back(sensor->reading());
   }
 
   Line line() {
     text.clear();
+    fill();
     format_step(text, deployment, "mp", record);
     const Line read = cli::trace::parse_line(text.view(), TextLine::kCapacity);
     EXPECT_EQ(cli::trace::format_line(read), text.view()) << "to the last character";
@@ -60,8 +72,6 @@ class Reported : public testing::Test {
   std::vector<std::unique_ptr<Robot>> robots;
   std::vector<std::unique_ptr<Sensor>> sensors;
   std::vector<Robot*> robot_list;
-  std::vector<Sensor*> sensor_list;
-  std::string name = "Together", until = "a or b";
   StepRecord record;
   TextLine text;
 };
@@ -115,7 +125,6 @@ TEST_F(Reported, EveryKindOfCommandIsRead) {
 
 TEST_F(Reported, EveryEndingIsRead) {
   receive();
-  record.last = true;
   record.skew = 3;
   for (int ending = 1; ending <= static_cast<int>(StepEnding::system_error); ++ending) {
     record.ending = static_cast<StepEnding>(ending);
@@ -127,13 +136,13 @@ TEST_F(Reported, EveryEndingIsRead) {
 }
 
 TEST_F(Reported, AStateThatWasNeverReceivedIsRead) {
-  record.last = true;
   record.ending = StepEnding::system_error;
   EXPECT_TRUE(line().robots[0].joints.empty());
 }
 
 TEST_F(Reported, NothingIsAllocated) {
   receive();
+  fill();
   format_step(text, deployment, "mp", record);
   text.clear();
   const long before = allocation_count();

@@ -85,6 +85,9 @@ MrrocRun::MrrocRun(const std::vector<std::string>& arguments, int place) : folde
   const std::string program = std::string{MRROC_BINARY_DIR} + "/bin/mrroc";
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  const bool says_where = std::find(words.begin(), words.end(), "--black-box") != words.end();
+  if (!says_where && std::find(words.begin(), words.end(), "run") != words.end())
+    words.insert(words.end(), {"--black-box", folder_ / "black-box"});  // not into the source folder
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);

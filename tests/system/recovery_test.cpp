@@ -1,13 +1,15 @@
 // A fault of a robot in the simulated world, and the way back from it, as a user's task has them.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
 namespace {
 
-constexpr const char* kDeployment = R"([deployment]
-name = "recover"
+std::string deployment(const std::string& name) {
+  return "[deployment]\nname = \"" + name + R"("
 clock = "lockstep"
 
 [robots.arm]
@@ -19,6 +21,7 @@ position = [0.0, 0.0, 0.7]
 [sim]
 scene = "block.xml"
 )";
+}
 
 /// A block whose top is 40 mm below the tip of the arm at home.
 constexpr const char* kScene = R"(<mujoco>
@@ -33,10 +36,32 @@ constexpr const char* kScene = R"(<mujoco>
 TEST(Recovery, AnArmThatMeetsABlockStopsRecoversAndGoesHome) {
   const ScratchFolder folder;
   folder.write("block.xml", kScene);
-  const auto deployment = folder.write("recover.toml", kDeployment);
-  const std::string output = run_mrroc({"run", deployment.string(), "--quiet"}, 0);
+  const auto file = folder.write("recover.toml", deployment("recover"));
+  const std::string output = run_mrroc({"run", file.string(), "--quiet"}, 0);
   EXPECT_NE(output.find("stopped: hardware error: "), std::string::npos) << output;
   EXPECT_NE(output.find("| recovered"), std::string::npos) << output;
+}
+
+TEST(Recovery, AFaultThatNobodyCatchesEndsTheRunAndIsInTheBlackBox) {
+  const ScratchFolder folder;
+  folder.write("block.xml", kScene);
+  const auto file = folder.write("uncaught.toml", deployment("uncaught"));
+  const std::string output =
+      run_mrroc({"run", file.string(), "--quiet", "--black-box", (folder.path() / "boxes").string()}, 3);
+  const auto box = folder.path() / "boxes" / "uncaught-arm.trace";
+  EXPECT_NE(output.find("; black box: " + box.string()), std::string::npos) << output;
+  expect_laws(box);
+  std::ifstream lines(box);
+  std::string last;
+  int count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    last = line;
+    ++count;
+  }
+  EXPECT_EQ(count, 50);
+  EXPECT_NE(last.find(" error=\"hardware error: the following error is too large\""), std::string::npos) << last;
+  EXPECT_NE(last.find(" end=hardware_error"), std::string::npos) << last;
 }
 
 }  // namespace

@@ -59,6 +59,22 @@ bool says_that_all_rules_hold(std::string output) {
   return found == 4 && end == std::ssize(output) && steps > 0 && instructions > 0 && processes > 0 && rules > 0;
 }
 
+/// As if each process had failed at some of its steps: what its black box would have had keeps the rules, too.
+void expect_laws_of_black_boxes(const TraceText& whole) {
+  constexpr std::size_t kSteps = 50, kBoxes = 20;
+  std::set<std::string> processes;
+  for (std::size_t i = 0; i < whole.items.size(); ++i)
+    if (whole.is_line(i)) processes.insert(whole.line(i).process);
+  for (const std::string& process : processes) {
+    const std::size_t lines = cli::trace::line_count(whole, process);
+    for (std::size_t place = 0; place < kBoxes; ++place) {
+      const std::size_t begin = place * lines / kBoxes;
+      const TraceText box = cli::trace::black_box_of(whole, process, begin, begin + kSteps);
+      EXPECT_EQ(check_text(box.text()).text(), "") << process << " from line " << begin;
+    }
+  }
+}
+
 class TraceOfTask : public testing::TestWithParam<std::string> {};
 
 TEST_P(TraceOfTask, KeepsEveryRuleAndIsTheSameOnEveryRun) {
@@ -67,6 +83,7 @@ TEST_P(TraceOfTask, KeepsEveryRuleAndIsTheSameOnEveryRun) {
   const auto trace = expect_equal_runs("tasks/" + task + "/" + task + ".toml", repetitions(5), folder).trace;
   const std::string output = run_mrroc({"trace", "check", trace.string()}, kHolds);
   EXPECT_TRUE(says_that_all_rules_hold(output)) << output;
+  expect_laws_of_black_boxes(read_trace(trace));
 }
 
 INSTANTIATE_TEST_SUITE_P(Tasks, TraceOfTask, testing::ValuesIn(other_tasks()),

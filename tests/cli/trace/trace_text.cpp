@@ -33,6 +33,29 @@ TraceText read_trace(const std::filesystem::path& file) {
   }
 }
 
+std::size_t line_count(const TraceText& whole, const std::string& process) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < whole.items.size(); ++i)
+    count += whole.is_line(i) && whole.line(i).process == process ? 1 : 0;
+  return count;
+}
+
+TraceText black_box_of(const TraceText& whole, const std::string& process, std::size_t begin, std::size_t end) {
+  TraceText box;
+  box.clock = whole.clock + " black_box";
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < whole.items.size(); ++i) {
+    if (!whole.is_line(i) || whole.line(i).process != process) continue;
+    if (number >= begin && number < end) box.items.push_back(whole.items[i]);
+    ++number;
+  }
+  Remark remark;
+  remark.process = process;
+  remark.lines = box.items.size();
+  box.items.emplace_back(remark);
+  return box;
+}
+
 std::string Found::text() const {
   std::string all = malformed;
   for (const std::string& violation : violations) all += violation + "\n";

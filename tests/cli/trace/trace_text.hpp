@@ -25,6 +25,11 @@ struct TraceText {
 /// Reads a whole trace. Throws what Reader throws.
 TraceText read_trace(const std::filesystem::path& file);
 
+/// How many lines this process has in a trace.
+std::size_t line_count(const TraceText& whole, const std::string& process);
+/// Its lines from the `begin`-th to before the `end`-th, as if they were the black box that it has written then.
+TraceText black_box_of(const TraceText& whole, const std::string& process, std::size_t begin, std::size_t end);
+
 /// What a check of this text finds.
 struct Found {
   Verdict verdict;

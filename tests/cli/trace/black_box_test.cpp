@@ -1,0 +1,76 @@
+// A black box is the end of a process's trace, wherever that begins: the rules hold there, and still find what is
+// wrong.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cli/trace/trace_text.hpp"
+
+namespace mrroc::cli::trace {
+namespace {
+
+TEST(BlackBoxOfATrace, EveryPartOfATraceKeepsTheRules) {
+  for (const char* clock : {"lockstep", "real"}) {
+    TraceText whole = example_trace();
+    whole.clock = clock;
+    for (const std::string process : {"arm", "mp"}) {
+      const std::size_t lines = line_count(whole, process);
+      ASSERT_GT(lines, 8U);
+      for (std::size_t begin = 0; begin < lines; ++begin) {
+        for (const std::size_t end : {begin + 1, begin + 2, begin + 7, lines}) {
+          const TraceText box = black_box_of(whole, process, begin, std::min(end, lines));
+          ASSERT_EQ(check_text(box.text()).text(), "") << process << " from " << begin << " to " << end << "\n"
+                                                       << box.text();
+        }
+      }
+    }
+  }
+}
+
+TEST(BlackBoxOfATrace, WithoutTheMarkItsBeginningIsAViolation) {
+  TraceText box = black_box_of(example_trace(), "arm", 1, 12);
+  box.clock = "lockstep";
+  EXPECT_TRUE(check_text(box.text()).rules.contains("step-count"));
+}
+
+TEST(BlackBoxOfATrace, WhatIsWrongInItIsFound) {
+  const TraceText whole = example_trace();
+  const std::size_t lines = line_count(whole, "arm");
+  std::size_t steps = 0, missing = 0, targets = 0;
+  for (std::size_t begin = 0; begin + 4 < lines; ++begin) {
+    TraceText box = black_box_of(whole, "arm", begin, begin + 4);
+    Line& third = box.line(2);
+    if (box.line(1).instruction != third.instruction) continue;
+    // a line twice
+    TraceText twice = box;
+    twice.items.insert(twice.items.begin() + 2, twice.items[2]);
+    std::get<Remark>(twice.items.back()).lines = 5;
+    if (!third.ends()) {
+      EXPECT_TRUE(check_text(twice.text()).rules.contains("step-count")) << twice.text();
+      ++steps;
+    }
+    TraceText gone = box;
+    gone.items.erase(gone.items.begin() + 2);
+    EXPECT_TRUE(check_text(gone.text()).rules.contains("every-line"));
+    ++missing;
+    if (third.robots.empty() || third.held != 0 || third.broken_off() || third.robots[0].error != ErrorClass::none ||
+        box.line(1).robots[0].command->kind != CommandKind::joint || box.line(1).robots[0].command->relative ||
+        box.line(0).instruction != third.instruction)
+      continue;
+    third.robots[0].desired.at(0) += 0.01;
+    EXPECT_TRUE(check_text(box.text()).rules.contains("joint-target")) << box.text();
+    ++targets;
+  }
+  EXPECT_GT(steps, 5U);
+  EXPECT_GT(missing, 5U);
+  EXPECT_GT(targets, 2U);
+}
+
+TEST(BlackBoxOfATrace, ATraceOfAnotherMarkIsRefused) {
+  TraceText box = black_box_of(example_trace(), "arm", 0, 4);
+  box.clock = "lockstep white_box";
+  EXPECT_NE(check_text(box.text()).malformed.find(":1: is no trace"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mrroc::cli::trace

@@ -1,0 +1,102 @@
+// One error passes from the Move that meets it outwards, and is the same wherever it is caught; robots are commanded
+// nothing meanwhile.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "language/drive.hpp"
+#include "mrroc/conditions/elapsed_steps.hpp"
+#include "mrroc/move.hpp"
+
+namespace mrroc {
+namespace {
+
+using fakes::Action;
+using fakes::Drive;
+using fakes::FakeTask;
+
+std::size_t sent(const FakeTask& task) {
+  return static_cast<std::size_t>(std::count_if(task.log.calls.begin(), task.log.calls.end(),
+                                                [](const fakes::Call& call) { return call.action == Action::send; }));
+}
+
+/// A task as a program is built: a Move in a behaviour in a run, any of which may catch. Two robots, of which one
+/// reports an error at the fourth step.
+struct Program {
+  explicit Program(ErrorReport report) { task.robot_fake("right").errors[4] = report; }
+
+  void move() { Move({*left, *right}, {}, Drive{{left.get(), right.get()}}.until(ElapsedSteps{10})); }
+  void behaviour(bool catches) {
+    Wait({*left}, {}, ElapsedSteps{0});
+    if (!catches) return move();
+    try {
+      move();
+    } catch (const Error& error) {
+      caught(error);
+    }
+  }
+  void run(bool behaviour_catches, bool run_catches) {
+    if (!run_catches) return behaviour(behaviour_catches);
+    try {
+      behaviour(behaviour_catches);
+    } catch (const Error& error) {
+      caught(error);
+    }
+  }
+
+  void caught(const Error& error) {
+    told = error.what();
+    box = error.black_box();
+    sent_before = sent(task);
+  }
+
+  FakeTask task;
+  std::unique_ptr<Robot> left = task.robot("left"), right = task.robot("right");
+  std::string told;
+  std::shared_ptr<const BlackBox> box;
+  std::size_t sent_before = 0;
+};
+
+constexpr ErrorClass kClasses[] = {ErrorClass::non_fatal, ErrorClass::hardware, ErrorClass::system};
+
+TEST(NestedErrors, AreTheSameWhereverTheyAreCaught) {
+  for (const ErrorClass error_class : kClasses) {
+    const ErrorReport report{error_class, ErrorCode::drive_fault, {"axis 2"}};
+    Program inner(report), middle(report), outer(report);
+    inner.behaviour(true);
+    middle.run(false, true);
+    try {
+      outer.run(false, false);
+      FAIL();
+    } catch (const Error& error) {
+      outer.caught(error);
+    }
+    EXPECT_EQ(inner.told, std::string(describe(error_class)) +
+                              ": a drive reports a fault: axis 2 [process test, device right, step 4, tick 1040]");
+    for (const Program* program : {&middle, &outer}) {
+      EXPECT_EQ(program->told, inner.told);
+      EXPECT_EQ(program->box->size(), inner.box->size());
+      EXPECT_EQ(program->box->newest().tick, inner.box->newest().tick);
+      EXPECT_EQ(program->box->newest().states.at(1).error.code, ErrorCode::drive_fault);
+    }
+  }
+}
+
+// the EDPs of those that are healthy brake for want of a command
+TEST(NestedErrors, NoRobotOfTheMoveIsCommandedAfterIt) {
+  for (const ErrorClass error_class : kClasses) {
+    Program program({error_class, ErrorCode::drive_fault, {}});
+    program.behaviour(true);
+    EXPECT_EQ(program.sent_before, 1U + 2 * 5) << "a GET of one robot; of both, and four steps";
+    EXPECT_EQ(sent(program.task), program.sent_before);
+  }
+}
+
+TEST(NestedErrors, TheTaskGoesOnAfterOneThatItHasCaught) {
+  Program program({ErrorClass::non_fatal, ErrorCode::singular, {}});
+  program.behaviour(true);
+  EXPECT_EQ(Wait({*program.left, *program.right}, {}, ElapsedSteps{3}).steps, 3U);
+}
+
+}  // namespace
+}  // namespace mrroc
