@@ -96,6 +96,8 @@ void Runner::start_processes(const TraceParts& trace) {
     arguments.clock_fd = clock_.fd();
     arguments.world_fd = world_ ? world_->fd() : -1;
     arguments.domain = domain_lock_.domain();
+    arguments.interface = deployment_.network.interface;
+    if (deployment_.network.security) arguments.keys = deployment_.network.keys;
     arguments.trace = trace.of(process);
     if (process.name == "mp") arguments.behaviours = options_.behaviours;
     if (process.name == "sim") arguments.snapshots = options_.snapshots;
@@ -104,6 +106,8 @@ void Runner::start_processes(const TraceParts& trace) {
   // after the children: they would inherit the domain's sockets
   links::DomainOptions options;
   options.id = domain_lock_.domain();
+  options.interface = deployment_.network.interface;
+  if (deployment_.network.security) options.keys = deployment_.network.keys;
   options.lease = deployment_.clock == config::ClockMode::real ? deployment_.heartbeat_timeout : 0;
   domain_ = std::make_unique<links::Domain>(options);
   collector_ = std::make_unique<links::StatusCollector>(*domain_, deployment_.name);

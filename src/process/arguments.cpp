@@ -17,6 +17,9 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
   if (!arguments.trace.empty()) add("--trace", arguments.trace.string());
   if (!arguments.behaviours.empty()) add("--behaviours-of-programs", arguments.behaviours);
   if (!arguments.snapshots.empty()) add("--snapshots", arguments.snapshots.string());
+  if (!arguments.interface.empty()) add("--interface", arguments.interface);
+  for (const std::string& peer : arguments.peers) add("--peers", peer);
+  if (!arguments.keys.empty()) add("--keys", arguments.keys.string());
   return words;
 }
 
@@ -31,6 +34,9 @@ Arguments parse_arguments(int argc, char** argv) {
   app.add_option("--trace", arguments.trace);
   app.add_option("--behaviours-of-programs", arguments.behaviours);
   app.add_option("--snapshots", arguments.snapshots);
+  app.add_option("--interface", arguments.interface);
+  app.add_option("--peers", arguments.peers);
+  app.add_option("--keys", arguments.keys);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

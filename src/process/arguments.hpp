@@ -17,6 +17,10 @@ struct Arguments {
   std::filesystem::path trace;      ///< this process's trace file; empty: no trace
   std::string behaviours;           ///< of every ECP program, for the MP of a state machine (config::ProgramsByRobot)
   std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); empty: none
+  // as links::DomainOptions has them
+  std::string interface;           ///< device or own address by which the peers are reached; empty: loopback
+  std::vector<std::string> peers;  ///< names or addresses of the machines that take part; empty: this one
+  std::filesystem::path keys;      ///< folder of the deployment's keys; empty: no DDS Security
 };
 
 std::vector<std::string> to_command_line(const Arguments& arguments);

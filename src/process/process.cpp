@@ -68,9 +68,12 @@ int priority_of(links::ProcessRole role) {
 }
 
 /// Under simulated time the runner watches the processes: a busy machine must not look like a death.
-links::DomainOptions domain_options(int domain, bool simulated, double heartbeat_timeout) {
+links::DomainOptions domain_options(const Arguments& arguments, bool simulated, double heartbeat_timeout) {
   links::DomainOptions options;
-  options.id = domain;
+  options.id = arguments.domain;
+  options.interface = arguments.interface;
+  options.hosts = arguments.peers;
+  options.keys = arguments.keys;
   options.lease = simulated ? 0 : heartbeat_timeout;
   return options;
 }
@@ -108,8 +111,8 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
     const std::string warning = clock::request_realtime(priority_of(role));
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
-  domain_ = std::make_unique<links::Domain>(
-      domain_options(arguments.domain, clock_->simulated(), deployment_.heartbeat_timeout));
+  domain_ =
+      std::make_unique<links::Domain>(domain_options(arguments, clock_->simulated(), deployment_.heartbeat_timeout));
   publisher_ = std::make_unique<links::StatusPublisher>(*domain_, deployment_.name);
   links::ProcessStatus status = first_status(arguments, role);
   status.boot = domain_->boot();
