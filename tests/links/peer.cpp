@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     options.hosts = {arguments.at(4)};
   }
   const bool commands = role == "commander" || role == "foreigner";
-  if (role == "respond" || commands) options.keys = arguments.at(4);
+  if (role == "respond" || role == "status" || commands) options.keys = arguments.at(4);
   try {
     if (role == "lockstep") {
       const auto clock = clock::attach_clock(std::stoi(arguments.at(4)), "edp");

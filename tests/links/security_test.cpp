@@ -11,6 +11,7 @@
 #include "links/peer_process.hpp"
 #include "links/robot_requester.hpp"
 #include "links/robot_responder.hpp"
+#include "links/status_collector.hpp"
 #include "links/test_clock.hpp"
 #include "links/test_domain.hpp"
 #include "links/test_keys.hpp"
@@ -38,6 +39,20 @@ TEST(Security, ProcessesOfOneDeploymentTalk) {
   RobotState state;
   link.receive(state);
   EXPECT_EQ(state.tick, 17U);
+}
+
+TEST(Security, SeventeenProcessesWithKeysFindEachOther) {
+  const TestKeys keys("cell");
+  FreeDomain number;
+  Domain domain({.id = number.id(), .lease = 20, .keys = keys.folder()});
+  StatusCollector collector(domain, "cell");
+  std::vector<PeerProcess> peers;
+  for (int i = 0; i < 16; ++i) peers.push_back(PeerProcess("status", number.id(), "cell", 20, keys.folder()));
+  EXPECT_TRUE(eventually([&] {
+    collector.poll();
+    return collector.processes().size() == peers.size();
+  })) << collector.processes().size()
+      << " of 16";
 }
 
 TEST(Security, WhoHasOtherKeysOrNoneCommandsNothing) {
