@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -6,6 +7,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "links/test_domain.hpp"
 #include "system/mrroc_run.hpp"
@@ -92,6 +94,34 @@ TEST(Network, WithoutSecurityADeploymentBeyondLoopbackWarns) {
   const std::string loopback =
       run_mrroc({"run", press_with(folder, "[network]\ninterface = \"lo\"\n").string()}, kSuccess);
   EXPECT_EQ(loopback.find("without security"), std::string::npos) << loopback;
+}
+
+/// Descriptors of process `pid` on anonymous memory that what it starts would inherit, too.
+int inheritable_memory(pid_t pid) {
+  int found = 0;
+  const fs::path process = "/proc/" + std::to_string(pid);
+  for (const auto& entry : fs::directory_iterator(process / "fd")) {
+    if (fs::read_symlink(entry).string().find("memfd:mrroc") == std::string::npos) continue;
+    std::ifstream info(process / "fdinfo" / entry.path().filename());
+    std::string key, flags;
+    while (info >> key && key != "flags:") {
+    }
+    info >> flags;
+    if ((std::stoul(flags, nullptr, 8) & O_CLOEXEC) == 0) ++found;
+  }
+  return found;
+}
+
+TEST(Memory, OfTheClockGoesToTheProcessesOfTheDeploymentOnly) {
+  const ScratchFolder folder;
+  MrrocRun run({"run", folder.write("hold.toml", faulty_deployment("hold")).string()});
+  ASSERT_TRUE(run.wait_for_output("never")) << run.out() << run.err();
+  EXPECT_GT(inheritable_memory(run.pid()), 0) << "its children have to inherit it";
+  const std::vector<pid_t> processes = run.children();
+  EXPECT_GE(processes.size(), 3U);
+  for (const pid_t pid : processes) EXPECT_EQ(inheritable_memory(pid), 0);
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), kStopped) << run.out() << run.err();
 }
 
 /// With keys or without.
