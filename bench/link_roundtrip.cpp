@@ -1,11 +1,13 @@
 // What one step of Move costs between an ECP and an EDP, against a bare Cyclone DDS ping-pong of the same messages.
-//   link_roundtrip [--rounds n] [--steps n] [--realtime] [--domain n]
+//   link_roundtrip [--rounds n] [--steps n] [--realtime] [--domain n] [--keys folder]
 //
 // Two processes. The asking one runs blocks of `steps` exchanges in turn: the bare ping-pong, answered by a thread that
 // a listener wakes (the yardstick); a real Move of an IRb-6, whose EDP side is all of an EDP but its grid: the servo is
 // ticked as soon as a command of N = 1, v = 1 has been accepted, so that nobody waits for the time of a tick; and the
-// bare ping-pong answered inside the listener, for reference. A step is what the ECP sees: from one next_state() to the
-// next. A round is one block of each; the figures are medians over the rounds of each round's quantiles and ratios.
+// bare ping-pong answered inside the listener, for reference; with keys (`mrroc keys folder`) also the bare ping-pong
+// of the first kind in a domain with DDS Security, the one after `n`, between the same two processes. A step is what
+// the ECP sees: from one next_state() to the next. A round is one block of each; the figures are medians over the
+// rounds of each round's quantiles and ratios.
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -46,15 +48,24 @@ constexpr int kPriority = 60;
 const std::string kPrefix = "roundtrip/irb6";
 const std::string kBarePrefix = "roundtrip/bare";
 const std::string kListenerPrefix = "roundtrip/listener";
+const std::string kSignedPrefix = "roundtrip/signed";
 
 struct Options {
   int rounds = 20;
   int steps = 2000;
   int domain = 77;
   bool realtime = false;
+  std::string keys;  // folder; empty: without the secured ping-pong
 };
 
 RobotModels load_models() { return load_irb6(MRROC_SOURCE_DIR "/robots/irb6/irb6.toml"); }
+
+/// The second domain of a process, with DDS Security; none without keys.
+std::unique_ptr<links::Domain> secured_domain(const Options& options) {
+  if (options.keys.empty()) return nullptr;
+  return std::make_unique<links::Domain>(
+      links::DomainOptions{.id = options.domain + 1, .lease = kLease, .keys = options.keys});
+}
 
 void prepare_process(const Options& options) {
   if (!options.realtime) return;
@@ -109,9 +120,12 @@ class EdpSide {
 int run_edp(int clock_fd, const Options& options) {
   prepare_process(options);
   links::Domain domain({.id = options.domain, .lease = kLease});
+  const auto secured = secured_domain(options);
   const auto clock = clock::attach_clock(clock_fd, "edp");
   const links::BareEcho thread(domain, kBarePrefix, links::BareEcho::Where::thread);
   const links::BareEcho listener(domain, kListenerPrefix, links::BareEcho::Where::listener);
+  std::unique_ptr<links::BareEcho> with_keys;
+  if (secured) with_keys = std::make_unique<links::BareEcho>(*secured, kSignedPrefix, links::BareEcho::Where::thread);
   std::make_unique<EdpSide>(domain, *clock)->serve();
   return 0;
 }
@@ -121,7 +135,7 @@ int run_edp(int clock_fd, const Options& options) {
 
 class EcpSide {
  public:
-  EcpSide(links::Domain& domain, clock::Clock& clock, int steps)
+  EcpSide(links::Domain& domain, links::Domain* secured, clock::Clock& clock, int steps)
       : steps_(steps),
         link_(domain, clock, kPrefix, "edp", kPatience),
         bare_(domain, kBarePrefix),
@@ -132,6 +146,10 @@ class EcpSide {
     link_.connect(kTimeout);
     bare_.connect(kTimeout);
     listener_.connect(kTimeout);
+    if (secured != nullptr) {
+      with_keys_ = std::make_unique<links::BarePing>(*secured, kSignedPrefix);
+      with_keys_->connect(kTimeout);
+    }
     stamps_.reserve(static_cast<std::size_t>(steps) + 2);
   }
 
@@ -141,9 +159,10 @@ class EcpSide {
     move();
     if (!forwards) ping(bare_, bare);
     ping(listener_, listener);
+    if (with_keys_) ping(*with_keys_, with_keys);
   }
 
-  RoundTimes bare, moves, listener;
+  RoundTimes bare, moves, listener, with_keys;
 
  private:
   void ping(links::BarePing& link, RoundTimes& times) {
@@ -169,6 +188,7 @@ class EcpSide {
   links::RobotRequester link_;
   links::BarePing bare_;
   links::BarePing listener_;
+  std::unique_ptr<links::BarePing> with_keys_;  // null: without keys
   OneRobotTask task_;
   Robot robot_;
   double direction_ = 1;
@@ -183,17 +203,19 @@ void print_row(const char* name, const RoundTimes& times, const RoundTimes& yard
 int run_ecp(int clock_fd, const Options& options) {
   prepare_process(options);
   links::Domain domain({.id = options.domain, .lease = kLease});
+  const auto secured = secured_domain(options);
   const auto clock = clock::attach_clock(clock_fd, "ecp");
-  const auto ecp = std::make_unique<EcpSide>(domain, *clock, options.steps);
+  const auto ecp = std::make_unique<EcpSide>(domain, secured.get(), *clock, options.steps);
   if (!clock->start()) return 2;
   ecp->run_round(true);  // warm-up
-  ecp->bare = ecp->moves = ecp->listener = {};
+  ecp->bare = ecp->moves = ecp->listener = ecp->with_keys = {};
   for (int round = 0; round < options.rounds; ++round) ecp->run_round(round % 2 == 0);
 
   std::printf("us, %d rounds of %d              p50      p99   p50 ratio p99 ratio\n", options.rounds, options.steps);
   print_row("bare DDS, thread answers", ecp->bare, ecp->bare);
   print_row("Move step", ecp->moves, ecp->bare);
   print_row("bare DDS, listener answers", ecp->listener, ecp->bare);
+  if (secured) print_row("bare DDS, thread, with keys", ecp->with_keys, ecp->bare);
   const double ratio = median_ratio(ecp->moves.p50, ecp->bare.p50);
   const bool pass = ratio <= kBar;
   std::printf("Move step / bare DDS at p50: %.3f; bar %.2f: %s; goal %.2f: %s\n", ratio, kBar, pass ? "PASS" : "FAIL",
@@ -250,14 +272,18 @@ Options parse(int count, char** arguments) {
       continue;
     }
     ++i;
-    if (name == "--rounds" && value > 0) {
+    if (name == "--keys" && i < count) {
+      options.keys = arguments[i];
+    } else if (name == "--rounds" && value > 0) {
       options.rounds = value;
     } else if (name == "--steps" && value >= 500) {
       options.steps = value;
     } else if (name == "--domain" && value > 0) {
       options.domain = value;
     } else {
-      std::fprintf(stderr, "usage: link_roundtrip [--rounds n] [--steps n, at least 500] [--domain n] [--realtime]\n");
+      std::fprintf(stderr,
+                   "usage: link_roundtrip [--rounds n] [--steps n, at least 500] [--domain n] [--realtime] [--keys "
+                   "folder]\n");
       std::exit(2);
     }
   }

@@ -2,6 +2,7 @@
 #include <exception>
 
 #include "cli/graph_command.hpp"
+#include "cli/keys_command.hpp"
 #include "cli/run_command.hpp"
 #include "cli/trace_command.hpp"
 #include "config/table.hpp"
@@ -18,6 +19,7 @@ int main(int argc, char** argv) {
     mrroc::cli::add_run_command(app, exit_code);
     mrroc::cli::add_trace_command(app, exit_code);
     mrroc::cli::add_graph_command(app, exit_code);
+    mrroc::cli::add_keys_command(app, exit_code);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);

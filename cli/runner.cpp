@@ -5,11 +5,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
+#include <stdexcept>
 
 #include "cli/clock_options.hpp"
 #include "clock/realtime.hpp"
+#include "config/network_entry.hpp"
 #include "config/resources.hpp"
+#include "links/security.hpp"
+#include "mrroc/errors.hpp"
 #include "process/arguments.hpp"
 #include "process/process.hpp"
 
@@ -26,6 +31,23 @@ std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
+}
+
+/// Keys that are none are told before anything is started; that nobody keeps strangers out, too. Throws
+/// std::runtime_error: the mistake is the user's, nothing has moved.
+void check_network(const config::NetworkEntry& network) {
+  if (network.security) {
+    try {
+      links::check_keys(network.keys);
+    } catch (const SystemError& error) {
+      throw std::runtime_error(error.detail());
+    }
+  } else if (config::beyond_loopback(network.interface)) {
+    std::fprintf(stderr,
+                 "warning: without security whoever reaches the interface %s can command the robots; make keys with "
+                 "`mrroc keys` (docs/security.md)\n",
+                 network.interface.c_str());
+  }
 }
 
 int open_signals() {
@@ -63,6 +85,7 @@ Runner::~Runner() {
 RunResult Runner::run() {
   check_somebody_answers(deployment_, input_.attended());
   check_faults();
+  check_network(deployment_.network);
   // before anything is started: a run whose trace is lost would be in vain
   const TraceParts trace(options_.trace);
   if (!options_.snapshots.empty()) std::filesystem::create_directories(options_.snapshots);
@@ -99,6 +122,8 @@ void Runner::start_processes(const TraceParts& trace) {
     arguments.clock_fd = clock_.fd();
     arguments.world_fd = world_ ? world_->fd() : -1;
     arguments.domain = domain_lock_.domain();
+    arguments.interface = deployment_.network.interface;
+    if (deployment_.network.security) arguments.keys = deployment_.network.keys;
     arguments.trace = trace.of(process);
     if (process.has_task) arguments.black_box = options_.black_box;
     if (process.name == "mp") arguments.behaviours = options_.behaviours;
@@ -110,6 +135,8 @@ void Runner::start_processes(const TraceParts& trace) {
   // after the children: they would inherit the domain's sockets
   links::DomainOptions options;
   options.id = domain_lock_.domain();
+  options.interface = deployment_.network.interface;
+  if (deployment_.network.security) options.keys = deployment_.network.keys;
   options.lease = deployment_.clock == config::ClockMode::real ? deployment_.heartbeat_timeout : 0;
   domain_ = std::make_unique<links::Domain>(options);
   collector_ = std::make_unique<links::StatusCollector>(*domain_, deployment_.name);

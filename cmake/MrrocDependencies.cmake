@@ -2,6 +2,7 @@
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(CycloneDDS 0.10 REQUIRED)
+find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto) # of `mrroc keys`; Cyclone's security plug-ins stand on it too
 find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(PNG REQUIRED)

@@ -11,6 +11,7 @@
 #include "config/message_text.hpp"
 #include "config/mounts.hpp"
 #include "config/named_file.hpp"
+#include "config/network_entry.hpp"
 #include "config/robot_entry.hpp"
 #include "config/sensor_entry.hpp"
 #include "config/table.hpp"
@@ -129,7 +130,7 @@ const SensorEntry& Deployment::sensor(const std::string& sensor_name) const {
 
 Deployment load_deployment(const std::filesystem::path& file) {
   const Table root = Table::load(file);
-  root.only({"deployment", "mp", "robots", "sensors", "sim", "events", "answers"});
+  root.only({"deployment", "mp", "robots", "sensors", "sim", "network", "events", "answers"});
   Deployment deployment;
   deployment.file = std::filesystem::absolute(file);
   read_general(root.table("deployment"), deployment);
@@ -152,6 +153,7 @@ Deployment load_deployment(const std::filesystem::path& file) {
                   (deployment.sim ? ", the simulator)" : ")"),
               "at most " + std::to_string(kMostProcesses));
   }
+  deployment.network = read_network(root, deployment);
   deployment.events = read_events(root, deployment);
   deployment.answers = read_answers(root, deployment);
   if (deployment.robots.empty() && deployment.sensors.empty()) {

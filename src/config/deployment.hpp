@@ -82,6 +82,13 @@ struct SimEntry {
   std::vector<FeederEntry> feeders;  ///< in file order
 };
 
+/// How the processes of the deployment reach each other: docs/security.md.
+struct NetworkEntry {
+  std::string interface;       ///< network device or own address; empty: loopback, this machine only
+  bool security = false;       ///< DDS Security: only who has the keys is believed
+  std::filesystem::path keys;  ///< folder of the keys, absolute; empty only without security
+};
+
 /// An operator command at a given tick: lockstep's way to press a button.
 struct Event {
   Tick tick = 0;
@@ -114,6 +121,7 @@ struct Deployment {
   std::vector<RobotEntry> robots;    ///< in file order
   std::vector<SensorEntry> sensors;  ///< in file order
   std::optional<SimEntry> sim;
+  NetworkEntry network;
   std::vector<Event> events;    ///< by tick, those of one tick in file order
   std::vector<Answer> answers;  ///< in file order
 

@@ -12,10 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path beside(const fs::path& file, const fs::path& name) {
-  return (fs::absolute(file).parent_path() / name).lexically_normal();
-}
-
 /// Where `program` may lie, in the order of search.
 std::vector<fs::path> places(const Table& table, const std::string& program) {
   if (program.find('/') != std::string::npos) return {beside(table.file(), program)};
@@ -25,6 +21,10 @@ std::vector<fs::path> places(const Table& table, const std::string& program) {
 }
 
 }  // namespace
+
+fs::path beside(const fs::path& file, const fs::path& name) {
+  return (fs::absolute(file).parent_path() / name).lexically_normal();
+}
 
 fs::path require_file(const Table& table, std::string_view key) {
   const std::string name = table.text(key);

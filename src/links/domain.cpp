@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <memory>
 
 #include "links/dds_log.hpp"
 #include "links/descriptors.hpp"
+#include "links/security.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::links {
@@ -47,7 +49,7 @@ void check_host(const std::string& host) {
 
 }  // namespace
 
-std::string dds_configuration(const DomainOptions& options) {
+std::string dds_configuration(const DomainOptions& options, const NetworkInterface& interface) {
   if (options.id < 0 || options.id > kLastId) {
     throw SystemError(ErrorCode::configuration,
                       "DDS domain " + std::to_string(options.id) + ": expected 0.." + std::to_string(kLastId));
@@ -55,21 +57,22 @@ std::string dds_configuration(const DomainOptions& options) {
   if (!(options.lease >= 0 && options.lease <= 60)) {
     throw SystemError(ErrorCode::configuration, "lease " + std::to_string(options.lease) + " s: expected 0..60 s");
   }
-  std::string interfaces;
+  if (!options.hosts.empty() && options.interface.empty()) {
+    throw SystemError(ErrorCode::configuration, "hosts are named, but no network interface to reach them by");
+  }
   std::string peers;
-  if (options.hosts.empty()) {
-    interfaces = "<Interfaces><NetworkInterface name=\"lo\"/></Interfaces>";
-  } else {
+  if (!options.hosts.empty()) {
+    // with peers named Cyclone forgets its own machine
+    peers = "<Peer Address=\"" + interface.address + "\"/>";
     for (const std::string& host : options.hosts) {
       check_host(host);
-      peers += "<Peer Address=\"" + host + "\"/>";
+      if (host != interface.address) peers += "<Peer Address=\"" + host + "\"/>";
     }
-    // with peers named Cyclone forgets its own machine
-    peers = "<Peers><Peer Address=\"127.0.0.1\"/>" + peers + "</Peers>";
+    peers = "<Peers>" + peers + "</Peers>";
   }
   const double lease = options.lease > 0 ? std::max(1.0, 2 * options.lease) : kSimulatedLease;
-  return "<CycloneDDS><Domain Id=\"any\"><General>" + interfaces +
-         "<AllowMulticast>false</AllowMulticast></General>"
+  return "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface address=\"" + interface.address +
+         "\"/></Interfaces><AllowMulticast>false</AllowMulticast></General>"
          "<SharedMemory><Enable>false</Enable></SharedMemory>"
          // without multicast an index of its own is what lets a process be found, and its number is the last index
          "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
@@ -80,21 +83,33 @@ std::string dds_configuration(const DomainOptions& options) {
          "<Internal><WriterLingerDuration>100ms</WriterLingerDuration></Internal></Domain></CycloneDDS>";
 }
 
-Domain::Domain(DomainOptions options) : options_(std::move(options)), boot_(new_boot()) {
-  const std::string configuration = dds_configuration(options_);
+Domain::Domain(DomainOptions options)
+    : options_(std::move(options)), interface_(find_interface(options_.interface)), boot_(new_boot()) {
+  const std::string configuration = dds_configuration(options_, interface_);
   install_dds_log();
   const auto before = open_descriptors();
-  const auto id = static_cast<dds_domainid_t>(options_.id);
-  domain_ = dds_create_domain(id, configuration.c_str());
+  domain_ = dds_create_domain(static_cast<dds_domainid_t>(options_.id), configuration.c_str());
   if (domain_ < 0) refuse("creation", options_.id, domain_);
-  participant_ = dds_create_participant(id, nullptr, nullptr);
   try {
-    if (participant_ < 0) refuse("participant", options_.id, participant_);
-    seal_descriptors(before, loopback_only());
+    // the sockets are there: nobody is told of this process before they are sealed
+    seal_descriptors(before, interface_);
+    create_participant();
+    seal_descriptors(before, interface_);
   } catch (...) {
     dds_delete(domain_);
     throw;
   }
+}
+
+void Domain::create_participant() {
+  const std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)> qos(dds_create_qos(), &dds_delete_qos);
+  if (secured()) {
+    for (const auto& [name, value] : security_properties(options_.keys)) {
+      dds_qset_prop(qos.get(), name.c_str(), value.c_str());
+    }
+  }
+  participant_ = dds_create_participant(static_cast<dds_domainid_t>(options_.id), qos.get(), nullptr);
+  if (participant_ < 0) refuse("participant", options_.id, participant_);
 }
 
 Domain::~Domain() { dds_delete(domain_); }

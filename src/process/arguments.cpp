@@ -20,6 +20,9 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
   if (!arguments.snapshots.empty()) add("--snapshots", arguments.snapshots.string());
   if (!arguments.motion.empty()) add("--motion", arguments.motion.string());
   for (const std::string& fault : arguments.faults) add("--inject", fault);
+  if (!arguments.interface.empty()) add("--interface", arguments.interface);
+  for (const std::string& peer : arguments.peers) add("--peers", peer);
+  if (!arguments.keys.empty()) add("--keys", arguments.keys.string());
   return words;
 }
 
@@ -37,6 +40,9 @@ Arguments parse_arguments(int argc, char** argv) {
   app.add_option("--snapshots", arguments.snapshots);
   app.add_option("--motion", arguments.motion);
   app.add_option("--inject", arguments.faults)->take_all()->expected(1);
+  app.add_option("--interface", arguments.interface);
+  app.add_option("--peers", arguments.peers);
+  app.add_option("--keys", arguments.keys);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -20,6 +20,10 @@ struct Arguments {
   std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); empty: none
   std::filesystem::path motion;     ///< file for the motion of the world's robots (sim only); empty: none
   std::vector<std::string> faults;  ///< to be injected into the run, see faults::parse_fault
+  // as links::DomainOptions has them
+  std::string interface;           ///< device or own address by which the peers are reached; empty: loopback
+  std::vector<std::string> peers;  ///< names or addresses of the machines that take part; empty: this one
+  std::filesystem::path keys;      ///< folder of the deployment's keys; empty: no DDS Security
 };
 
 std::vector<std::string> to_command_line(const Arguments& arguments);

@@ -1,5 +1,6 @@
 #include "process/process.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -68,9 +69,12 @@ int priority_of(links::ProcessRole role) {
 }
 
 /// Under simulated time the runner watches the processes: a busy machine must not look like a death.
-links::DomainOptions domain_options(int domain, bool simulated, double heartbeat_timeout) {
+links::DomainOptions domain_options(const Arguments& arguments, bool simulated, double heartbeat_timeout) {
   links::DomainOptions options;
-  options.id = domain;
+  options.id = arguments.domain;
+  options.interface = arguments.interface;
+  options.hosts = arguments.peers;
+  options.keys = arguments.keys;
   options.lease = simulated ? 0 : heartbeat_timeout;
   return options;
 }
@@ -88,6 +92,11 @@ clock::Part part_of(links::ProcessRole role) {
   return role == links::ProcessRole::edp ? clock::Part::drives : clock::Part::task;
 }
 
+/// What the runner has handed down is for this process: what a task starts shall hold neither clock nor world.
+void keep_from_children(int fd) {
+  if (fd >= 0) fcntl(fd, F_SETFD, FD_CLOEXEC);
+}
+
 bool serves(links::ProcessRole role) {
   return role == links::ProcessRole::edp || role == links::ProcessRole::vsp || role == links::ProcessRole::sim;
 }
@@ -96,6 +105,7 @@ bool serves(links::ProcessRole role) {
 
 Process::Process(const Arguments& arguments, links::ProcessRole role)
     : arguments_(arguments), deployment_(config::load_deployment(arguments.deployment)), faults_(arguments.faults) {
+  for (const int fd : {arguments.clock_fd, arguments.world_fd}) keep_from_children(fd);
   clock_ = clock::attach_clock(arguments.clock_fd, arguments.name, part_of(role));
   if (role == links::ProcessRole::mp) {
     auto strands = std::make_unique<StrandClock>(std::move(clock_));
@@ -108,8 +118,8 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
     const std::string warning = clock::request_realtime(priority_of(role));
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
-  domain_ = std::make_unique<links::Domain>(
-      domain_options(arguments.domain, clock_->simulated(), deployment_.heartbeat_timeout));
+  domain_ =
+      std::make_unique<links::Domain>(domain_options(arguments, clock_->simulated(), deployment_.heartbeat_timeout));
   publisher_ = std::make_unique<links::StatusPublisher>(*domain_, deployment_.name);
   links::ProcessStatus status = first_status(arguments, role);
   status.boot = domain_->boot();

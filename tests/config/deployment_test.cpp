@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "config/deployment_fixture.hpp"
+#include "config/network_entry.hpp"
 #include "config/operator_answer.hpp"
 
 namespace mrroc::config {
@@ -110,6 +111,61 @@ TEST_F(DeploymentTest, ReadsSensorsWithTheirOwnParameters) {
   EXPECT_EQ(gate.numbers,
             (Numbers{{"range", {2.5}}, {"beam", {0.1, 0.2}}, {"mount", {1, 2, 3}}, {"curve", {4, 5, 6, 7}}}));
   EXPECT_EQ(gate.texts, (std::map<std::string, std::string>{{"label", "gate"}}));
+}
+
+/// A deployment of one loopback robot with `network` as its table [network].
+std::string with_network(const std::string& network) {
+  return "[deployment]\nname = 'one'\n[robots.arm]\ntype = 'irb6'\nhardware = 'loopback'\n[network]\n" + network;
+}
+
+TEST_F(DeploymentTest, WithoutANetworkItStaysOnThisMachineWithoutKeys) {
+  for (const char* file : {"minimal.toml", "full.toml"}) {
+    const NetworkEntry network = load_deployment(file).network;
+    EXPECT_EQ(network.interface, "") << file;
+    EXPECT_FALSE(network.security) << file;
+    EXPECT_TRUE(network.keys.empty()) << file;
+  }
+}
+
+TEST_F(DeploymentTest, SecurityIsOnAsSoonAsItReachesBeyondThisMachineOrKeysAreNamed) {
+  const Scratch scratch;
+  std::filesystem::create_directory(scratch.folder() / "cell_keys");
+  const auto network = [&](const std::string& text) {
+    return load_deployment(scratch.write("d.toml", with_network(text))).network;
+  };
+  const NetworkEntry open = network("interface = 'eth1'\nkeys = 'cell_keys'\n");
+  EXPECT_EQ(open.interface, "eth1");
+  EXPECT_TRUE(open.security);
+  EXPECT_EQ(open.keys, scratch.folder() / "cell_keys");
+  EXPECT_TRUE(network("keys = 'cell_keys'\n").security);
+  EXPECT_TRUE(network("security = true\nkeys = 'cell_keys'\n").security);
+  EXPECT_FALSE(network("security = false\nkeys = 'cell_keys'\n").security);
+  EXPECT_FALSE(network("interface = '10.0.0.2'\nsecurity = false\n").security);
+  for (const char* loopback : {"lo", "127.0.0.1"}) {
+    EXPECT_FALSE(network("interface = '" + std::string{loopback} + "'\n").security) << loopback;
+  }
+}
+
+TEST_F(DeploymentTest, AHostThatIsAnotherMachineNeedsAnInterfaceAndKeys) {
+  const Scratch scratch;
+  std::filesystem::create_directory(scratch.folder() / "cell_keys");
+  const auto problem = [&](const std::string& text) {
+    const auto file = scratch.write("d.toml", with_network(text));
+    Deployment deployment;
+    RobotEntry& arm = deployment.robots.emplace_back();
+    arm.name = "arm";
+    arm.host = "lab-pc-2";
+    return message_of(scratch.folder(), [&] { read_network(Table::load(file), deployment); });
+  };
+  EXPECT_EQ(problem(""),
+            "d.toml:3: robots.arm.host: 'lab-pc-2' is another machine, but no interface to reach it by is named, "
+            "expected a table [network] with interface = \"DEVICE\"");
+  EXPECT_EQ(problem("interface = 'lo'\n"), problem(""));
+  EXPECT_EQ(problem("interface = 'eth1'\n"),
+            "d.toml:6: network: no keys, but it reaches beyond this machine, expected keys = \"FOLDER\" made by `mrroc "
+            "keys FOLDER`, or security = false");
+  EXPECT_EQ(problem("interface = 'eth1'\nsecurity = false\n"), "");
+  EXPECT_EQ(problem("interface = 'eth1'\nkeys = 'cell_keys'\n"), "");
 }
 
 TEST_F(DeploymentTest, SortsEventsByTick) {

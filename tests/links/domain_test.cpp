@@ -3,14 +3,20 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <ifaddrs.h>
+#include <linux/filter.h>
+#include <net/if.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <cstdlib>
+#include <memory>
+#include <optional>
 #include <random>
 
 #include "links/dds_log.hpp"
 #include "links/descriptors.hpp"
+#include "links/forged_packets.hpp"
 #include "links/peer_process.hpp"
 #include "links/robot_requester.hpp"
 #include "links/status_collector.hpp"
@@ -33,7 +39,13 @@ std::string complaint(const DomainOptions& options) {
 TEST(Domain, RefusesBadOptions) {
   EXPECT_EQ(complaint({.id = 231}), "DDS domain 231: expected 0..230");
   EXPECT_EQ(complaint({.id = -1}), "DDS domain -1: expected 0..230");
-  EXPECT_EQ(complaint({.id = 1, .hosts = {"lab<2>"}}), "host 'lab<2>': expected a host name or an address");
+  EXPECT_EQ(complaint({.id = 1, .interface = "lo", .hosts = {"lab<2>"}}),
+            "host 'lab<2>': expected a host name or an address");
+  EXPECT_EQ(complaint({.id = 1, .hosts = {"lab-pc-2"}}), "hosts are named, but no network interface to reach them by");
+  EXPECT_EQ(complaint({.id = 1, .interface = "no_such0"})
+                .find("network interface 'no_such0': expected a device or an "
+                      "own address, one of lo (127.0.0.1)"),
+            0U);
   EXPECT_NE(complaint({.id = 1, .lease = -1}).find("expected 0..60 s"), std::string::npos);
 }
 
@@ -62,17 +74,32 @@ TEST(Domain, HasABootNumberOfItsOwn) {
 }
 
 TEST(Domain, ConfigurationIsUnicastWithoutSharedMemory) {
-  const std::string local = dds_configuration({.id = 1});
-  for (const char* part : {"<NetworkInterface name=\"lo\"/>", "<AllowMulticast>false<", "<ParticipantIndex>auto<",
-                           "<Enable>false<", "<MaxAutoParticipantIndex>60<", "<LeaseDuration>1000ms<"}) {
+  const NetworkInterface loopback = find_interface("");
+  const std::string local = dds_configuration({.id = 1}, loopback);
+  for (const char* part :
+       {"<NetworkInterface address=\"127.0.0.1\"/>", "<AllowMulticast>false<", "<ParticipantIndex>auto<",
+        "<Enable>false<", "<MaxAutoParticipantIndex>60<", "<LeaseDuration>1000ms<"}) {
     EXPECT_NE(local.find(part), std::string::npos) << part << " in " << local;
   }
-  const std::string remote = dds_configuration({.id = 1, .hosts = {"lab-pc-2", "10.0.0.3"}});
-  EXPECT_EQ(remote.find("\"lo\""), std::string::npos);
-  EXPECT_NE(remote.find(
-                "<Peers><Peer Address=\"127.0.0.1\"/><Peer Address=\"lab-pc-2\"/><Peer Address=\"10.0.0.3\"/></Peers>"),
-            std::string::npos);
-  EXPECT_NE(dds_configuration({.id = 1, .lease = 0}).find("<LeaseDuration>3600000ms<"), std::string::npos);
+  const NetworkInterface network{.device = "eth7", .address = "10.0.0.2", .index = 7};
+  const std::string remote =
+      dds_configuration({.id = 1, .interface = "eth7", .hosts = {"lab-pc-2", "10.0.0.2", "10.0.0.3"}}, network);
+  EXPECT_NE(remote.find("<NetworkInterface address=\"10.0.0.2\"/>"), std::string::npos) << remote;
+  EXPECT_NE(remote.find("<Peers><Peer Address=\"10.0.0.2\"/><Peer Address=\"lab-pc-2\"/>"
+                        "<Peer Address=\"10.0.0.3\"/></Peers>"),
+            std::string::npos)
+      << remote;
+  EXPECT_NE(dds_configuration({.id = 1, .lease = 0}, loopback).find("<LeaseDuration>3600000ms<"), std::string::npos);
+}
+
+TEST(Domain, AnInterfaceIsFoundByItsDeviceAndByItsAddress) {
+  for (const char* name : {"", "lo", "127.0.0.1"}) {
+    const NetworkInterface interface = find_interface(name);
+    EXPECT_EQ(interface.device, "lo") << name;
+    EXPECT_EQ(interface.address, "127.0.0.1") << name;
+    EXPECT_EQ(interface.index, ::if_nametoindex("lo")) << name;
+    EXPECT_TRUE(interface.loopback) << name;
+  }
 }
 
 std::string device_of(int fd) {
@@ -96,10 +123,63 @@ TEST(Domain, NoChildInheritsItsDescriptorsAndNobodyOutsideReachesThem) {
   EXPECT_GE(sockets, 2) << "it receives on two ports";
 }
 
-TEST(Domain, WithHostsNamedIsNotBoundToLoopback) {
+/// A socket of this machine with one datagram under way to it.
+struct ListeningSocket {
+  ListeningSocket() : fd(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    if (::bind(fd, reinterpret_cast<const sockaddr*>(&address), size) != 0 ||
+        ::getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size) != 0) {
+      throw std::runtime_error("no socket");
+    }
+  }
+  ~ListeningSocket() { ::close(fd); }
+  ListeningSocket(const ListeningSocket&) = delete;
+  ListeningSocket& operator=(const ListeningSocket&) = delete;
+
+  /// Whether a datagram from this machine itself, which comes in by the loopback device, is heard.
+  bool hears_loopback() const {
+    EXPECT_EQ(::sendto(fd, "x", 1, 0, reinterpret_cast<const sockaddr*>(&address), sizeof address), 1);
+    char byte = 0;
+    return ::recv(fd, &byte, 1, MSG_DONTWAIT) == 1;  // over loopback a datagram arrives before sendto returns
+  }
+
+  int fd;
+  sockaddr_in address{};
+};
+
+TEST(Domain, ASocketHearsTheDevicesThatItAcceptsAndNoOther) {
+  const unsigned loopback = ::if_nametoindex("lo");
+  const ListeningSocket open, first, second, closed;
+  accept_from(first.fd, loopback, loopback + 1000);
+  accept_from(second.fd, loopback + 1000, loopback);
+  accept_from(closed.fd, loopback + 1000, loopback + 1001);
+  EXPECT_TRUE(open.hears_loopback());
+  EXPECT_TRUE(first.hears_loopback());
+  EXPECT_TRUE(second.hears_loopback());
+  EXPECT_FALSE(closed.hears_loopback());
+}
+
+/// An interface beyond loopback of this machine; nothing where there is none.
+std::optional<NetworkInterface> outside_interface() {
+  ifaddrs* list = nullptr;
+  if (::getifaddrs(&list) != 0) return std::nullopt;
+  const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> owner(list, &::freeifaddrs);
+  for (const ifaddrs* entry = list; entry != nullptr; entry = entry->ifa_next) {
+    if (entry->ifa_addr == nullptr || entry->ifa_addr->sa_family != AF_INET) continue;
+    if ((entry->ifa_flags & IFF_UP) == 0 || (entry->ifa_flags & IFF_LOOPBACK) != 0) continue;
+    return find_interface(entry->ifa_name);
+  }
+  return std::nullopt;
+}
+
+TEST(Domain, OnANamedInterfaceItHearsThisOneAndItsOwnMachine) {
+  const auto interface = outside_interface();
+  if (!interface) GTEST_SKIP() << "this machine has the loopback device only";
   FreeDomain number;
   const auto before = open_descriptors();
-  const Domain domain({.id = number.id(), .hosts = {"127.0.0.1"}});
+  Domain domain({.id = number.id(), .interface = interface->device, .hosts = {interface->address}, .lease = 20});
   EXPECT_FALSE(domain.loopback_only());
   int sockets = 0;
   for (const int fd : open_descriptors()) {
@@ -107,21 +187,18 @@ TEST(Domain, WithHostsNamedIsNotBoundToLoopback) {
     EXPECT_NE(::fcntl(fd, F_GETFD) & FD_CLOEXEC, 0) << fd;
     if (!is_udp_socket(fd)) continue;
     ++sockets;
-    EXPECT_EQ(device_of(fd), "");
+    socklen_t steps = 0;  // of the filter that is attached
+    EXPECT_EQ(::getsockopt(fd, SOL_SOCKET, SO_GET_FILTER, nullptr, &steps), 0);
+    EXPECT_EQ(steps, 5U);
   }
   EXPECT_GE(sockets, 2);
-}
-
-/// Ports on which this process's DDS listens.
-std::vector<in_port_t> ports_since(const std::set<int>& before) {
-  std::vector<in_port_t> ports;
-  for (const int fd : open_descriptors()) {
-    if (before.contains(fd) || !is_udp_socket(fd)) continue;
-    sockaddr_in address{};
-    socklen_t size = sizeof address;
-    if (::getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size) == 0) ports.push_back(address.sin_port);
-  }
-  return ports;
+  TestClock clock;
+  PeerProcess peer("remote", number.id(), "t/arm", 20, interface->address);
+  RobotRequester link(domain, clock, "t/arm", "peer", 10000);
+  ASSERT_NO_THROW(link.connect(kPatience));
+  RobotState state;
+  link.send({});
+  EXPECT_NO_THROW(link.receive(state));
 }
 
 TEST(Domain, MalformedDatagramsAreCountedAndNotPrinted) {
@@ -134,25 +211,17 @@ TEST(Domain, MalformedDatagramsAreCountedAndNotPrinted) {
   const std::uint64_t messages = dds_log_count();
   ::testing::internal::CaptureStderr();
 
-  const int sender = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const LoopbackSender sender(ports_since(before));
   std::mt19937 random(20240607);
-  for (const in_port_t port : ports_since(before)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    address.sin_port = port;
-    for (int n = 0; n < 500; ++n) {
-      // an RTPS 2.1 header, a data submessage, and then anything
-      std::string datagram("RTPS\x02\x01\x01\x10", 8);
-      for (int i = 0; i < 12; ++i) datagram.push_back(static_cast<char>(random()));
-      datagram.append("\x15\x05", 2);
-      const std::size_t size = 20 + random() % 100;
-      for (std::size_t i = 0; i < size; ++i) datagram.push_back(static_cast<char>(random()));
-      ::sendto(sender, datagram.data(), datagram.size(), 0, reinterpret_cast<const sockaddr*>(&address),
-               sizeof address);
-    }
+  for (int n = 0; n < 1000; ++n) {
+    // an RTPS 2.1 header, a data submessage, and then anything
+    std::string datagram("RTPS\x02\x01\x01\x10", 8);
+    for (int i = 0; i < 12; ++i) datagram.push_back(static_cast<char>(random()));
+    datagram.append("\x15\x05", 2);
+    const std::size_t size = 20 + random() % 100;
+    for (std::size_t i = 0; i < size; ++i) datagram.push_back(static_cast<char>(random()));
+    sender.send(datagram);
   }
-  ::close(sender);
 
   EXPECT_TRUE(eventually([&] { return dds_log_count() > messages; }));
   RobotState state;
@@ -184,9 +253,9 @@ TEST(Domain, FortyOneProcessesOnOneMachineFindEachOther) {
 TEST(Domain, WithHostsNamedTheProcessesOfThisMachineFindEachOtherToo) {
   // TEST-NET-1: a host that never answers
   FreeDomain number;
-  Domain domain({.id = number.id(), .hosts = {"192.0.2.250"}, .lease = 20});
+  Domain domain({.id = number.id(), .interface = "lo", .hosts = {"192.0.2.250"}, .lease = 20});
   TestClock clock;
-  PeerProcess peer("remote", number.id(), "t/arm", 20, "192.0.2.250");
+  PeerProcess peer("remote", number.id(), "t/arm", 20, "127.0.0.1");
   RobotRequester link(domain, clock, "t/arm", "peer", 10000);
   ASSERT_NO_THROW(link.connect(kPatience));
   RobotState state;

@@ -1,5 +1,5 @@
-// The other process of the tests: links_peer ROLE DOMAIN PREFIX LEASE [CLOCK_FD | HOST]. It runs until it is killed or
-// its parent is gone.
+// The other process of the tests: links_peer ROLE DOMAIN PREFIX LEASE [CLOCK_FD | HOST | KEYS]. It runs until it is
+// killed or its parent is gone.
 
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "clock/participant.hpp"
+#include "links/robot_requester.hpp"
 #include "links/robot_responder.hpp"
 #include "links/status_publisher.hpp"
 #include "links/test_clock.hpp"
+#include "mrroc/errors.hpp"
 
 namespace {
 
@@ -54,6 +56,21 @@ void respond_in_lockstep(clock::Clock& clock, RobotResponder& link) {
   }
 }
 
+/// Does all that a commander does, whether it is let in or not; `mark` is the start tick of its commands.
+void command(Domain& domain, clock::Clock& clock, const std::string& prefix, Tick mark) {
+  RobotRequester link(domain, clock, prefix, "responder");
+  RobotCommand command;
+  command.start_tick = mark;
+  for (;;) {
+    try {
+      link.connect(0.02);
+    } catch (const SystemError&) {
+      // it knocks and goes on all the same
+    }
+    link.send(command);
+  }
+}
+
 void publish(Domain& domain, const std::string& prefix) {
   StatusPublisher publisher(domain, prefix);
   ProcessStatus status;
@@ -73,7 +90,12 @@ int main(int argc, char** argv) {
   options.id = std::stoi(arguments.at(1));
   options.lease = std::stod(arguments.at(3));
   const std::string& prefix = arguments.at(2);
-  if (role == "remote") options.hosts = {arguments.at(4)};
+  if (role == "remote") {
+    options.interface = arguments.at(4);
+    options.hosts = {arguments.at(4)};
+  }
+  const bool commands = role == "commander" || role == "foreigner";
+  if (role == "respond" || role == "status" || commands) options.keys = arguments.at(4);
   try {
     if (role == "lockstep") {
       const auto clock = clock::attach_clock(std::stoi(arguments.at(4)), "edp");
@@ -86,6 +108,8 @@ int main(int argc, char** argv) {
     TestClock clock;
     if (role == "status") {
       publish(domain, prefix);
+    } else if (commands) {
+      command(domain, clock, prefix, role == "commander" ? 1 : 666);
     } else {
       RobotResponder link(domain, clock, prefix, role == "cautious" ? RobotResponder::kMaxAge : kAnyAge);
       respond(clock, link);

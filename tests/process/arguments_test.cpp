@@ -14,8 +14,20 @@ Arguments parse(const std::vector<std::string>& words) {
 }
 
 TEST(Arguments, TheCommandLineReadsBack) {
-  const Arguments arguments{"press.toml", "arm",  3, 4, 17, "t.arm", "left on Go x:number:8\nleft tells Here\n",
-                            "boxes",      "shots"};
+  const Arguments arguments{"press.toml",
+                            "arm",
+                            3,
+                            4,
+                            17,
+                            "t.arm",
+                            "left on Go x:number:8\nleft tells Here\n",
+                            "boxes",
+                            "shots",
+                            "motion",
+                            {"kill ecp:arm at tick 5", "kill mp at tick 6"},
+                            "eth1",
+                            {"10.0.0.2", "lab-pc-2"},
+                            "/etc/cell keys"};
   const Arguments read = parse(to_command_line(arguments));
   EXPECT_EQ(read.deployment, arguments.deployment);
   EXPECT_EQ(read.name, arguments.name);
@@ -26,6 +38,11 @@ TEST(Arguments, TheCommandLineReadsBack) {
   EXPECT_EQ(read.behaviours, arguments.behaviours);
   EXPECT_EQ(read.black_box, arguments.black_box);
   EXPECT_EQ(read.snapshots, arguments.snapshots);
+  EXPECT_EQ(read.motion, "motion");
+  EXPECT_EQ(read.faults, arguments.faults);
+  EXPECT_EQ(read.interface, "eth1");
+  EXPECT_EQ(read.peers, arguments.peers);
+  EXPECT_EQ(read.keys, arguments.keys);
 }
 
 TEST(Arguments, WithoutTheRunnerTheProgramSaysHowItIsStarted) {

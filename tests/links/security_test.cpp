@@ -1,0 +1,193 @@
+#include "links/security.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+
+#include "links/code_of.hpp"
+#include "links/domain.hpp"
+#include "links/forged_packets.hpp"
+#include "links/peer_process.hpp"
+#include "links/robot_requester.hpp"
+#include "links/robot_responder.hpp"
+#include "links/status_collector.hpp"
+#include "links/test_clock.hpp"
+#include "links/test_domain.hpp"
+#include "links/test_keys.hpp"
+
+namespace mrroc::links {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Tick kSilence = 2500;  // 5 s: a link whose replies stay away for so long is cut
+constexpr int kExchanges = 2000;
+
+TEST(Security, ProcessesOfOneDeploymentTalk) {
+  const TestKeys keys("cell");
+  FreeDomain number;
+  Domain domain({.id = number.id(), .lease = 20, .keys = keys.folder()});
+  EXPECT_TRUE(domain.secured());
+  TestClock clock;
+  PeerProcess peer("respond", number.id(), "cell/arm", 20, keys.folder());
+  RobotRequester link(domain, clock, "cell/arm", "peer", 10000);
+  ASSERT_NO_THROW(link.connect(kPatience));
+  RobotCommand command;
+  command.start_tick = 17;
+  link.send(command);
+  RobotState state;
+  link.receive(state);
+  EXPECT_EQ(state.tick, 17U);
+}
+
+TEST(Security, SeventeenProcessesWithKeysFindEachOther) {
+  const TestKeys keys("cell");
+  FreeDomain number;
+  Domain domain({.id = number.id(), .lease = 20, .keys = keys.folder()});
+  StatusCollector collector(domain, "cell");
+  std::vector<PeerProcess> peers;
+  for (int i = 0; i < 16; ++i) peers.push_back(PeerProcess("status", number.id(), "cell", 20, keys.folder()));
+  EXPECT_TRUE(eventually([&] {
+    collector.poll();
+    return collector.processes().size() == peers.size();
+  })) << collector.processes().size()
+      << " of 16";
+}
+
+TEST(Security, WhoHasOtherKeysOrNoneCommandsNothing) {
+  const TestKeys ours("cell"), theirs("cell");  // of the same name, with all the same rights
+  FreeDomain number;
+  Domain domain({.id = number.id(), .lease = 20, .keys = ours.folder()});
+  TestClock clock;
+  RobotResponder link(domain, clock, "cell/arm", 1000);
+  int from_us = 0;
+  int from_others = 0;
+  const auto look = [&] {
+    RobotCommand command;
+    std::uint64_t sequence = 0;
+    if (link.take(command, sequence)) ++(command.start_tick == 1 ? from_us : from_others);
+  };
+  {
+    const PeerProcess without("foreigner", number.id(), "cell/arm", 20, "");
+    const PeerProcess other("foreigner", number.id(), "cell/arm", 20, theirs.folder());
+    const PeerProcess commander("commander", number.id(), "cell/arm", 20, ours.folder());
+    // they all have had the same time when a hundred of ours have come
+    EXPECT_TRUE(eventually([&] {
+      look();
+      return from_us >= 100;
+    })) << from_us;
+    EXPECT_EQ(from_others, 0);
+  }
+  // the same foreigner is believed once it has the keys: nothing but these kept it out
+  const PeerProcess admitted("foreigner", number.id(), "cell/arm", 20, ours.folder());
+  EXPECT_TRUE(eventually([&] {
+    look();
+    return from_others > 0;
+  }));
+}
+
+TEST(Security, KeysAreGoodForTheTopicsOfTheirDeploymentOnly) {
+  const TestKeys keys("cell"), of_any("");
+  FreeDomain number;
+  TestClock clock;
+  {
+    Domain domain({.id = number.id(), .lease = 20, .keys = keys.folder()});
+    EXPECT_NO_THROW(RobotRequester(domain, clock, "cell/arm", "peer"));
+    EXPECT_EQ(code_of([&] { RobotRequester(domain, clock, "press/arm", "peer"); }, "press/arm"), ErrorCode::resources);
+    EXPECT_EQ(code_of([&] { RobotRequester(domain, clock, "cellar/arm", "peer"); }, "cellar/arm"),
+              ErrorCode::resources);
+  }
+  Domain domain({.id = number.id(), .lease = 20, .keys = of_any.folder()});
+  EXPECT_NO_THROW(RobotRequester(domain, clock, "press/arm", "peer"));
+}
+
+/// Exchanges messages with a peer, `forge` being called before each of them with the peer's writer of states and a
+/// number that rises; the code of the error that cuts the link, none when it lives on.
+ErrorCode fate(const fs::path& keys, const std::function<std::string(const Guid&, std::uint32_t)>& forge) {
+  FreeDomain number;
+  const auto before = open_descriptors();
+  Domain domain({.id = number.id(), .lease = 20, .keys = keys});
+  const LoopbackSender stranger(ports_since(before));
+  TestClock clock;
+  PeerProcess peer("respond", number.id(), "cell/arm", 20, keys);
+  RobotRequester link(domain, clock, "cell/arm", "peer", kSilence);
+  link.connect(kPatience);
+  std::optional<Guid> writer;
+  EXPECT_TRUE(
+      eventually([&] { return (writer = foreign_writer(domain.participant(), "cell/arm/state")).has_value(); }));
+  return code_of(
+      [&] {
+        for (std::uint32_t i = 0; i < kExchanges; ++i) {
+          if (i % 10 == 0) stranger.send(forge(*writer, i));
+          RobotState state;
+          link.send({});
+          link.receive(state);
+        }
+      },
+      "peer");
+}
+
+std::string heartbeat(const Guid& writer, std::uint32_t number) { return forged_heartbeat(writer, 1'000'000 + number); }
+
+std::string farewell(const Guid& writer, std::uint32_t number) {
+  Guid participant = writer;
+  constexpr Guid kParticipant{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0xc1};
+  std::copy(kParticipant.begin() + 12, kParticipant.end(), participant.begin() + 12);
+  return forged_farewell(participant, 1'000 + number);
+}
+
+TEST(Security, AForgedHeartbeatStallsAPlainLinkButNoneWithKeys) {
+  const TestKeys keys("cell");
+  EXPECT_EQ(fate({}, heartbeat), ErrorCode::process_silent);
+  EXPECT_EQ(fate(keys.folder(), heartbeat), ErrorCode::none);
+}
+
+TEST(Security, AForgedFarewellCutsAPlainLinkButNoneWithKeys) {
+  const TestKeys keys("cell");
+  EXPECT_EQ(fate({}, farewell), ErrorCode::process_died);
+  EXPECT_EQ(fate(keys.folder(), farewell), ErrorCode::none);
+}
+
+TEST(Security, RefusesKeysThatAreNotThereOrThatOthersMayRead) {
+  const TestKeys keys("cell");
+  const auto refused = [&](const std::string& what) {
+    return code_of([&] { Domain({.id = 1, .keys = keys.folder()}); }, what) == ErrorCode::configuration;
+  };
+  const fs::path secret = keys.folder() / KeyFiles::identity_key;
+  EXPECT_NO_THROW(check_keys(keys.folder()));
+  for (const auto& [path, mode] : {std::pair{secret, "600"}, {keys.folder(), "700"}}) {
+    for (const fs::perms others : {fs::perms::group_read, fs::perms::others_read, fs::perms::group_write}) {
+      fs::permissions(path, others, fs::perm_options::add);
+      EXPECT_TRUE(refused("keys " + path.string() + ": open to other users, expected `chmod " + mode + " " +
+                          path.string() + "`"));
+      fs::permissions(path, others, fs::perm_options::remove);
+    }
+  }
+  EXPECT_NO_THROW(check_keys(keys.folder()));
+  fs::remove(secret);
+  EXPECT_TRUE(refused("keys " + secret.string() + ": there is no such file, expected a folder made by `mrroc keys "));
+  fs::remove_all(keys.folder());
+  EXPECT_TRUE(refused("keys " + keys.folder().string() + ": there is no such folder"));
+}
+
+TEST(Security, KeysThatDoNotBelongTogetherAreRefused) {
+  for (const char* file :
+       {KeyFiles::authority, KeyFiles::identity, KeyFiles::identity_key, KeyFiles::governance, KeyFiles::permissions}) {
+    const TestKeys keys("cell"), others("cell");
+    FreeDomain number;
+    // of a private key that is another's its peers notice, not it itself: they do not talk to it
+    if (file != KeyFiles::identity_key) {
+      fs::copy_file(others.folder() / file, keys.folder() / file, fs::copy_options::overwrite_existing);
+      EXPECT_EQ(code_of([&] { Domain({.id = number.id(), .keys = keys.folder()}); }, "participant"),
+                ErrorCode::resources)
+          << file;
+    }
+    std::ofstream(keys.folder() / file) << "no key at all";
+    EXPECT_EQ(code_of([&] { Domain({.id = number.id(), .keys = keys.folder()}); }, "participant"), ErrorCode::resources)
+        << file;
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::links
