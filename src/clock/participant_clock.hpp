@@ -20,6 +20,7 @@ class ParticipantClock : public Clock {
   std::int64_t epoch_ns() const noexcept override;
   bool stopping() const noexcept override { return memory_->stop_tick.load() != kNever; }
   void interrupt() noexcept override;
+  EmergencyStop& emergency_stop() noexcept override { return memory_->emergency_stop; }
 
  protected:
   ClockMemory& memory() const noexcept { return *memory_; }

@@ -41,6 +41,7 @@ class StrandClock final : public clock::Clock {
   bool stopping() const noexcept override { return clock_->stopping(); }
   void interrupt() noexcept override { clock_->interrupt(); }
   void notify() noexcept override { clock_->notify(); }
+  clock::EmergencyStop& emergency_stop() noexcept override { return clock_->emergency_stop(); }
   int register_sender(std::string_view topic) override { return clock_->register_sender(topic); }
   int register_receiver(std::string_view topic) override { return clock_->register_receiver(topic); }
   std::uint64_t delta() const noexcept override { return clock_->delta(); }
