@@ -110,7 +110,7 @@ TEST(Allocation, NothingThatStopsTheRobotAllocates) {
   Rig<Gantry> rig;
   rig.model.change().axes[1].current_max_time = 0.02;
   rig.replies.reserve(1000);
-  RobotCommand joint = joint_command(JointVector::Constant(4, 0.05), 60, 58);
+  RobotCommand joint = joint_command(JointVector::Constant(4, 0.015), 60, 58);
   joint.relative = true;
   RobotCommand recover;
   recover.kind = CommandKind::recover;
@@ -121,11 +121,11 @@ TEST(Allocation, NothingThatStopsTheRobotAllocates) {
     if (what == 3) input.current[1] = 20;
     if (what == 4) input.switches[1].upper_limit = true;
   };
-  int stopped = 0, refused = 0;
+  int accepted = 0, stopped = 0, refused = 0;
   {
     const Counting scope;
     for (int round = 0; round < 20; ++round) {
-      rig.send(joint);
+      accepted += !rig.send(joint);
       rig.run(20);
       what = round % 5;
       if (what == 0) rig.operators.press();
@@ -141,6 +141,7 @@ TEST(Allocation, NothingThatStopsTheRobotAllocates) {
     }
   }
   EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(accepted, 20);
   EXPECT_EQ(stopped, 20);
   EXPECT_GE(refused, 8);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
