@@ -53,7 +53,7 @@ class EmergencyStop : public ecp::Task {
     })) {
     }
     require(stopped([&] { Move({arm}, {}, JointLine{arm, home}); }), "it moved with the stop pressed");
-    if (by_input) press(false);
+    if (by_input) require(stopped([&] { press(false); }), "outputs are set and the fault is told");
 
     // the arm has come to rest, and stays there until it is told to move, reset or not
     JointVector stands;
@@ -66,6 +66,7 @@ class EmergencyStop : public ecp::Task {
         require(error.code() == ErrorCode::emergency_stop, "another error");
       }
       if (pressed == 0) pressed = arm.state().tick;
+      require(arm.state().tick < pressed + 5000, "nobody has reset it");
       if (arm.state().tick < pressed + 300) continue;  // it brakes, the drive's brakes hold it
       if (stands.size() == 0) stands = arm.state().joints;
       require(arm.state().joints == stands, "it moved before it was recovered");
