@@ -27,7 +27,7 @@ void check_somebody_answers(const config::Deployment& deployment, bool attended)
 
 OperatorDesk::OperatorDesk(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock,
                            TypedLines& input, Show show)
-    : deployment_(deployment), input_(input), show_(std::move(show)) {
+    : deployment_(deployment), emergency_stop_(clock.emergency_stop()), input_(input), show_(std::move(show)) {
   const auto open_link = [&](const std::string& asker) {
     links_[asker] = std::make_unique<links::OperatorResponder>(domain, clock, deployment.name + "/" + asker);
   };
@@ -39,7 +39,18 @@ OperatorDesk::OperatorDesk(const config::Deployment& deployment, links::Domain& 
 
 void OperatorDesk::answer(const config::Event& event) { send(event.sensor, {0, event.value}); }
 
+void OperatorDesk::emergency(const std::string& word) {
+  if (word == "estop")
+    emergency_stop_.press();
+  else
+    emergency_stop_.reset();
+}
+
 void OperatorDesk::look() {
+  while (const std::optional<std::string> word = input_.next_of({"estop", "reset"})) {
+    emergency(*word);
+    show_(*word == "estop" ? "emergency stop: every robot stops until the line 'reset'" : "emergency stop: reset");
+  }
   take_questions();
   read_lines();
 }

@@ -35,7 +35,10 @@ class OperatorDesk {
 
   /// Sends the answer of an event. The clock's thread, at the event's tick.
   void answer(const config::Event& event);
-  /// Looks for questions and for what has been typed. Throws NonFatalError(sensor_not_ready) for a question that nobody
+  /// `estop` or `reset` of an event: presses or resets the emergency stop of all robots. Any thread.
+  void emergency(const std::string& word);
+  /// Looks for questions and for what has been typed: the words `estop` and `reset` at any time, before every answer.
+  /// Throws NonFatalError(sensor_not_ready) for a question that nobody
   /// is left to answer.
   void look();
   /// Whether a question waits for a line to be typed.
@@ -60,6 +63,7 @@ class OperatorDesk {
   void send(const std::string& asker, const links::OperatorAnswer& answer);
 
   const config::Deployment& deployment_;
+  clock::EmergencyStop& emergency_stop_;
   TypedLines& input_;
   Show show_;
   std::map<std::string, std::unique_ptr<links::OperatorResponder>> links_;  // by asker

@@ -185,6 +185,10 @@ void Runner::schedule_commands() {
       clock_.at_tick(event.tick, [this, &event] { desk_->answer(event); });
       continue;
     }
+    if (event.command == "estop" || event.command == "reset") {
+      clock_.at_tick(event.tick, [this, &event] { desk_->emergency(event.command); });
+      continue;
+    }
     links::TaskCommandKind kind = links::TaskCommandKind::trigger;
     if (event.command == "pause") kind = links::TaskCommandKind::pause;
     if (event.command == "resume") kind = links::TaskCommandKind::resume;

@@ -4,9 +4,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 
 namespace mrroc::cli {
+
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r";
+constexpr std::size_t kTyped = 65536;  // a pipe may hold more than anybody types
+
+}  // namespace
 
 bool TypedLines::attended() const noexcept {
   if (!unread_.empty()) return true;
@@ -25,11 +33,27 @@ std::optional<std::string> TypedLines::next() {
   return line;
 }
 
+std::optional<std::string> TypedLines::next_of(std::initializer_list<std::string_view> words) {
+  read_more();
+  std::size_t begin = 0;
+  for (std::size_t end = 0; (end = unread_.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    std::string_view line = std::string_view{unread_}.substr(begin, end - begin);
+    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    line = line.substr(0, line.find_last_not_of(kBlanks) + 1);
+    const auto word = std::find(words.begin(), words.end(), line);
+    if (word == words.end()) continue;
+    unread_.erase(begin, end + 1 - begin);
+    return std::string{*word};
+  }
+  return std::nullopt;
+}
+
+/// All that has come, but for what nobody types.
 void TypedLines::read_more() {
   // reading a terminal from the background would stop this process, and the deployment with it
   if (isatty(fd_) != 0 && tcgetpgrp(fd_) != getpgrp()) return;
   std::array<char, 256> buffer;
-  for (pollfd look{fd_, POLLIN, 0}; !ended_ && unread_.find('\n') == std::string::npos && poll(&look, 1, 0) > 0;) {
+  for (pollfd look{fd_, POLLIN, 0}; !ended_ && unread_.size() < kTyped && poll(&look, 1, 0) > 0;) {
     const ssize_t count = read(fd_, buffer.data(), buffer.size());
     if (count > 0) unread_.append(buffer.data(), static_cast<std::size_t>(count));
     ended_ = count <= 0;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace mrroc::cli {
 
@@ -17,6 +19,9 @@ class TypedLines {
   /// The next whole line, without its end; the last one may lack it. Never waits, and leaves a terminal alone while
   /// this process is in its background.
   std::optional<std::string> next();
+  /// The first of the whole lines that have come and are one of `words`, taken out from among the others, which stay:
+  /// what may not wait behind lines that nobody has asked for yet. Never waits.
+  std::optional<std::string> next_of(std::initializer_list<std::string_view> words);
 
  private:
   void read_more();

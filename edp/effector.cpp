@@ -42,6 +42,7 @@ void Effector::refresh() noexcept {
   snapshot_ = hand_over_.snapshot.load();
   if (snapshot_ == nullptr) return;
   if (snapshot_->model != model_) use_model();
+  planner_.stand_on(snapshot_->switches);
   if (first || snapshot_->epoch != epoch_) {
     epoch_ = snapshot_->epoch;
     end_ = snapshot_->end;

@@ -16,7 +16,7 @@ Encoders::Encoders(const RobotParameters& parameters, bool synchronised)
   for (std::size_t i = 0; i < count_; ++i) {
     const AxisParameters& axis = parameters.axes[i];
     axes_[i] = {kTurn / axis.encoder_increments, axis.motor_synchro, std::copysign(1.0, axis.synchro_coarse),
-                axis.motor_min, axis.motor_max};
+                axis.motor_min - axis.following_error_max, axis.motor_max + axis.following_error_max};
   }
 }
 

@@ -12,8 +12,9 @@ namespace mrroc::edp {
 /// power came on. With s the axis's motor_synchro and u the direction of its coarse synchronisation motion (+-1), the
 /// switch is closed where u (m - s) / 2 pi >= 0.5, all the way to the limit: so it tells on which side of s an axis
 /// stands, and the first zero pulse off it, in the direction -u, is at s. (How long the original's switches are its
-/// sources do not say; they call it an area.) Limit switches close at motor_min and motor_max. Deterministic; allocates
-/// in the constructor only.
+/// sources do not say; they call it an area.) An axis stands on a limit switch as far beyond motor_min and motor_max as
+/// it may be from its set-point, following_error_max: commands within the limits never meet one. Deterministic;
+/// allocates in the constructor only.
 class Encoders {
  public:
   Encoders(const RobotParameters& parameters, bool synchronised);

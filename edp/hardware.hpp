@@ -11,7 +11,7 @@ namespace mrroc::edp {
 /// What one axis's switches and encoder index say in one tick.
 struct AxisSwitches {
   bool synchro = false;
-  bool lower_limit = false;
+  bool lower_limit = false;  ///< the axis stands on its limit switch, whatever that does to the wire
   bool upper_limit = false;
   bool zero_pulse = false;   ///< one has passed since the last reading
   double zero_position = 0;  ///< where, rad of the shaft as the encoder counts
@@ -19,6 +19,7 @@ struct AxisSwitches {
 
 /// What the drives report in one tick.
 struct HardwareInput {
+  Tick tick = 0;                      ///< when it was measured: that of `read`, where the drives say nothing else
   JointVector motors;                 ///< shaft positions, rad, as the encoders resolve them
   JointVector current;                ///< measured currents, A
   bool synchronised = false;          ///< positions are absolute; else they count from where the power came on
@@ -41,7 +42,7 @@ class Hardware {
   /// True: the drives wait for `write` of every tick, so a servo that is late executes each of its ticks; false: they
   /// go on, and it executes the present one only.
   virtual bool waits() const noexcept { return false; }
-  /// Positions at tick `tick`. Servo thread.
+  /// Positions at tick `tick`. What it does not write is NaN before, and so found out. Servo thread.
   virtual void read(Tick tick, HardwareInput& input) noexcept = 0;
   /// Currents (A) for the coming period, within current_max. Servo thread.
   virtual void write(Tick tick, const JointVector& current) noexcept = 0;

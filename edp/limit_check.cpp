@@ -38,8 +38,12 @@ void LimitCheck::widen(const DesiredState& from) noexcept {
     const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
     position_min_[i] = std::min(axis.position_min, from.position[i]) - kRounding;
     position_max_[i] = std::max(axis.position_max, from.position[i]) + kRounding;
-    motor_min_[i] = (known ? std::min(axis.motor_min, motors[i]) : axis.motor_min) - kRounding;
-    motor_max_[i] = (known ? std::max(axis.motor_max, motors[i]) : axis.motor_max) + kRounding;
+    motor_min_[i] = axis.motor_min, motor_max_[i] = axis.motor_max;
+    if (known) {
+      motor_min_[i] = switches_.on_lower(i) ? motors[i] : std::min(axis.motor_min, motors[i]);
+      motor_max_[i] = switches_.on_upper(i) ? motors[i] : std::max(axis.motor_max, motors[i]);
+    }
+    motor_min_[i] -= kRounding, motor_max_[i] += kRounding;
   }
 }
 
@@ -65,10 +69,14 @@ ErrorReport LimitCheck::check_motors(const JointVector& joints, double tick, con
                        tick, where);
   for (int i = 0; i < model_->joint_count(); ++i) {
     const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
-    if (motors_[i] < motor_min_[i])
+    if (motors_[i] < motor_min_[i]) {
+      if (switches_.on_lower(i)) return violation(ErrorCode::limit_switch, i, tick, where, motors_[i], motor_min_[i]);
       return violation(ErrorCode::motor_limit, i, tick, where, motors_[i], axis.motor_min);
-    if (motors_[i] > motor_max_[i])
+    }
+    if (motors_[i] > motor_max_[i]) {
+      if (switches_.on_upper(i)) return violation(ErrorCode::limit_switch, i, tick, where, motors_[i], motor_max_[i]);
       return violation(ErrorCode::motor_limit, i, tick, where, motors_[i], axis.motor_max);
+    }
   }
   return {};
 }

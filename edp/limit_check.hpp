@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "edp/limit_switches.hpp"
 #include "edp/macrostep.hpp"
 #include "edp/stop.hpp"
 #include "mrroc/robot_model.hpp"
@@ -16,7 +17,8 @@ namespace mrroc::edp {
 /// rests inside the motor limits; from the last tick the motor limits are checked at every tick of the stop, unless a
 /// bound tells that no motor comes near one.
 ///
-/// A robot that starts outside a position limit (brakes off, moved by hand) may move, but no farther out.
+/// A robot that starts outside a position limit (brakes off, moved by hand) may move, but no farther out; nor may an
+/// axis that stands on a limit switch move farther onto it.
 ///
 /// Set-points that no macrostep foresees are looked at one by one (`begin`, `check_next`): for each the state itself
 /// and the stop from it.
@@ -27,10 +29,12 @@ class LimitCheck {
   LimitCheck(const RobotModel& model, double period);
   /// From now on of this model of the same robot; it must outlive this object.
   void use(const RobotModel& model) noexcept;
+  /// The switches on which the axes stand.
+  void stand_on(const LimitSwitches& switches) noexcept { switches_ = switches; }
 
-  /// Class `none`, or the first violation: joint_limit, motor_limit, velocity_limit, acceleration_limit or jerk_limit,
-  /// with axis, tick, value and limit; or why no joints belong to a point of the path. `path` is a macrostep of kind
-  /// `path`.
+  /// Class `none`, or the first violation: joint_limit, motor_limit, limit_switch, velocity_limit, acceleration_limit
+  /// or jerk_limit, with axis, tick, value and limit; or why no joints belong to a point of the path. `path` is a
+  /// macrostep of kind `path`.
   ErrorReport check(const Macrostep& path) noexcept;
 
   /// The end state alone, seen from `from`: no longer duration can heal what is wrong with it.
@@ -64,6 +68,7 @@ class LimitCheck {
   const RobotModel* model_;
   double period_;
   Stop stop_;
+  LimitSwitches switches_;
   JointVector motors_;
   JointVector position_min_, position_max_, motor_min_, motor_max_;
 };

@@ -13,13 +13,17 @@ namespace mrroc::edp {
 /// Positions are what `Encoders` make of the shafts. The robot starts at `home`; disabled, the brakes hold it where it
 /// is. It lags and overshoots as a drive does: measured is never simply commanded.
 ///
-/// Its terminals are wired back: input i, digital or analogue, is what output i was a tick before.
+/// Its terminals are wired back: input i, digital or analogue, is what output i was a tick before; inputs that are
+/// closed circuits at the start (`close`) are on until outputs are set for the first time.
 ///
 /// Loads couple nothing here: use the simulator for gravity and contact. Deterministic.
 class LoopbackHardware : public Hardware {
  public:
   /// `period` in s. Throws SystemError when an axis has no inertia, friction or encoder, or `home` cannot be reached.
   LoopbackHardware(const RobotModel& model, double period, bool synchronised = true);
+
+  /// Digital input `terminal` is on from the start. Before the first tick.
+  void close(int terminal) noexcept { terminals_.set(terminal, true); }
 
   void open() override {}
   void enable(bool on) noexcept override;

@@ -127,7 +127,9 @@ ErrorReport Planner::stretch(Interpolation interpolation, ErrorReport report, Ma
       const ErrorReport end = limits_.check_end(macrostep);
       if (bad(end) && end.code != ErrorCode::acceleration_limit) break;
       // a longer run-up swings farther out, a longer way to rest does not
-      if (!at_rest && (report.code == ErrorCode::joint_limit || report.code == ErrorCode::motor_limit)) break;
+      if (!at_rest && (report.code == ErrorCode::joint_limit || report.code == ErrorCode::motor_limit ||
+                       report.code == ErrorCode::limit_switch))
+        break;
       if (macrostep.steps >= kMaxStretchedSteps) break;
       macrostep.steps = std::min(macrostep.steps + macrostep.steps / 4 + 1, kMaxStretchedSteps);
     }

@@ -31,6 +31,8 @@ class Planner {
   /// From now on with this model and tool of the same robot; the model must outlive this object.
   void use(const ToolKinematics& kinematics) noexcept;
   const ToolKinematics& kinematics() const noexcept { return kinematics_; }
+  /// The limit switches on which the axes stand: they may only move away from there.
+  void stand_on(const LimitSwitches& switches) noexcept { limits_.stand_on(switches); }
 
   /// Fills kind, steps, reply_step, from, to and path of `macrostep`; the rest is the caller's. Class `none`, or a
   /// non-fatal error, which leaves `macrostep` undefined. Not for queries. Of a force motion only the values are looked

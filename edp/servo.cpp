@@ -4,11 +4,6 @@
 #include <cmath>
 
 namespace mrroc::edp {
-namespace {
-
-constexpr double kRounding = 1e-6;  // the planner has checked the limits; this guard only meets what it cannot see
-
-}  // namespace
 
 Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver& hand_over)
     : models_(models),
@@ -18,6 +13,9 @@ Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver
       hand_over_(hand_over),
       stop_(models.parameters(), period),
       synchroniser_(models.parameters(), models.at(ModelSet::kShafts).parameters(), period),
+      encoders_(models.at(0), period),
+      currents_(models.parameters(), period),
+      switches_(models.parameters()),
       force_motion_(models.at(0), period) {
   const int count = model_->joint_count();
   for (const AxisParameters& axis : models.parameters().axes) regulators_.emplace_back(axis);
@@ -50,14 +48,6 @@ bool Servo::use(std::uint8_t index) noexcept {
   return true;
 }
 
-void Servo::widen_limits() noexcept {
-  for (int i = 0; i < model_->joint_count(); ++i) {
-    const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];
-    position_min_[i] = std::min(axis.position_min, joints_[i]) - kRounding;
-    position_max_[i] = std::max(axis.position_max, joints_[i]) + kRounding;
-  }
-}
-
 bool Servo::tick(Tick tick) noexcept {
   measure(tick);
   obey_order();
@@ -76,11 +66,7 @@ bool Servo::tick(Tick tick) noexcept {
       model_->joints_to_motors(desired_.position, desired_motors_);
     }
     regulate();
-    if (stopping_ && !running_) {
-      hardware_.enable(false);
-      enabled_ = stopping_ = false;
-      current_.setZero();
-    }
+    if (stopping_ && !running_) drives_off();
   } else {
     refuse_foreign();
     desired_ = DesiredState::resting_at(joints_);
@@ -88,36 +74,6 @@ bool Servo::tick(Tick tick) noexcept {
   }
   hardware_.write(tick, current_);
   return publish(tick);
-}
-
-void Servo::measure(Tick tick) noexcept {
-  elapsed_ = ticked_ ? tick - last_ : 1;
-  hardware_.read(tick, input_);
-  if (!ticked_) {
-    last_ = tick == 0 ? 0 : tick - 1;
-    measured_motors_ = desired_motors_ = input_.motors;
-    if (!use(input_.synchronised ? 0 : ModelSet::kShafts)) find_fault(ErrorCode::motor_limit);
-  } else if (!input_.synchronised && model_index_ != ModelSet::kShafts) {
-    find_fault(ErrorCode::drive_fault);  // the drives have lost their positions
-  }
-  JointVector joints = joints_;
-  if (model_->motors_to_joints(input_.motors, joints) != ErrorCode::none) {
-    joints = joints_;
-    find_fault(ErrorCode::motor_limit);
-  }
-  if (ticked_) {
-    measured_increment_ = input_.motors - measured_motors_;
-    velocity_ = (joints - joints_) / (period_ * static_cast<double>(elapsed_));
-  }
-  measured_motors_ = input_.motors;
-  joints_ = joints;
-  ++counters_.ticks;
-  counters_.missed += elapsed_ - 1;
-}
-
-/// A fault that the readings show, as if the drives had reported it; theirs come first.
-void Servo::find_fault(ErrorCode code) noexcept {
-  if (input_.fault == ErrorCode::none) input_.fault = code;
 }
 
 void Servo::switch_off() noexcept {
@@ -140,7 +96,7 @@ void Servo::obey_order() noexcept {
       reset_ = true;
       return;  // the next reading tells whether the fault has gone
     }
-    if (!enabled_ && (order == DriveOrder::enable || input_.fault == ErrorCode::none)) switch_on();
+    if (!enabled_) switch_on();
     reset_ = false;
   }
   ++orders_;
@@ -150,64 +106,18 @@ void Servo::obey_order() noexcept {
 
 void Servo::switch_on() noexcept {
   fault_ = {};
+  if (found_.code != ErrorCode::none) return;  // `watch` latches it
   ++epoch_;
   braking_ = false;
   desired_ = DesiredState::resting_at(joints_);
-  desired_motors_ = measured_motors_;
+  desired_motors_ = previous_motors_ = measured_motors_;
   boundary_ = last_;
   widen_limits();
   for (Regulator& regulator : regulators_) regulator.reset();
+  currents_.reset();
   measured_increment_.setZero();
   enabled_ = true;
   hardware_.enable(true);
-}
-
-void Servo::watch(Tick tick) noexcept {
-  if (input_.fault != ErrorCode::none) latch(input_.fault, -1, 0, 0, tick);
-  if (enabled_ && !stopping_) {
-    for (int i = 0; i < model_->joint_count(); ++i) {
-      const double error = std::abs(desired_motors_[i] - measured_motors_[i]);
-      const double limit = model_->parameters().axes[static_cast<std::size_t>(i)].following_error_max;
-      counters_.following_error[i] = std::max(counters_.following_error[i], error);
-      if (!(error <= limit)) latch(ErrorCode::following_error, i, error, limit, tick);
-    }
-    if (fault_.code != ErrorCode::none) stop_and_switch_off();
-  }
-  if (force_.present()) watch_force(tick);
-}
-
-void Servo::watch_force(Tick tick) noexcept {
-  const bool synchronised = model_index_ != ModelSet::kShafts;
-  const Pose flange = synchronised ? model_->flange(joints_) : Pose::Identity();
-  force_.read(tick, synchronised ? &flange : nullptr);
-  ForceWatch::Doing doing = ForceWatch::Doing::resting;
-  if (running_ && enabled_ && !stopping_) {
-    if (active_.kind == Macrostep::Kind::path) doing = ForceWatch::Doing::moving;
-    if (active_.kind == Macrostep::Kind::force) doing = ForceWatch::Doing::following;
-  }
-  if (const ErrorReport report = force_.look(doing); report.error_class != ErrorClass::none) interrupt(report, last_);
-}
-
-void Servo::latch(ErrorCode code, int axis, double value, double limit, Tick tick) noexcept {
-  if (fault_.code == ErrorCode::none) fault_ = {code, axis, value, limit, tick};
-}
-
-bool Servo::keeps_limits(Tick tick) noexcept {
-  if (model_->joints_to_motors(desired_.position, desired_motors_) != ErrorCode::none) {
-    latch(ErrorCode::motor_limit, -1, 0, 0, tick);
-    return stopping_;
-  }
-  if (stopping_) return true;  // nothing better than the stop is left
-  for (int i = 0; i < model_->joint_count(); ++i) {
-    const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];
-    const double position = desired_.position[i];
-    const double velocity = (position - previous_position_[i]) / (period_ * static_cast<double>(elapsed_));
-    if (!(position >= position_min_[i])) latch(ErrorCode::joint_limit, i, position, axis.position_min, tick);
-    if (!(position <= position_max_[i])) latch(ErrorCode::joint_limit, i, position, axis.position_max, tick);
-    if (!(std::abs(velocity) <= axis.velocity_max * (1 + kRounding) + kRounding))
-      latch(ErrorCode::velocity_limit, i, velocity, axis.velocity_max, tick);
-  }
-  return fault_.code == ErrorCode::none;
 }
 
 void Servo::regulate() noexcept {
@@ -235,6 +145,7 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.synchronised = input_.synchronised;
   snapshot_.enabled = enabled_ && !stopping_;
   snapshot_.fault = fault_;
+  snapshot_.switches = switches_.on();
   snapshot_.model = model_index_;
   snapshot_.inputs = input_.inputs;
   snapshot_.outputs = outputs_;

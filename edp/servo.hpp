@@ -3,13 +3,18 @@
 #include <array>
 #include <vector>
 
+#include "edp/current_watch.hpp"
+#include "edp/emergency_latch.hpp"
+#include "edp/encoder_watch.hpp"
 #include "edp/force_motion.hpp"
 #include "edp/force_watch.hpp"
 #include "edp/hand_over.hpp"
 #include "edp/hardware.hpp"
+#include "edp/limit_switches.hpp"
 #include "edp/model_set.hpp"
 #include "edp/regulator.hpp"
 #include "edp/stop.hpp"
+#include "edp/stop_category.hpp"
 #include "edp/synchroniser.hpp"
 
 namespace mrroc::edp {
@@ -23,8 +28,9 @@ namespace mrroc::edp {
 /// holds there. At rest it holds the desired position.
 ///
 /// Life: it starts stopped, with the drives off. `enable` switches them on at the measured position, so nothing jumps,
-/// and clears a latched fault. `disable`, a fault of the hardware, a following error beyond the axis's limit, or a
-/// set-point beyond a limit stop the robot and then switch the drives off (stop category 1).
+/// and clears a latched fault; while its cause lasts they stay off. `disable` and every fault stop the robot, each in
+/// its category (stop_category.hpp): faults that the drives report, readings of the encoders that cannot be true, the
+/// emergency stop, a limit switch, a current or a following error beyond the axis's limit, a set-point beyond a limit.
 ///
 /// Joints are those of the model in use: the shafts themselves until the hardware is synchronised, the robot's first
 /// model then, another one when a macrostep says so.
@@ -46,6 +52,11 @@ class Servo {
   /// The robot has a force sensor, which must outlive this object, and stops where it meets more than `limits`. Before
   /// the first tick.
   void use_force_sensor(ForceSensor& sensor, const ForceLimits& limits) noexcept;
+
+  /// The operator's emergency stop, which must outlive this object. Before the first tick.
+  void use_emergency_stop(const clock::EmergencyStop& stop) noexcept { emergency_.use(stop); }
+  /// The digital input that presses the emergency stop while it is off. Before the first tick.
+  void use_emergency_terminal(int terminal) noexcept { emergency_.use_terminal(terminal); }
 
   /// Executes tick `tick`, greater than the last one; a gap counts as missed ticks. True: reports have been put out,
   /// the comms side should look.
@@ -76,10 +87,12 @@ class Servo {
   bool use(std::uint8_t model) noexcept;
   void widen_limits() noexcept;
   void measure(Tick tick) noexcept;
-  void find_fault(ErrorCode code) noexcept;
+  void look_at_encoders() noexcept;
+  void find_fault(const Fault& fault) noexcept;
   void switch_on() noexcept;
   void obey_order() noexcept;
   void watch(Tick tick) noexcept;
+  Fault find_in_motion() noexcept;
   void watch_force(Tick tick) noexcept;
   void abort_pending() noexcept;
   void interrupt(const ErrorReport& report, Tick from) noexcept;
@@ -93,7 +106,9 @@ class Servo {
   bool start_next(Tick tick) noexcept;
   void refuse_foreign() noexcept;
   void brake(Tick from) noexcept;
+  void stop(StopCategory category) noexcept;
   void stop_and_switch_off() noexcept;
+  void drives_off() noexcept;
   void latch(ErrorCode code, int axis, double value, double limit, Tick tick) noexcept;
   bool keeps_limits(Tick tick) noexcept;
   void regulate() noexcept;
@@ -117,6 +132,13 @@ class Servo {
   Tick elapsed_ = 1;     ///< since then
   HardwareInput input_;
   JointVector joints_, velocity_, measured_motors_, measured_increment_;
+
+  // what may stop the robot
+  Fault found_;  ///< by the readings of this tick, whatever the robot does
+  EncoderWatch encoders_;
+  CurrentWatch currents_;
+  LimitSwitchWatch switches_;
+  EmergencyLatch emergency_;
 
   // desired
   DesiredState desired_;

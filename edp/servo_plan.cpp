@@ -76,6 +76,7 @@ bool Servo::synchronise(Tick tick) noexcept {
   const JointVector& shift = synchroniser_.shift();
   hardware_.set_origin(shift);
   input_.synchronised = true;
+  encoders_.shift(shift);
   measured_motors_ += shift;
   desired_motors_ += shift;
   previous_motors_ += shift;
@@ -154,12 +155,30 @@ void Servo::brake(Tick from) noexcept {
   running_ = true;
 }
 
+void Servo::stop(StopCategory category) noexcept {
+  if (category == StopCategory::drives_off)
+    drives_off();
+  else if (!stopping_)
+    stop_and_switch_off();
+}
+
 void Servo::stop_and_switch_off() noexcept {
   if (running_ && active_.ticket != 0) finished_ = active_.ticket;
   abort_pending();
   brake(last_);
   braking_ = false;
   stopping_ = true;
+}
+
+/// At once, whatever the robot does.
+void Servo::drives_off() noexcept {
+  if (running_ && active_.ticket != 0) finished_ = active_.ticket;
+  abort_pending();
+  ++epoch_;
+  running_ = braking_ = forced_ = false;
+  hardware_.enable(false);
+  enabled_ = stopping_ = false;
+  current_.setZero();
 }
 
 /// The motion is given up: the robot brakes from the desired state, which is that of tick `from`.

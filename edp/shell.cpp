@@ -5,7 +5,7 @@
 
 #include "edp/describe.hpp"
 #include "edp/effector.hpp"
-#include "edp/faulty_hardware.hpp"
+#include "edp/injected_hardware.hpp"
 #include "edp/loopback_hardware.hpp"
 #include "edp/mujoco_hardware.hpp"
 #include "edp/robot_check.hpp"
@@ -52,6 +52,8 @@ class Shell {
     for (const config::SensorEntry& sensor : process.deployment().sensors)
       if (sensor.robot == place_.entry.name && sensor.wants_effector_state)
         feeds_.emplace_back(process.domain(), process.clock(), process.topic(place_.entry.name), sensor.name);
+    servo_.use_emergency_stop(process.clock().emergency_stop());
+    if (place_.entry.emergency_stop) servo_.use_emergency_terminal(*place_.entry.emergency_stop);
     if (force_sensor_ == nullptr) return;
     servo_.use_force_sensor(*force_sensor_, place_.entry.force_limits);
     effector_.use_force_sensor(force_sensor_->mount());
@@ -100,12 +102,14 @@ class Shell {
       hardware =
           std::make_unique<MujocoHardware>(*models_.front(), world(), place_.index, timing, place_.entry.synchronised);
     } else {
-      hardware =
+      auto loopback =
           std::make_unique<LoopbackHardware>(*models_.front(), process_.clock().period(), place_.entry.synchronised);
+      if (place_.entry.emergency_stop) loopback->close(*place_.entry.emergency_stop);
+      hardware = std::move(loopback);
     }
     if (auto faults = process_.faults().of(process_.name(), process_.clock()); !faults.empty())
       hardware =
-          std::make_unique<FaultyHardware>(std::move(hardware), std::move(faults), models_.front()->parameters());
+          std::make_unique<InjectedHardware>(std::move(hardware), std::move(faults), models_.front()->parameters());
     hardware->open();
     return hardware;
   }

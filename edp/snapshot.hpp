@@ -2,6 +2,7 @@
 
 #include "edp/counters.hpp"
 #include "edp/desired_state.hpp"
+#include "edp/limit_switches.hpp"
 #include "mrroc/robot_state.hpp"
 
 namespace mrroc::edp {
@@ -22,6 +23,7 @@ struct Snapshot {
   bool synchronised = false;
   bool enabled = false;  ///< drives on and not about to be switched off
   Fault fault;
+  LimitSwitches switches;      ///< on which the axes stand
   std::uint8_t model = 0;      ///< in use: place in the ModelSet
   std::uint32_t orders = 0;    ///< how many DriveOrders have been obeyed
   std::uint32_t epoch = 0;     ///< counts the times the servo left the accepted plan (braked, was switched on or off)

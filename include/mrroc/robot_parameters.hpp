@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,9 @@ struct AxisParameters {
   double synchro_fine = 0;           ///< back off the switch and to the zero pulse, rad/s, with the other sign
   double encoder_increments = 4000;  ///< per shaft revolution
   double current_max = 0;            ///< A
-  double following_error_max = 0;    ///< rad of the shaft
+  /// s for which a measured current may stay at current_max or beyond; the default: for ever
+  double current_max_time = std::numeric_limits<double>::infinity();
+  double following_error_max = 0;  ///< rad of the shaft
   // servo regulator (original's algorithm 0, `mrrocpp` 4.1)
   double regulator_a = 0;
   double regulator_b0 = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "clock/emergency_stop.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::clock {
@@ -58,6 +59,8 @@ class Clock {
   /// Wakes the participant's thread as if mail had arrived. Real clock only: another thread of the process has
   /// something for it. Any thread; a futex wake, no lock.
   virtual void notify() noexcept = 0;
+  /// The operator's emergency stop of this deployment; it lives as long as the clock. Any thread.
+  virtual EmergencyStop& emergency_stop() noexcept = 0;
 
   // ---- for injected faults (src/faults)
   /// The tick from which injected fault number `index` is in force; kNever: not yet. Any thread.

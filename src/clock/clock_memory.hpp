@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "clock/clock.hpp"
+#include "clock/emergency_stop.hpp"
 #include "clock/gate.hpp"
 #include "mrroc/fixed_text.hpp"
 #include "mrroc/types.hpp"
@@ -81,6 +82,7 @@ struct ClockMemory {
   std::atomic<std::int64_t> epoch_ns{0};                  // CLOCK_MONOTONIC at tick 0
   std::atomic<Tick> tick{0};                              // lockstep: the newest tick that participants may see
   std::atomic<std::uint64_t> delta{0};                    // lockstep: the delta that is open
+  EmergencyStop emergency_stop;                           // the operator presses, every servo looks
   Gate host;                                              // the host sleeps on it
   std::array<ParticipantSlot, kMaxParticipants + 1> participants;
   std::atomic<std::uint32_t> sender_count{0};

@@ -22,6 +22,7 @@ class ParticipantClock : public Clock {
   void interrupt() noexcept override;
   Tick fault_tick(std::size_t index) const noexcept override { return memory_->fault_ticks[index].load(); }
   void set_off_fault(std::size_t index, Tick tick) noexcept override { clock::set_off_fault(*memory_, index, tick); }
+  EmergencyStop& emergency_stop() noexcept override { return memory_->emergency_stop; }
 
  protected:
   ClockMemory& memory() const noexcept { return *memory_; }

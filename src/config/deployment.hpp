@@ -25,6 +25,7 @@ struct RobotEntry {
   std::string program = "mrroc_ecp";  ///< of its ECP; the stock ECP when left out; absolute path after loading
   std::string hardware;               ///< mujoco | loopback
   bool synchronised = true;           ///< simulated drives know their absolute positions from the start
+  std::optional<int> emergency_stop;  ///< digital input 0..15 that presses its emergency stop while it is off
   std::string force_sensor;           ///< the sensor whose raw readings its EDP takes; empty: none
   /// Beyond which the robot stops, in the axes of that sensor: 3 forces (N), 3 torques (N m). The original's.
   Wrench force_limits = (Wrench() << 65, 65, 130, 5, 5, 5).finished();
@@ -92,7 +93,7 @@ struct NetworkEntry {
 /// An operator command at a given tick: lockstep's way to press a button.
 struct Event {
   Tick tick = 0;
-  std::string command;  ///< pause | resume | trigger | stop | answer
+  std::string command;  ///< pause | resume | trigger | stop | estop | reset | answer
   std::string sensor;   ///< that is answered; empty for the other commands
   double value = 0;     ///< the answer
 };

@@ -23,7 +23,7 @@ Event read_event(const Table& table, const Deployment& deployment) {
   table.only({"tick", "command", "sensor", "value"});
   Event event;
   event.tick = static_cast<Tick>(table.integer("tick", 0, std::numeric_limits<std::int64_t>::max()));
-  event.command = table.choice("command", {"pause", "resume", "trigger", "stop", "answer"});
+  event.command = table.choice("command", {"pause", "resume", "trigger", "stop", "estop", "reset", "answer"});
   if (event.command == "answer") {
     const SensorEntry& sensor = asked_sensor(table, deployment);
     event.sensor = sensor.name;

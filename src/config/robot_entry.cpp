@@ -6,6 +6,7 @@
 #include "config/resources.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "language/rigid_motion.hpp"
+#include "mrroc/signals.hpp"
 
 namespace mrroc::config {
 
@@ -70,8 +71,8 @@ void read_force(const Table& table, RobotEntry& robot) {
 }  // namespace
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
-  table.only({"type", "program", "hardware", "host", "mount", "position", "rotation", "synchronised", "force_sensor",
-              "force_limit", "torque_limit"});
+  table.only({"type", "program", "hardware", "host", "mount", "position", "rotation", "synchronised", "emergency_stop",
+              "force_sensor", "force_limit", "torque_limit"});
   RobotEntry robot;
   robot.name = name;
   robot.type = table.choice("type", robot_types());
@@ -80,6 +81,8 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
   robot.synchronised = read_synchronised(table, robot.type);
+  if (table.has("emergency_stop"))
+    robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, Signals::kDigital - 1));
   read_force(table, robot);
   robot.program = require_program(table, "program", table.optional_text("program").value_or(robot.program));
   robot.edp_program = require_program(table, "type", robot.type + "_edp");

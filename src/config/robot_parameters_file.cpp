@@ -55,6 +55,7 @@ AxisParameters read_axis(const Table& table) {
   }
   axis.encoder_increments = positive_or(table, "encoder_increments", axis.encoder_increments);
   axis.current_max = positive(table, "current_max");
+  axis.current_max_time = positive_or(table, "current_max_time", axis.current_max_time);
   axis.following_error_max = positive(table, "following_error_max");
   axis.regulator_a = table.number("regulator_a");
   axis.regulator_b0 = table.number("regulator_b0");

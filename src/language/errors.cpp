@@ -54,6 +54,14 @@ std::string_view describe(ErrorCode code) noexcept {
       return "the hardware does not answer";
     case ErrorCode::synchronisation_failed:
       return "the synchronisation switch or the zero pulse was not found";
+    case ErrorCode::over_current:
+      return "a drive's current has been at its limit for too long";
+    case ErrorCode::limit_switch:
+      return "a limit switch stops the axis";
+    case ErrorCode::encoder_fault:
+      return "an encoder's reading cannot be true";
+    case ErrorCode::emergency_stop:
+      return "the emergency stop is pressed or not reset";
     case ErrorCode::process_died:
       return "a process died";
     case ErrorCode::process_silent:

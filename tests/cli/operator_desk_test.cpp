@@ -173,6 +173,26 @@ TEST_F(OperatorDeskTest, AQuestionOpenWhenTheOperatorLeavesIsAnError) {
   }
 }
 
+TEST_F(OperatorDeskTest, AnEmergencyStopWaitsForNoQuestionAndAnswersNone) {
+  open();
+  const clock::EmergencyStop& stop = clock_.emergency_stop();
+  desk->look();
+  EXPECT_EQ(stop.presses(), 0U);
+  type("4\nestop\n");  // the first line is for a question to come
+  desk->look();
+  EXPECT_EQ(stop.presses(), 1U);
+  EXPECT_EQ(stop.resets(), 0U);
+  EXPECT_EQ(shown, Lines{"emergency stop: every robot stops until the line 'reset'"});
+  parts->ask(number("How many?", 5));
+  type(" reset \r\nestop\n");
+  desk->look();
+  EXPECT_EQ(stop.presses(), 2U);
+  EXPECT_EQ(stop.resets(), 1U);
+  expect_answer(*parts, 1, 4);
+  desk->emergency("reset");
+  EXPECT_EQ(stop.resets(), 2U);
+}
+
 std::string refusal(const config::Deployment& deployment, bool attended) {
   try {
     check_somebody_answers(deployment, attended);

@@ -57,6 +57,22 @@ TEST(TypedLines, ComeWholeAndInOrderHoweverTheyWereWritten) {
   EXPECT_FALSE(lines.attended());
 }
 
+TEST(TypedLines, AWordIsTakenOutFromAmongTheLinesThatWait) {
+  Pipe pipe;
+  TypedLines lines(pipe.fd());
+  EXPECT_FALSE(lines.next_of({"stop", "go"}));
+  pipe.write("one\n  go\t\r\ntwo\nstop\nstopped\nsto");
+  EXPECT_EQ(lines.next_of({"stop", "go"}), "go");
+  EXPECT_EQ(lines.next_of({"stop", "go"}), "stop");
+  EXPECT_FALSE(lines.next_of({"stop", "go"}));
+  pipe.write("p\n");
+  EXPECT_EQ(lines.next(), "one");
+  EXPECT_EQ(lines.next_of({"stop"}), "stop");
+  EXPECT_EQ(lines.next(), "two");
+  EXPECT_EQ(lines.next(), "stopped");
+  EXPECT_FALSE(lines.next());
+}
+
 TEST(TypedLines, NobodyIsAtTheNullDeviceNorAtAClosedDescriptor) {
   const int null = open("/dev/null", O_RDONLY | O_CLOEXEC);
   EXPECT_FALSE(TypedLines(null).attended());

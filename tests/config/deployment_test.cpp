@@ -76,6 +76,14 @@ TEST_F(DeploymentTest, RobotsWithSwitchesMayStartUnsynchronised) {
   EXPECT_FALSE(load_deployment(scratch.write("lost.toml", text + "synchronised = false\n")).robot("arm").synchronised);
 }
 
+TEST_F(DeploymentTest, AnInputMayBeTheEmergencyStopOfARobot) {
+  const Scratch scratch;
+  const std::string text = "[deployment]\nname = \"one\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n";
+  EXPECT_FALSE(load_deployment(scratch.write("none.toml", text)).robot("arm").emergency_stop);
+  const auto file = scratch.write("input.toml", text + "emergency_stop = 15\n");
+  EXPECT_EQ(load_deployment(file).robot("arm").emergency_stop, 15);
+}
+
 TEST_F(DeploymentTest, TurnsTheBaseAboutFixedAxes) {
   const Pose base = load_deployment("full.toml").robot("left").base;
   EXPECT_EQ(base.translation(), Eigen::Vector3d(0.5, -1, 0.25));

@@ -86,9 +86,12 @@ TEST_F(RobotParametersFileTest, ReadsEveryNumber) {
   EXPECT_EQ(axis.viscous_friction, 0.02);
 }
 
-TEST_F(RobotParametersFileTest, TwoKeysMayBeLeftOut) {
+TEST_F(RobotParametersFileTest, SomeKeysMayBeLeftOut) {
   EXPECT_EQ(read(robot_text(with("encoder_increments", ""))).axes[0].encoder_increments, 4000);
   EXPECT_EQ(read(robot_text(with("regulator_output_max", ""))).axes[0].regulator_output_max, 190);
+  EXPECT_EQ(read(robot_text()).axes[0].current_max_time, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(read(robot_text(with("current_max", "current_max = 15\ncurrent_max_time = 0.5"))).axes[0].current_max_time,
+            0.5);
 }
 
 TEST_F(RobotParametersFileTest, EveryOtherKeyIsRequiredAndNamed) {
@@ -127,6 +130,8 @@ TEST_F(RobotParametersFileTest, NoOtherNumberMayBeInfiniteAndNoLimitNoNumber) {
 TEST_F(RobotParametersFileTest, RefusesNumbersThatMakeNoSense) {
   EXPECT_EQ(message(robot_text(with("position_max", "position_max = -2.5"))),
             "r.toml:6: axes[0].position_max: -2.5 is not above position_min, expected a number above -2.5");
+  EXPECT_EQ(message(robot_text(with("current_max", "current_max = 15\ncurrent_max_time = 0"))),
+            "r.toml:15: axes[0].current_max_time: 0 is not positive, expected a number above 0");
   EXPECT_EQ(message(robot_text(with("velocity_max", "velocity_max = 0"))),
             "r.toml:7: axes[0].velocity_max: 0 is not positive, expected a number above 0");
   EXPECT_EQ(message(robot_text(with("motor_synchro", "motor_synchro = 500"))),

@@ -106,6 +106,47 @@ TEST(Allocation, TheServoTickAndTheCommsSideAllocateNothing) {
   EXPECT_GT(rig.seen().counters.stops, 5u);
 }
 
+TEST(Allocation, NothingThatStopsTheRobotAllocates) {
+  Rig<Gantry> rig;
+  rig.model.change().axes[1].current_max_time = 0.02;
+  rig.replies.reserve(1000);
+  RobotCommand joint = joint_command(JointVector::Constant(4, 0.015), 60, 58);
+  joint.relative = true;
+  RobotCommand recover;
+  recover.kind = CommandKind::recover;
+  int what = 0;
+  rig.hardware.spoil = [&what](HardwareInput& input) {
+    if (what == 1) input.motors[1] = std::numeric_limits<double>::quiet_NaN();
+    if (what == 2) input.motors[1] += 50;
+    if (what == 3) input.current[1] = 20;
+    if (what == 4) input.switches[1].upper_limit = true;
+  };
+  int accepted = 0, stopped = 0, refused = 0;
+  {
+    const Counting scope;
+    for (int round = 0; round < 20; ++round) {
+      accepted += !rig.send(joint);
+      rig.run(20);
+      what = round % 5;
+      if (what == 0) rig.operators.press();
+      rig.run(100);
+      stopped += !rig.hardware.powered;
+      rig.send(recover);
+      rig.run(3);
+      refused += rig.send(joint);
+      what = 0;
+      rig.operators.reset();
+      rig.send(recover);
+      rig.run(100);
+    }
+  }
+  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(accepted, 20);
+  EXPECT_EQ(stopped, 20);
+  EXPECT_GE(refused, 8);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
+}
+
 TEST(Allocation, ForceMotionsAndTheirInterruptionsAllocateNothing) {
   ForceRig<Gantry> rig;
   rig.replies.reserve(1000);

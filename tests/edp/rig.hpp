@@ -31,8 +31,15 @@ class FaultyHardware : public LoopbackHardware {
     if (blind)
       for (AxisSwitches& switches : input.switches) switches.synchro = false;
     if (rewire) rewire(input);
+    if (slip_.size() != 0) input.motors += slip_;
     if (jammed.size() == 0 && jam) jammed = input.motors;
+    if (jammed.size() != 0 && !jam) {  // it goes on from where it has stuck
+      slip_ = (slip_.size() != 0 ? slip_ : JointVector::Zero(jammed.size()).eval()) + jammed - input.motors;
+      input.motors = jammed;
+      jammed.resize(0);
+    }
     if (jam) input.motors = jammed;
+    if (spoil) spoil(input);
     if (positions_lost) input.synchronised = false;
     if (input.fault == ErrorCode::none) input.fault = fault;
   }
@@ -40,6 +47,7 @@ class FaultyHardware : public LoopbackHardware {
   bool jam = false;
   bool blind = false;                          ///< the synchronisation switches are dead
   std::function<void(HardwareInput&)> rewire;  ///< other switches than the driver's; may look at `travelled`
+  std::function<void(HardwareInput&)> spoil;   ///< last of all, what is reported
   /// Of the shafts since the start, whatever they count from.
   const JointVector& travelled() const { return travel_; }
   bool positions_lost = false;
@@ -47,7 +55,7 @@ class FaultyHardware : public LoopbackHardware {
   JointVector jammed;
 
  private:
-  JointVector last_, travel_;
+  JointVector last_, travel_, slip_;
   bool was_synchronised_ = false;
 };
 
@@ -55,6 +63,7 @@ class FaultyHardware : public LoopbackHardware {
 template <class Model>
 struct Rig {
   explicit Rig(bool on = true, bool synchronised = true) : hardware(model, kPeriod, synchronised) {
+    servo.use_emergency_stop(operators);
     effector.enable(on);
     tick();
   }
@@ -81,6 +90,7 @@ struct Rig {
   FaultyHardware hardware;
   HandOver hand_over;
   ModelSet models{model};
+  clock::EmergencyStop operators;
   Servo servo{models, hardware, kPeriod, hand_over};
   Effector effector{models, kPeriod, hand_over};
   Tick now = 0;  ///< the tick to be executed next

@@ -69,9 +69,8 @@ TEST(Servo, AfterRecoveryItMovesFromWhereItStands) {
   rig.run(400);
   rig.hardware.fault = ErrorCode::drive_fault;
   rig.run(1);
-  EXPECT_TRUE(rig.hardware.powered);  // category 1: first the stop, then the power
+  EXPECT_FALSE(rig.hardware.powered);  // category 0: at once
   rig.run(300);
-  EXPECT_FALSE(rig.hardware.powered);
   EXPECT_EQ(rig.query().error.code, ErrorCode::drive_fault);
 
   rig.effector.enable(true);  // the fault is still there

@@ -152,7 +152,7 @@ TEST(Synchronisation, ASwitchThatNeverOpensIsAHardwareErrorAtTheLimitSwitch) {
   EXPECT_EQ(rig.seen().fault.axis, 3);
   rig.run(500);
   EXPECT_FALSE(rig.hardware.powered);
-  EXPECT_NEAR(rig.hardware.travelled()[3], 110, 3) << "from -10 to the limit switch at 100, and the stop";
+  EXPECT_NEAR(rig.hardware.travelled()[3], 140, 3) << "from -10 to the limit switch at 130, and the stop";
 }
 
 TEST(Synchronisation, ASwitchThatSticksOnceItIsMetIsOneToo) {
@@ -163,7 +163,7 @@ TEST(Synchronisation, ASwitchThatSticksOnceItIsMetIsOneToo) {
   };
   EXPECT_EQ(error_of(rig).code, ErrorCode::synchronisation_failed);
   EXPECT_TRUE(met);
-  EXPECT_NEAR(rig.hardware.travelled()[3], 110, 3);
+  EXPECT_NEAR(rig.hardware.travelled()[3], 140, 3);
 }
 
 TEST(Synchronisation, AnEncoderWithoutZeroPulseIsOneWithinThreeTurns) {

@@ -1,4 +1,4 @@
-#include "edp/faulty_hardware.hpp"
+#include "edp/injected_hardware.hpp"
 
 #include <limits>
 
@@ -6,8 +6,8 @@ namespace mrroc::edp {
 
 using faults::Kind;
 
-FaultyHardware::FaultyHardware(std::unique_ptr<Hardware> hardware, std::vector<faults::FaultSwitch> faults,
-                               const RobotParameters& parameters)
+InjectedHardware::InjectedHardware(std::unique_ptr<Hardware> hardware, std::vector<faults::FaultSwitch> faults,
+                                   const RobotParameters& parameters)
     : hardware_(std::move(hardware)), faults_(std::move(faults)), parameters_(parameters) {
   for (const faults::FaultSwitch& each : faults_)
     if (each.fault().axis >= parameters.axes.size())
@@ -15,7 +15,7 @@ FaultyHardware::FaultyHardware(std::unique_ptr<Hardware> hardware, std::vector<f
                                                            " has " + std::to_string(parameters.axes.size()) + " axes");
 }
 
-void FaultyHardware::read(Tick tick, HardwareInput& input) noexcept {
+void InjectedHardware::read(Tick tick, HardwareInput& input) noexcept {
   hardware_->read(tick, input);
   for (const faults::FaultSwitch& each : faults_)
     if (each.on(tick)) falsify(each.fault(), input);
@@ -23,7 +23,7 @@ void FaultyHardware::read(Tick tick, HardwareInput& input) noexcept {
   read_ = true;
 }
 
-void FaultyHardware::falsify(const faults::Fault& fault, HardwareInput& input) noexcept {
+void InjectedHardware::falsify(const faults::Fault& fault, HardwareInput& input) noexcept {
   const auto axis = static_cast<Eigen::Index>(fault.axis);
   switch (fault.kind) {
     case Kind::fault:
@@ -53,7 +53,7 @@ void FaultyHardware::falsify(const faults::Fault& fault, HardwareInput& input) n
   }
 }
 
-void FaultyHardware::write(Tick tick, const JointVector& current) noexcept {
+void InjectedHardware::write(Tick tick, const JointVector& current) noexcept {
   JointVector falsified = current;
   for (const faults::FaultSwitch& each : faults_) {
     const auto axis = static_cast<Eigen::Index>(each.fault().axis);

@@ -11,11 +11,11 @@ namespace mrroc::edp {
 
 /// Drives with injected faults: what the real driver reads and writes, falsified while a fault is in force. Above it
 /// nothing knows. Its position in the servo tick makes it keep the tick's rules.
-class FaultyHardware final : public Hardware {
+class InjectedHardware final : public Hardware {
  public:
   /// `parameters` must outlive it. Throws NonFatalError(invalid_argument): a fault of an axis that the robot has not.
-  FaultyHardware(std::unique_ptr<Hardware> hardware, std::vector<faults::FaultSwitch> faults,
-                 const RobotParameters& parameters);
+  InjectedHardware(std::unique_ptr<Hardware> hardware, std::vector<faults::FaultSwitch> faults,
+                   const RobotParameters& parameters);
 
   void open() override { hardware_->open(); }
   void enable(bool on) noexcept override { hardware_->enable(on); }

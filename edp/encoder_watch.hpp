@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+
+#include "mrroc/robot_model.hpp"
+
+namespace mrroc::edp {
+
+/// Watches the encoders: a reading that is not finite, or that lies farther from the last good one than the shaft can
+/// have come since, is not true. A shaft turns at most kMargin times as fast as the joints' velocity limits let it turn
+/// at home: the ratios of a transmission differ elsewhere, and what pushes a robot may push it fast.
+///
+/// After a jump no more time is given: the drives are off and the shaft stands, so the reading has to come back to
+/// where it was, or the position is lost. The servo's thread; allocates nothing, never throws.
+class EncoderWatch {
+ public:
+  static constexpr double kMargin = 6;
+
+  struct Finding {
+    int axis = -1;     ///< -1: the readings may be true
+    double value = 0;  ///< how far from the last good reading, rad; NaN for one that is not finite
+    double limit = 0;  ///< how far at most
+  };
+
+  /// `model`: any of the robot's; `period` in s.
+  EncoderWatch(const RobotModel& model, double period) noexcept;
+
+  /// Takes the readings (rad) of tick `tick`, which need not be later than the last one's: drives may repeat them.
+  Finding look(const JointVector& motors, Tick tick) noexcept;
+  /// From now on the same readings are greater by `shift`.
+  void shift(const JointVector& shift) noexcept { good_ += shift; }
+
+ private:
+  std::size_t count_;
+  std::array<double, kMaxJoints> way_{};  ///< in a tick, rad
+  JointVector good_;                      ///< the last good readings; empty before the first
+  Tick tick_ = 0;                         ///< theirs
+  double ticks_ = 1;                      ///< given for the way from them
+  bool jumped_ = false;
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,359 @@
+// What stops the robot, in which category, and what it takes to move it again.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "edp/stop_category.hpp"
+#include "rig.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr int kTerminal = 3;
+
+/// As Slide, with limits that a moving robot meets within a test.
+class WatchedSlide : public Slide {
+ public:
+  WatchedSlide() { parameters_.axes[0].current_max_time = 0.1; }
+};
+using SafeRig = Rig<WatchedSlide>;
+
+RobotCommand recover_command() {
+  RobotCommand command;
+  command.kind = CommandKind::recover;
+  return command;
+}
+
+RobotCommand by(double way, std::uint16_t steps = 500) {
+  RobotCommand command = joint_command(one(way), steps, steps);
+  command.relative = true;
+  return command;
+}
+
+/// Recovers; the code that is answered.
+ErrorCode recover(SafeRig& rig) {
+  rig.replies.clear();
+  EXPECT_FALSE(rig.send(recover_command()));
+  rig.run(3);
+  EXPECT_EQ(rig.replies.size(), 1u);
+  return rig.replies.empty() ? ErrorCode::busy : rig.replies[0].state.error.code;
+}
+
+/// Ticks until the drives are off; every set-point on the way follows from the one before within the limits.
+void expect_smooth_stop(SafeRig& rig) {
+  const AxisParameters& axis = rig.model.parameters().axes[0];
+  DesiredState before = rig.seen().desired;
+  for (int i = 0; i < 500 && rig.hardware.powered; ++i) {
+    rig.tick();
+    if (!rig.hardware.powered) break;
+    const DesiredState& now = rig.seen().desired;
+    EXPECT_LE(std::abs(now.velocity[0] - before.velocity[0]), axis.acceleration_max * kPeriod * (1 + 1e-6));
+    EXPECT_LE(std::abs(now.acceleration[0] - before.acceleration[0]), axis.jerk_max * kPeriod * (1 + 1e-6));
+    EXPECT_LE(std::abs(now.velocity[0]), std::abs(before.velocity[0]) + 1e-12) << "a stop gets slower";
+    before = now;
+  }
+}
+
+struct Event {
+  const char* name;
+  ErrorCode code;  ///< `none`: no fault
+  StopCategory category;
+  std::function<void(SafeRig&)> happens;
+  friend void PrintTo(const Event& event, std::ostream* out) { *out << event.name; }
+};
+
+const Event kEvents[] = {
+    {"DriveFault", ErrorCode::drive_fault, StopCategory::drives_off,
+     [](SafeRig& rig) { rig.hardware.fault = ErrorCode::drive_fault; }},
+    {"SilentHardware", ErrorCode::hardware_silent, StopCategory::drives_off,
+     [](SafeRig& rig) { rig.hardware.fault = ErrorCode::hardware_silent; }},
+    {"LostPositions", ErrorCode::drive_fault, StopCategory::drives_off,
+     [](SafeRig& rig) { rig.hardware.positions_lost = true; }},
+    {"PositionNotFinite", ErrorCode::encoder_fault, StopCategory::drives_off,
+     [](SafeRig& rig) { rig.hardware.spoil = [](HardwareInput& input) { input.motors[0] = kNan; }; }},
+    {"PositionJumps", ErrorCode::encoder_fault, StopCategory::drives_off,
+     [](SafeRig& rig) { rig.hardware.spoil = [](HardwareInput& input) { input.motors[0] += 5; }; }},
+    {"CurrentNotFinite", ErrorCode::drive_fault, StopCategory::drives_off,
+     [](SafeRig& rig) { rig.hardware.spoil = [](HardwareInput& input) { input.current[0] = kNan; }; }},
+    {"FollowingError", ErrorCode::following_error, StopCategory::stop_then_off,
+     [](SafeRig& rig) {
+       rig.model.change().axes[0].current_max_time = 1e9;
+       rig.model.change().axes[0].following_error_max = 5;
+       rig.hardware.jam = true;
+     }},
+    {"OverCurrent", ErrorCode::over_current, StopCategory::stop_then_off,
+     [](SafeRig& rig) { rig.hardware.spoil = [](HardwareInput& input) { input.current[0] = -25; }; }},
+    {"LimitSwitch", ErrorCode::limit_switch, StopCategory::stop_then_off,
+     [](SafeRig& rig) { rig.hardware.spoil = [](HardwareInput& input) { input.switches[0].upper_limit = true; }; }},
+    {"OperatorsEmergencyStop", ErrorCode::emergency_stop, StopCategory::stop_then_off,
+     [](SafeRig& rig) { rig.operators.press(); }},
+    {"EmergencyStopInput", ErrorCode::emergency_stop, StopCategory::stop_then_off,
+     [](SafeRig& rig) { rig.hardware.spoil = [](HardwareInput& input) { input.inputs.set(kTerminal, false); }; }},
+    {"SwitchedOff", ErrorCode::none, StopCategory::stop_then_off, [](SafeRig& rig) { rig.effector.enable(false); }},
+    {"NobodyCommands", ErrorCode::none, StopCategory::stop_and_hold, [](SafeRig&) {}},
+};
+
+class Stops : public testing::TestWithParam<Event> {};
+
+TEST_P(Stops, TheRobotInTheEventsCategory) {
+  const Event& event = GetParam();
+  SafeRig rig(false);
+  rig.hardware.close(kTerminal);
+  rig.servo.use_emergency_terminal(kTerminal);
+  rig.run(1);
+  rig.effector.enable(true);
+  rig.run(2);
+  ASSERT_TRUE(rig.hardware.powered);
+  RobotCommand command = joint_command(one(0.5), 500, 400);  // it ends in motion
+  command.joint_velocity = one(0.5);
+  ASSERT_FALSE(rig.send(command)) << rig.answer.state.error.detail.view();
+  rig.run(250);
+  ASSERT_GT(rig.seen().desired.velocity[0], 0.2);
+  ASSERT_TRUE(rig.replies.empty());
+
+  const std::uint32_t epoch = rig.seen().epoch;
+  event.happens(rig);
+  for (int i = 0; i < 400 && rig.seen().epoch == epoch; ++i) rig.tick();  // until the servo leaves what was planned
+  EXPECT_EQ(rig.seen().fault.code, event.code);
+  if (event.code != ErrorCode::none) {
+    EXPECT_EQ(stop_category(event.code), event.category);
+  }
+  EXPECT_EQ(rig.hardware.powered, event.category != StopCategory::drives_off) << "in the very tick";
+  if (event.category == StopCategory::drives_off) {
+    EXPECT_TRUE(rig.seen().desired.at_rest());
+  } else {
+    EXPECT_FALSE(rig.seen().desired.at_rest());
+    expect_smooth_stop(rig);
+  }
+  rig.run(50);
+  EXPECT_TRUE(rig.seen().desired.at_rest());
+  EXPECT_EQ(rig.hardware.powered, event.category == StopCategory::stop_and_hold);
+  ASSERT_EQ(rig.replies.size(), 1u) << "one answer";
+  const ErrorReport& error = rig.replies[0].state.error;
+  if (event.code != ErrorCode::none) {
+    EXPECT_EQ(error.code, event.code);
+    EXPECT_EQ(error.error_class, ErrorClass::hardware);
+    ASSERT_TRUE(rig.send(by(-0.1)));
+    EXPECT_EQ(rig.answer.state.error.code, event.code) << "latched";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Stops, testing::ValuesIn(kEvents),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(EmergencyStop, IsLatchedUntilItIsResetAndTheResetMovesNothing) {
+  SafeRig rig;
+  rig.send(by(0.5));
+  rig.run(200);
+  rig.operators.press();
+  rig.run(300);
+  ASSERT_FALSE(rig.hardware.powered);
+  const double stands = rig.seen().joints[0];
+  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "it has not been reset";
+  rig.effector.enable(true);
+  rig.run(5);
+  EXPECT_FALSE(rig.hardware.powered);
+
+  rig.operators.reset();
+  ASSERT_TRUE(rig.send(by(0.1)));
+  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::emergency_stop) << "the fault waits for recover";
+  rig.run(500);
+  EXPECT_FALSE(rig.hardware.powered);
+  EXPECT_EQ(rig.seen().joints[0], stands);
+
+  EXPECT_EQ(recover(rig), ErrorCode::none);
+  rig.run(500);
+  EXPECT_TRUE(rig.hardware.powered);
+  EXPECT_EQ(rig.seen().desired.position[0], stands) << "recovered, it holds";
+  ASSERT_FALSE(rig.send(by(0.1)));
+  rig.run(700);
+  EXPECT_NEAR(rig.seen().joints[0], stands + 0.1, 2e-4);
+}
+
+TEST(EmergencyStop, AnInputHasToBeLetGoAndThenReset) {
+  SafeRig rig(false);
+  rig.hardware.close(kTerminal);
+  rig.servo.use_emergency_terminal(kTerminal);
+  rig.run(1);
+  bool pressed = false;
+  rig.hardware.spoil = [&pressed](HardwareInput& input) { input.inputs.set(kTerminal, !pressed); };
+  rig.effector.enable(true);
+  rig.run(2);
+  ASSERT_TRUE(rig.hardware.powered);
+  pressed = true;
+  rig.run(2);
+  EXPECT_FALSE(rig.hardware.powered) << "at rest there is nothing to brake";
+  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop);
+  rig.operators.reset();
+  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "still pressed";
+  pressed = false;
+  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "the reset came too early";
+  rig.operators.reset();
+  EXPECT_EQ(recover(rig), ErrorCode::none);
+}
+
+TEST(EmergencyStop, HidesNoOtherFaultAndIsHiddenByNone) {
+  SafeRig rig;
+  rig.hardware.fault = ErrorCode::drive_fault;
+  rig.run(2);
+  rig.operators.press();
+  rig.hardware.fault = ErrorCode::none;
+  rig.run(2);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::drive_fault);
+  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "what keeps the drives off now";
+}
+
+TEST(EmergencyLatch, NoPressIsMissedAndNoResetCountsThatComesTooEarly) {
+  clock::EmergencyStop stop;
+  EmergencyLatch latch;
+  latch.use(stop);
+  EXPECT_FALSE(latch.look({}));
+  stop.press();
+  stop.reset();  // both between two looks
+  EXPECT_TRUE(latch.look({}));
+  EXPECT_TRUE(latch.look({}));
+  stop.reset();
+  EXPECT_FALSE(latch.look({}));
+  stop.reset();
+  EXPECT_FALSE(latch.look({}));
+  stop.press();
+  EXPECT_TRUE(latch.look({})) << "a reset in advance is none";
+  stop.press();
+  stop.reset();
+  EXPECT_TRUE(latch.look({}));
+}
+
+TEST(OverCurrent, IsWhatLastsLongerThanItsTime) {
+  SafeRig rig;
+  rig.run(10);
+  const auto overload = [&rig](Tick ticks) {
+    rig.hardware.spoil = [](HardwareInput& input) { input.current[0] = 20; };
+    rig.run(ticks);
+    rig.hardware.spoil = nullptr;
+    rig.run(5);
+  };
+  for (int i = 0; i < 3; ++i) overload(50);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::none) << "0.1 s at a time";
+  overload(51);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::over_current);
+  EXPECT_EQ(rig.seen().fault.value, 20);
+  EXPECT_EQ(recover(rig), ErrorCode::none);
+  rig.run(200);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
+}
+
+TEST(OverCurrent, WithoutATimeEveryCurrentIsAllowed) {
+  Rig<Slide> rig;
+  rig.hardware.spoil = [](HardwareInput& input) { input.current[0] = 200; };
+  rig.run(5000);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
+}
+
+TEST(LimitSwitch, OnlyMotionAwayFromItIsAccepted) {
+  for (const double direction : {1.0, -1.0}) {
+    SafeRig rig;
+    const double edge = GearedModel::kGear * (0.25 + direction * 0.3);
+    rig.hardware.spoil = [=](HardwareInput& input) {
+      const bool on = direction * (input.motors[0] - edge) > 0;
+      (direction > 0 ? input.switches[0].upper_limit : input.switches[0].lower_limit) = on;
+    };
+    rig.send(by(direction * 0.6, 800));
+    rig.run(1000);
+    ASSERT_EQ(rig.seen().fault.code, ErrorCode::limit_switch);
+    ASSERT_FALSE(rig.hardware.powered);
+    const double stands = rig.seen().joints[0];
+    ASSERT_GT(direction * (stands - 0.25), 0.3);
+    ASSERT_EQ(recover(rig), ErrorCode::none);
+    rig.run(100);
+    ASSERT_TRUE(rig.hardware.powered) << "it may stand there";
+
+    RobotCommand velocity = by(0);
+    velocity.kind = CommandKind::joint_velocity;
+    velocity.joint_velocity = one(direction * 0.1);
+    RobotCommand back_onto_it = by(-direction * 0.01);
+    back_onto_it.joint_velocity = one(direction * 0.5);  // a stop from there ends farther out
+    for (const RobotCommand& farther : {by(direction * 0.001), velocity, back_onto_it}) {
+      ASSERT_TRUE(rig.send(farther));
+      EXPECT_EQ(rig.answer.state.error.code, ErrorCode::limit_switch) << rig.answer.state.error.detail.view();
+      EXPECT_EQ(rig.answer.state.error.error_class, ErrorClass::non_fatal);
+    }
+    ASSERT_FALSE(rig.send(by(-direction * 0.5, 800))) << rig.answer.state.error.detail.view();
+    rig.run(1000);
+    EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
+    EXPECT_NEAR(rig.seen().joints[0], stands - direction * 0.5, 1e-3);
+    // and then it is met anew
+    ASSERT_FALSE(rig.send(by(direction * 0.6, 800)));
+    rig.run(1000);
+    EXPECT_EQ(rig.seen().fault.code, ErrorCode::limit_switch);
+  }
+}
+
+TEST(LimitSwitch, AnAxisThatStandsAtTheEdgeIsNotStoppedAnew) {
+  SafeRig rig;
+  bool on = true;
+  rig.hardware.spoil = [&on](HardwareInput& input) { input.switches[0].lower_limit = on; };
+  rig.run(5);
+  ASSERT_EQ(rig.seen().fault.code, ErrorCode::limit_switch);
+  ASSERT_EQ(recover(rig), ErrorCode::none);
+  for (int i = 0; i < 20; ++i) {
+    on = !on;
+    rig.run(2);
+  }
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
+}
+
+TEST(Encoder, AReadingThatComesBackIsBelievedAgainOneThatStaysAwayNever) {
+  SafeRig rig;
+  double off = 5;
+  rig.hardware.spoil = [&off](HardwareInput& input) { input.motors[0] += off; };
+  rig.run(2);
+  ASSERT_EQ(rig.seen().fault.code, ErrorCode::encoder_fault);
+  EXPECT_EQ(rig.seen().fault.axis, 0);
+  EXPECT_NEAR(rig.seen().joints[0], 0.25, 1e-4) << "what cannot be true is not taken";
+  rig.run(5000);
+  EXPECT_EQ(recover(rig), ErrorCode::encoder_fault) << "the position is lost, however long ago";
+  off = 0;
+  EXPECT_EQ(recover(rig), ErrorCode::none);
+  EXPECT_NEAR(rig.seen().joints[0], 0.25, 1e-4);
+}
+
+TEST(Encoder, AfterASilenceTheAxisMayBeElsewhere) {
+  SafeRig rig;
+  rig.hardware.fault = ErrorCode::hardware_silent;
+  rig.run(500);
+  rig.hardware.spoil = [](HardwareInput& input) { input.motors[0] += 50; };  // moved by hand, in a second
+  rig.hardware.fault = ErrorCode::none;
+  EXPECT_EQ(recover(rig), ErrorCode::none);
+  EXPECT_NEAR(rig.seen().joints[0], 0.75, 1e-3);
+  EXPECT_NEAR(rig.seen().desired.position[0], 0.75, 1e-3) << "and it stays there";
+}
+
+/// Drives of which the driver reports nothing.
+class Mute final : public Hardware {
+ public:
+  void open() override {}
+  void enable(bool on) noexcept override { powered = powered || on; }
+  void read(Tick, HardwareInput& input) noexcept override { input.synchronised = true; }
+  void write(Tick, const JointVector&) noexcept override {}
+  void set_origin(const JointVector&) noexcept override {}
+  bool powered = false;
+};
+
+TEST(Encoder, DrivesThatReportNothingAreNeverSwitchedOn) {
+  Slide model;
+  Mute hardware;
+  HandOver hand_over;
+  const ModelSet models(model);
+  Servo servo(models, hardware, kPeriod, hand_over);
+  Effector effector(models, kPeriod, hand_over);
+  effector.enable(true);
+  for (Tick tick = 0; tick < 10; ++tick) servo.tick(tick);
+  EXPECT_EQ(servo.snapshot().fault.code, ErrorCode::encoder_fault);
+  EXPECT_FALSE(hardware.powered);
+}
+
+}  // namespace
+}  // namespace mrroc::edp
