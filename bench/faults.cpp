@@ -94,6 +94,7 @@ std::optional<Tick> tick_in(const std::string& text, Tick first) {
 struct Row {
   std::vector<Tick> detected;  ///< ticks from the fault to the first error or the end of the run that names it
   std::vector<Tick> standing;  ///< ticks from then to the standstill of the last robot
+  double fastest = 0;          ///< joint, as a part of its limit
   std::size_t runs = 0, unaffected = 0, exceeded = 0, moving = 0, leftovers = 0;
   std::set<int> exit_codes;
   std::string error;
@@ -106,8 +107,9 @@ struct Row {
   void print(const std::string& fault) const {
     std::string codes;
     for (const int code : exit_codes) codes.append(codes.empty() ? "" : " ").append(std::to_string(code));
-    std::printf("| %s | %zu | %s | %s | %zu | %zu | %s | %s | %zu |\n", fault.c_str(), runs, figures(detected).c_str(),
-                figures(standing).c_str(), exceeded, unaffected, codes.c_str(), error.c_str(), leftovers);
+    std::printf("| %s | %zu | %s | %s | %.2f | %zu | %zu | %s | %s | %zu |\n", fault.c_str(), runs,
+                figures(detected).c_str(), figures(standing).c_str(), fastest, exceeded, unaffected, codes.c_str(),
+                error.c_str(), leftovers);
     std::fflush(stdout);
   }
 };
@@ -148,6 +150,7 @@ void add(Row& row, const testing::RunResult& run, const std::string& fault) {
   Tick stands = 0;
   for (const auto& [robot, motion] : run.motion) {
     row.exceeded += motion.limits_exceeded().size();
+    row.fastest = std::max(row.fastest, motion.fastest());
     const Tick tick = motion.standstill();
     if (tick == kNever) ++row.moving;
     stands = std::max(stands, tick);
@@ -170,9 +173,10 @@ bool run_campaign(const Campaign& campaign, int seeds) {
   std::printf("\n%s, %llu ticks without a fault; ticks are p50 / worst\n\n", campaign.name,
               static_cast<unsigned long long>(length));
   std::printf(
-      "| fault | runs | to its detection | to standstill | beyond a limit | unaffected | exit codes | error | left "
+      "| fault | runs | to its detection | to standstill | fastest, of the limit | beyond a limit | unaffected | exit "
+      "codes | error | left "
       "|\n");
-  std::printf("|---|---|---|---|---|---|---|---|---|\n");
+  std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
   bool good = true;
   for (const std::string kind : campaign.faults) {
     Row row;

@@ -15,6 +15,7 @@ Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver
       synchroniser_(models.parameters(), models.at(ModelSet::kShafts).parameters(), period),
       encoders_(models.at(0), period),
       currents_(models.parameters(), period),
+      motion_(period),
       switches_(models.parameters()),
       force_motion_(models.at(0), period) {
   const int count = model_->joint_count();
@@ -44,6 +45,7 @@ bool Servo::use(std::uint8_t index) noexcept {
   desired_ = DesiredState::resting_at(desired);
   previous_position_ = desired;
   widen_limits();
+  motion_.reset();
   ++epoch_;
   return true;
 }
@@ -76,7 +78,8 @@ bool Servo::tick(Tick tick) noexcept {
   return publish(tick);
 }
 
-void Servo::switch_off() noexcept {
+void Servo::leave() noexcept {
+  leaving_ = true;
   if (enabled_ && !stopping_) stop_and_switch_off();
 }
 
@@ -88,9 +91,9 @@ void Servo::obey_order() noexcept {
   DriveOrder order = hand_over_.order.load(std::memory_order_acquire);
   if (order == DriveOrder::none) return;
   if (order == DriveOrder::disable) {
-    switch_off();
+    if (enabled_ && !stopping_) stop_and_switch_off();
   } else {
-    if (stopping_) return;  // first comes the end of the stop; the order waits
+    if (stopping_ || leaving_) return;  // first comes the end of the stop; the order waits
     if (order == DriveOrder::recover && !enabled_ && !reset_) {
       hardware_.reset_fault();
       reset_ = true;
@@ -115,6 +118,7 @@ void Servo::switch_on() noexcept {
   widen_limits();
   for (Regulator& regulator : regulators_) regulator.reset();
   currents_.reset();
+  motion_.reset();
   measured_increment_.setZero();
   enabled_ = true;
   hardware_.enable(true);

@@ -12,6 +12,7 @@
 #include "edp/hardware.hpp"
 #include "edp/limit_switches.hpp"
 #include "edp/model_set.hpp"
+#include "edp/motion_watch.hpp"
 #include "edp/regulator.hpp"
 #include "edp/stop.hpp"
 #include "edp/stop_category.hpp"
@@ -62,8 +63,9 @@ class Servo {
   /// the comms side should look.
   bool tick(Tick tick) noexcept;
 
-  /// The process ends: from the next tick on the robot stops, then its drives go off. The servo's thread.
-  void switch_off() noexcept;
+  /// The process ends: from the next tick on the robot stops, then its drives go off, and no order switches them on
+  /// again. The servo's thread.
+  void leave() noexcept;
   /// Whether the drives wait for each tick (Hardware::waits), so that none may be skipped.
   bool drives_wait() const noexcept { return hardware_.waits(); }
   /// False once nothing moves any more. The servo's thread.
@@ -137,6 +139,7 @@ class Servo {
   Fault found_;  ///< by the readings of this tick, whatever the robot does
   EncoderWatch encoders_;
   CurrentWatch currents_;
+  MotionWatch motion_;
   LimitSwitchWatch switches_;
   EmergencyLatch emergency_;
 
@@ -163,6 +166,7 @@ class Servo {
   std::uint32_t orders_ = 0;  ///< obeyed
   bool reset_ = false;        ///< a recovery has cleared the drives' faults and waits for the next reading
   bool enabled_ = false;
+  bool leaving_ = false;   ///< the process ends
   bool stopping_ = false;  ///< the drives go off at the end of the stop
   Fault fault_;
   JointVector current_;

@@ -38,7 +38,7 @@ void ServoThread::run() noexcept {
     if (next == 0 || !servo_.drives_wait()) next = present;
     for (; next <= present; ++next) {
       const bool ending = end_.load(std::memory_order_acquire);
-      if (ending) servo_.switch_off();
+      if (ending) servo_.leave();
       if (servo_.tick(next) || notify_always_) clock_.notify();
       if (ending && !servo_.drives_on()) return;
     }

@@ -123,7 +123,7 @@ class Shell {
       const clock::Wake wake = clock.wait(next);
       if (wake == clock::Wake::interrupted) return;
       if (clock.tick() >= next) {
-        if (clock.stopping()) servo_.switch_off();
+        if (clock.stopping()) servo_.leave();
         servo_.tick(clock.tick());
         next = clock.tick() + 1;
         feed();

@@ -22,6 +22,8 @@ constexpr StopCategory stop_category(ErrorCode reason) noexcept {
     case ErrorCode::drive_fault:
     case ErrorCode::hardware_silent:
     case ErrorCode::encoder_fault:
+    case ErrorCode::overspeed:
+    case ErrorCode::axis_stuck:
       return StopCategory::drives_off;
     // nothing is broken: the robot can be commanded on at once, and power keeps it where it is, weight and all
     case ErrorCode::none:

@@ -1,5 +1,6 @@
 #include "mrroc/testing/motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -57,6 +58,13 @@ Tick Motion::standstill(double speed) const {
   std::size_t first = ticks.size();
   while (first > 0 && velocities[first - 1].cwiseAbs().maxCoeff() <= speed) --first;
   return first == ticks.size() ? kNever : ticks[first];
+}
+
+double Motion::fastest() const {
+  double fastest = 0;
+  for (const JointVector& velocity : velocities)
+    fastest = std::max(fastest, velocity.cwiseAbs().cwiseQuotient(velocity_max).maxCoeff());
+  return fastest;
 }
 
 std::vector<std::string> Motion::limits_exceeded(double tolerance) const {

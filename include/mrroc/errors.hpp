@@ -48,6 +48,8 @@ enum class ErrorCode : std::uint16_t {
   limit_switch = 111,
   encoder_fault = 112,
   emergency_stop = 113,
+  overspeed = 114,
+  axis_stuck = 115,
   process_died = 200,
   process_silent = 201,
   link_lost = 202,

@@ -60,6 +60,10 @@ std::string_view describe(ErrorCode code) noexcept {
       return "a limit switch stops the axis";
     case ErrorCode::encoder_fault:
       return "an encoder's reading cannot be true";
+    case ErrorCode::overspeed:
+      return "a joint is faster than its limit";
+    case ErrorCode::axis_stuck:
+      return "an axis does not move though it is commanded to";
     case ErrorCode::emergency_stop:
       return "the emergency stop is pressed or not reset";
     case ErrorCode::process_died:

@@ -38,13 +38,15 @@ class FaultyHardware : public LoopbackHardware {
       input.motors = jammed;
       jammed.resize(0);
     }
-    if (jam) input.motors = jammed;
+    if (jam) input.motors = jammed.array() + (stuck || tick % 2 == 0 ? 0 : kTremble);
     if (spoil) spoil(input);
     if (positions_lost) input.synchronised = false;
     if (input.fault == ErrorCode::none) input.fault = fault;
   }
   bool powered = false;
-  bool jam = false;
+  bool jam = false;                            ///< the shafts tremble where they are
+  bool stuck = false;                          ///< jammed, they do not even that: so reads an encoder that has died
+  static constexpr double kTremble = 1e-4;     ///< rad
   bool blind = false;                          ///< the synchronisation switches are dead
   std::function<void(HardwareInput&)> rewire;  ///< other switches than the driver's; may look at `travelled`
   std::function<void(HardwareInput&)> spoil;   ///< last of all, what is reported

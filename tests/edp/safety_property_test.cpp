@@ -85,7 +85,10 @@ class Driver {
     if (!wrong() && chance(0.5)) axis_ = integer(0, 3);
     for (bool* fault : {&overload_, &on_lower_, &on_upper_, &pressed_, &rig_.hardware.positions_lost})
       if (chance(*fault ? 0.02 : 0.0003)) *fault = !*fault;
-    if (chance(rig_.hardware.jam ? 0.005 : 0.0003)) rig_.hardware.jam = !rig_.hardware.jam;
+    if (chance(rig_.hardware.jam ? 0.005 : 0.0003)) {
+      rig_.hardware.jam = !rig_.hardware.jam;
+      rig_.hardware.stuck = chance(0.5);
+    }
     // one at a time: a shaft that jumps while nobody sees it has gone there
     ErrorCode& reported = rig_.hardware.fault;
     if (not_finite_ || jumped_ || reported != ErrorCode::none) {
@@ -264,7 +267,7 @@ TEST(Safety, WhateverGoesWrongTheLimitsHoldNothingMovesByItselfAndEveryCommandHa
   std::cout << "\n";
   for (const ErrorCode code :
        {ErrorCode::drive_fault, ErrorCode::hardware_silent, ErrorCode::encoder_fault, ErrorCode::following_error,
-        ErrorCode::over_current, ErrorCode::limit_switch, ErrorCode::emergency_stop})
+        ErrorCode::axis_stuck, ErrorCode::over_current, ErrorCode::limit_switch, ErrorCode::emergency_stop})
     EXPECT_GT(totals.faults[code], test::repetitions(5)) << describe(code);
   EXPECT_GE(totals.ticks, test::repetitions(1'000'000u));
   EXPECT_GT(totals.stopping_ticks, test::repetitions(500u));

@@ -84,6 +84,16 @@ const Event kEvents[] = {
        rig.model.change().axes[0].following_error_max = 5;
        rig.hardware.jam = true;
      }},
+    {"StuckAxis", ErrorCode::axis_stuck, StopCategory::drives_off,
+     [](SafeRig& rig) {
+       rig.model.change().axes[0].current_max_time = 1e9;
+       rig.hardware.jam = rig.hardware.stuck = true;
+     }},
+    {"Overspeed", ErrorCode::overspeed, StopCategory::drives_off,
+     [](SafeRig& rig) {
+       rig.model.change().axes[0].velocity_max =
+           0.9 * rig.seen().velocity.cwiseAbs().maxCoeff() / MotionWatch::kOverspeed;
+     }},
     {"OverCurrent", ErrorCode::over_current, StopCategory::stop_then_off,
      [](SafeRig& rig) { rig.hardware.spoil = [](HardwareInput& input) { input.current[0] = -25; }; }},
     {"LimitSwitch", ErrorCode::limit_switch, StopCategory::stop_then_off,

@@ -50,8 +50,9 @@ TEST(Motion, TellsEachPlaceBeyondALimit) {
       "2 arm 0 1.02 0\n"
       "3 arm 0 0 -0.56\n"
       "4 arm 0 nan 0\n");
-  const auto places = motions.at("arm").limits_exceeded();
+  const auto places = motions.at("arm").limits_exceeded(0.1);
   ASSERT_EQ(places.size(), 3U);
+  EXPECT_DOUBLE_EQ(motions.at("arm").fastest(), 1.12);
   EXPECT_EQ(places[0], "tick 2, joint 1: position 1.020000");
   EXPECT_EQ(places[1], "tick 3, joint 1: velocity -0.560000, limit 0.500000");
   EXPECT_NE(places[2].find("tick 4, joint 1: position"), std::string::npos);

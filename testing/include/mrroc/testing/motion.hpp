@@ -19,10 +19,12 @@ struct Motion {
   /// The first tick from which on no joint is faster than `speed` (rad/s or m/s), to the end of the run; kNever: it
   /// moved to the end. Regulators that hold a position tremble by some 0.005 rad/s.
   Tick standstill(double speed = 0.02) const;
+  /// The greatest speed of any joint, as a part of its limit.
+  double fastest() const;
   /// Every tick at which a joint was beyond its position limits by more than 0.01 rad (m), or faster than its velocity
-  /// limit by more than `tolerance` of it, in words; empty: none was. What a drive does differs a little from what it
-  /// is asked for, hence the tolerance.
-  std::vector<std::string> limits_exceeded(double tolerance = 0.1) const;
+  /// limit by more than `tolerance` of it, in words; empty: none was. A drive that no longer obeys is stopped when it
+  /// is 1.15 times as fast as its limit (docs/safety.md), and gains something in that tick, hence the tolerance.
+  std::vector<std::string> limits_exceeded(double tolerance = 0.5) const;
 };
 
 /// By robot, from the file that `mrroc run --motion` has written. Throws std::runtime_error that names file and line.
