@@ -31,4 +31,4 @@ format: ## format every C++ file
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
 
 clean: ## remove what was built
-	@rm -rf build build-asan build-tsan
+	@rm -rf build build-asan build-tsan build-fuzz

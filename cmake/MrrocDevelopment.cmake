@@ -2,6 +2,10 @@
 
 # Warnings and sanitizers of our own code; third-party headers come as SYSTEM.
 set(MRROC_WARNINGS -Wall -Wextra -Wconversion -Wshadow -Werror)
+if(MRROC_FUZZ)
+  set(MRROC_WARNINGS) # GCC judges: clang's are others
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
 add_library(mrroc_flags INTERFACE)
 target_compile_options(mrroc_flags INTERFACE ${MRROC_WARNINGS})
 if(MRROC_SANITIZE)

@@ -107,7 +107,8 @@ Urdf::Joint read_joint(const Reader& reader, const XMLElement& element) {
   if (const XMLElement* origin = element.FirstChildElement("origin")) joint.origin = read_origin(reader, *origin);
   if (const XMLElement* axis = element.FirstChildElement("axis")) {
     joint.axis = reader.numbers<3>(*axis, "xyz", joint.axis);
-    if (!(joint.axis.norm() > kShortestAxis)) reader.fail(*axis, "xyz", "no direction", "a vector");
+    const double length = joint.axis.norm();
+    if (!(length > kShortestAxis) || !std::isfinite(length)) reader.fail(*axis, "xyz", "no direction", "a vector");
     joint.axis.normalize();
   }
   if (const XMLElement* limit = element.FirstChildElement("limit")) {

@@ -14,6 +14,7 @@ namespace {
 
 /// Rates are written with few digits: 166.667 Hz is every third tick of 2 ms.
 constexpr double kRateTolerance = 1e-4;
+constexpr double kMostTicks = 1e9;  ///< between two readings
 
 void check_count(const char* what, std::size_t count, std::size_t most) {
   if (count >= 1 && count <= most) return;
@@ -171,7 +172,7 @@ Tick publication_period(const config::SensorEntry& entry, double servo_period) {
   if (entry.interactive) return 0;
   const double ticks = 1 / (entry.rate * servo_period);
   const double whole = std::round(ticks);
-  if (!(whole >= 1) || !std::isfinite(whole) || std::abs(ticks - whole) > kRateTolerance * ticks) {
+  if (!(whole >= 1) || whole > kMostTicks || std::abs(ticks - whole) > kRateTolerance * ticks) {
     refuse(entry, "rate", std::to_string(entry.rate) + " Hz", "one reading in a whole number of servo periods");
   }
   return static_cast<Tick>(whole);

@@ -10,6 +10,27 @@ namespace mrroc::config {
 
 namespace {
 
+/// Whether a field of this kind can have so many bytes (FieldOf).
+bool fits(const MessageFieldEntry& field) {
+  switch (field.kind) {
+    case FieldKind::number:
+      return field.size == FieldOf<double>::kSize;
+    case FieldKind::integer:
+      return field.size == FieldOf<int>::kSize;
+    case FieldKind::truth:
+      return field.size == FieldOf<bool>::kSize;
+    case FieldKind::text:
+      return field.size > 0;
+    case FieldKind::vector:
+      return field.size > 0 && field.size % sizeof(double) == 0;
+    case FieldKind::joints:
+      return field.size == FieldOf<JointVector>::kSize;
+    case FieldKind::pose:
+      return field.size == FieldOf<Pose>::kSize;
+  }
+  return false;
+}
+
 /// `x:number:8`
 MessageFieldEntry read_field(const std::string& word) {
   const std::size_t first = word.find(':'), second = word.find(':', first + 1);
@@ -20,10 +41,21 @@ MessageFieldEntry read_field(const std::string& word) {
     const bool size = std::from_chars(word.data() + second + 1, end, field.size).ptr == end;
     for (int known = 0; known <= static_cast<int>(FieldKind::pose); ++known) {
       field.kind = static_cast<FieldKind>(known);
-      if (size && kind == describe(field.kind)) return field;
+      if (size && kind == describe(field.kind) && fits(field)) return field;
     }
   }
   throw std::runtime_error(in_quotes(word) + " is no field, expected name:kind:bytes");
+}
+
+/// Throws unless the fields together fit a parcel.
+void check_size(const MessageSchema& schema) {
+  std::size_t left = Parcel::kCapacity;
+  for (const MessageFieldEntry& field : schema.fields) {
+    if (field.size > left)
+      throw std::runtime_error("the behaviour " + in_quotes(schema.label) + " is too large, expected at most " +
+                               std::to_string(Parcel::kCapacity) + " bytes");
+    left -= field.size;
+  }
 }
 
 }  // namespace
@@ -55,6 +87,7 @@ ProgramBehaviours read_behaviours(const std::string& text) {
     }
     MessageSchema schema{label, {}};
     for (std::string word; words >> word;) schema.fields.push_back(read_field(word));
+    check_size(schema);
     behaviours.on.push_back(schema);
   }
   return behaviours;

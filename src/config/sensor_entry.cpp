@@ -13,6 +13,7 @@ namespace {
 
 /// 166.667 Hz means every third servo period of 2 ms.
 constexpr double kRateTolerance = 1e-4;
+constexpr double kMostPeriods = 1e9;  // weeks: a rate that is a slip, and beyond what a tick can count
 
 std::string read_robot_of(const Table& table, const Deployment& deployment) {
   if (!table.has("robot")) return "";
@@ -30,7 +31,7 @@ double read_rate(const Table& table, double servo_period) {
   const double rate = table.number("rate");
   const double periods = 1 / (rate * servo_period);
   const double whole = std::round(periods);
-  if (!(rate > 0) || whole < 1 || std::abs(periods - whole) > kRateTolerance * periods) {
+  if (!(rate > 0) || whole < 1 || whole > kMostPeriods || std::abs(periods - whole) > kRateTolerance * periods) {
     table.fail("rate", number_text(rate) + " Hz is not one reading in a whole number of servo periods",
                number_text(1 / servo_period) + " divided by a whole number");
   }

@@ -15,6 +15,7 @@ namespace engraving {
 namespace {
 
 constexpr double kArcStep = 5 * std::numbers::pi / 180;
+constexpr double kLongestArc = 360;                      // degrees
 constexpr double kCorner = 20 * std::numbers::pi / 180;  // a turn by more is a corner
 
 /// The points of a `stroke` line behind its first word; none when it is malformed.
@@ -29,6 +30,7 @@ Points read_stroke(std::istream& line) {
     }
     std::string arc;
     if (points.empty() || !(line >> arc >> x >> y >> degrees) || arc != "arc") return {};
+    if (!(std::abs(degrees) <= kLongestArc)) return {};
     const double whole = degrees * std::numbers::pi / 180;
     const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(whole) / kArcStep)));
     const Eigen::Vector2d centre(x, y), spoke = points.back() - centre;
@@ -86,7 +88,8 @@ Lettering::Lettering(const std::filesystem::path& file) {
       glyph->width = width;
     } else {
       const Points points = word == "stroke" ? read_stroke(line) : Points{};
-      require(glyph != nullptr && points.size() > 1, "stroke X Y, then X Y or arc CX CY DEGREES, after a glyph");
+      require(glyph != nullptr && points.size() > 1,
+              "stroke X Y, then X Y or arc CX CY DEGREES (up to 360), after a glyph");
       glyph->strokes.push_back(points);
     }
   }

@@ -35,6 +35,15 @@ TEST_F(TableSyntaxTest, SyntaxErrorsCarryLineAndColumn) {
   EXPECT_TRUE(message("a = 1\nb = [1,\n2\n").ends_with(", expected valid TOML"));
 }
 
+TEST_F(TableSyntaxTest, ACharacterThatIsNotAsciiIsRefusedBehindANumberAndTakenInATextOfSeveralLines) {
+  // in toml++ 3.3 undefined behaviour, which the sanitizer sees
+  for (const char* character : {"\u00a7", "\u00e9", "\u2010", "\ufdff"}) {
+    EXPECT_TRUE(message(std::string{"a = 1\nb = 1e-320"} + character).starts_with("t.toml:2: column "));
+    const auto file = scratch_.write("t.toml", std::string{"a = \"\"\"\\\n"} + character + "\"\"\"\n");
+    EXPECT_EQ(Table::load(file).text("a"), character);
+  }
+}
+
 TEST_F(TableSyntaxTest, TheFileIsNamedAsGiven) {
   const fs::path file = "no/such/file.toml";
   EXPECT_EQ(file_message(file), "no/such/file.toml: does not exist, expected a readable file");

@@ -106,6 +106,7 @@ TEST(Urdf, MistakesNameFileLineAndElement) {
   EXPECT_EQ(mistake(crane("upper=\"2\"", "upper=\"nan\"")), "c.urdf:10: <limit> upper: 'nan', expected a number");
   EXPECT_EQ(mistake(crane("0 0 1\" rpy", "0 1\" rpy")), "c.urdf:9: <origin> xyz: '0 1', expected 3 numbers");
   EXPECT_EQ(mistake(crane("0 0 2", "0 0 0")), "c.urdf:9: <axis> xyz: no direction, expected a vector");
+  EXPECT_EQ(mistake(crane("0 0 2", "0 0 1e200")), "c.urdf:9: <axis> xyz: no direction, expected a vector");
   EXPECT_EQ(mistake(crane("revolute", "floating")),
             "c.urdf:7: <joint> type: 'floating', expected 'fixed', 'revolute', 'continuous' or 'prismatic'");
   EXPECT_EQ(mistake(crane("<parent link=\"base\"/>", "")), "c.urdf:7: <joint>: no <parent>, expected one");

@@ -100,9 +100,10 @@ TEST(Lettering, RefusesWhatItCannotWrite) {
 }
 
 TEST(Lettering, AMistakeInTheFileIsToldWithItsLine) {
-  for (const char* wrong : {"gap -1\n", "glyph A\n", "stroke 0 0 1 1\n", "glyph A 1\nstroke 0 0\n",
-                            "glyph A 1\nstroke arc 0 0 90\n", "glyph A 1\nstroke 0 0 arc 1 1\n", "letter A 1\n",
-                            "glyph A 1\nstroke 0 0 1\n", "glyph A 1\nstroke 0 0 arch 1 1 90\n"}) {
+  for (const char* wrong :
+       {"gap -1\n", "glyph A\n", "stroke 0 0 1 1\n", "glyph A 1\nstroke 0 0\n", "glyph A 1\nstroke arc 0 0 90\n",
+        "glyph A 1\nstroke 0 0 arc 1 1\n", "letter A 1\n", "glyph A 1\nstroke 0 0 1\n",
+        "glyph A 1\nstroke 0 0 arch 1 1 90\n", "glyph A 1\nstroke 0 0 arc 1 1 1e30\n"}) {
     try {
       letters(wrong);
       ADD_FAILURE() << wrong;

@@ -143,7 +143,7 @@ TEST(PublicationPeriod, IsAWholeNumberOfServoPeriods) {
   EXPECT_EQ(publication_period(entry, 0.002), 3U);
   entry.rate = 1;
   EXPECT_EQ(publication_period(entry, 0.001), 1000U);
-  for (const double rate : {0.0, -5.0, 300.0, 600.0}) {
+  for (const double rate : {0.0, -5.0, 300.0, 600.0, 1e-323, 1e-30}) {
     entry.rate = rate;
     EXPECT_THROW(publication_period(entry, 0.002), SystemError) << rate;
   }

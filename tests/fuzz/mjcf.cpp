@@ -1,0 +1,27 @@
+// A part of the simulated world, of any content: read, renamed, written again. What MuJoCo makes of the text is its
+// own.
+#include <algorithm>
+
+#include "config/scratch.hpp"
+#include "config/table.hpp"
+#include "fuzz/fuzz.hpp"
+#include "fuzz/memory_file.hpp"
+#include "sim/mjcf_part.hpp"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const mrroc::config::Scratch folder;  // where an input finds nothing to include but itself
+  static const fuzz::MemoryFile again;
+  const auto file = folder.write("part.xml", fuzz::text_of(data, size));
+  mrroc::sim::MjcfPart part;
+  const auto read = [&] { part = mrroc::sim::read_part(file, "arm/"); };
+  if (fuzz::refuses<mrroc::config::ConfigurationError>(read)) return 0;
+  mrroc::sim::Element root{"mujoco", {}, part.world, part.origin};
+  root.children.push_back(part.defaults);
+  root.children.insert(root.children.end(), part.sections.begin(), part.sections.end());
+  const auto text = mrroc::sim::write(root);
+  const auto lines = static_cast<std::size_t>(std::count(text.text.begin(), text.text.end(), '\n'));
+  fuzz::require(lines == text.lines.size(), "every line has its origin");
+  const auto well_formed = mrroc::sim::load_mjcf(again.write(text.text));
+  fuzz::require(mrroc::sim::write(well_formed).text == text.text, "what is written reads back the same");
+  return 0;
+}
