@@ -95,8 +95,7 @@ void RemoteHost::look() {
   for (const std::string& line : channel_->read()) hear(line);
   for (const std::string& line : agent_.read_lines()) listener_.message("host " + name_ + " | " + line);
   channel_->flush();
-  if (stopped_) return;
-  look_at_agent();
+  if (!said_ended_) look_at_agent();
   if (!stopped_) look_at_link();
 }
 
@@ -120,17 +119,20 @@ void RemoteHost::hear(const std::string& line) {
     listener_.message(name + " | " + rest);
   } else if (word == "trace") {
     listener_.trace(name, rest);
-  } else if (word == "lost" && !stopped_) {
+  } else if (word == "lost") {
     const auto [code, how] = split_word(rest);
     listener_.lost(name, static_cast<int>(whole_number(code).value_or(-1)), how);
-  } else if (word == "failed" && !stopped_) {
+  } else if (word == "failed") {
     const auto code = whole_number(name).value_or(static_cast<int>(process::ExitCode::system));
     fail(static_cast<process::ExitCode>(code), rest);
+  } else if (word == "ended") {
+    said_ended_ = true;
   }
 }
 
 void RemoteHost::look_at_agent() {
-  if (!agent_.ended() && !channel_->closed()) return;
+  if (told_gone_ || (!agent_.ended() && !channel_->closed())) return;
+  told_gone_ = true;
   std::string reason = greeted_ ? "its agent is gone" : "no agent could be started";
   // a moment later the kernel knows how it ended
   for (int look = 0; look < 50 && !agent_.ended(); ++look) usleep(2000);

@@ -43,7 +43,8 @@ class RemoteHost {
 
   /// Descriptors that become readable when `look` has something to do.
   std::vector<int> descriptors() const;
-  /// Takes in what the agent has said, and notices when it is gone or silent.
+  /// Takes in what the agent has said, and notices when it is gone or silent. A task may seem to succeed because its
+  /// processes there were told to end: what the agent has said before it got the word to stop counts after that, too.
   void look();
   /// What is not ready yet: processes, the agent, its clock. Empty: all is.
   std::vector<std::string> missing() const;
@@ -75,7 +76,9 @@ class RemoteHost {
   bool greeted_ = false;
   bool told_missing_ = false;
   std::string missing_;
-  bool stopped_ = false;  // it may go
+  bool stopped_ = false;     // it has been told to go
+  bool said_ended_ = false;  // it goes in order
+  bool told_gone_ = false;
 };
 
 }  // namespace mrroc::cli

@@ -141,6 +141,20 @@ TEST_F(TwoHosts, BearAShortCut) {
   EXPECT_GT(cable_->counts().lost, 10U);
 }
 
+/// Of two arms the one that keeps still is on host a: what stops the other stops it, too.
+TEST_F(TwoHosts, StopARobotOnEitherSide) {
+  const std::string second = "[robots.second]\ntype = \"irb6\"\nhardware = \"loopback\"\nprogram = \"" MRROC_BINARY_DIR
+                             "/tests/faulty_ecp\"\n";
+  MrrocRun& run = start(write(hosts("hold", "", {}, hold() + second)));
+  ASSERT_TRUE(run.wait_for_output("never")) << output();
+  pause_for(0.3);
+  const std::vector<pid_t> pids = run.descendants();
+  ASSERT_EQ(parent_of(run.descendant("second_edp")), run.pid());
+  cable_->set({.cut = true});
+  expect_end(kSystem, "lost: nothing heard for 0.05", pids);
+  EXPECT_FALSE(contains(run.out(), "killing it")) << output();
+}
+
 TEST_F(TwoHosts, NameADeadProcessWithItsHost) {
   MrrocRun& run = start(write(hosts("hold", "", {}, hold())));
   ASSERT_TRUE(run.wait_for_output("never")) << output();
