@@ -15,7 +15,7 @@ namespace mrroc::cli {
 
 namespace {
 
-[[noreturn]] void execute(const std::string& program, char** words, int output, pid_t parent) {
+[[noreturn]] void execute(const std::string& program, char** words, int output, int channel, pid_t parent) {
   // between fork and exec: async-signal-safe calls only
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(127);
@@ -23,10 +23,10 @@ namespace {
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   setpgid(0, 0);  // Ctrl-C is the runner's to forward
-  dup2(output, STDOUT_FILENO);
+  dup2(channel >= 0 ? channel : output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
-  const int null = open("/dev/null", O_RDONLY);
-  if (null >= 0) dup2(null, STDIN_FILENO);
+  const int input = channel >= 0 ? channel : open("/dev/null", O_RDONLY);
+  if (input >= 0) dup2(input, STDIN_FILENO);
   execv(program.c_str(), words);
   constexpr char kReason[] = "cannot be executed\n";
   if (write(STDERR_FILENO, kReason, sizeof kReason - 1) < 0) _exit(126);
@@ -35,7 +35,7 @@ namespace {
 
 }  // namespace
 
-Child::Child(std::string name, const std::string& program, const std::vector<std::string>& arguments)
+Child::Child(std::string name, const std::string& program, const std::vector<std::string>& arguments, int channel)
     : name_(std::move(name)) {
   std::vector<char*> words;
   words.push_back(const_cast<char*>(program.c_str()));
@@ -46,7 +46,7 @@ Child::Child(std::string name, const std::string& program, const std::vector<std
   fcntl(ends[0], F_SETFL, O_NONBLOCK);
   const pid_t parent = getpid();
   pid_ = fork();
-  if (pid_ == 0) execute(program, words.data(), ends[1], parent);
+  if (pid_ == 0) execute(program, words.data(), ends[1], channel, parent);
   close(ends[1]);
   output_ = ends[0];
   if (pid_ < 0) {

@@ -12,9 +12,9 @@ namespace mrroc::cli {
 /// main thread ends, however that happens (PR_SET_PDEATHSIG). Main thread only.
 class Child {
  public:
-  /// Starts `program`; its stdout and stderr come through `output_fd()`. Throws std::runtime_error when it cannot be
-  /// started.
-  Child(std::string name, const std::string& program, const std::vector<std::string>& arguments);
+  /// Starts `program`; its stdout and stderr come through `output_fd()`. `channel`: a descriptor that becomes its stdin
+  /// and stdout, so that only its stderr comes through; -1: none. Throws std::runtime_error when it cannot be started.
+  Child(std::string name, const std::string& program, const std::vector<std::string>& arguments, int channel = -1);
   ~Child();
   Child(Child&& other) noexcept;
   Child(const Child&) = delete;

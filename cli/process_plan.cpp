@@ -4,15 +4,15 @@ namespace mrroc::cli {
 
 std::vector<PlannedProcess> plan_processes(const config::Deployment& deployment) {
   std::vector<PlannedProcess> plan;
-  if (deployment.sim) plan.push_back({"sim", deployment.sim->program, clock::Part::world, false});
+  if (deployment.sim) plan.push_back({"sim", deployment.sim->program, clock::Part::world, false, deployment.sim->host});
   for (const config::RobotEntry& robot : deployment.robots) {
-    plan.push_back({robot.name + "_edp", robot.edp_program, clock::Part::drives, false});
+    plan.push_back({robot.name + "_edp", robot.edp_program, clock::Part::drives, false, robot.host});
   }
   for (const config::SensorEntry& sensor : deployment.sensors) {
-    plan.push_back({sensor.name, sensor.vsp_program, clock::Part::task, false});
+    plan.push_back({sensor.name, sensor.vsp_program, clock::Part::task, false, sensor.host});
   }
   for (const config::RobotEntry& robot : deployment.robots)
-    plan.push_back({robot.name, robot.program, clock::Part::task, true});
+    plan.push_back({robot.name, robot.program, clock::Part::task, true, robot.host});
   plan.push_back({"mp", deployment.mp.program, clock::Part::task, true});
   return plan;
 }

@@ -45,6 +45,7 @@ void print_report(const config::Deployment& deployment, const RunResult& result)
     if (status.role == links::ProcessRole::edp) print_servo(status, real);
     if (status.role == links::ProcessRole::sim && real) print_simulator(status);
   }
+  for (const std::string& line : result.hosts) fmt::print("  {}\n", line);
 }
 
 }  // namespace mrroc::cli

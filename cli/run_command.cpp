@@ -9,6 +9,7 @@
 #include "cli/runner.hpp"
 #include "config/description.hpp"
 #include "config/state_machine.hpp"
+#include "config/table.hpp"
 
 namespace mrroc::cli {
 
@@ -26,10 +27,24 @@ config::ClockMode clock_mode(const std::string& name) {
   return name == "paced" ? config::ClockMode::paced : config::ClockMode::lockstep;
 }
 
+/// What the command line may not ask of a deployment on several machines.
+void check_hosts(const config::Deployment& deployment, const RunArguments& arguments) {
+  const auto used = deployment.hosts_used();
+  if (used.empty()) return;
+  if (deployment.clock != config::ClockMode::real)
+    throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
+                                     "host '" + used.front()->name + "' is another machine", "--clock real");
+  if (!arguments.options.snapshots.empty() && deployment.sim && !deployment.sim->host.empty())
+    throw config::ConfigurationError(deployment.file, 0, "--snapshots",
+                                     "the simulator runs on host '" + deployment.sim->host + "'",
+                                     "a simulator on this machine");
+}
+
 int run(const RunArguments& arguments) {
   config::Deployment deployment = config::load_deployment(arguments.file);
   RunOptions options = arguments.options;
   if (!arguments.clock.empty()) deployment.clock = clock_mode(arguments.clock);
+  check_hosts(deployment, arguments);
   if (!deployment.mp.states.empty()) {
     const config::ProgramsByRobot programs = ask_programs(deployment);
     config::load_state_machine(deployment.mp.states, deployment, programs);

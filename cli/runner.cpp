@@ -22,10 +22,11 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr int kTurn = 20;              // ms between looks at the mail
-constexpr double kHandShake = 0.1;     // s of one try to reach the MP
-constexpr double kPatienceToStop = 5;  // s that robots get to stop
-constexpr double kPatienceToEnd = 3;   // s that processes get to end by themselves
+constexpr int kTurn = 20;                  // ms between looks at the mail
+constexpr double kHandShake = 0.1;         // s of one try to reach the MP
+constexpr double kPatienceToStop = 5;      // s that robots get to stop
+constexpr double kPatienceToEnd = 3;       // s that processes get to end by themselves
+constexpr double kPatienceWithHosts = 10;  // s; longer than that of their agents, with the traces
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -50,6 +51,14 @@ void check_network(const config::NetworkEntry& network) {
   }
 }
 
+/// Those of one host; "": of this machine.
+std::vector<PlannedProcess> processes_on(const std::string& host, const std::vector<PlannedProcess>& plan) {
+  std::vector<PlannedProcess> found;
+  for (const PlannedProcess& process : plan)
+    if (process.host == host) found.push_back(process);
+  return found;
+}
+
 int open_signals() {
   sigset_t set;
   sigemptyset(&set);
@@ -68,12 +77,13 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       black_boxes_(options_.black_box, deployment_, plan_),
       progress_(names_of(plan_), deployment_.servo_period, options_.quiet),
       domain_lock_(deployment_.domain),
-      clock_(clock_options(deployment_, names_of(plan_))),
+      clock_(clock_options(deployment_, names_of(processes_on("", plan_)))),
       signals_(open_signals()),
       crew_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
       operator_clock_(clock_.operator_clock()),
       input_(STDIN_FILENO) {
-  if (deployment_.sim) world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
+  if (deployment_.sim && deployment_.sim->host.empty())
+    world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
 }
 
 Runner::~Runner() {
@@ -114,7 +124,10 @@ void Runner::start_processes(const TraceParts& trace) {
   std::vector<PlannedProcess> order = plan_;
   std::mt19937_64 random(options_.shuffle_seed.value_or(0));
   if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);
+  hosts_ = std::make_unique<RemoteHosts>(deployment_, host_listener(trace));
+  hosts_->start_agents(domain_lock_.domain(), !options_.trace.empty());
   for (const PlannedProcess& process : order) {
+    if (!process.host.empty()) continue;
     if (options_.shuffle_seed && !turn(static_cast<int>(random() % 300))) return;
     process::Arguments arguments;
     arguments.deployment = deployment_.file;
@@ -124,6 +137,8 @@ void Runner::start_processes(const TraceParts& trace) {
     arguments.domain = domain_lock_.domain();
     arguments.interface = deployment_.network.interface;
     if (deployment_.network.security) arguments.keys = deployment_.network.keys;
+    if (arguments.interface.empty()) arguments.interface = hosts_->own_address();
+    arguments.peers = hosts_->machines();
     arguments.trace = trace.of(process);
     if (process.has_task) arguments.black_box = options_.black_box;
     if (process.name == "mp") arguments.behaviours = options_.behaviours;
@@ -138,6 +153,8 @@ void Runner::start_processes(const TraceParts& trace) {
   options.interface = deployment_.network.interface;
   if (deployment_.network.security) options.keys = deployment_.network.keys;
   options.lease = deployment_.clock == config::ClockMode::real ? deployment_.heartbeat_timeout : 0;
+  if (options.interface.empty()) options.interface = hosts_->own_address();
+  options.hosts = hosts_->machines();
   domain_ = std::make_unique<links::Domain>(options);
   collector_ = std::make_unique<links::StatusCollector>(*domain_, deployment_.name);
   mp_ = std::make_unique<links::TaskSuperior>(*domain_, *operator_clock_, deployment_.name + "/mp", "mp");
@@ -148,7 +165,7 @@ void Runner::start_processes(const TraceParts& trace) {
 void Runner::pass_barrier() {
   const double deadline = operator_clock_->wall_seconds() + deployment_.start_timeout;
   std::vector<std::string> missing;
-  while (!(missing = clock_.wait_ready(0)).empty()) {
+  while (!(missing = not_ready()).empty()) {
     if (!turn(kTurn)) return;
     if (operator_clock_->wall_seconds() > deadline) {
       fail(process::ExitCode::system,
@@ -163,7 +180,29 @@ void Runner::pass_barrier() {
   for (const PlannedProcess& process : plan_) last_heard_[process.name] = now;
   result_.wall_seconds = now;
   task_started_ = true;
-  clock_.start();
+  clock_.start(hosts_->start());
+}
+
+HostListener Runner::host_listener(const TraceParts& trace) {
+  for (const PlannedProcess& process : plan_) {
+    const std::filesystem::path part = trace.of(process);
+    if (!process.host.empty() && !part.empty()) remote_traces_[process.name].open(part);
+  }
+  HostListener listener;
+  listener.message = [this](const std::string& line) { progress_.message(line); };
+  listener.lost = [this](const std::string& name, int exit_code, const std::string& how) {
+    process_lost(name, exit_code, how);
+  };
+  listener.failed = [this](process::ExitCode code, const std::string& reason) { fail(code, reason); };
+  listener.trace = [this](const std::string& name, const std::string& line) { remote_traces_[name] << line << '\n'; };
+  return listener;
+}
+
+std::vector<std::string> Runner::not_ready() {
+  std::vector<std::string> missing = clock_.wait_ready(0);
+  const std::vector<std::string> elsewhere = hosts_->missing();
+  missing.insert(missing.end(), elsewhere.begin(), elsewhere.end());
+  return missing;
 }
 
 bool Runner::connect_to_mp(double deadline) {
@@ -202,12 +241,13 @@ void Runner::supervise() {
 }
 
 bool Runner::turn(int milliseconds) {
-  crew_.wait(milliseconds, signals_);
+  crew_.wait(milliseconds, hosts_ ? hosts_->descriptor(signals_) : signals_);
   read_signals();
   if (collector_ != nullptr) read_statuses();
   tell_faults();
   // first the causes: what the task says about a death or a lost clock is but their consequence
   check_children();
+  if (hosts_) hosts_->look();
   check_clock();
   if (task_started_ && !stopping_) look_at_desk();  // what was said before the end is shown before it
   if (task_started_) read_task_status();
@@ -277,21 +317,26 @@ void Runner::check_children() {
   if (stopping_) return;
   Child* const child = crew_.first_lost();
   if (child == nullptr) return;
-  const char* const what = child->ended() ? " died: " : " is ";
-  std::string reason = "process " + child->name() + what + child->how_it_ended();
-  if (child->exit_code() && !child->last_line().empty()) reason += ": " + child->last_line();
-  if (task_started_) reason += " [tick " + std::to_string(std::min(clock_.stop_tick(), clock_.tick())) + "]";
+  std::string how = (child->ended() ? "died: " : "is ") + child->how_it_ended();
+  if (child->exit_code() && !child->last_line().empty()) how += ": " + child->last_line();
+  if (task_started_) how += " [tick " + std::to_string(std::min(clock_.stop_tick(), clock_.tick())) + "]";
   tell_notice(child->name());
   clock_.participant_died(child->name());
-  fail(code_of_death(*child), reason);
+  process_lost(child->name(), child->exit_code().value_or(-1), how);
 }
 
-process::ExitCode Runner::code_of_death(const Child& child) const {
+void Runner::process_lost(const std::string& name, int exit_code, const std::string& how) {
+  const auto named = [&name](const PlannedProcess& process) { return process.name == name; };
+  const auto process = std::find_if(plan_.begin(), plan_.end(), named);
+  const bool here = process == plan_.end() || process->host.empty();
+  fail(code_of_death(exit_code), "process " + name + (here ? " " : " on host " + process->host + " ") + how);
+}
+
+process::ExitCode Runner::code_of_death(int exit_code) const {
   // a process that refuses its part of the deployment says how grave that is; later it would be missed by the others
-  const int code = child.exit_code().value_or(0);
-  const bool refused = !task_started_ && code >= static_cast<int>(process::ExitCode::task_failed) &&
-                       code <= static_cast<int>(process::ExitCode::hardware);
-  return refused ? static_cast<process::ExitCode>(code) : process::ExitCode::system;
+  const bool refused = !task_started_ && exit_code >= static_cast<int>(process::ExitCode::task_failed) &&
+                       exit_code <= static_cast<int>(process::ExitCode::hardware);
+  return refused ? static_cast<process::ExitCode>(exit_code) : process::ExitCode::system;
 }
 
 void Runner::check_heartbeats() {
@@ -328,12 +373,23 @@ void Runner::stop_robots(double deadline) {
     turn(kTurn);
 }
 
+void Runner::end_hosts() {
+  const double deadline = operator_clock_->wall_seconds() + kPatienceWithHosts;
+  while (!hosts_->all_ended() && operator_clock_->wall_seconds() < deadline) turn(kTurn);
+  for (const std::string& name : hosts_->kill_rest())
+    progress_.message("host " + name + ": its agent does not end, killing the command that started it");
+  while (!hosts_->all_ended()) turn(kTurn);
+  remote_traces_.clear();
+  result_.hosts = hosts_->summaries();
+}
+
 void Runner::end_processes() {
   const double start = result_.wall_seconds;
   const double now = operator_clock_->wall_seconds();
   result_.wall_seconds = task_started_ ? now - start : 0;
   if (result_.ticks == 0 && task_started_) result_.ticks = clock_.tick();
   // first the signal: who is still being set up must know that it is asked to end before its clock refuses it
+  if (hosts_) hosts_->stop();
   if (task_started_) stop_robots(now + kPatienceToStop);
   for (const std::string& name : crew_.kill_stopped()) {
     progress_.message("process " + name + " does not go on, killing it");
@@ -346,6 +402,7 @@ void Runner::end_processes() {
     progress_.message("process " + name + " does not end, killing it");
   }
   while (!crew_.all_ended()) turn(kTurn);
+  if (hosts_) end_hosts();
   turn(0);
   progress_.finish();
 }

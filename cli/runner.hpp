@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,6 +17,7 @@
 #include "cli/operator_desk.hpp"
 #include "cli/process_plan.hpp"
 #include "cli/progress.hpp"
+#include "cli/remote_hosts.hpp"
 #include "cli/trace_parts.hpp"
 #include "cli/typed_lines.hpp"
 #include "clock/host.hpp"
@@ -49,6 +51,7 @@ struct RunResult {
   Tick ticks = 0;                                        ///< simulated length
   double wall_seconds = 0;                               ///< from the start of the task to its end
   std::map<std::string, links::ProcessStatus> statuses;  ///< last word of each process
+  std::vector<std::string> hosts;                        ///< a line about each other host
 };
 
 /// `mrroc run`: starts every process of a deployment, opens the clock when all are ready, starts the MP, shows
@@ -91,7 +94,14 @@ class Runner {
   void read_statuses();
   void read_task_status();
   void check_children();
-  process::ExitCode code_of_death(const Child& child) const;
+  /// `exit_code` -1: a signal has ended it.
+  void process_lost(const std::string& name, int exit_code, const std::string& how);
+  process::ExitCode code_of_death(int exit_code) const;
+  /// What is done when another host reports something.
+  HostListener host_listener(const TraceParts& trace);
+  /// The processes here, and what the other hosts wait for.
+  std::vector<std::string> not_ready();
+  void end_hosts();
   void check_heartbeats();
   void check_clock();
   void look_at_desk();
@@ -112,6 +122,8 @@ class Runner {
   std::unique_ptr<sim::MappedWorld> world_;
   int signals_ = -1;
   Crew crew_;
+  std::map<std::string, std::ofstream> remote_traces_;  // parts that come from other hosts
+  std::unique_ptr<RemoteHosts> hosts_;
   std::unique_ptr<clock::Clock> operator_clock_;
   std::unique_ptr<links::Domain> domain_;
   std::unique_ptr<links::StatusCollector> collector_;

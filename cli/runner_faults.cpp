@@ -12,6 +12,11 @@ namespace mrroc::cli {
 void Runner::check_faults() const {
   std::string known;
   for (const PlannedProcess& process : plan_) known += (known.empty() ? "" : ", ") + process.name;
+  for (const PlannedProcess& process : plan_)
+    for (const faults::Fault& fault : faults_.all())
+      if (process.name == fault.process && !process.host.empty())
+        throw std::invalid_argument("the fault \"" + fault.text + "\": " + process.name + " is on host " +
+                                    process.host + ", faults are injected on this machine only");
   for (const faults::Fault& fault : faults_.all())
     for (const std::string& name : {fault.process, fault.at_step ? fault.counter : fault.process})
       if (std::none_of(plan_.begin(), plan_.end(), [&](const PlannedProcess& each) { return each.name == name; }))
@@ -57,6 +62,7 @@ void Runner::look_at_fault(std::size_t index, Tick tick) {
 
 void Runner::strike(const faults::Fault& fault) {
   const pid_t pid = crew_.pid(fault.process);
+  if (pid <= 0) return;  // kill() would take it for everybody
   int number = SIGKILL;
   if (fault.kind == faults::Kind::halt) number = SIGSTOP;
   if (fault.kind == faults::Kind::end) number = SIGTERM;

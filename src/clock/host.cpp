@@ -62,13 +62,17 @@ void ClockHost::at_tick(Tick tick, TickEvents::Callback callback) {
   memory_->host.open();  // it may be sleeping towards a later event
 }
 
-void ClockHost::open_time() {
+void ClockHost::open_time(std::int64_t epoch_ns) {
   std::string missing;
   for (const std::string& name : not_ready()) missing += (missing.empty() ? "" : ", ") + name;
   if (!missing.empty()) throw SystemError(ErrorCode::process_silent, "clock: not ready for the start: " + missing);
   connect(*memory_);
   const std::int64_t lead = memory_->mode == Mode::real ? kLeadPeriods * memory_->period_ns : 0;
-  if (memory_->mode != Mode::lockstep) memory_->epoch_ns.store(monotonic_ns() + lead);
+  const std::int64_t now = monotonic_ns();
+  if (epoch_ns != 0 && epoch_ns < now)
+    throw SystemError(ErrorCode::clock_lost,
+                      "clock: told to start " + std::to_string((now - epoch_ns) / 1000) + " us ago");
+  if (memory_->mode != Mode::lockstep) memory_->epoch_ns.store(epoch_ns != 0 ? epoch_ns : now + lead);
   State expected = State::setting_up;
   if (!memory_->state.compare_exchange_strong(expected, State::running))
     throw SystemError(ErrorCode::clock_lost, "clock: cannot start: " + describe());
@@ -77,13 +81,13 @@ void ClockHost::open_time() {
   memory_->participants[kOperator].gate.open();
 }
 
-void ClockHost::start() {
-  open_time();
+void ClockHost::start(std::int64_t epoch_ns) {
+  open_time(epoch_ns);
   thread_ = std::thread([this] { loop(); });
 }
 
 void ClockHost::run() {
-  open_time();
+  open_time(0);
   loop();
 }
 

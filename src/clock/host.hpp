@@ -44,9 +44,10 @@ class ClockHost {
   /// mode: when the tick begins). What it sends through the operator clock is visible at that tick. An exception fails
   /// the clock. For a tick that has passed: before the next one.
   void at_tick(Tick tick, TickEvents::Callback callback);
-  /// Opens tick 0 and goes on in a thread of its own. Throws SystemError when somebody is not ready, or a topic has two
-  /// senders, or the clock has failed or ended.
-  void start();
+  /// Opens tick 0 and goes on in a thread of its own. `epoch_ns`: in real mode, the CLOCK_MONOTONIC time of tick 0 that
+  /// all hosts of the deployment have agreed upon; 0: a few periods from now. Throws SystemError when somebody is not
+  /// ready, or a topic has two senders, or the clock has failed or ended, or that time is past.
+  void start(std::int64_t epoch_ns = 0);
   /// As `start`, but goes on in the calling thread until the clock fails or ends.
   void run();
 
@@ -86,7 +87,7 @@ class ClockHost {
 
  private:
   std::vector<std::string> not_ready() const;
-  void open_time();
+  void open_time(std::int64_t epoch_ns);
   void loop();
   void run_events_in_real_time();
 

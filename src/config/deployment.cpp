@@ -8,10 +8,12 @@
 #include "config/events.hpp"
 #include "config/feeder_entry.hpp"
 #include "config/force_sensors.hpp"
+#include "config/hosts.hpp"
 #include "config/message_text.hpp"
 #include "config/mounts.hpp"
 #include "config/named_file.hpp"
 #include "config/network_entry.hpp"
+#include "config/resources.hpp"
 #include "config/robot_entry.hpp"
 #include "config/sensor_entry.hpp"
 #include "config/table.hpp"
@@ -31,7 +33,8 @@ ClockMode read_clock(const Table& table) {
 }
 
 void read_general(const Table& table, Deployment& deployment) {
-  table.only({"name", "clock", "servo_period", "domain", "start_timeout", "heartbeat_timeout", "delta_limit"});
+  table.only({"name", "clock", "servo_period", "domain", "start_timeout", "heartbeat_timeout", "link_timeout",
+              "clock_error", "delta_limit"});
   deployment.name = table.text("name");
   check_name(table, "name", deployment.name);
   deployment.clock = read_clock(table);
@@ -40,26 +43,32 @@ void read_general(const Table& table, Deployment& deployment) {
   const Range timeouts{0.1, 3600};
   deployment.start_timeout = table.number_or("start_timeout", deployment.start_timeout, timeouts);
   deployment.heartbeat_timeout = table.number_or("heartbeat_timeout", deployment.heartbeat_timeout, {0.5, 3600});
+  deployment.link_timeout = table.number_or("link_timeout", deployment.link_timeout, {0.01, 10});
+  deployment.clock_error = table.number_or("clock_error", deployment.servo_period / 2, {1e-5, 1});
   const auto deltas = static_cast<std::int64_t>(deployment.delta_limit);
   deployment.delta_limit = static_cast<std::size_t>(table.integer_or("delta_limit", deltas, 2, 1'000'000));
 }
 
-void read_mp(const Table& root, MpEntry& mp) {
+/// The MP is the runner's: elsewhere its program need not be there.
+void read_mp(const Table& root, bool here, MpEntry& mp) {
   const auto table = root.optional_table("mp");
   if (!table) {
-    mp.program = require_program(root, "mp", mp.program);
+    if (here) mp.program = require_program(root, "mp", mp.program);
     return;
   }
   table->only({"program", "states"});
   if (table->has("states")) mp.states = require_file(*table, "states");
   if (table->has("states") && table->has("program"))
     table->fail("program", "a state machine is run by the stock MP", "either 'program' or 'states'");
-  mp.program = require_program(*table, "program", table->optional_text("program").value_or(mp.program));
+  mp.program = table->optional_text("program").value_or(mp.program);
+  if (here) mp.program = require_program(*table, "program", mp.program);
 }
 
-SimEntry read_sim(const Table& table, double servo_period) {
-  table.only({"scene", "timestep", "feeders"});
+SimEntry read_sim(const Table& table, const Deployment& deployment) {
+  table.only({"scene", "timestep", "feeders", "host"});
+  const double servo_period = deployment.servo_period;
   SimEntry sim;
+  sim.host = read_host(table, deployment);
   sim.scene = require_file(table, "scene");
   sim.timestep = table.number_or("timestep", sim.timestep, {1e-5, 0.02});
   const double steps = servo_period / sim.timestep;
@@ -67,7 +76,7 @@ SimEntry read_sim(const Table& table, double servo_period) {
     table.fail("timestep", number_text(sim.timestep) + " s does not divide the servo period",
                number_text(servo_period) + " divided by a whole number");
   }
-  sim.program = require_program(table, "", "mrroc_sim");
+  sim.program = "mrroc_sim";
   sim.feeders = read_feeders(table);
   return sim;
 }
@@ -128,14 +137,27 @@ const SensorEntry& Deployment::sensor(const std::string& sensor_name) const {
   return find(sensors, sensor_name, "sensor", *this);
 }
 
+std::vector<const HostEntry*> Deployment::hosts_used() const {
+  std::vector<const HostEntry*> used;
+  for (const HostEntry& host : hosts) {
+    const auto there = [&host](const auto& entry) { return entry.host == host.name; };
+    if (std::any_of(robots.begin(), robots.end(), there) || std::any_of(sensors.begin(), sensors.end(), there) ||
+        (sim && there(*sim)))
+      used.push_back(&host);
+  }
+  return used;
+}
+
 Deployment load_deployment(const std::filesystem::path& file) {
   const Table root = Table::load(file);
-  root.only({"deployment", "mp", "robots", "sensors", "sim", "network", "events", "answers"});
+  root.only({"deployment", "hosts", "mp", "robots", "sensors", "sim", "network", "events", "answers"});
   Deployment deployment;
   deployment.file = std::filesystem::absolute(file);
+  deployment.here = this_host();
   read_general(root.table("deployment"), deployment);
-  read_mp(root, deployment.mp);
-  if (const auto sim = root.optional_table("sim")) deployment.sim = read_sim(*sim, deployment.servo_period);
+  deployment.hosts = read_hosts(root);
+  read_mp(root, deployment.here.empty(), deployment.mp);
+  if (const auto sim = root.optional_table("sim")) deployment.sim = read_sim(*sim, deployment);
   read_devices(root, "robots", kMostRobots, [&deployment](const Table& table, const std::string& name) {
     deployment.robots.push_back(read_robot(table, name, deployment));
   });
@@ -144,6 +166,7 @@ Deployment load_deployment(const std::filesystem::path& file) {
     refuse_name_of_robot(table, name, deployment);
     deployment.sensors.push_back(read_sensor(table, name, deployment));
   });
+  settle_places(root, deployment);
   check_force_sensors(root, deployment);
   refuse_names_of_edps(root, deployment);
   const std::size_t processes = 2 * deployment.robots.size() + deployment.sensors.size() + 1 + (deployment.sim ? 1 : 0);

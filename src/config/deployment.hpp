@@ -14,6 +14,15 @@ namespace mrroc::config {
 
 enum class ClockMode { real, paced, lockstep };
 
+/// Another machine on which processes of the deployment run.
+struct HostEntry {
+  std::string name;                  ///< by which robots, sensors and [sim] call it
+  std::string address;               ///< name or IPv4 address under which the machines reach it
+  std::vector<std::string> command;  ///< starts a program there, given as further words; empty: ssh to the address
+  std::string mrroc;                 ///< path of the `mrroc` command there; empty: as here
+  std::filesystem::path folder;      ///< where the deployment's folder is there; empty: as here
+};
+
 struct MpEntry {
   std::string program = "mrroc_mp";  ///< the stock MP when left out; absolute path after loading
   std::filesystem::path states;      ///< the state machine that the stock MP runs, absolute; empty: none
@@ -21,15 +30,16 @@ struct MpEntry {
 
 struct RobotEntry {
   std::string name;
-  std::string type;                   ///< folder robots/<type>
-  std::string program = "mrroc_ecp";  ///< of its ECP; the stock ECP when left out; absolute path after loading
+  std::string type;  ///< folder robots/<type>
+  /// Of its ECP; the stock ECP when left out. Absolute path after loading, on the robot's own host.
+  std::string program = "mrroc_ecp";
   std::string hardware;               ///< mujoco | loopback
   bool synchronised = true;           ///< simulated drives know their absolute positions from the start
   std::optional<int> emergency_stop;  ///< digital input 0..15 that presses its emergency stop while it is off
   std::string force_sensor;           ///< the sensor whose raw readings its EDP takes; empty: none
   /// Beyond which the robot stops, in the axes of that sensor: 3 forces (N), 3 torques (N m). The original's.
   Wrench force_limits = (Wrench() << 65, 65, 130, 5, 5, 5).finished();
-  std::string host;   ///< empty: this machine
+  std::string host;   ///< name of a [hosts] table; empty: the runner's machine
   std::string mount;  ///< robot that carries it; empty: it stands in the world
   /// In the world, or in the frame of the carrier's site `tool`: `position = [x, y, z]` (m), `rotation = [r, p, y]`
   /// (rad, fixed axes x y z).
@@ -47,6 +57,7 @@ struct SensorEntry {
   std::string name;
   std::string type;   ///< folder sensors/<type>
   std::string robot;  ///< the effector it is mounted on; empty: fixed in the world
+  std::string host;   ///< as of a robot; left out: that of its robot, of a simulated one that of the simulator
   bool interactive = true;
   bool polled = false;               ///< interactive, but its readings are not waited for
   double rate = 0;                   ///< Hz, non-interactive only; 1 / rate is a whole number of servo periods
@@ -77,6 +88,7 @@ struct FeederEntry {
 };
 
 struct SimEntry {
+  std::string host;                  ///< as of a robot; left out: that of the robots that it simulates
   std::filesystem::path scene;       ///< MJCF of the task's scene, absolute
   double timestep = 0.001;           ///< s; the servo period is a whole number of these
   std::string program;               ///< `mrroc_sim`, absolute path
@@ -108,7 +120,8 @@ struct Answer {
 };
 
 /// A deployment file, validated as a whole: names are unique and at most 31 characters of letters, digits and `_`,
-/// every type is installed, every program exists, every file named exists, what is mounted is carried by a robot.
+/// every type is installed, every program of this host exists, every file named exists, what is mounted is carried by a
+/// robot.
 struct Deployment {
   std::filesystem::path file;  ///< absolute
   std::string name;
@@ -117,7 +130,11 @@ struct Deployment {
   int domain = -1;               ///< DDS domain; -1: the runner takes a free one
   double start_timeout = 30;     ///< s of wall time for the start-up barrier
   double heartbeat_timeout = 5;  ///< s of wall time without a sign of life before a process counts as silent
+  double link_timeout = 0.05;    ///< s of silence between two hosts after which each stops its robots
+  double clock_error = 0.001;    ///< s: most that the ticks of two hosts may be apart; left out: half a servo period
   std::size_t delta_limit = 1000;
+  std::string here;              ///< the host on which this was loaded; empty: the runner's machine
+  std::vector<HostEntry> hosts;  ///< in file order
   MpEntry mp;
   std::vector<RobotEntry> robots;    ///< in file order
   std::vector<SensorEntry> sensors;  ///< in file order
@@ -129,10 +146,13 @@ struct Deployment {
   /// The entry of this name; throws ConfigurationError that lists the known ones.
   const RobotEntry& robot(const std::string& name) const;
   const SensorEntry& sensor(const std::string& name) const;
+  /// The other machines that have something to run, in file order.
+  std::vector<const HostEntry*> hosts_used() const;
 };
 
 /// Reads and validates; throws ConfigurationError with file, line, key, value and what was expected. Configuration time
-/// only: reads the files named, and asks the resolver for every `host`.
+/// only: reads the files named, and asks the resolver for every `host` that is no [hosts] table. Programs are looked
+/// for on the host that this machine is in the deployment: `this_host()`.
 Deployment load_deployment(const std::filesystem::path& file);
 
 }  // namespace mrroc::config

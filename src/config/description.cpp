@@ -23,13 +23,16 @@ std::string clock_name(ClockMode clock) {
   return "unknown clock";
 }
 
+std::string on_host(const std::string& host) { return host.empty() ? "" : "host " + host + ", "; }
+
 std::string describe(const RobotEntry& robot) {
   const std::string mount = robot.mount.empty() ? "" : " carried by " + robot.mount;
-  return robot.type + mount + " on " + robot.hardware + ": ECP " + robot.program + ", EDP " + robot.edp_program;
+  return on_host(robot.host) + robot.type + mount + " on " + robot.hardware + ": ECP " + robot.program + ", EDP " +
+         robot.edp_program;
 }
 
 std::string describe(const SensorEntry& sensor) {
-  std::string text = sensor.type;
+  std::string text = on_host(sensor.host) + sensor.type;
   if (!sensor.robot.empty()) text += " on " + sensor.robot;
   text += sensor.interactive ? (sensor.polled ? ", polled, " : ", interactive, ")
                              : ", non-interactive at " + number_text(sensor.rate) + " Hz, ";
@@ -48,8 +51,8 @@ std::string describe(const Deployment& deployment) {
 
   Lines lines{{"mp", deployment.mp.program}};
   if (const auto& sim = deployment.sim) {
-    lines.emplace_back(
-        "sim", sim->program + ", scene " + sim->scene.string() + ", time step " + number_text(sim->timestep) + " s");
+    lines.emplace_back("sim", on_host(sim->host) + sim->program + ", scene " + sim->scene.string() + ", time step " +
+                                  number_text(sim->timestep) + " s");
   }
   for (const auto& robot : deployment.robots) lines.emplace_back(robot.name, describe(robot));
   for (const auto& sensor : deployment.sensors) lines.emplace_back(sensor.name, describe(sensor));

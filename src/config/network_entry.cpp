@@ -11,11 +11,13 @@ namespace {
 
 constexpr const char* kMakeKeys = "keys = \"FOLDER\" made by `mrroc keys FOLDER`, or security = false";
 
-/// The first robot on another machine; null: there is none.
-const RobotEntry* first_remote(const Deployment& deployment) {
-  const auto& robots = deployment.robots;
-  const auto remote = std::find_if(robots.begin(), robots.end(), [](const auto& robot) { return !robot.host.empty(); });
-  return remote == robots.end() ? nullptr : &*remote;
+/// The first host that is another machine; null: there is none. One at a loopback address is this machine.
+const HostEntry* first_remote(const Deployment& deployment) {
+  const auto used = deployment.hosts_used();
+  const auto remote = std::find_if(used.begin(), used.end(), [](const HostEntry* host) {
+    return beyond_loopback(host->address) && host->address != "localhost";
+  });
+  return remote == used.end() ? nullptr : *remote;
 }
 
 std::filesystem::path read_keys(const Table& table) {
@@ -44,7 +46,7 @@ bool beyond_loopback(const std::string& interface) {
 
 NetworkEntry read_network(const Table& root, const Deployment& deployment) {
   NetworkEntry network;
-  const RobotEntry* remote = first_remote(deployment);
+  const HostEntry* remote = first_remote(deployment);
   const auto table = root.optional_table("network");
   if (table) {
     table->only({"interface", "keys", "security"});
@@ -52,9 +54,9 @@ NetworkEntry read_network(const Table& root, const Deployment& deployment) {
     if (table->has("keys")) network.keys = read_keys(*table);
   }
   if (remote != nullptr && !beyond_loopback(network.interface)) {
-    root.table("robots")
+    root.table("hosts")
         .table(remote->name)
-        .fail("host", in_quotes(remote->host) + " is another machine, but no interface to reach it by is named",
+        .fail("", in_quotes(remote->name) + " is another machine, but no interface to reach it by is named",
               "a table [network] with interface = \"DEVICE\"");
   }
   const bool wanted = remote != nullptr || beyond_loopback(network.interface) || !network.keys.empty();

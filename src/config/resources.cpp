@@ -12,6 +12,7 @@ namespace {
 
 constexpr const char* kShare = "MRROC_SHARE";
 constexpr const char* kPrograms = "MRROC_PROGRAMS";
+constexpr const char* kHost = "MRROC_HOST";
 
 /// The folders that environment variable `name` lists, absolute; else `fallback`.
 std::vector<fs::path> folders(const char* name, const fs::path& fallback) {
@@ -77,5 +78,12 @@ void hand_down_directories() {
   set_list(kShare, share_directories());
   set_list(kPrograms, program_directories());
 }
+
+std::string this_host() {
+  const char* value = std::getenv(kHost);
+  return value != nullptr ? value : "";
+}
+
+void hand_down_host(const std::string& name) { setenv(kHost, name.c_str(), 1); }
 
 }  // namespace mrroc::config

@@ -26,4 +26,9 @@ std::filesystem::path type_file(const std::string& kind, const std::string& type
 /// Puts both lists into the environment: processes started from now on look in the same folders.
 void hand_down_directories();
 
+/// Which of the deployment's hosts this machine is: $MRROC_HOST; empty: the runner's machine.
+std::string this_host();
+/// Makes this process and those started from now on processes of that host.
+void hand_down_host(const std::string& name);
+
 }  // namespace mrroc::config

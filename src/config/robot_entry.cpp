@@ -1,6 +1,6 @@
 #include "config/robot_entry.hpp"
 
-#include "config/local_host.hpp"
+#include "config/hosts.hpp"
 #include "config/message_text.hpp"
 #include "config/named_file.hpp"
 #include "config/resources.hpp"
@@ -20,22 +20,6 @@ std::string read_hardware(const Table& table, const Deployment& deployment) {
   const std::string hardware = table.choice("hardware", available);
   if (hardware == "mujoco" && !deployment.sim) table.fail("hardware", "'mujoco' needs a simulator", "a table [sim]");
   return hardware;
-}
-
-/// Empty: this machine, under whatever name the file calls it.
-std::string read_host(const Table& table) {
-  const std::string host = table.optional_text("host").value_or("");
-  if (host.empty()) return "";
-  switch (locate_host(host)) {
-    case HostPlace::local:
-      return "";
-    case HostPlace::unknown:
-      table.fail("host", "unreachable host " + in_quotes(host), "this machine (leave the key out)");
-    case HostPlace::remote:
-      break;
-  }
-  table.fail("host", in_quotes(host) + " is another machine: remote hosts are not available in this version",
-             "this machine (leave the key out)");
 }
 
 /// Whether the drives know their positions from the start. If not, every axis must have a switch to find them by.
@@ -77,15 +61,20 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   robot.name = name;
   robot.type = table.choice("type", robot_types());
   robot.hardware = read_hardware(table, deployment);
-  robot.host = read_host(table);
+  robot.host = read_host(table, deployment);
   robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
   robot.synchronised = read_synchronised(table, robot.type);
   if (table.has("emergency_stop"))
     robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, Signals::kDigital - 1));
   read_force(table, robot);
-  robot.program = require_program(table, "program", table.optional_text("program").value_or(robot.program));
-  robot.edp_program = require_program(table, "type", robot.type + "_edp");
+  robot.program = table.optional_text("program").value_or(robot.program);
+  robot.edp_program = robot.type + "_edp";
+  const bool here = robot.host == deployment.here;
+  // the runner asks the programs for their behaviours when the MP runs a state machine
+  if (here || (deployment.here.empty() && !deployment.mp.states.empty()))
+    robot.program = require_program(table, "program", robot.program);
+  if (here) robot.edp_program = require_program(table, "type", robot.edp_program);
   return robot;
 }
 

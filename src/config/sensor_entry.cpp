@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "config/hosts.hpp"
 #include "config/message_text.hpp"
 #include "config/named_file.hpp"
 #include "config/resources.hpp"
@@ -71,13 +72,14 @@ SensorEntry read_sensor(const Table& table, const std::string& name, const Deplo
   sensor.name = name;
   sensor.type = table.choice("type", sensor_types());
   read_sensor_type(table, sensor);
-  table.only({"type", "robot", "mode", "rate", "source", "replay", "frozen_after", "noise_max"});
+  table.only({"type", "robot", "mode", "rate", "source", "replay", "frozen_after", "noise_max", "host"});
+  sensor.host = read_host(table, deployment);
   sensor.robot = read_robot_of(table, deployment);
   read_mode(table, deployment.servo_period, sensor);
   read_source(table, deployment, sensor);
   sensor.frozen_after = table.number_or("frozen_after", 0, {.min = 0});
   if (const auto noise = table.optional_numbers("noise_max", 0, {.min = 0})) sensor.noise_max = *noise;
-  sensor.vsp_program = require_program(table, "type", sensor.type + "_vsp");
+  sensor.vsp_program = sensor.type + "_vsp";
   return sensor;
 }
 

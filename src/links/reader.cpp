@@ -140,8 +140,10 @@ struct Reader<T>::Impl {
   }
 
   bool fresh(const Header& header, double max_age) const noexcept {
-    if (clock.simulated() || !same_machine(header.boot, boot)) return true;
-    return static_cast<double>(clock::monotonic_ns() - header.stamp_ns) * 1e-9 <= max_age;
+    if (clock.simulated()) return true;
+    const std::int64_t epoch = clock.epoch_ns();
+    if (epoch == 0 && !same_machine(header.boot, boot)) return true;  // before tick 0 hosts have no time in common
+    return static_cast<double>(clock::monotonic_ns() - epoch - header.stamp_ns) * 1e-9 <= max_age;
   }
 
   const std::uint64_t boot;

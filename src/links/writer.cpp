@@ -63,7 +63,7 @@ void Writer<T>::write(const T& message, std::uint64_t sequence, std::uint64_t an
   if (link.clock.simulated()) {
     header.delta = link.clock.delta();
   } else {
-    header.stamp_ns = clock::monotonic_ns();
+    header.stamp_ns = clock::monotonic_ns() - link.clock.epoch_ns();
   }
   if (link.sender >= 0) link.clock.sent(link.sender);
   const dds_return_t code = dds_write(link.writer.get(), &link.sample);

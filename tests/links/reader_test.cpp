@@ -147,6 +147,34 @@ TEST(Reader, TakeFreshRefusesWhatIsTooOld) {
   EXPECT_EQ(reader.counters().stale, 4U);
 }
 
+TEST(Reader, AStampCountsFromTickZeroOnEveryMachine) {
+  TestDomain net;
+  TestClock clock;
+  clock.epoch = clock::monotonic_ns() - 1'000'000'000;
+  Reader<RobotCommand> reader(net.domain, clock, "t/x");
+  RobotCommand command;
+  Header header;
+  {
+    Writer<RobotCommand> writer(net.domain, clock, "t/x");
+    const std::int64_t before = clock::monotonic_ns() - clock.epoch;
+    writer.write({}, 1);
+    ASSERT_TRUE(reader.take(command, header));
+    EXPECT_GE(header.stamp_ns, before);
+    EXPECT_LE(header.stamp_ns, clock::monotonic_ns() - clock.epoch);
+  }
+  RawWriter<RobotCommand> elsewhere(net.domain, "t/x");
+  const auto send = [&](double age) {
+    auto wire = wire_of(RobotCommand{});
+    wire.header.boot = net.domain.boot() ^ (1ULL << 40U);
+    wire.header.stamp_ns = clock::monotonic_ns() - clock.epoch - static_cast<std::int64_t>(age * 1e9);
+    elsewhere.write(wire);
+  };
+  send(1000);
+  EXPECT_FALSE(reader.take_fresh(command, header, 500)) << "the age of another machine's message is known";
+  send(0);
+  EXPECT_TRUE(reader.take_fresh(command, header, 500));
+}
+
 TEST(Reader, TakeFreshKnowsNoAgeUnderSimulatedTime) {
   Link link(true);
   link.send(1);

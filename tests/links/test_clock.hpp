@@ -22,6 +22,7 @@ class TestClock final : public clock::Clock {
   }
   bool simulated() const noexcept override { return simulated_; }
   double wall_seconds() const noexcept override { return static_cast<double>(clock::monotonic_ns()) * 1e-9; }
+  std::int64_t epoch_ns() const noexcept override { return epoch.load(); }
   bool start() override { return true; }
 
   clock::Wake wait(Tick wake_tick) override {
@@ -65,6 +66,7 @@ class TestClock final : public clock::Clock {
 
   void next_delta() { delta_.fetch_add(1); }
 
+  std::atomic<std::int64_t> epoch{0};  ///< CLOCK_MONOTONIC time of tick 0, for stamps only
   std::atomic<int> senders{0};
   std::atomic<int> receivers{0};
   std::atomic<int> in_flight{0};

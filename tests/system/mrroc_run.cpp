@@ -54,16 +54,25 @@ void keep_to_cpu(int number) {
   }
 }
 
-/// The parent of a process that runs; -1 when there is none or it has ended and waits to be reaped.
-pid_t parent_of(pid_t pid) {
-  const std::string stat = read_file("/proc/" + std::to_string(pid) + "/stat");
-  const std::size_t end = stat.rfind(')');
-  if (end == std::string::npos) return -1;
-  std::istringstream rest(stat.substr(end + 2));
-  char state = 0;
-  pid_t parent = -1;
-  rest >> state >> parent;
-  return state == 'Z' ? -1 : parent;
+std::vector<pid_t> children_of(pid_t parent) {
+  std::vector<pid_t> pids;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    const pid_t pid = std::stoi(name);
+    if (parent_of(pid) == parent) pids.push_back(pid);
+  }
+  return pids;
+}
+
+/// The one that was started with `--name NAME`; -1 when there is none.
+pid_t named(const std::string& name, const std::vector<pid_t>& pids) {
+  const std::string wanted = std::string{"--name"} + '\0' + name + '\0';
+  for (const pid_t pid : pids) {
+    const std::string line = read_file("/proc/" + std::to_string(pid) + "/cmdline");
+    if (line.find(wanted) != std::string::npos) return pid;
+  }
+  return -1;
 }
 
 /// Waits for the end of a run and checks it: see run_mrroc().
@@ -80,6 +89,17 @@ std::string finish(MrrocRun& run, const std::vector<std::string>& arguments, int
 }
 
 }  // namespace
+
+pid_t parent_of(pid_t pid) {
+  const std::string stat = read_file("/proc/" + std::to_string(pid) + "/stat");
+  const std::size_t end = stat.rfind(')');
+  if (end == std::string::npos) return -1;
+  std::istringstream rest(stat.substr(end + 2));
+  char state = 0;
+  pid_t parent = -1;
+  rest >> state >> parent;
+  return state == 'Z' ? -1 : parent;
+}
 
 MrrocRun::MrrocRun(const std::vector<std::string>& arguments, int place) : folder_(new_folder()) {
   const std::string program = std::string{MRROC_BINARY_DIR} + "/bin/mrroc";
@@ -144,25 +164,20 @@ bool MrrocRun::wait_for_output(const std::string& text) {
 
 void MrrocRun::signal(int number) const { kill(pid_, number); }
 
-std::vector<pid_t> MrrocRun::children() const {
-  std::vector<pid_t> pids;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    const std::string name = entry.path().filename();
-    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-    const pid_t pid = std::stoi(name);
-    if (parent_of(pid) == pid_) pids.push_back(pid);
+std::vector<pid_t> MrrocRun::children() const { return children_of(pid_); }
+
+std::vector<pid_t> MrrocRun::descendants() const {
+  std::vector<pid_t> pids = children();
+  for (std::size_t i = 0; i < pids.size(); ++i) {
+    const std::vector<pid_t> more = children_of(pids[i]);
+    pids.insert(pids.end(), more.begin(), more.end());
   }
   return pids;
 }
 
-pid_t MrrocRun::child(const std::string& name) const {
-  const std::string wanted = std::string{"--name"} + '\0' + name + '\0';
-  for (const pid_t pid : children()) {
-    const std::string line = read_file("/proc/" + std::to_string(pid) + "/cmdline");
-    if (line.find(wanted) != std::string::npos) return pid;
-  }
-  return -1;
-}
+pid_t MrrocRun::child(const std::string& name) const { return named(name, children()); }
+
+pid_t MrrocRun::descendant(const std::string& name) const { return named(name, descendants()); }
 
 std::string MrrocRun::out() const { return read_file(folder_ / "out"); }
 

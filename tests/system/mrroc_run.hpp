@@ -36,6 +36,10 @@ class MrrocRun {
   pid_t child(const std::string& name) const;
   /// All processes that it has started and that are still there.
   std::vector<pid_t> children() const;
+  /// The same with those that they have started, as agents for other hosts do.
+  std::vector<pid_t> descendants() const;
+  /// As `child`, among its descendants.
+  pid_t descendant(const std::string& name) const;
 
   std::string out() const;
   std::string err() const;
@@ -46,6 +50,9 @@ class MrrocRun {
   bool ended_ = false;
   int status_ = 0;
 };
+
+/// The parent of a process that runs; -1 when there is none or it has ended and waits to be reaped.
+pid_t parent_of(pid_t pid);
 
 /// Waits for the end of processes that are not this one's children; false when one is still there after 10 s.
 bool all_end(const std::vector<pid_t>& pids);

@@ -1,0 +1,282 @@
+#include "cli/agent.hpp"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/epoll.h>
+#include <sys/signalfd.h>
+#include <syslog.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+#include "cli/addresses.hpp"
+#include "cli/clock_options.hpp"
+#include "clock/monotonic.hpp"
+#include "config/local_host.hpp"
+#include "config/resources.hpp"
+#include "config/table.hpp"
+#include "process/arguments.hpp"
+#include "process/process.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr int kTurn = 20;                                        // ms
+constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;     // that robots get to stop
+constexpr std::int64_t kPatienceToEnd = 5 * clock::kSecond / 2;  // shorter than the runner's
+constexpr std::size_t kMostWaiting = 4 << 20;                    // bytes that the runner has not taken
+
+int open_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, number);
+  sigprocmask(SIG_BLOCK, &set, nullptr);
+  signal(SIGPIPE, SIG_IGN);  // a runner that is gone is seen when its channel is read
+  return signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
+}
+
+void add_to(int wake, int fd) {
+  epoll_event event{};
+  event.events = EPOLLIN;
+  epoll_ctl(wake, EPOLL_CTL_ADD, fd, &event);
+}
+
+/// The same files as the runner's, or an error that names the first that is not.
+void compare_files(const AgentOrder& order, const config::Deployment& deployment) {
+  const auto here = files_of(deployment);
+  for (std::size_t i = 0; i < order.files.size(); ++i) {
+    if (i < here.size() && here[i] == order.files[i]) continue;
+    throw config::ConfigurationError(deployment.file, 0, order.files[i].first,
+                                     "the file differs from the one on the machine of the runner",
+                                     "the same on every host");
+  }
+}
+
+}  // namespace
+
+Agent::Agent(int in, int out)
+    : runner_(in, out),
+      signals_(open_signals()),
+      wake_(epoll_create1(EPOLL_CLOEXEC)),
+      crew_([this](const std::string& name, const std::string& line) {
+        if (runner_.waiting() < kMostWaiting) runner_.write("line " + name + " " + line);
+      }) {
+  add_to(wake_, runner_.fd());
+  add_to(wake_, signals_);
+}
+
+Agent::~Agent() {
+  if (!traces_.empty()) {
+    std::error_code none;
+    std::filesystem::remove_all(traces_, none);
+  }
+  close(wake_);
+  close(signals_);
+}
+
+process::ExitCode Agent::run() {
+  runner_.write(std::string{kAgentGreeting});
+  try {
+    if (!take_order()) return process::ExitCode::usage;
+    prepare();
+    start_processes();
+    supervise();
+  } catch (const std::exception& error) {
+    const bool wrong_file = dynamic_cast<const config::ConfigurationError*>(&error) != nullptr;
+    fail(wrong_file ? process::ExitCode::usage : process::exit_code(process::report_of(error).error_class),
+         error.what());
+  }
+  end_processes();
+  send_traces();
+  runner_.write("ended");
+  drain();
+  return code_;
+}
+
+bool Agent::take_order() {
+  std::vector<std::string> lines;
+  while (!runner_.closed()) {
+    pollfd channel{runner_.fd(), POLLIN, 0};
+    poll(&channel, 1, -1);
+    for (const std::string& line : runner_.read()) {
+      if (line == "go") {
+        order_ = order_of_lines(lines);
+        return true;
+      }
+      lines.push_back(line);
+    }
+  }
+  return false;
+}
+
+void Agent::prepare() {
+  config::hand_down_host(order_.host);
+  config::hand_down_directories();
+  deployment_ = config::load_deployment(order_.deployment);
+  compare_files(order_, deployment_);
+  for (const PlannedProcess& process : plan_processes(deployment_))
+    if (process.host == order_.host) plan_.push_back(process);
+  const in_addr runner = ipv4_of(order_.machines.front());
+  const in_addr own = own_address_towards(runner);
+  own_address_ = to_text(own);
+  // on the runner's own machine the domain is kept already, by the runner
+  if (config::locate_host(order_.machines.front()) != config::HostPlace::local)
+    domain_lock_ = std::make_unique<DomainLock>(order_.domain);
+  clock::HostOptions options = clock_options(deployment_, names_of(plan_));
+  options.mode = clock::Mode::real;
+  clock_ = std::make_unique<clock::ClockHost>(options);
+  if (deployment_.sim && deployment_.sim->host == order_.host)
+    world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
+  if (order_.trace) {
+    std::string pattern = std::filesystem::temp_directory_path() / "mrroc_agent_XXXXXX";
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder for traces");
+    traces_ = pattern;
+  }
+}
+
+void Agent::start_processes() {
+  for (const PlannedProcess& process : plan_) {
+    process::Arguments arguments;
+    arguments.deployment = deployment_.file;
+    arguments.name = process.name;
+    arguments.clock_fd = clock_->fd();
+    arguments.world_fd = world_ ? world_->fd() : -1;
+    arguments.domain = order_.domain;
+    arguments.interface = own_address_;
+    arguments.peers = order_.machines;
+    if (deployment_.network.security) arguments.keys = deployment_.network.keys;
+    if (process.has_task && !traces_.empty()) arguments.trace = traces_ / process.name;
+    crew_.start(process, process::to_command_line(arguments));
+  }
+  // after the children, who must not inherit the priority of its thread's memory nor its socket
+  link_ = std::make_unique<HostLink>(own_address_towards(ipv4_of(order_.machines.front())), order_.domain, order_.key,
+                                     false, deployment_.link_timeout);
+  add_to(wake_, link_->event_fd());
+  link_->start(ipv4_of(order_.machines.front()), order_.beat_port);
+  runner_.write("beat " + std::to_string(link_->port()));
+}
+
+void Agent::supervise() {
+  while (!stopping_) turn(kTurn);
+}
+
+void Agent::turn(int milliseconds) {
+  crew_.wait(milliseconds, wake_);
+  for (const std::string& line : runner_.read()) obey(line);
+  // first the causes: what happens here may be but their consequence
+  if (!stopping_ && runner_.closed()) fail(process::ExitCode::system, "the runner is gone");
+  if (!stopping_ && link_->lost()) {
+    fail(process::ExitCode::system,
+         "link to the runner lost: nothing heard for " + std::to_string(deployment_.link_timeout) + " s");
+  }
+  read_signals();
+  check_children();
+  if (!stopping_ && clock_->state() == clock::State::failed)
+    fail(process::ExitCode::system, "clock lost: " + clock_->error());
+  if (!started_) report_missing();
+  runner_.flush();
+}
+
+void Agent::obey(const std::string& line) {
+  const auto [word, text] = split_word(line);
+  if (word == "stop") {
+    stopping_ = true;
+  } else if (word == "start") {
+    const auto epoch = whole_number(text);
+    if (!epoch || *epoch <= 0) throw std::runtime_error("order '" + line + "': expected a time");
+    clock_->start(*epoch);
+    started_ = true;
+    link_->watch();
+    runner_.write("started");
+  } else {
+    throw std::runtime_error("order '" + line + "' is not known: the runner is of another version");
+  }
+}
+
+void Agent::read_signals() {
+  signalfd_siginfo info;
+  while (read(signals_, &info, sizeof info) == static_cast<ssize_t>(sizeof info)) {
+    if (info.ssi_signo != SIGCHLD && !stopping_)
+      fail(process::ExitCode::system, "its agent was told to end by signal " + std::to_string(info.ssi_signo));
+  }
+}
+
+void Agent::report_missing() {
+  std::string missing;
+  for (const std::string& name : clock_->wait_ready(0)) missing += " " + name;
+  if (missing == missing_) return;
+  missing_ = missing;
+  runner_.write("missing" + missing);
+}
+
+void Agent::check_children() {
+  if (stopping_) return;
+  Child* const child = crew_.first_lost();
+  if (child == nullptr) return;
+  stopping_ = true;
+  code_ = process::ExitCode::system;
+  std::string how = (child->ended() ? "died: " : "is ") + child->how_it_ended();
+  if (child->exit_code() && !child->last_line().empty()) how += ": " + child->last_line();
+  runner_.write("lost " + child->name() + " " + std::to_string(child->exit_code().value_or(-1)) + " " + how);
+}
+
+void Agent::fail(process::ExitCode code, const std::string& reason) {
+  if (code_ != process::ExitCode::success) return;  // it is but a consequence
+  stopping_ = true;
+  code_ = code;
+  runner_.write("failed " + std::to_string(static_cast<int>(code)) + " " + reason);
+  // the runner may never read it: who looks for the cause on this machine shall find it, too
+  syslog(LOG_ERR, "mrroc agent, host %s: %s", order_.host.c_str(), reason.c_str());
+}
+
+void Agent::end_processes() {
+  if (!clock_) return;
+  if (started_) stop_robots();
+  for (const std::string& name : crew_.kill_stopped()) runner_.write("line " + name + " does not go on, killing it");
+  crew_.signal(SIGTERM);
+  clock_->end();
+  wait_until(clock::monotonic_ns() + kPatienceToEnd, [this] { return crew_.all_ended(); });
+  for (const std::string& name : crew_.kill_rest()) runner_.write("line " + name + " does not end, killing it");
+  wait_until(clock::kForever, [this] { return crew_.all_ended(); });
+  crew_.wait(0, signals_);
+}
+
+void Agent::stop_robots() {
+  crew_.signal(SIGTERM, clock::Part::task);
+  clock_->stop();
+  wait_until(clock::monotonic_ns() + kPatienceToStop, [this] {
+    return clock_->state() != clock::State::running ||
+           (crew_.all_lost(clock::Part::drives) && crew_.all_lost(clock::Part::world));
+  });
+}
+
+void Agent::wait_until(std::int64_t deadline, const std::function<bool()>& done) {
+  while (!done() && clock::monotonic_ns() < deadline) {
+    crew_.wait(kTurn, signals_);  // not the channel: one that is closed would wake it for ever
+    read_signals();
+    runner_.read();
+    runner_.flush();
+  }
+}
+
+void Agent::send_traces() {
+  if (traces_.empty()) return;
+  for (const PlannedProcess& process : plan_) {
+    std::ifstream file(traces_ / process.name);
+    for (std::string line; std::getline(file, line);) runner_.write("trace " + process.name + " " + line);
+  }
+}
+
+void Agent::drain() {
+  const std::int64_t deadline = clock::monotonic_ns() + kPatienceToEnd;
+  while (runner_.waiting() > 0 && !runner_.closed() && clock::monotonic_ns() < deadline) {
+    poll(nullptr, 0, 1);
+    runner_.read();
+    runner_.flush();
+  }
+}
+
+}  // namespace mrroc::cli

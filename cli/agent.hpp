@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/agent_protocol.hpp"
+#include "cli/crew.hpp"
+#include "cli/domain_lock.hpp"
+#include "cli/host_link.hpp"
+#include "cli/line_channel.hpp"
+#include "cli/process_plan.hpp"
+#include "clock/host.hpp"
+#include "process/exit_code.hpp"
+#include "sim/mapped_world.hpp"
+
+namespace mrroc::cli {
+
+/// `mrroc agent`: what `mrroc run` starts on every other host of a deployment, with a control channel on stdin and
+/// stdout (agent_protocol.hpp). It starts the processes that belong there under a clock of their own, whose tick 0 is
+/// the runner's, hands on what they say, and stops them, robots first, when it is told to, when one of them dies, when
+/// the channel closes and when the runner's beats stay away: no robot goes on without its runner. Main thread.
+class Agent {
+ public:
+  /// Takes both descriptors.
+  Agent(int in, int out);
+  ~Agent();
+  process::ExitCode run();
+
+ private:
+  /// False: the runner has gone before it has said what to do.
+  bool take_order();
+  void prepare();
+  void start_processes();
+  void supervise();
+  void end_processes();
+  /// The runner's order: tasks go at once, drives when they stand, the world last.
+  void stop_robots();
+  /// Until it is done or the deadline, ns, has come; what the processes say goes on being handed on.
+  void wait_until(std::int64_t deadline, const std::function<bool()>& done);
+  void send_traces();
+  /// Gives the runner time to take what waits for it.
+  void drain();
+
+  void turn(int milliseconds);
+  void obey(const std::string& line);
+  void read_signals();
+  void report_missing();
+  void check_children();
+  void fail(process::ExitCode code, const std::string& reason);
+
+  LineChannel runner_;
+  int signals_ = -1;
+  int wake_ = -1;  // epoll: the channel, signals, the link
+  AgentOrder order_;
+  config::Deployment deployment_;
+  std::vector<PlannedProcess> plan_;
+  std::unique_ptr<DomainLock> domain_lock_;
+  std::unique_ptr<clock::ClockHost> clock_;
+  std::unique_ptr<sim::MappedWorld> world_;
+  std::unique_ptr<HostLink> link_;
+  std::string own_address_;
+  std::filesystem::path traces_;  // folder; empty: none
+  Crew crew_;
+  std::string missing_ = "?";  // as told last
+  bool started_ = false;
+  bool stopping_ = false;
+  process::ExitCode code_ = process::ExitCode::success;
+};
+
+}  // namespace mrroc::cli

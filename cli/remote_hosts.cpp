@@ -1,0 +1,126 @@
+#include "cli/remote_hosts.hpp"
+
+#include <sys/epoll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cli/addresses.hpp"
+#include "clock/monotonic.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+/// From the agreement on tick 0 to tick 0: time for the word to come everywhere, and for all processes to wake up.
+constexpr std::int64_t kLead = clock::kSecond / 5;
+
+void add_to(int wake, int fd) {
+  epoll_event event{};
+  event.events = EPOLLIN;
+  epoll_ctl(wake, EPOLL_CTL_ADD, fd, &event);
+}
+
+std::filesystem::path deployment_on(const config::HostEntry& host, const std::filesystem::path& here) {
+  return host.folder.empty() ? here : host.folder / here.filename();
+}
+
+}  // namespace
+
+RemoteHosts::RemoteHosts(const config::Deployment& deployment, HostListener listener)
+    : deployment_(deployment), listener_(std::move(listener)) {}
+
+RemoteHosts::~RemoteHosts() {
+  if (wake_ >= 0) close(wake_);
+}
+
+void RemoteHosts::start_agents(int domain, bool trace) {
+  const auto used = deployment_.hosts_used();
+  std::vector<in_addr> there;
+  for (const config::HostEntry* host : used) {
+    try {
+      there.push_back(ipv4_of(host->address));
+      if (machines_.empty()) machines_.push_back(own_address_ = to_text(own_address_towards(there.back())));
+      machines_.push_back(to_text(there.back()));
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error("host " + host->name + ": " + error.what());
+    }
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    AgentOrder order;
+    order.host = used[i]->name;
+    order.deployment = deployment_on(*used[i], deployment_.file);
+    order.files = files_of(deployment_);
+    order.domain = domain;
+    order.machines = machines_;
+    order.trace = trace;
+    try {
+      const in_addr own = own_address_towards(there[i]);
+      order.machines.front() = to_text(own);
+      hosts_.emplace_back(*used[i], order, own, there[i], HostLimits{deployment_.link_timeout, deployment_.clock_error},
+                          listener_);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error("host " + used[i]->name + ": " + error.what());
+    }
+  }
+}
+
+int RemoteHosts::descriptor(int also) {
+  if (hosts_.empty()) return also;
+  if (wake_ < 0) {
+    wake_ = epoll_create1(EPOLL_CLOEXEC);
+    add_to(wake_, also);
+    for (const RemoteHost& host : hosts_)
+      for (const int fd : host.descriptors()) add_to(wake_, fd);
+  }
+  return wake_;
+}
+
+void RemoteHosts::look() {
+  for (RemoteHost& host : hosts_) host.look();
+}
+
+std::vector<std::string> RemoteHosts::missing() const {
+  std::vector<std::string> all;
+  for (const RemoteHost& host : hosts_) {
+    const auto missing = host.missing();
+    all.insert(all.end(), missing.begin(), missing.end());
+  }
+  return all;
+}
+
+std::int64_t RemoteHosts::start() {
+  if (hosts_.empty()) return 0;
+  std::int64_t error = 0;
+  for (const RemoteHost& host : hosts_) error = std::max(error, host.clock_error_ns());
+  const std::int64_t epoch = clock::monotonic_ns() + kLead + 10 * error;
+  for (RemoteHost& host : hosts_) host.start(epoch);
+  return epoch;
+}
+
+void RemoteHosts::stop() {
+  for (RemoteHost& host : hosts_) host.stop();
+}
+
+bool RemoteHosts::all_ended() noexcept {
+  return std::all_of(hosts_.begin(), hosts_.end(), [](RemoteHost& host) { return host.ended(); });
+}
+
+std::vector<std::string> RemoteHosts::kill_rest() noexcept {
+  std::vector<std::string> names;
+  for (RemoteHost& host : hosts_) {
+    if (host.ended()) continue;
+    names.push_back(host.name());
+    host.kill();
+  }
+  return names;
+}
+
+std::vector<std::string> RemoteHosts::summaries() const {
+  std::vector<std::string> lines;
+  for (const RemoteHost& host : hosts_) lines.push_back(host.summary());
+  return lines;
+}
+
+}  // namespace mrroc::cli

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace mrroc::test {
+
+/// What happens to the frames on a cable, in either direction; the times in s, the others are probabilities of each
+/// frame.
+struct CableFaults {
+  double delay = 0;
+  double jitter = 0;  ///< on top of the delay, uniformly from 0
+  double loss = 0;
+  double duplicate = 0;
+  double reorder = 0;  ///< held back for 3 ms more, so that others overtake it
+  double corrupt = 0;  ///< one bit of it is turned over, behind the Ethernet header
+  bool cut = false;
+};
+
+/// A network namespace of its own, empty but for `lo`: gone with the object, even when the test is killed.
+class Namespace {
+ public:
+  /// Throws std::system_error where the kernel refuses.
+  Namespace();
+  ~Namespace();
+  Namespace(const Namespace&) = delete;
+  Namespace& operator=(const Namespace&) = delete;
+
+  /// A process that is in it for as long as the object lives.
+  pid_t holder() const noexcept { return holder_; }
+  /// The words before a command that is to run in it.
+  std::vector<std::string> command() const;
+  /// Runs `ip` in it; throws std::runtime_error when that fails.
+  void ip(const std::string& arguments) const;
+
+ private:
+  pid_t holder_ = -1;
+};
+
+/// While it lives the calling thread is in the namespace, and so is every process that it starts.
+class Inside {
+ public:
+  explicit Inside(const Namespace& space);
+  ~Inside();
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+
+ private:
+  int outside_;
+};
+
+/// Two hosts, a and b, joined by a cable that can be spoilt: namespaces with the device `cable0` and the addresses
+/// 10.77.0.1 and 10.77.0.2. Each end is one of a veth pair whose other end is in a third namespace, where a thread of
+/// this test carries the frames over (this kernel has no netem: docs/decisions/cable.md). The hosts compute their
+/// checksums themselves, as before real cables.
+class Cable {
+ public:
+  /// Throws std::system_error where the kernel refuses namespaces.
+  explicit Cable(std::uint64_t seed);
+  ~Cable();
+  Cable(const Cable&) = delete;
+  Cable& operator=(const Cable&) = delete;
+
+  const Namespace& a() const noexcept { return a_; }
+  const Namespace& b() const noexcept { return b_; }
+  static constexpr const char* kDevice = "cable0";
+  static constexpr const char* kAddressOfA = "10.77.0.1";
+  static constexpr const char* kAddressOfB = "10.77.0.2";
+
+  void set(const CableFaults& faults);
+  struct Counts {
+    std::uint64_t carried = 0, lost = 0, duplicated = 0, reordered = 0, corrupted = 0;
+  };
+  Counts counts() const;
+
+ private:
+  struct Frame;
+  void carry();
+  void receive(int end, std::vector<Frame>& queue);
+
+  Namespace a_, middle_, b_;
+  int ends_[2] = {-1, -1};
+  mutable std::mutex mutex_;
+  CableFaults faults_;
+  Counts counts_;
+  std::mt19937_64 random_;
+  std::atomic<bool> ended_{false};
+  std::thread thread_;
+};
+
+}  // namespace mrroc::test
