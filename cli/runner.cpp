@@ -62,7 +62,7 @@ std::vector<PlannedProcess> processes_on(const std::string& host, const std::vec
 int open_signals() {
   sigset_t set;
   sigemptyset(&set);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, number);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCHLD}) sigaddset(&set, number);
   sigprocmask(SIG_BLOCK, &set, nullptr);
   return signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
 }
@@ -258,7 +258,10 @@ bool Runner::turn(int milliseconds) {
 void Runner::read_signals() {
   signalfd_siginfo info;
   while (read(signals_, &info, sizeof info) == static_cast<ssize_t>(sizeof info)) {
-    if (info.ssi_signo != SIGCHLD) interrupt_by_operator();
+    if (info.ssi_signo == SIGTSTP)
+      progress_.message("Ctrl-Z does nothing: robots that move must be watched");
+    else if (info.ssi_signo != SIGCHLD)
+      interrupt_by_operator();
   }
 }
 

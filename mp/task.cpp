@@ -40,6 +40,7 @@ void Task::start_with(const std::string& name, const Parcel& behaviour) {
                         {process_name(), name, 0, tick()});
   }
   started.running = true;
+  started.asked_to_stop = false;
   started.status = links::TaskStatus{};
   started.mailbox.clear();
   started.started_by = started.link->send(links::TaskCommandKind::start, behaviour);
@@ -59,7 +60,10 @@ void Task::end_motion(const std::string& name) {
 void Task::stop(const std::string& name) {
   Ecp& stopped = ecp(name, "stop");
   poll_others();
-  if (stopped.running) stopped.link->send(links::TaskCommandKind::stop);
+  if (stopped.running) {
+    stopped.asked_to_stop = true;
+    stopped.link->send(links::TaskCommandKind::stop);
+  }
   for (;;) {  // looks before it waits: what has come already wakes nobody
     read_superior();
     poll_others();
@@ -162,10 +166,20 @@ void Task::poll_others() {
         ecp.mailbox.put(status.parcel);
         continue;
       }
-      ecp.status = status;
-      if (status.state != links::TaskState::running && status.state != links::TaskState::paused) ecp.running = false;
+      note(name, ecp, status);
     }
   }
+}
+
+void Task::note(const std::string& name, Ecp& ecp, links::TaskStatus status) {
+  if (status.state == links::TaskState::stopped && !ecp.asked_to_stop) {
+    status.state = links::TaskState::failed;
+    status.error = {ErrorClass::system, ErrorCode::process_died, std::string_view{"it was ended from outside"}};
+    status.process.assign(name);
+    status.error_tick = status.tick;
+  }
+  ecp.status = status;
+  if (status.state != links::TaskState::running && status.state != links::TaskState::paused) ecp.running = false;
 }
 
 void Task::on_superior_command(const links::TaskCommand& command) {
@@ -176,7 +190,9 @@ void Task::on_superior_command(const links::TaskCommand& command) {
 
 void Task::command_running(links::TaskCommandKind kind) {
   for (auto& [name, ecp] : ecps_) {
-    if (ecp.running) ecp.link->send(kind);
+    if (!ecp.running) continue;
+    if (kind == links::TaskCommandKind::stop) ecp.asked_to_stop = true;
+    ecp.link->send(kind);
   }
 }
 

@@ -82,6 +82,7 @@ def main():
         check_commands(build, source, installed)
         check_run(build, project / "slide/demo.toml")
         check_run(build, project / "measure.toml")
+        run(build / "measure_test")
         limits = run(build / "bin/slide_edp", "limits")
         if "carriage" not in limits:
             sys.exit(f"slide_edp limits: {limits}")

@@ -120,6 +120,7 @@ class Task : public process::TaskProcess {
   struct Ecp {
     std::unique_ptr<links::TaskSuperior> link;
     bool running = false;
+    bool asked_to_stop = false;
     std::uint64_t started_by = 0;  // number of the last start command
     links::TaskStatus status;
     process::Mailbox mailbox;
@@ -128,6 +129,9 @@ class Task : public process::TaskProcess {
   bool heard_label(const std::string& name, std::string_view label);
   Ecp& ecp(const std::string& name, const char* asked);
   [[noreturn]] static void rethrow(Ecp& failed);
+  /// Takes note of how an ECP stands. One that ends for a stop that nobody here has asked for was ended from outside:
+  /// it has failed.
+  static void note(const std::string& name, Ecp& ecp, links::TaskStatus status);
   void wait_for_running();
   void command_running(links::TaskCommandKind kind);
   bool any_running() const noexcept;
