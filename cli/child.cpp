@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,6 +50,7 @@ Child::Child(std::string name, const std::string& program, const std::vector<std
   if (pid_ == 0) execute(program, words.data(), ends[1], channel, parent);
   close(ends[1]);
   output_ = ends[0];
+  handle_ = pid_ < 0 ? -1 : static_cast<int>(syscall(SYS_pidfd_open, pid_, 0));  // closes on exec
   if (pid_ < 0) {
     close(output_);
     throw std::runtime_error("cannot start " + name_ + ": " + std::strerror(errno));
@@ -58,6 +60,7 @@ Child::Child(std::string name, const std::string& program, const std::vector<std
 Child::Child(Child&& other) noexcept
     : name_(std::move(other.name_)),
       pid_(other.pid_),
+      handle_(other.handle_),
       output_(other.output_),
       ended_(other.ended_),
       stopped_(other.stopped_),
@@ -65,6 +68,7 @@ Child::Child(Child&& other) noexcept
       unfinished_(std::move(other.unfinished_)),
       last_line_(std::move(other.last_line_)) {
   other.pid_ = -1;
+  other.handle_ = -1;
   other.output_ = -1;
 }
 
@@ -74,6 +78,7 @@ Child::~Child() {
     waitpid(pid_, &status_, 0);
   }
   if (output_ >= 0) close(output_);
+  if (handle_ >= 0) close(handle_);
 }
 
 void Child::look() noexcept {
@@ -110,6 +115,10 @@ std::string Child::how_it_ended() const {
 std::optional<int> Child::exit_code() const noexcept {
   if (!ended_ || !WIFEXITED(status_)) return std::nullopt;
   return WEXITSTATUS(status_);
+}
+
+void Child::send(int number) const noexcept {
+  if (handle_ >= 0) syscall(SYS_pidfd_send_signal, handle_, number, nullptr, 0);
 }
 
 void Child::signal(int number) noexcept {

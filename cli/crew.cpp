@@ -11,10 +11,10 @@ void Crew::start(const PlannedProcess& process, const std::vector<std::string>& 
   members_.push_back({Child(process.name, process.program.string(), arguments), process.part});
 }
 
-pid_t Crew::pid(const std::string& name) const noexcept {
+const Child* Crew::find(const std::string& name) const noexcept {
   for (const Member& member : members_)
-    if (member.child.name() == name) return member.child.pid();
-  return -1;
+    if (member.child.name() == name) return &member.child;
+  return nullptr;
 }
 
 void Crew::wait(int milliseconds, int also) {
@@ -38,6 +38,14 @@ Child* Crew::first_lost() {
 
 bool Crew::all_ended() noexcept {
   return std::all_of(members_.begin(), members_.end(), [](Member& member) { return member.child.ended(); });
+}
+
+std::vector<Child*> Crew::failed(clock::Part part) noexcept {
+  std::vector<Child*> found;
+  for (Member& member : members_)
+    if (member.part == part && member.child.lost() && member.child.exit_code().value_or(-1) != 0)
+      found.push_back(&member.child);
+  return found;
 }
 
 bool Crew::all_lost(clock::Part part) noexcept {

@@ -19,13 +19,15 @@ class Crew {
 
   /// Throws std::runtime_error when it cannot be started.
   void start(const PlannedProcess& process, const std::vector<std::string>& arguments);
-  /// -1: there is none of that name.
-  pid_t pid(const std::string& name) const noexcept;
+  /// Null: there is none of that name. Any thread, when all have been started.
+  const Child* find(const std::string& name) const noexcept;
   /// Waits until a process writes or ends, `also` becomes readable, or the time is over; hands the lines on.
   void wait(int milliseconds, int also);
   /// A process that has ended or been stopped, with all that it has written handed on; null when all are at work.
   Child* first_lost();
   bool all_ended() noexcept;
+  /// Those of this part that have not ended as they should: lost with an exit code, by a signal, or stopped by one.
+  std::vector<Child*> failed(clock::Part part) noexcept;
   /// Whether no process of this part is at work any more.
   bool all_lost(clock::Part part) noexcept;
   void signal(int number) noexcept;

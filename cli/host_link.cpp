@@ -96,7 +96,8 @@ void HostLink::listen() {
   std::uint8_t datagram[256];
   sockaddr_in from{};
   socklen_t size = sizeof from;
-  for (;;) {
+  // no more at once: a flood shall not keep it from looking for silence
+  for (int i = 0; i < 64; ++i) {
     const ssize_t length = recvfrom(socket_, datagram, sizeof datagram, 0, reinterpret_cast<sockaddr*>(&from), &size);
     if (length < 0 && errno == ECONNREFUSED) continue;  // nobody there yet
     if (length < 0) return;

@@ -31,11 +31,12 @@ std::vector<std::string> LineChannel::read() {
   while (!closed_ && (size = ::read(in_, buffer, sizeof buffer)) != 0) {
     if (size < 0 && errno == EINTR) continue;
     if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) break;
-    if (size < 0 || incoming_.size() > kLongestLine) {
+    if (size < 0 || (incoming_.size() > kLongestLine && incoming_.find('\n') == std::string::npos)) {
       closed_ = true;
       break;
     }
     incoming_.append(buffer, static_cast<std::size_t>(size));
+    if (incoming_.size() > 2 * kLongestLine) break;  // a peer that never stops writing shall not hold the reader
   }
   if (size == 0) closed_ = true;
   std::vector<std::string> lines;

@@ -34,8 +34,9 @@ void check_hosts(const config::Deployment& deployment, const RunArguments& argum
   if (deployment.clock != config::ClockMode::real)
     throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
                                      "host '" + used.front()->name + "' is another machine", "--clock real");
-  if (!arguments.options.snapshots.empty() && deployment.sim && !deployment.sim->host.empty())
-    throw config::ConfigurationError(deployment.file, 0, "--snapshots",
+  const bool recorded = !arguments.options.snapshots.empty() || !arguments.options.motion.empty();
+  if (recorded && deployment.sim && !deployment.sim->host.empty())
+    throw config::ConfigurationError(deployment.file, 0, arguments.options.motion.empty() ? "--snapshots" : "--motion",
                                      "the simulator runs on host '" + deployment.sim->host + "'",
                                      "a simulator on this machine");
 }

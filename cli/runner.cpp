@@ -248,6 +248,9 @@ bool Runner::turn(int milliseconds) {
   // first the causes: what the task says about a death or a lost clock is but their consequence
   check_children();
   if (hosts_) hosts_->look();
+  // the memory in which it is latched is this machine's
+  if (hosts_ && !stopping_ && operator_clock_->emergency_stop().presses() > 0)
+    fail(process::ExitCode::stopped, "emergency stop: it ends a run with several hosts");
   check_clock();
   if (task_started_ && !stopping_) look_at_desk();  // what was said before the end is shown before it
   if (task_started_) read_task_status();
@@ -372,8 +375,23 @@ void Runner::stop_robots(double deadline) {
   crew_.signal(SIGTERM, clock::Part::task);
   clock_.stop();
   const auto all_stand = [this] { return crew_.all_lost(clock::Part::drives) && crew_.all_lost(clock::Part::world); };
-  while (!all_stand() && clock_.state() == clock::State::running && operator_clock_->wall_seconds() < deadline)
+  while (clock_.state() == clock::State::running && operator_clock_->wall_seconds() < deadline) {
+    check_stopping();
+    if (all_stand()) return;
     turn(kTurn);
+  }
+  check_stopping();
+  if (!all_stand() && clock_.state() == clock::State::running)
+    fail(process::ExitCode::system, "not every robot has stopped within " + std::to_string(kPatienceToStop) + " s");
+}
+
+void Runner::check_stopping() {
+  for (const clock::Part part : {clock::Part::drives, clock::Part::world}) {
+    for (Child* const child : crew_.failed(part)) {
+      clock_.participant_died(child->name());
+      fail(process::ExitCode::system, "process " + child->name() + " failed at the end: " + child->how_it_ended());
+    }
+  }
 }
 
 void Runner::end_hosts() {
@@ -382,6 +400,7 @@ void Runner::end_hosts() {
   for (const std::string& name : hosts_->kill_rest())
     progress_.message("host " + name + ": its agent does not end, killing the command that started it");
   while (!hosts_->all_ended()) turn(kTurn);
+  turn(0);  // what they wrote last
   remote_traces_.clear();
   result_.hosts = hosts_->summaries();
 }
@@ -407,6 +426,7 @@ void Runner::end_processes() {
   while (!crew_.all_ended()) turn(kTurn);
   if (hosts_) end_hosts();
   turn(0);
+  if (task_started_) tell_faults_left();
   progress_.finish();
 }
 

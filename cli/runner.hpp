@@ -73,6 +73,8 @@ class Runner {
   /// Throws std::invalid_argument: a fault names a process that is not there.
   void check_faults() const;
   void tell_faults();
+  /// At the end: those that were never set off.
+  void tell_faults_left();
   /// Under the real clock: how long it took to see what the fault has done to this process.
   void tell_notice(const std::string& process);
   /// The injected faults: those of ticks are set off now, signals are sent at the ticks from which they are in force.
@@ -86,6 +88,8 @@ class Runner {
   void supervise();
   /// Tasks end at once; EDPs stop their robots, switch the drives off and leave, and the world goes on until then.
   void stop_robots(double deadline);
+  /// An EDP or the world that fails while robots stop: the others shall not wait for it, and the run has failed.
+  void check_stopping();
   void end_processes();
 
   /// One turn of the supervisor: waits at most `milliseconds` for signals and output; true when all is well.

@@ -36,7 +36,10 @@ std::optional<std::string> TypedLines::next() {
 std::optional<std::string> TypedLines::next_of(std::initializer_list<std::string_view> words) {
   read_more();
   std::size_t begin = 0;
-  for (std::size_t end = 0; (end = unread_.find('\n', begin)) != std::string::npos; begin = end + 1) {
+  for (std::size_t end = 0; begin < unread_.size(); begin = end + 1) {
+    end = unread_.find('\n', begin);
+    if (end == std::string::npos && !ended_) break;  // the line is being typed
+    end = std::min(end, unread_.size());
     std::string_view line = std::string_view{unread_}.substr(begin, end - begin);
     line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
     line = line.substr(0, line.find_last_not_of(kBlanks) + 1);

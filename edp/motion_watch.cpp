@@ -45,7 +45,7 @@ Fault MotionWatch::look_at_shafts(const std::vector<AxisParameters>& axes, const
       continue;
     }
     const double way = std::abs(desired_motors[i] - desired_there_[i]);
-    const double limit = kStuck * axes[static_cast<std::size_t>(i)].following_error_max;
+    const double limit = axes[static_cast<std::size_t>(i)].stuck_max;
     if (!(way <= limit)) fault = {ErrorCode::axis_stuck, static_cast<int>(i), way, limit};
   }
   return fault;

@@ -8,14 +8,13 @@ namespace mrroc::edp {
 /// Watches whether the robot moves as it is told to, sooner than the following error does:
 ///
 /// - a joint faster than kOverspeed times its velocity limit has run away: its drive no longer obeys;
-/// - a shaft that reads the very same position while its set-point goes on by kStuck of the greatest following error is
-///   jammed, or its encoder has died and the regulator will push it faster and faster.
+/// - a shaft that reads the very same position while its set-point goes on by `stuck_max` is jammed, or its encoder has
+/// died and the regulator will push it faster and faster.
 ///
 /// The servo's thread; allocates nothing, never throws.
 class MotionWatch {
  public:
   static constexpr double kOverspeed = 1.15;
-  static constexpr double kStuck = 0.25;
 
   /// `period` in s.
   explicit MotionWatch(double period) noexcept : period_(period) {}

@@ -29,7 +29,11 @@ void MotionFile::write_limits(const config::RobotEntry& robot) {
   std::fputc('\n', file_);
 }
 
-MotionFile::~MotionFile() { std::fclose(file_); }
+MotionFile::~MotionFile() {
+  const bool failed = std::ferror(file_) != 0;
+  if (std::fclose(file_) != 0 || failed)
+    std::fprintf(stderr, "motion file: %s, it is not whole\n", std::strerror(errno));
+}
 
 void MotionFile::write(Tick tick) {
   for (std::size_t i = 0; i < deployment_.robots.size(); ++i) {

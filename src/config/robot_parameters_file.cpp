@@ -12,6 +12,8 @@ namespace mrroc::config {
 
 namespace {
 
+constexpr double kUsualStuck = 0.25;  // of the greatest following error: some ticks at speed
+
 double positive(const Table& table, std::string_view key) {
   const double value = table.number(key);
   if (!(value > 0)) table.fail(key, number_text(value) + " is not positive", "a number above 0");
@@ -57,6 +59,7 @@ AxisParameters read_axis(const Table& table) {
   axis.current_max = positive(table, "current_max");
   axis.current_max_time = positive_or(table, "current_max_time", axis.current_max_time);
   axis.following_error_max = positive(table, "following_error_max");
+  axis.stuck_max = positive_or(table, "stuck_max", kUsualStuck * axis.following_error_max);
   axis.regulator_a = table.number("regulator_a");
   axis.regulator_b0 = table.number("regulator_b0");
   axis.regulator_b1 = table.number("regulator_b1");

@@ -64,10 +64,13 @@ class Parser {
       fault.axis = static_cast<std::size_t>(axis - 1);
     }
     if (row.value && accept("by")) fault.value = number();
+    if (fault.kind == Kind::delay && !(fault.value >= 1 && fault.value <= 1e6))
+      refuse(std::to_string(fault.value), "a delay of 1 to 1000000 ticks");
     expect("at");
     when(fault);
-    if (accept("for")) {
+    if (row.target != Target::any_process && accept("for")) {
       fault.duration = whole("a number of ticks");
+      if (fault.duration == 0) refuse("0", "a number of ticks, from 1");
       expect("ticks");
     }
     if (place_ < words_.size()) refuse(words_[place_], "nothing more");

@@ -1,6 +1,6 @@
 #include "process/faulty_robot_link.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include "mrroc/stopped.hpp"
@@ -26,19 +26,30 @@ void leap(RobotCommand& command, double by) {
 
 }  // namespace
 
+void FaultyRobotLink::wait_until(Tick tick) {
+  while (clock_.tick() < tick)
+    if (clock_.wait(tick) == clock::Wake::interrupted) throw Stopped{};
+}
+
+void FaultyRobotLink::receive(RobotState& state) {
+  if (missed_at_ != kNever) {
+    wait_until(missed_at_);
+    throw SystemError(ErrorCode::process_silent, "no answer to a command that was lost", {{}, {}, 0, clock_.tick()});
+  }
+  link_.receive(state);
+}
+
 void FaultyRobotLink::send(const RobotCommand& command) {
   RobotCommand falsified = command;
   for (const faults::FaultSwitch& each : faults_) {
     if (!each.on(clock_.tick())) continue;
     switch (each.fault().kind) {
       case faults::Kind::lose:
+        missed_at_ = std::max(clock_.tick(), command.start_tick) + command.reply_step + patience_;
         return;
-      case faults::Kind::delay: {
-        const Tick until = clock_.tick() + static_cast<Tick>(std::max(0.0, each.fault().value));
-        while (clock_.tick() < until)
-          if (clock_.wait(until) == clock::Wake::interrupted) throw Stopped{};
+      case faults::Kind::delay:
+        wait_until(clock_.tick() + static_cast<Tick>(each.fault().value));
         break;
-      }
       case faults::Kind::corrupt:
         corrupt(falsified);
         break;

@@ -12,18 +12,23 @@ namespace mrroc::process {
 /// task's thread.
 class FaultyRobotLink final : public RobotLink {
  public:
-  /// `link` and `clock` must outlive it.
-  FaultyRobotLink(RobotLink& link, std::vector<faults::FaultSwitch> faults, clock::Clock& clock)
-      : link_(link), faults_(std::move(faults)), clock_(clock) {}
+  /// `link` and `clock` must outlive it. `patience`: ticks for which the reply to a lost command is waited for.
+  FaultyRobotLink(RobotLink& link, std::vector<faults::FaultSwitch> faults, clock::Clock& clock, Tick patience)
+      : link_(link), faults_(std::move(faults)), clock_(clock), patience_(patience) {}
 
   /// Waits while commands are delayed; throws Stopped.
   void send(const RobotCommand& command) override;
-  void receive(RobotState& state) override { link_.receive(state); }
+  /// Of a lost command: throws SystemError(process_silent) when its reply is missed.
+  void receive(RobotState& state) override;
 
  private:
   RobotLink& link_;
   std::vector<faults::FaultSwitch> faults_;
+  void wait_until(Tick tick);
+
   clock::Clock& clock_;
+  Tick patience_;
+  Tick missed_at_ = kNever;  ///< of a lost command
 };
 
 }  // namespace mrroc::process

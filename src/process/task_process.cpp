@@ -53,7 +53,7 @@ RobotLink& TaskProcess::robot_link(const std::string& name, const std::string& t
   }
   auto faults = process_.faults().of(process_.name(), process_.clock());
   if (faults.empty()) return *link;
-  return faulty_.try_emplace(name, *link, std::move(faults), process_.clock()).first->second;
+  return faulty_.try_emplace(name, *link, std::move(faults), process_.clock(), patience()).first->second;
 }
 
 SensorLink& TaskProcess::sensor_link(const std::string& name, const std::string& type, bool& interactive) {

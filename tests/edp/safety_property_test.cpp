@@ -30,6 +30,7 @@ class WatchedGantry : public Gantry {
     for (const std::size_t i : {1u, 2u, 3u}) {  // stuck, these are found out otherwise
       parameters_.axes[i].current_max_time = 1e9;
       parameters_.axes[i].following_error_max = 3;
+      parameters_.axes[i].stuck_max = 1;
     }
   }
 };

@@ -87,6 +87,7 @@ const Event kEvents[] = {
     {"StuckAxis", ErrorCode::axis_stuck, StopCategory::drives_off,
      [](SafeRig& rig) {
        rig.model.change().axes[0].current_max_time = 1e9;
+       rig.model.change().axes[0].stuck_max = 5;
        rig.hardware.jam = rig.hardware.stuck = true;
      }},
     {"Overspeed", ErrorCode::overspeed, StopCategory::drives_off,

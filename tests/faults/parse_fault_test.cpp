@@ -78,7 +78,11 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"kill mp at tick -1", "'-1', expected a tick"},
         Wrong{"kill mp at step 0", "'0', expected a step, from 1"},
         Wrong{"kill sim at step 5", "it ends, expected 'of' and mp or a robot"},
-        Wrong{"kill mp at tick 5 for 3", "it ends, expected 'ticks'"},
+        Wrong{"lose mp at tick 5 for 3", "it ends, expected 'ticks'"},
+        Wrong{"lose mp at tick 5 for 0 ticks", "'0', expected a number of ticks, from 1"},
+        Wrong{"halt mp at tick 5 for 3 ticks", "'for', expected nothing more"},
+        Wrong{"delay mp by 1e30 at tick 5",
+              "'1000000000000000019884624838656.000000', expected a delay of 1 to 1000000 ticks"},
         Wrong{"kill mp at tick 5 please", "'please', expected nothing more"}));
 
 }  // namespace

@@ -26,6 +26,7 @@ TEST_F(FaultInjection, AnEcpThatDiesAtAStepEndsTheRunThereAndTheArmBrakes) {
 /// Up to the last step that both have in their traces: when the runner hears of a task's end, and how long it takes
 /// until all have left, are matters of wall time.
 bool same_motion(const RunResult& one, const RunResult& other) {
+  if (one.steps.empty() || other.steps.empty()) return false;
   const Motion &first = one.motion.at("arm"), &second = other.motion.at("arm");
   const std::size_t length =
       std::min({one.steps.back().tick, other.steps.back().tick, first.ticks.size(), second.ticks.size()});
@@ -40,6 +41,7 @@ TEST_F(FaultInjection, TheSameFaultGivesTheSameRun) {
     EXPECT_EQ(first.exit_code, second.exit_code) << fault;
     EXPECT_EQ(first.error, second.error) << fault;
     EXPECT_EQ(first.injected, second.injected) << fault;
+    if (std::string_view{fault}.find("edp") == std::string_view::npos) expect_safe(first), expect_safe(second);
     EXPECT_TRUE(same_motion(first, second)) << fault;
   }
 }
@@ -70,7 +72,8 @@ TEST_F(FaultInjection, CommandsThatComeLateForAWhileAreMadeUpFor) {
 TEST_F(FaultInjection, ALostCommandStopsTheArmAndItsEcpMissesTheAnswer) {
   const RunResult run = press().inject("lose ecp:arm at step 100").run();
   EXPECT_EQ(run.exit_code, 4) << run.output;
-  EXPECT_NE(run.error.find("a process is silent: arm_edp has not answered"), std::string::npos) << run.output;
+  EXPECT_NE(run.error.find("a process is silent: no answer to a command that was lost"), std::string::npos)
+      << run.output;
   expect_safe(run);
   EXPECT_LT(run.motion.at("arm").standstill(), run.injected.at("lose ecp:arm at step 100") + 500)
       << "the arm does not wait for what its ECP thinks";
