@@ -176,7 +176,9 @@ TEST_P(Recovery, WhileTheCauseLastsTheRobotIsStoppedAnew) {
     // what the drives report keeps them off; a force shows only when they are on
     const bool reported = std::get<Cause>(GetParam()) == Cause::reported_by_the_drives;
     EXPECT_EQ(replies[0].state.error.code, reported ? expected_fault() : ErrorCode::none) << attempt;
-    if (reported) EXPECT_FALSE(servo->drives_on());
+    if (reported) {
+      EXPECT_FALSE(servo->drives_on());
+    }
   }
 }
 
