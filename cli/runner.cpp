@@ -249,7 +249,7 @@ bool Runner::turn(int milliseconds) {
   check_children();
   if (hosts_) hosts_->look();
   // the memory in which it is latched is this machine's
-  if (hosts_ && !stopping_ && operator_clock_->emergency_stop().presses() > 0)
+  if (!deployment_.hosts_used().empty() && !stopping_ && operator_clock_->emergency_stop().presses() > 0)
     fail(process::ExitCode::stopped, "emergency stop: it ends a run with several hosts");
   check_clock();
   if (task_started_ && !stopping_) look_at_desk();  // what was said before the end is shown before it
@@ -300,6 +300,7 @@ void Runner::read_task_status() {
   std::uint64_t last_command = 0;
   while (mp_->take(status, last_command)) {
     check_children();  // a death may be why the task ends
+    if (clock_.stop_tick() != kNever) continue;  // it ends because of an injected fault, which is the reason to tell
     if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
     result_.ticks = status.tick;
     if (status.state == links::TaskState::failed) {
