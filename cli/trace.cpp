@@ -11,11 +11,6 @@ namespace mrroc::cli {
 
 namespace {
 
-struct Line {
-  std::uint64_t tick = 0;
-  std::string text;
-};
-
 const char* name_of(config::ClockMode clock) noexcept {
   switch (clock) {
     case config::ClockMode::real:
@@ -36,6 +31,29 @@ std::uint64_t tick_of(const std::string& text, std::uint64_t before) {
   return std::max(tick, before);
 }
 
+/// A part that is read line by line: a trace of hours is larger than memory.
+class Part {
+ public:
+  explicit Part(const std::filesystem::path& path) : file_(path) {
+    if (!file_) throw std::runtime_error("cannot read the trace " + path.string());
+    next();
+  }
+  bool ended() const noexcept { return ended_; }
+  std::uint64_t tick() const noexcept { return tick_; }
+  const std::string& text() const noexcept { return text_; }
+  void next() {
+    // a last line without an end: its process was killed while it wrote
+    ended_ = !std::getline(file_, text_) || file_.eof();
+    if (!ended_) tick_ = tick_of(text_, tick_);
+  }
+
+ private:
+  std::ifstream file_;
+  std::string text_;
+  std::uint64_t tick_ = 0;  // the newest so far
+  bool ended_ = false;
+};
+
 }  // namespace
 
 void create_trace(const std::filesystem::path& trace) {
@@ -47,20 +65,15 @@ void merge_traces(const std::vector<std::filesystem::path>& parts, const std::fi
                   config::ClockMode clock) {
   std::vector<std::filesystem::path> sorted = parts;
   std::sort(sorted.begin(), sorted.end());
-  std::vector<Line> lines;
-  for (const std::filesystem::path& part : sorted) {
-    std::ifstream file(part);
-    if (!file) throw std::runtime_error("cannot read the trace " + part.string());
-    std::uint64_t tick = 0;
-    for (std::string text; std::getline(file, text);) {
-      if (file.eof()) break;  // no end of line: its process was killed while it wrote
-      lines.push_back({tick = tick_of(text, tick), text});
-    }
-  }
-  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.tick < b.tick; });
+  std::vector<Part> open(sorted.begin(), sorted.end());
   std::ofstream file(merged);
   file << kTraceHeader << name_of(clock) << '\n';
-  for (const Line& line : lines) file << line.text << '\n';
+  const auto earlier = [](const Part& a, const Part& b) { return !a.ended() && (b.ended() || a.tick() < b.tick()); };
+  for (auto first = open.begin(); file && !open.empty(); first->next()) {
+    first = std::min_element(open.begin(), open.end(), earlier);  // the first of those that are equally early
+    if (first->ended()) break;
+    file << first->text() << '\n';
+  }
   if (!file.flush()) throw std::runtime_error("cannot write the trace " + merged.string());
 }
 

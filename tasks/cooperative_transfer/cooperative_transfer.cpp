@@ -1,91 +1,19 @@
-#include <cstdio>
-#include <mrroc/generators/cooperative_motion.hpp>
-#include <mrroc/generators/together.hpp>
-#include <mrroc/mp.hpp>
-#include <mrroc/robots/irb6.hpp>
-#include <mrroc/robots/two_finger_gripper.hpp>
-#include <mrroc/sensors/force_torque.hpp>
-#include <mrroc/sensors/tracker.hpp>
-
-#include "transfer_path.hpp"
+#include "transfer.hpp"
 
 using namespace mrroc;
 using namespace mrroc::transfer;
 
 /// Two arms grip a bar that lies on two stands, carry it together along a path in space, turning it on the way, and put
-/// it down on two others. What they do against each other is controlled by the wrenches in their wrists.
-class CooperativeTransfer : public mp::Task {
-  Irb6 left{*this, "left"}, right{*this, "right"};
-  TwoFingerGripper left_gripper{*this, "left_gripper"}, right_gripper{*this, "right_gripper"};
-  ForceTorque left_wrist{*this, "left_wrist"}, right_wrist{*this, "right_wrist"};
-  Tracker tracker{*this, "tracker"};  // of the bar, for the record: nothing here looks at it
-
-  const SensorList sensors{left_wrist, right_wrist, tracker};
-  static constexpr double kOpen = 0.072, kClosed = 0.057;     // m, between the pads; the bar is 0.060 wide
-  static constexpr double kToolMass = 2.04;                   // kg, beyond the wrist
-  const Eigen::Vector3d tool_centre{0.0022, 0.0021, 0.1361};  // m, in the wrist's frame
-  const Pose grip_in_wrist{Eigen::Translation3d(0, 0, 0.285)};
-
-  Pose base(const Robot& robot) const { return process().deployment().robot(robot.name()).base; }
-
-  /// That the bar exerts on the arm's grip: what the wrist feels without the weight of the tool.
-  Wrench of_bar(const Irb6& arm, const ForceTorque& wrist) const {
-    const Eigen::Vector3d weight = arm.state().pose.linear().transpose() * Eigen::Vector3d(0, 0, -9.81 * kToolMass);
-    Wrench wrench = wrist.in(grip_in_wrist);
-    wrench.head<3>() -= weight;
-    wrench.tail<3>() -= (tool_centre - grip_in_wrist.translation()).cross(weight);
-    return wrench;
-  }
-  /// N, that both arms bear of the bar.
-  double weight() const {
-    return -(left.state().pose.linear() * of_bar(left, left_wrist).head<3>() +
-             right.state().pose.linear() * of_bar(right, right_wrist).head<3>())
-                .z();
-  }
-
-  /// To the arms' places at a bar at `bar`, `above` m over them.
-  Together reach(const Pose& bar, double above) {
-    const auto at = [&](Irb6& arm, double y) {
-      const Pose grip = bar * Eigen::Translation3d(0, y, above) * Irb6::tool_down(0, 0, 0);
-      return JointLine{arm, base(arm).inverse() * grip, 0.7};
-    };
-    return Together{at(left, kGrip), at(right, -kGrip)};
-  }
-  Together grippers_to(double opening) {
-    return Together{JointLine{left_gripper, TwoFingerGripper::at(opening), 1.0},
-                    JointLine{right_gripper, TwoFingerGripper::at(opening), 1.0}};
-  }
-  CooperativeMotion carry(const std::vector<Pose>& path, const CooperativeLimits& limits) {
-    return {{{&left, base(left), [this] { return of_bar(left, left_wrist); }},
-             {&right, base(right), [this] { return of_bar(right, right_wrist); }}},
-            path,
-            limits};
-  }
-
+/// it down on two others.
+class CooperativeTransfer : public Transfer {
   void run() override {
-    for (Irb6* arm : {&left, &right}) arm->set_tool(arm->kinematics().tool() * left_gripper.grip_centre());
-    Move({left, right, left_gripper, right_gripper}, {}, Together{reach(way::lift()[0], 0.1), grippers_to(kOpen)});
-    Move({left, right}, {}, reach(way::lift()[0], 0));
-    Move({left, right, left_gripper, right_gripper}, sensors,
-         grippers_to(kClosed).until(Gripped{left_gripper} && Gripped{right_gripper}))
-        .require<Gripped>("no bar between the fingers");
-
-    // let go of what the grippers have forced upon each other
-    Move({left, right}, sensors, carry({way::lift()[0]}, kFree).until(ElapsedSteps{50}));
-    Move({left, right}, sensors, carry(way::lift(), kNear));
-    const double borne = weight();
-    const When lost{"the bar is lost", [&] { return weight() < 0.5 * borne; }};
+    set_tools();
+    take_up();
     for (const auto& [path, limits] : {std::pair{way::carry(), kFree}, std::pair{way::lower(), kNear}}) {
-      const Outcome way = Move({left, right}, sensors, carry(path, limits).until(lost));
-      if (way.by<When>()) throw NonFatalError{"the bar has been lost"};
+      const Outcome way = carry_along(path, limits);
       std::printf("on the way for %.2f s, skew %llu ticks\n", way.duration, static_cast<unsigned long long>(way.skew));
     }
-    Move({left, right}, sensors,
-         carry(way::put_down(), kTouch).until(When{"it stands", [&] { return weight() < 0.5 * borne; }}));
-    Move({left, right, left_gripper, right_gripper}, {}, grippers_to(kOpen));
-    Move({left, right}, {}, reach(way::lower().back(), 0.1));
-    Move({left, right}, {},
-         Together{JointLine{left, left.parameters().home}, JointLine{right, right.parameters().home}});
+    put_down(way::put_down());
   }
 };
 

@@ -1,8 +1,10 @@
 #include "cli/trace.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "text_of.hpp"
@@ -51,6 +53,36 @@ TEST_F(Trace, ALineWithAnOlderTickStaysBelowTheOneBefore) {
   merge_traces({a, b}, folder_ / "t", config::ClockMode::real);
   EXPECT_EQ(test::text_of(folder_ / "t"),
             "# mrroc trace 2 clock=real\ntick=4 process=b step=0\ntick=5 process=a step=0\ntick=3 process=a step=1\n");
+}
+
+TEST_F(Trace, AnyPartsAreMergedAsIfAllTheirLinesHadBeenSorted) {
+  EXPECT_TRUE(rc::check([this] {
+    struct Sorted {
+      int tick;
+      std::string text;
+    };
+    std::vector<Sorted> all;
+    std::vector<std::filesystem::path> parts;
+    const int count = *rc::gen::inRange(0, 5);
+    for (int part = 0; part < count; ++part) {
+      std::string text;
+      int newest = 0;
+      for (const int tick : *rc::gen::container<std::vector<int>>(rc::gen::inRange(-2, 12))) {  // below 0: none
+        newest = std::max(newest, tick);
+        all.push_back({newest, tick < 0 ? "# a remark\n"
+                                        : "tick=" + std::to_string(tick) + " process=" + std::to_string(part) +
+                                              " step=" + std::to_string(all.size()) + "\n"});
+        text += all.back().text;
+      }
+      parts.push_back(
+          write("t." + std::to_string(part) + ".part", text + (*rc::gen::arbitrary<bool>() ? "tick=3" : "")));
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Sorted& a, const Sorted& b) { return a.tick < b.tick; });
+    std::string expected = "# mrroc trace 2 clock=paced\n";
+    for (const Sorted& line : all) expected += line.text;
+    merge_traces(parts, folder_ / "t", config::ClockMode::paced);
+    RC_ASSERT(test::text_of(folder_ / "t") == expected);
+  }));
 }
 
 TEST_F(Trace, ALineThatAKilledProcessHasNotFinishedIsLeftOut) {

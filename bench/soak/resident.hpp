@@ -1,0 +1,22 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <map>
+#include <string>
+
+namespace mrroc::soak {
+
+/// The resident memory of a process, KiB.
+struct Resident {
+  /// Cyclone's receive buffers, 1 MiB each. That of discovery fills by some 8 KiB every 30 s of wall time, then a fresh
+  /// one takes its place: for an hour it looks like a leak.
+  long receive_buffers = 0;
+  long others = 0;
+  long sum() const noexcept { return receive_buffers + others; }
+};
+
+/// That of `mrroc run` with this pid, as "runner", and of every process that it has started, by the process's name.
+std::map<std::string, Resident> resident(pid_t runner);
+
+}  // namespace mrroc::soak
