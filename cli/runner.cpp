@@ -299,7 +299,7 @@ void Runner::read_task_status() {
   links::TaskStatus status;
   std::uint64_t last_command = 0;
   while (mp_->take(status, last_command)) {
-    check_children();  // a death may be why the task ends
+    check_children();                            // a death may be why the task ends
     if (clock_.stop_tick() != kNever) continue;  // it ends because of an injected fault, which is the reason to tell
     if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
     result_.ticks = status.tick;
