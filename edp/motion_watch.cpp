@@ -6,10 +6,9 @@ namespace mrroc::edp {
 
 Fault MotionWatch::look(const std::vector<AxisParameters>& axes, const JointVector& joints, const JointVector& motors,
                         const JointVector& desired_motors, Tick read_tick, bool moves) noexcept {
-  if (!watching_) {
-    watching_ = true;
-    tick_ = read_tick;
-    joints_ = joints;
+  if (readings_ == 0) {
+    ring_[0] = {read_tick, joints};
+    readings_ = 1;
     motors_ = motors;
     desired_there_ = desired_motors;
     return {};
@@ -22,16 +21,17 @@ Fault MotionWatch::look(const std::vector<AxisParameters>& axes, const JointVect
 
 Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints,
                                  Tick read_tick) noexcept {
-  if (read_tick <= tick_) return {};  // the same reading again
-  const double time = period_ * static_cast<double>(read_tick - tick_);
+  if (read_tick <= ring_[(readings_ - 1) % kReadings].tick) return {};  // the same reading again
+  const Reading oldest = ring_[readings_ % kReadings];
+  ring_[readings_ % kReadings] = {read_tick, joints};
+  if (readings_++ < kReadings) return {};
+  const double time = period_ * static_cast<double>(read_tick - oldest.tick);
   Fault fault;
   for (Eigen::Index i = joints.size(); i-- > 0;) {
-    const double speed = std::abs(joints[i] - joints_[i]) / time;
+    const double speed = std::abs(joints[i] - oldest.joints[i]) / time;
     const double limit = kOverspeed * axes[static_cast<std::size_t>(i)].velocity_max;
     if (!(speed <= limit)) fault = {ErrorCode::overspeed, static_cast<int>(i), speed, limit};
   }
-  tick_ = read_tick;
-  joints_ = joints;
   return fault;
 }
 
