@@ -22,11 +22,12 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr int kTurn = 20;                  // ms between looks at the mail
-constexpr double kHandShake = 0.1;         // s of one try to reach the MP
-constexpr double kPatienceToStop = 5;      // s that robots get to stop
-constexpr double kPatienceToEnd = 3;       // s that processes get to end by themselves
-constexpr double kPatienceWithHosts = 10;  // s; longer than that of their agents, with the traces
+constexpr int kTurn = 20;                   // ms between looks at the mail
+constexpr double kHandShake = 0.1;          // s of one try to reach the MP
+constexpr double kPatienceWithCause = 0.5;  // s from a task's word of a death to its cause
+constexpr double kPatienceToStop = 5;       // s that robots get to stop
+constexpr double kPatienceToEnd = 3;        // s that processes get to end by themselves
+constexpr double kPatienceWithHosts = 10;   // s; longer than that of their agents, with the traces
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -295,12 +296,24 @@ void Runner::read_statuses() {
   }
 }
 
+void Runner::await_cause() {
+  const double deadline = operator_clock_->wall_seconds() + kPatienceWithCause;
+  while (!stopping_ && operator_clock_->wall_seconds() < deadline) {
+    crew_.wait(kTurn, hosts_ ? hosts_->descriptor(signals_) : signals_);
+    read_signals();
+    check_children();
+    if (hosts_) hosts_->look();
+  }
+}
+
 void Runner::read_task_status() {
   links::TaskStatus status;
   std::uint64_t last_command = 0;
   while (mp_->take(status, last_command)) {
     check_children();                            // a death may be why the task ends
     if (clock_.stop_tick() != kNever) continue;  // it ends because of an injected fault, which is the reason to tell
+    if (!stopping_ && status.state == links::TaskState::failed && status.error.code == ErrorCode::process_died)
+      await_cause();
     if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
     result_.ticks = status.tick;
     if (status.state == links::TaskState::failed) {

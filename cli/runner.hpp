@@ -97,6 +97,8 @@ class Runner {
   void read_signals();
   void read_statuses();
   void read_task_status();
+  /// The task says that a process has died: looks for a moment which one, and why.
+  void await_cause();
   void check_children();
   /// `exit_code` -1: a signal has ended it.
   void process_lost(const std::string& name, int exit_code, const std::string& how);
