@@ -116,7 +116,7 @@ struct Row {
 
 /// The line that tells why, without the deployment's name and what belongs to one case: "hardware error: the following
 /// error is too large", "process arm died".
-std::string class_of(const testing::RunResult& run) {
+std::string class_of(const task_test::RunResult& run) {
   std::vector<std::string> parts;
   for (std::size_t place = 0; place < run.error.size();) {
     const std::size_t end = std::min(run.error.find(": ", place), run.error.size());
@@ -129,7 +129,7 @@ std::string class_of(const testing::RunResult& run) {
                                      : parts[1].append(": ").append(parts[2]);
 }
 
-void add(Row& row, const testing::RunResult& run, const std::string& fault) {
+void add(Row& row, const task_test::RunResult& run, const std::string& fault) {
   ++row.runs;
   row.exit_codes.insert(run.exit_code);
   row.leftovers += run.leftovers.size();
@@ -160,9 +160,9 @@ void add(Row& row, const testing::RunResult& run, const std::string& fault) {
 }
 
 Tick length_of(const std::filesystem::path& deployment) {
-  const auto run = testing::DeploymentRun(MRROC_BINARY_DIR "/bin/mrroc", deployment).run();
+  const auto run = task_test::DeploymentRun(MRROC_BINARY_DIR "/bin/mrroc", deployment).run();
   Tick last = 0;
-  for (const testing::Step& step : run.steps) last = std::max(last, step.tick);
+  for (const task_test::Step& step : run.steps) last = std::max(last, step.tick);
   if (run.exit_code != 0) std::printf("without a fault it ends with %d: %s\n", run.exit_code, run.output.c_str());
   return last;
 }
@@ -185,7 +185,7 @@ bool run_campaign(const Campaign& campaign, int seeds) {
       const Tick tick = length / 20 + random() % (length * 9 / 10);
       const std::string lasting = kind.starts_with("delay") ? " for 100 ticks" : "";
       const std::string fault = kind + " at tick " + std::to_string(tick) + lasting;
-      add(row, testing::DeploymentRun(MRROC_BINARY_DIR "/bin/mrroc", deployment).inject(fault).run(), fault);
+      add(row, task_test::DeploymentRun(MRROC_BINARY_DIR "/bin/mrroc", deployment).inject(fault).run(), fault);
     }
     row.print(kind);
     good = good && row.exceeded == 0 && row.moving == 0 && row.leftovers == 0;
@@ -203,11 +203,12 @@ void run_detection(int seeds) {
     for (int seed = 1; seed <= seeds; ++seed) {
       std::mt19937_64 random(static_cast<std::uint64_t>(seed));
       const std::string fault = kind + " at tick " + std::to_string(200 + random() % 300);
-      const auto run = testing::DeploymentRun(MRROC_BINARY_DIR "/bin/mrroc", MRROC_SOURCE_DIR "/tasks/press/press.toml")
-                           .option("--clock")
-                           .option("real")
-                           .inject(fault)
-                           .run();
+      const auto run =
+          task_test::DeploymentRun(MRROC_BINARY_DIR "/bin/mrroc", MRROC_SOURCE_DIR "/tasks/press/press.toml")
+              .option("--clock")
+              .option("real")
+              .inject(fault)
+              .run();
       const std::size_t place = run.output.find("noticed after ");
       if (place != std::string::npos) times.push_back(std::strtod(run.output.c_str() + place + 14, nullptr));
     }

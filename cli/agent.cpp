@@ -13,6 +13,7 @@
 
 #include "cli/addresses.hpp"
 #include "cli/clock_options.hpp"
+#include "cli/orderly_end.hpp"
 #include "clock/monotonic.hpp"
 #include "config/local_host.hpp"
 #include "config/resources.hpp"
@@ -24,10 +25,9 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr int kTurn = 20;                                        // ms
-constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;     // that robots get to stop
-constexpr std::int64_t kPatienceToEnd = 5 * clock::kSecond / 2;  // shorter than the runner's
-constexpr std::size_t kMostWaiting = 4 << 20;                    // bytes that the runner has not taken
+constexpr int kTurn = 20;                                             // ms
+constexpr std::int64_t kPatienceWithRunner = 5 * clock::kSecond / 2;  // to take what waits for it
+constexpr std::size_t kMostWaiting = 4 << 20;                         // bytes that the runner has not taken
 
 int open_signals() {
   sigset_t set;
@@ -234,32 +234,18 @@ void Agent::fail(process::ExitCode code, const std::string& reason) {
 
 void Agent::end_processes() {
   if (!clock_) return;
-  if (started_) stop_robots();
-  for (const std::string& name : crew_.kill_stopped()) runner_.write("line " + name + " does not go on, killing it");
-  crew_.signal(SIGTERM);
-  clock_->end();
-  wait_until(clock::monotonic_ns() + kPatienceToEnd, [this] { return crew_.all_ended(); });
-  for (const std::string& name : crew_.kill_rest()) runner_.write("line " + name + " does not end, killing it");
-  wait_until(clock::kForever, [this] { return crew_.all_ended(); });
+  end_in_order(crew_, *clock_, started_,
+               {.turn = [this] { turn_at_the_end(); },
+                .message = [this](const std::string& line) { runner_.write("line " + line); },
+                .failed = [this](const std::string& reason) { fail(process::ExitCode::system, reason); }});
   crew_.wait(0, signals_);
 }
 
-void Agent::stop_robots() {
-  crew_.signal(SIGTERM, clock::Part::task);
-  clock_->stop();
-  wait_until(clock::monotonic_ns() + kPatienceToStop, [this] {
-    return clock_->state() != clock::State::running ||
-           (crew_.all_lost(clock::Part::drives) && crew_.all_lost(clock::Part::world));
-  });
-}
-
-void Agent::wait_until(std::int64_t deadline, const std::function<bool()>& done) {
-  while (!done() && clock::monotonic_ns() < deadline) {
-    crew_.wait(kTurn, signals_);  // not the channel: one that is closed would wake it for ever
-    read_signals();
-    runner_.read();
-    runner_.flush();
-  }
+void Agent::turn_at_the_end() {
+  crew_.wait(kTurn, signals_);  // not the channel: one that is closed would wake it for ever
+  read_signals();
+  runner_.read();
+  runner_.flush();
 }
 
 void Agent::send_traces() {
@@ -271,7 +257,7 @@ void Agent::send_traces() {
 }
 
 void Agent::drain() {
-  const std::int64_t deadline = clock::monotonic_ns() + kPatienceToEnd;
+  const std::int64_t deadline = clock::monotonic_ns() + kPatienceWithRunner;
   while (runner_.waiting() > 0 && !runner_.closed() && clock::monotonic_ns() < deadline) {
     poll(nullptr, 0, 1);
     runner_.read();

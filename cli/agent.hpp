@@ -36,10 +36,7 @@ class Agent {
   void start_processes();
   void supervise();
   void end_processes();
-  /// The runner's order: tasks go at once, drives when they stand, the world last.
-  void stop_robots();
-  /// Until it is done or the deadline, ns, has come; what the processes say goes on being handed on.
-  void wait_until(std::int64_t deadline, const std::function<bool()>& done);
+  void turn_at_the_end();
   void send_traces();
   /// Gives the runner time to take what waits for it.
   void drain();

@@ -117,12 +117,8 @@ std::optional<int> Child::exit_code() const noexcept {
   return WEXITSTATUS(status_);
 }
 
-void Child::send(int number) const noexcept {
+void Child::signal(int number) const noexcept {
   if (handle_ >= 0) syscall(SYS_pidfd_send_signal, handle_, number, nullptr, 0);
-}
-
-void Child::signal(int number) noexcept {
-  if (!ended()) ::kill(pid_, number);
 }
 
 std::vector<std::string> Child::read_lines() {

@@ -36,9 +36,8 @@ class Child {
   std::optional<int> exit_code() const noexcept;
   /// The last line that `read_lines` has given; of a process that gives up, the reason.
   const std::string& last_line() const noexcept { return last_line_; }
-  void signal(int number) noexcept;
-  /// The same from any thread: never to another process that has got its number since.
-  void send(int number) const noexcept;
+  /// Any thread; never to another process that has got its number since it ended.
+  void signal(int number) const noexcept;
   /// Whole lines that it has written since the last call; at its end also an unfinished one. Never waits.
   std::vector<std::string> read_lines();
   /// Waits until it has ended; every line that it has written.

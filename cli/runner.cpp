@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "cli/clock_options.hpp"
+#include "cli/orderly_end.hpp"
 #include "clock/realtime.hpp"
 #include "config/network_entry.hpp"
 #include "config/resources.hpp"
@@ -25,8 +26,6 @@ namespace {
 constexpr int kTurn = 20;                   // ms between looks at the mail
 constexpr double kHandShake = 0.1;          // s of one try to reach the MP
 constexpr double kPatienceWithCause = 0.5;  // s from a task's word of a death to its cause
-constexpr double kPatienceToStop = 5;       // s that robots get to stop
-constexpr double kPatienceToEnd = 3;        // s that processes get to end by themselves
 constexpr double kPatienceWithHosts = 10;   // s; longer than that of their agents, with the traces
 
 std::string joined(const std::vector<std::string>& names) {
@@ -73,7 +72,6 @@ int open_signals() {
 Runner::Runner(const config::Deployment& deployment, RunOptions options)
     : deployment_(deployment),
       options_(std::move(options)),
-      faults_(options_.faults),
       plan_(plan_processes(deployment_)),
       black_boxes_(options_.black_box, deployment_, plan_),
       progress_(names_of(plan_), deployment_.servo_period, options_.quiet),
@@ -81,8 +79,11 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       clock_(clock_options(deployment_, names_of(processes_on("", plan_)))),
       signals_(open_signals()),
       crew_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
+      faults_(options_.faults, plan_, clock_, crew_, deployment_.clock != config::ClockMode::real,
+              [this](const std::string& line) { progress_.message(line); }),
       operator_clock_(clock_.operator_clock()),
-      input_(STDIN_FILENO) {
+      input_(STDIN_FILENO),
+      heartbeats_(deployment_.heartbeat_timeout) {
   if (deployment_.sim && deployment_.sim->host.empty())
     world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
 }
@@ -95,7 +96,6 @@ Runner::~Runner() {
 
 RunResult Runner::run() {
   check_somebody_answers(deployment_, input_.attended());
-  check_faults();
   check_network(deployment_.network);
   // before anything is started: a run whose trace is lost would be in vain
   const TraceParts trace(options_.trace);
@@ -110,7 +110,7 @@ RunResult Runner::run() {
     fail(process::exit_code(process::report_of(error).error_class), error.what());
   }
   end_processes();
-  result_.statuses = statuses_;
+  result_.statuses = heartbeats_.statuses();
   try {
     trace.join(plan_, deployment_.clock);
   } catch (const std::exception& error) {
@@ -176,9 +176,9 @@ void Runner::pass_barrier() {
   }
   if (!connect_to_mp(deadline)) return;
   schedule_commands();
-  schedule_faults();
+  faults_.schedule();
   const double now = operator_clock_->wall_seconds();
-  for (const PlannedProcess& process : plan_) last_heard_[process.name] = now;
+  heartbeats_.expect(names_of(plan_), now);
   result_.wall_seconds = now;
   task_started_ = true;
   clock_.start(hosts_->start());
@@ -245,7 +245,7 @@ bool Runner::turn(int milliseconds) {
   crew_.wait(milliseconds, hosts_ ? hosts_->descriptor(signals_) : signals_);
   read_signals();
   if (collector_ != nullptr) read_statuses();
-  tell_faults();
+  faults_.tell();
   // first the causes: what the task says about a death or a lost clock is but their consequence
   check_children();
   if (hosts_) hosts_->look();
@@ -287,13 +287,8 @@ void Runner::command(links::TaskCommandKind kind) {
 
 void Runner::read_statuses() {
   collector_->poll();
-  for (const auto& [name, process] : collector_->processes()) {
-    const auto known = statuses_.find(name);
-    if (known != statuses_.end() && known->second.beat == process.status.beat) continue;
-    statuses_[name] = process.status;
-    last_heard_[name] = operator_clock_->wall_seconds();
-    progress_.update(process.status);
-  }
+  for (const auto& [name, process] : collector_->processes())
+    if (heartbeats_.take(process.status, operator_clock_->wall_seconds())) progress_.update(process.status);
 }
 
 void Runner::await_cause() {
@@ -310,8 +305,8 @@ void Runner::read_task_status() {
   links::TaskStatus status;
   std::uint64_t last_command = 0;
   while (mp_->take(status, last_command)) {
-    check_children();                            // a death may be why the task ends
-    if (clock_.stop_tick() != kNever) continue;  // it ends because of an injected fault, which is the reason to tell
+    check_children();  // a death may be why the task ends
+    if (faults_.ends_run()) continue;
     if (!stopping_ && status.state == links::TaskState::failed && status.error.code == ErrorCode::process_died)
       await_cause();
     if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
@@ -340,7 +335,7 @@ void Runner::check_children() {
   std::string how = (child->ended() ? "died: " : "is ") + child->how_it_ended();
   if (child->exit_code() && !child->last_line().empty()) how += ": " + child->last_line();
   if (task_started_) how += " [tick " + std::to_string(std::min(clock_.stop_tick(), clock_.tick())) + "]";
-  tell_notice(child->name());
+  faults_.tell_noticed(child->name());
   clock_.participant_died(child->name());
   process_lost(child->name(), child->exit_code().value_or(-1), how);
 }
@@ -361,14 +356,9 @@ process::ExitCode Runner::code_of_death(int exit_code) const {
 
 void Runner::check_heartbeats() {
   if (stopping_) return;
-  const double now = operator_clock_->wall_seconds();
-  for (const auto& [name, heard] : last_heard_) {
-    if (now - heard > deployment_.heartbeat_timeout) {
-      fail(process::ExitCode::system,
-           "process " + name + " is silent for " + std::to_string(deployment_.heartbeat_timeout) + " s");
-      return;
-    }
-  }
+  if (const std::string name = heartbeats_.silent(operator_clock_->wall_seconds()); !name.empty())
+    fail(process::ExitCode::system,
+         "process " + name + " is silent for " + std::to_string(deployment_.heartbeat_timeout) + " s");
 }
 
 void Runner::check_clock() {
@@ -378,34 +368,11 @@ void Runner::check_clock() {
 
 void Runner::fail(process::ExitCode code, std::string reason) {
   if (result_.code != process::ExitCode::success) return;  // it is but a consequence
-  tell_faults();
+  faults_.tell();
   stopping_ = true;
   result_.code = code;
   result_.reason = std::move(reason);
   progress_.error("mrroc: " + deployment_.name + ": " + result_.reason);
-}
-
-void Runner::stop_robots(double deadline) {
-  crew_.signal(SIGTERM, clock::Part::task);
-  clock_.stop();
-  const auto all_stand = [this] { return crew_.all_lost(clock::Part::drives) && crew_.all_lost(clock::Part::world); };
-  while (clock_.state() == clock::State::running && operator_clock_->wall_seconds() < deadline) {
-    check_stopping();
-    if (all_stand()) return;
-    turn(kTurn);
-  }
-  check_stopping();
-  if (!all_stand() && clock_.state() == clock::State::running)
-    fail(process::ExitCode::system, "not every robot has stopped within " + std::to_string(kPatienceToStop) + " s");
-}
-
-void Runner::check_stopping() {
-  for (const clock::Part part : {clock::Part::drives, clock::Part::world}) {
-    for (Child* const child : crew_.failed(part)) {
-      clock_.participant_died(child->name());
-      fail(process::ExitCode::system, "process " + child->name() + " failed at the end: " + child->how_it_ended());
-    }
-  }
 }
 
 void Runner::end_hosts() {
@@ -424,23 +391,14 @@ void Runner::end_processes() {
   const double now = operator_clock_->wall_seconds();
   result_.wall_seconds = task_started_ ? now - start : 0;
   if (result_.ticks == 0 && task_started_) result_.ticks = clock_.tick();
-  // first the signal: who is still being set up must know that it is asked to end before its clock refuses it
   if (hosts_) hosts_->stop();
-  if (task_started_) stop_robots(now + kPatienceToStop);
-  for (const std::string& name : crew_.kill_stopped()) {
-    progress_.message("process " + name + " does not go on, killing it");
-  }
-  crew_.signal(SIGTERM);
-  clock_.end();
-  const double deadline = operator_clock_->wall_seconds() + kPatienceToEnd;
-  while (!crew_.all_ended() && operator_clock_->wall_seconds() < deadline) turn(kTurn);
-  for (const std::string& name : crew_.kill_rest()) {
-    progress_.message("process " + name + " does not end, killing it");
-  }
-  while (!crew_.all_ended()) turn(kTurn);
+  end_in_order(crew_, clock_, task_started_,
+               {.turn = [this] { turn(kTurn); },
+                .message = [this](const std::string& line) { progress_.message(line); },
+                .failed = [this](const std::string& reason) { fail(process::ExitCode::system, reason); }});
   if (hosts_) end_hosts();
   turn(0);
-  if (task_started_) tell_faults_left();
+  if (task_started_) faults_.tell_left();
   progress_.finish();
 }
 

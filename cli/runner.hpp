@@ -7,13 +7,14 @@
 #include <mutex>
 #include <optional>
 #include <random>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "cli/black_boxes.hpp"
 #include "cli/crew.hpp"
 #include "cli/domain_lock.hpp"
+#include "cli/fault_injector.hpp"
+#include "cli/heartbeats.hpp"
 #include "cli/operator_desk.hpp"
 #include "cli/process_plan.hpp"
 #include "cli/progress.hpp"
@@ -22,7 +23,6 @@
 #include "cli/typed_lines.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
-#include "faults/fault_plan.hpp"
 #include "links/domain.hpp"
 #include "links/status_collector.hpp"
 #include "links/task_superior.hpp"
@@ -70,26 +70,9 @@ class Runner {
   bool connect_to_mp(double deadline);
   /// The start at tick 0, and the deployment's events, at their ticks.
   void schedule_commands();
-  /// Throws std::invalid_argument: a fault names a process that is not there.
-  void check_faults() const;
-  void tell_faults();
-  /// At the end: those that were never set off.
-  void tell_faults_left();
-  /// Under the real clock: how long it took to see what the fault has done to this process.
-  void tell_notice(const std::string& process);
-  /// The injected faults: those of ticks are set off now, signals are sent at the ticks from which they are in force.
-  void schedule_faults();
-  /// An event of tick `tick`: strikes when fault `index` is in force, else looks again at the next tick.
-  void look_at_fault(std::size_t index, Tick tick);
-  /// Sends the fault's signal and waits until it has acted, so that in simulated time no tick goes by.
-  void strike(const faults::Fault& fault);
   /// To the MP. Main thread, or the clock's when a command has its tick.
   void command(links::TaskCommandKind kind);
   void supervise();
-  /// Tasks end at once; EDPs stop their robots, switch the drives off and leave, and the world goes on until then.
-  void stop_robots(double deadline);
-  /// An EDP or the world that fails while robots stop: the others shall not wait for it, and the run has failed.
-  void check_stopping();
   void end_processes();
 
   /// One turn of the supervisor: waits at most `milliseconds` for signals and output; true when all is well.
@@ -116,10 +99,6 @@ class Runner {
 
   config::Deployment deployment_;
   RunOptions options_;
-  faults::FaultPlan faults_;
-  std::set<std::size_t> told_faults_;     ///< indices
-  std::map<std::string, double> struck_;  ///< when a fault's signal was sent to a process, s of wall time
-  std::mutex struck_mutex_;
   std::vector<PlannedProcess> plan_;
   BlackBoxes black_boxes_;
   Progress progress_;
@@ -130,6 +109,7 @@ class Runner {
   Crew crew_;
   std::map<std::string, std::ofstream> remote_traces_;  // parts that come from other hosts
   std::unique_ptr<RemoteHosts> hosts_;
+  FaultInjector faults_;
   std::unique_ptr<clock::Clock> operator_clock_;
   std::unique_ptr<links::Domain> domain_;
   std::unique_ptr<links::StatusCollector> collector_;
@@ -138,8 +118,7 @@ class Runner {
   std::unique_ptr<OperatorDesk> desk_;
   std::mutex command_mutex_;
 
-  std::map<std::string, links::ProcessStatus> statuses_;
-  std::map<std::string, double> last_heard_;  // s of wall time
+  Heartbeats heartbeats_;
   int interrupts_ = 0;
   bool stopping_ = false;  // the task has ended or failed: processes may go
   bool task_started_ = false;

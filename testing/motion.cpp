@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace mrroc::testing {
+namespace mrroc::task_test {
 
 namespace {
 
@@ -102,4 +102,4 @@ std::map<std::string, Motion> read_motion(const std::filesystem::path& file) {
   return motions;
 }
 
-}  // namespace mrroc::testing
+}  // namespace mrroc::task_test

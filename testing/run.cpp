@@ -13,32 +13,14 @@
 #include <stdexcept>
 #include <thread>
 
-namespace mrroc::testing {
+#include "mrroc/testing/scratch_folder.hpp"
+
+namespace mrroc::task_test {
 
 namespace {
 
 /// Every process of a run has this variable in its environment, so that those it leaves behind are found.
 constexpr const char* kMark = "MRROC_TEST_RUN";
-
-/// A folder of one run's own.
-class Folder {
- public:
-  Folder() {
-    std::string pattern = std::filesystem::temp_directory_path() / "mrroc_run_XXXXXX";
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder for the run under " + pattern);
-    path_ = pattern;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const std::filesystem::path& path() const noexcept { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The whole file; nothing of one that cannot be read, as those of a process that ends meanwhile.
 std::string text_of(const std::filesystem::path& path) {
@@ -183,7 +165,7 @@ DeploymentRun& DeploymentRun::option(std::string word) {
 }
 
 RunResult DeploymentRun::run(int patience) {
-  const Folder folder;
+  const ScratchFolder folder;
   const std::filesystem::path trace = folder.path() / "trace", motion = folder.path() / "motion",
                               output = folder.path() / "output";
   std::vector<std::string> words{command_, "run",      deployment_, "--quiet",     "--trace",
@@ -205,4 +187,4 @@ RunResult DeploymentRun::run(int patience) {
   return result;
 }
 
-}  // namespace mrroc::testing
+}  // namespace mrroc::task_test

@@ -17,6 +17,7 @@
 
 #include "cli/trace.hpp"
 #include "cooperative_transfer/report/variant.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::soak {
 
@@ -24,25 +25,6 @@ namespace {
 
 constexpr double kServoPeriod = 0.002;  // s, the deployment's
 constexpr double kTold = 600;           // s of simulated time between two lines about the progress
-
-class Folder {
- public:
-  Folder() {
-    std::string pattern = std::filesystem::temp_directory_path() / "mrroc_soak_XXXXXX";
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder for the run under " + pattern);
-    path_ = pattern;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const std::filesystem::path& path() const noexcept { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The task's deployment with the soak's MP, and the trigger that ends its laps.
 std::filesystem::path write_deployment(const std::filesystem::path& folder, double seconds) {
@@ -126,7 +108,7 @@ void read_report(const std::string& line, SoakRun& run) {
 }  // namespace
 
 SoakRun soak(double seconds) {
-  const Folder folder;
+  const task_test::ScratchFolder folder;
   const std::filesystem::path trace = folder.path() / "trace";
   Run process(write_deployment(folder.path(), seconds), trace);
   SoakRun run;

@@ -244,8 +244,9 @@ TEST(ClockFailure, BadOptionsAndNamesAreRefused) {
   const auto a = attach_clock(host.fd(), "a");
   EXPECT_EQ(message([&] { attach_clock(host.fd(), "a"); }),
             "clock: participant 'a' is attached already, by process " + std::to_string(::getpid()));
-  EXPECT_EQ(message([&] { a->register_sender(std::string(96, 'x')); }),
-            "clock: topic '" + std::string(96, 'x') + "': expected 1 to 95 characters");
+  const std::string long_name(96, 'x');
+  EXPECT_EQ(message([&] { a->register_sender(long_name); }),
+            std::string("clock: topic '").append(long_name).append("': expected 1 to 95 characters"));
   EXPECT_EQ(message([&] {
               for (std::uint32_t i = 0; i <= kMaxLinks; ++i) a->register_receiver("t");
             }),

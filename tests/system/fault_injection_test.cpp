@@ -2,7 +2,7 @@
 
 #include "mrroc/testing.hpp"
 
-namespace mrroc::testing {
+namespace mrroc::task_test {
 namespace {
 
 /// tasks/press with faults, as its owner would test it.
@@ -102,4 +102,4 @@ TEST_F(FaultInjection, AWrongFaultIsRefusedBeforeAnythingIsStarted) {
 }
 
 }  // namespace
-}  // namespace mrroc::testing
+}  // namespace mrroc::task_test

@@ -29,12 +29,6 @@ std::string read_file(const std::filesystem::path& path) try {
   return "";
 }
 
-std::filesystem::path new_folder() {
-  std::string pattern = std::filesystem::path(testing::TempDir()) / "mrroc_test_XXXXXX";
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no scratch folder");
-  return pattern;
-}
-
 /// In a child: ends it with the test, also with one that is killed; a deployment without end would starve the machine.
 void end_with_test() {
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() == 1) _exit(125);
@@ -101,18 +95,18 @@ pid_t parent_of(pid_t pid) {
   return state == 'Z' ? -1 : parent;
 }
 
-MrrocRun::MrrocRun(const std::vector<std::string>& arguments, int place) : folder_(new_folder()) {
+MrrocRun::MrrocRun(const std::vector<std::string>& arguments, int place) {
   const std::string program = std::string{MRROC_BINARY_DIR} + "/bin/mrroc";
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const bool says_where = std::find(words.begin(), words.end(), "--black-box") != words.end();
   if (!says_where && std::find(words.begin(), words.end(), "run") != words.end())
-    words.insert(words.end(), {"--black-box", folder_ / "black-box"});  // not into the source folder
+    words.insert(words.end(), {"--black-box", folder_.path() / "black-box"});  // not into the source folder
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  const std::string out = folder_ / "out";
-  const std::string err = folder_ / "err";
+  const std::string out = folder_.path() / "out";
+  const std::string err = folder_.path() / "err";
   pid_ = fork();
   if (pid_ == 0) {
     end_with_test();
@@ -130,7 +124,6 @@ MrrocRun::~MrrocRun() {
     kill(pid_, SIGKILL);
     waitpid(pid_, &status_, 0);
   }
-  std::filesystem::remove_all(folder_);
 }
 
 bool MrrocRun::has_ended() {
@@ -179,9 +172,9 @@ pid_t MrrocRun::child(const std::string& name) const { return named(name, childr
 
 pid_t MrrocRun::descendant(const std::string& name) const { return named(name, descendants()); }
 
-std::string MrrocRun::out() const { return read_file(folder_ / "out"); }
+std::string MrrocRun::out() const { return read_file(folder_.path() / "out"); }
 
-std::string MrrocRun::err() const { return read_file(folder_ / "err"); }
+std::string MrrocRun::err() const { return read_file(folder_.path() / "err"); }
 
 bool all_end(const std::vector<pid_t>& pids) {
   const auto deadline = std::chrono::steady_clock::now() + kPatienceWithOrphans;
@@ -220,15 +213,6 @@ std::string trace_hash(const std::filesystem::path& trace) {
   MrrocRun run({"trace", "hash", trace.string()});
   EXPECT_EQ(run.wait(), 0) << run.err();
   return run.out();
-}
-
-ScratchFolder::ScratchFolder() : path_(new_folder()) {}
-
-ScratchFolder::~ScratchFolder() { std::filesystem::remove_all(path_); }
-
-std::filesystem::path ScratchFolder::write(const std::string& name, const std::string& text) const {
-  std::ofstream(path_ / name) << text;
-  return path_ / name;
 }
 
 Load::Load(int processes) {

@@ -7,7 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "mrroc/testing/scratch_folder.hpp"
+
 namespace mrroc::test {
+
+using task_test::ScratchFolder;
 
 /// A run of the `mrroc` command as a user would start it, from the source folder.
 class MrrocRun {
@@ -45,7 +49,7 @@ class MrrocRun {
   std::string err() const;
 
  private:
-  std::filesystem::path folder_;
+  ScratchFolder folder_;
   pid_t pid_ = -1;
   bool ended_ = false;
   int status_ = 0;
@@ -74,21 +78,6 @@ void expect_laws(const std::filesystem::path& trace);
 
 /// Hash of a trace, by `mrroc trace hash`.
 std::string trace_hash(const std::filesystem::path& trace);
-
-/// A folder of this test's own, removed with the object.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const noexcept { return path_; }
-  /// Writes a file into it and returns its path.
-  std::filesystem::path write(const std::string& name, const std::string& text) const;
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Busy loops on every CPU for as long as it lives.
 class Load {

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-namespace mrroc::testing {
+namespace mrroc::task_test {
 namespace {
 
 std::map<std::string, Motion> read(const std::string& text) {
@@ -70,4 +70,4 @@ TEST(Motion, AWrongLineIsNamed) {
 }
 
 }  // namespace
-}  // namespace mrroc::testing
+}  // namespace mrroc::task_test

@@ -4,13 +4,13 @@
 
 #include "mrroc/testing/run.hpp"
 
-namespace mrroc::testing {
+namespace mrroc::task_test {
 
 /// A GoogleTest fixture for a task of one's own: runs its deployment in lockstep, with real processes, real links and
 /// real physics, injects faults at ticks or steps, and asserts on what the robots did. `mrroc_add_task_test` in CMake
 /// builds such a test (docs/fault-injection.md):
 ///
-///     using Press = mrroc::testing::DeploymentTest;
+///     using Press = mrroc::task_test::DeploymentTest;
 ///
 ///     TEST_F(Press, StopsWhenItsEcpDies) {
 ///       const auto run = deployment("press.toml").inject("kill ecp:arm at step 120").run();
@@ -37,4 +37,4 @@ class DeploymentTest : public ::testing::Test {
   }
 };
 
-}  // namespace mrroc::testing
+}  // namespace mrroc::task_test

@@ -1,6 +1,6 @@
 #include <mrroc/testing.hpp>
 
-using Measure = mrroc::testing::DeploymentTest;
+using Measure = mrroc::task_test::DeploymentTest;
 
 TEST_F(Measure, Succeeds) {
   const auto run = deployment("measure.toml").run();

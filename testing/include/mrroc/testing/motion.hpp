@@ -7,7 +7,7 @@
 
 #include "mrroc/types.hpp"
 
-namespace mrroc::testing {
+namespace mrroc::task_test {
 
 /// What one robot of the simulated world truly did in a run, tick by tick, and the limits that its parameters give it.
 struct Motion {
@@ -31,4 +31,4 @@ struct Motion {
 /// An unfinished last line (its writer was killed) is left out.
 std::map<std::string, Motion> read_motion(const std::filesystem::path& file);
 
-}  // namespace mrroc::testing
+}  // namespace mrroc::task_test

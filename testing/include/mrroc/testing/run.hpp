@@ -8,7 +8,7 @@
 #include "mrroc/testing/motion.hpp"
 #include "mrroc/types.hpp"
 
-namespace mrroc::testing {
+namespace mrroc::task_test {
 
 /// One step of a Move or Wait, as the trace tells it (docs/trace.md).
 struct Step {
@@ -57,4 +57,4 @@ class DeploymentRun {
   std::vector<std::string> faults_, options_;
 };
 
-}  // namespace mrroc::testing
+}  // namespace mrroc::task_test

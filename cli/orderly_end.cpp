@@ -1,0 +1,52 @@
+#include "cli/orderly_end.hpp"
+
+#include <signal.h>
+
+#include "clock/monotonic.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;  // that robots get to stop
+constexpr std::int64_t kPatienceToEnd = 3 * clock::kSecond;   // that processes get to end by themselves
+
+void look_for_failures(Crew& crew, clock::ClockHost& clock, const EndListener& listener) {
+  for (const clock::Part part : {clock::Part::drives, clock::Part::world}) {
+    for (Child* const child : crew.failed(part)) {
+      clock.participant_died(child->name());
+      listener.failed("process " + child->name() + " failed at the end: " + child->how_it_ended());
+    }
+  }
+}
+
+void stop_robots(Crew& crew, clock::ClockHost& clock, const EndListener& listener) {
+  crew.signal(SIGTERM, clock::Part::task);
+  clock.stop();
+  const std::int64_t deadline = clock::monotonic_ns() + kPatienceToStop;
+  const auto all_stand = [&crew] { return crew.all_lost(clock::Part::drives) && crew.all_lost(clock::Part::world); };
+  while (!all_stand() && clock.state() == clock::State::running && clock::monotonic_ns() < deadline) {
+    look_for_failures(crew, clock, listener);
+    listener.turn();
+  }
+  look_for_failures(crew, clock, listener);
+  if (!all_stand() && clock.state() == clock::State::running)
+    listener.failed("not every robot has stopped within " + std::to_string(kPatienceToStop / clock::kSecond) + " s");
+}
+
+}  // namespace
+
+void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndListener& listener) {
+  if (started) stop_robots(crew, clock, listener);
+  for (const std::string& name : crew.kill_stopped())
+    listener.message("process " + name + " does not go on, killing it");
+  // first the signal: who is still being set up must know that it is asked to end before its clock refuses it
+  crew.signal(SIGTERM);
+  clock.end();
+  const std::int64_t deadline = clock::monotonic_ns() + kPatienceToEnd;
+  while (!crew.all_ended() && clock::monotonic_ns() < deadline) listener.turn();
+  for (const std::string& name : crew.kill_rest()) listener.message("process " + name + " does not end, killing it");
+  while (!crew.all_ended()) listener.turn();
+}
+
+}  // namespace mrroc::cli

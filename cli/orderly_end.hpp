@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cli/crew.hpp"
+#include "clock/host.hpp"
+
+namespace mrroc::cli {
+
+/// What whoever ends a crew does meanwhile, and is told.
+struct EndListener {
+  std::function<void()> turn;                             ///< waits some milliseconds, hands on what processes say
+  std::function<void(const std::string& line)> message;   ///< a process had to be killed
+  std::function<void(const std::string& reason)> failed;  ///< a robot may not have stopped as it should
+};
+
+/// Ends every process of a crew, robots first: tasks and sensors are asked to go (SIGTERM), EDPs stop their robots,
+/// switch the drives off and leave, the simulated world goes last; then the clock ends, and who is still there is
+/// killed. An EDP or world that fails meanwhile is reported, and the others do not wait for it. `started`: the clock
+/// was; before that nothing moves. Returns when all have ended. Main thread.
+void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndListener& listener);
+
+}  // namespace mrroc::cli
