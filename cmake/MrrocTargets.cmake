@@ -42,13 +42,14 @@ endfunction()
 
 # mrroc_add_robot(NAME SOURCES ... [LINKS ...] [EDP edp_main.cpp] [DEMO demo.cpp [SENSORS type ...]]): a robot's folder. The library
 # mrroc_robot_NAME (model and typed class, public headers in include/), its data files in share/mrroc/robots/NAME, with EDP its driver
-# process NAME_edp, and with DEMO the ECP program NAME_demo that NAME's demo.toml runs, linked with the sensors that it uses.
+# process NAME_edp and its simulated drives on a CAN bus NAME_drives, and with DEMO the ECP program NAME_demo that NAME's demo.toml runs, linked with the sensors that it uses.
 function(mrroc_add_robot name)
   cmake_parse_arguments(ARG "" "EDP;DEMO" "SOURCES;LINKS;SENSORS" ${ARGN})
   mrroc_library(mrroc_robot_${name} SOURCES ${ARG_SOURCES} LINKS mrroc::language mrroc::config ${ARG_LINKS})
   mrroc_data(robots ${name})
   if(ARG_EDP)
     mrroc_program(${name}_edp SOURCES ${ARG_EDP} LINKS mrroc::robot_${name} mrroc::edp_shell)
+    mrroc_program(${name}_drives SOURCES ${ARG_EDP} LINKS mrroc::robot_${name} mrroc::drives_shell)
   endif()
   if(ARG_DEMO)
     list(TRANSFORM ARG_SENSORS PREPEND mrroc::sensor_)

@@ -4,6 +4,10 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "can/bus_error.hpp"
+#include "canopen/drive_state.hpp"
+#include "canopen/emergency.hpp"
+
 namespace mrroc::edp {
 
 ErrorReport make_report(ErrorClass error_class, ErrorCode code, const char* format, ...) noexcept {
@@ -15,13 +19,32 @@ ErrorReport make_report(ErrorClass error_class, ErrorCode code, const char* form
   return {error_class, code, std::string_view(text.data())};
 }
 
+namespace {
+
+/// `value` of the fault is the drive's error code (603Fh), or its statusword where it is not ready.
+ErrorReport make_drive_report(const Fault& fault, const char* name) noexcept {
+  const auto code = static_cast<std::uint16_t>(fault.value);
+  const bool ready = fault.code == ErrorCode::drive_fault;
+  const std::string_view text = ready ? canopen::error_text(code) : canopen::describe(canopen::drive_state(code));
+  return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: %s%04Xh, %.*s", fault.axis + 1, name,
+                     static_cast<unsigned long long>(fault.tick), ready ? "error code " : "statusword ", code,
+                     static_cast<int>(text.size()), text.data());
+}
+
+}  // namespace
+
 ErrorReport make_report(const Fault& fault, const RobotParameters& parameters) noexcept {
   const auto tick = static_cast<unsigned long long>(fault.tick);
+  if (fault.code == ErrorCode::bus_off || fault.code == ErrorCode::bus_error)
+    return make_report(ErrorClass::hardware, fault.code, "at tick %llu: %s", tick,
+                       can::describe(static_cast<can::BusError>(fault.value)));
   if (fault.axis < 0) return make_report(ErrorClass::hardware, fault.code, "at tick %llu", tick);
   const char* const name = parameters.axes[static_cast<std::size_t>(fault.axis)].name.c_str();
   if (fault.code == ErrorCode::limit_switch)
     return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: at %.6g rad of the shaft",
                        fault.axis + 1, name, tick, fault.value);
+  if (fault.code == ErrorCode::drive_fault || fault.code == ErrorCode::drive_not_ready)
+    return make_drive_report(fault, name);
   return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: %.6g, limit %.6g", fault.axis + 1,
                      name, tick, fault.value, fault.limit);
 }

@@ -17,6 +17,9 @@ struct AxisSwitches {
   double zero_position = 0;  ///< where, rad of the shaft as the encoder counts
 };
 
+/// How far drives are that find their positions by themselves.
+enum class Homing : std::uint8_t { none, running, attained, failed };
+
 /// What the drives report in one tick.
 struct HardwareInput {
   Tick tick = 0;                      ///< when it was measured: that of `read`, where the drives say nothing else
@@ -24,8 +27,13 @@ struct HardwareInput {
   JointVector current;                ///< measured currents, A
   bool synchronised = false;          ///< positions are absolute; else they count from where the power came on
   ErrorCode fault = ErrorCode::none;  ///< drive_fault, hardware_silent, ... ; `none` when all is well
+  int fault_axis = -1;                ///< whose; -1: the whole robot's
+  double fault_value = 0;             ///< the drive's own code, or what was measured
+  double fault_limit = 0;             ///< what was allowed
   std::array<AxisSwitches, kMaxJoints> switches{};
-  Signals inputs;  ///< of the controller's terminals
+  Signals inputs;                ///< of the controller's terminals
+  Homing homing = Homing::none;  ///< of the axis given to `home`
+  double homing_shift = 0;       ///< when it has attained: what to add to its positions, rad
 };
 
 /// The drives of one robot: CAN drives, the simulated world, or a plant model. `read` and `write` run in the servo
@@ -37,6 +45,9 @@ class Hardware {
   virtual void open() = 0;
   /// Power to the drives; the drives hold their position (brakes) while disabled.
   virtual void enable(bool on) noexcept = 0;
+  /// True: the drives are still on their way to what `enable` or `reset_fault` asked for. It ends by itself, if need be
+  /// with a fault. Servo thread, after `read`.
+  virtual bool busy() const noexcept { return false; }
   /// Clears faults that the drives have latched. Servo thread.
   virtual void reset_fault() noexcept {}
   /// True: the drives wait for `write` of every tick, so a servo that is late executes each of its ticks; false: they
@@ -44,6 +55,9 @@ class Hardware {
   virtual bool waits() const noexcept { return false; }
   /// Positions at tick `tick`. What it does not write is NaN before, and so found out. Servo thread.
   virtual void read(Tick tick, HardwareInput& input) noexcept = 0;
+  /// Set-points of the shafts (rad, rad/s) at this tick, for drives that regulate by themselves; the others follow the
+  /// current alone. Before `write`. Servo thread.
+  virtual void set_points(const JointVector& /*position*/, const JointVector& /*velocity*/) noexcept {}
   /// Currents (A) for the coming period, within current_max. Servo thread.
   virtual void write(Tick tick, const JointVector& current) noexcept = 0;
   /// Sets the controller's outputs, with the next `write` at the latest; whether the drives are on does not matter.
@@ -51,6 +65,11 @@ class Hardware {
   virtual void set_outputs(const Signals& /*outputs*/) noexcept {}
   /// From now on every shaft position is greater by `shift` (rad), and absolute. Servo thread.
   virtual void set_origin(const JointVector& shift) noexcept = 0;
+  /// Whether the drives find their positions by themselves, one axis after the other; else the servo does it.
+  virtual bool homes() const noexcept { return false; }
+  /// Starts it for this axis: from now on the drive moves it, `HardwareInput::homing` tells how far it is. Servo
+  /// thread.
+  virtual void home(int /*axis*/) noexcept {}
 };
 
 }  // namespace mrroc::edp

@@ -20,6 +20,12 @@ class InjectedHardware final : public Hardware {
   void open() override { hardware_->open(); }
   void enable(bool on) noexcept override { hardware_->enable(on); }
   void reset_fault() noexcept override { hardware_->reset_fault(); }
+  bool busy() const noexcept override { return hardware_->busy(); }
+  bool homes() const noexcept override { return hardware_->homes(); }
+  void home(int axis) noexcept override { hardware_->home(axis); }
+  void set_points(const JointVector& position, const JointVector& velocity) noexcept override {
+    hardware_->set_points(position, velocity);
+  }
   bool waits() const noexcept override { return hardware_->waits(); }
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;

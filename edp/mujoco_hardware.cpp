@@ -30,6 +30,7 @@ MujocoHardware::MujocoHardware(const RobotModel& model, sim::WorldMemory& memory
 /// without this robot.
 bool MujocoHardware::await(Tick tick, sim::JointMeasurement& measurement) noexcept {
   const auto& slot = memory_.measurements[slot_];
+  if (timing_ == Timing::newest) return slot.load(measurement);
   if (timing_ == Timing::lockstep) return slot.load(measurement) && measurement.tick == tick;
   const auto reached = [&] { return slot.load(measurement) && measurement.tick >= tick; };
   if (reached()) return true;
@@ -95,7 +96,7 @@ void MujocoHardware::write(Tick tick, const JointVector& current) noexcept {
     }
   }
   memory_.drives[slot_].store(drive);
-  if (timing_ == Timing::real) memory_.driven.open();
+  if (timing_ != Timing::lockstep) memory_.driven.open();
 }
 
 }  // namespace mrroc::edp

@@ -25,7 +25,8 @@ class MujocoHardware : public Hardware {
  public:
   enum class Timing {
     lockstep,  ///< the clock sees to it that the world has reached the servo's tick
-    real       ///< `read` waits for the world, as a fieldbus master does for its slaves
+    real,      ///< `read` waits for the world, as a fieldbus master does for its slaves
+    newest     ///< `read` takes what was measured last, whatever its tick: a drive that is asked by its bus
   };
 
   /// Robot slot `slot` of `memory`; both references must outlive this object. `patience`: how long `read` waits, s.

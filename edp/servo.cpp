@@ -13,6 +13,7 @@ Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver
       hand_over_(hand_over),
       stop_(models.parameters(), period),
       synchroniser_(models.parameters(), models.at(ModelSet::kShafts).parameters(), period),
+      homing_(models.parameters()),
       encoders_(models.at(0), period),
       currents_(models.parameters(), period),
       motion_(period),
@@ -72,8 +73,9 @@ bool Servo::tick(Tick tick) noexcept {
   } else {
     refuse_foreign();
     desired_ = DesiredState::resting_at(joints_);
-    desired_motors_ = measured_motors_;
+    desired_motors_ = previous_motors_ = measured_motors_;
   }
+  hardware_.set_points(desired_motors_, (desired_motors_ - previous_motors_) / period_);
   hardware_.write(tick, current_);
   return publish(tick);
 }
@@ -99,7 +101,7 @@ void Servo::obey_order() noexcept {
       reset_ = true;
       return;  // the next reading tells whether the fault has gone
     }
-    if (!enabled_) switch_on();
+    if (!enabled_ && !switch_on()) return;
     reset_ = false;
   }
   ++orders_;
@@ -107,9 +109,22 @@ void Servo::obey_order() noexcept {
   hand_over_.order.compare_exchange_strong(order, DriveOrder::none, std::memory_order_acq_rel);
 }
 
-void Servo::switch_on() noexcept {
+/// False: not yet, the order waits.
+bool Servo::switch_on() noexcept {
+  if (hardware_.busy()) return false;
+  if (input_.synchronised != (model_index_ != ModelSet::kShafts)) {
+    use(input_.synchronised ? 0 : ModelSet::kShafts);
+    return false;  // the next reading is seen as joints of that model
+  }
   fault_ = {};
-  if (found_.code != ErrorCode::none) return;  // `watch` latches it
+  if (found_.code != ErrorCode::none) {  // `watch` latches it
+    if (powering_) hardware_.enable(false);
+    powering_ = false;
+    return true;
+  }
+  if (!powering_) hardware_.enable(true);
+  powering_ = hardware_.busy();
+  if (powering_) return false;
   ++epoch_;
   braking_ = false;
   desired_ = DesiredState::resting_at(joints_);
@@ -121,7 +136,7 @@ void Servo::switch_on() noexcept {
   motion_.reset();
   measured_increment_.setZero();
   enabled_ = true;
-  hardware_.enable(true);
+  return true;
 }
 
 void Servo::regulate() noexcept {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "edp/current_watch.hpp"
+#include "edp/drive_homing.hpp"
 #include "edp/emergency_latch.hpp"
 #include "edp/encoder_watch.hpp"
 #include "edp/force_motion.hpp"
@@ -29,7 +30,8 @@ namespace mrroc::edp {
 /// holds there. At rest it holds the desired position.
 ///
 /// Life: it starts stopped, with the drives off. `enable` switches them on at the measured position, so nothing jumps,
-/// and clears a latched fault; while its cause lasts they stay off. `disable` and every fault stop the robot, each in
+/// and clears a latched fault; while its cause lasts they stay off. A robot whose drives have lost their positions is
+/// switched on as one that is not synchronised. `disable` and every fault stop the robot, each in
 /// its category (stop_category.hpp): faults that the drives report, readings of the encoders that cannot be true, the
 /// emergency stop, a limit switch, a current or a following error beyond the axis's limit, a set-point beyond a limit.
 ///
@@ -68,8 +70,8 @@ class Servo {
   void leave() noexcept;
   /// Whether the drives wait for each tick (Hardware::waits), so that none may be skipped.
   bool drives_wait() const noexcept { return hardware_.waits(); }
-  /// False once nothing moves any more. The servo's thread.
-  bool drives_on() const noexcept { return enabled_; }
+  /// False once nothing moves any more: the drives are off, and have said so. The servo's thread.
+  bool drives_on() const noexcept { return enabled_ || (leaving_ && hardware_.busy()); }
 
   /// What the last tick published. The servo's thread.
   const Snapshot& snapshot() const noexcept { return snapshot_; }
@@ -91,7 +93,7 @@ class Servo {
   void measure(Tick tick) noexcept;
   void look_at_encoders() noexcept;
   void find_fault(const Fault& fault) noexcept;
-  void switch_on() noexcept;
+  bool switch_on() noexcept;
   void obey_order() noexcept;
   void watch(Tick tick) noexcept;
   Fault find_in_motion() noexcept;
@@ -102,6 +104,7 @@ class Servo {
   void follow(double time, Tick tick) noexcept;
   void follow_force(Tick tick) noexcept;
   bool synchronise(Tick tick) noexcept;
+  int synchronised_axis() const noexcept;
   void change_model() noexcept;
   void use_regulators() noexcept;
   void put_out(const Signals& outputs) noexcept;
@@ -124,6 +127,7 @@ class Servo {
   HandOver& hand_over_;
   Stop stop_;
   Synchroniser synchroniser_;
+  DriveHoming homing_;
   std::vector<Regulator> regulators_;
   std::uint8_t regulator_set_ = 0;
   Signals outputs_;
@@ -165,6 +169,7 @@ class Servo {
   // drives
   std::uint32_t orders_ = 0;  ///< obeyed
   bool reset_ = false;        ///< a recovery has cleared the drives' faults and waits for the next reading
+  bool powering_ = false;     ///< they are on their way to being on
   bool enabled_ = false;
   bool leaving_ = false;   ///< the process ends
   bool stopping_ = false;  ///< the drives go off at the end of the stop

@@ -67,13 +67,15 @@ void Servo::follow_force(Tick tick) noexcept {
 
 /// One tick of the synchronisation; true: it is over.
 bool Servo::synchronise(Tick tick) noexcept {
-  const Synchroniser::Status status = synchroniser_.step(input_, desired_);
+  const bool homes = hardware_.homes();
+  const Synchroniser::Status status =
+      homes ? homing_.step(hardware_, input_, desired_) : synchroniser_.step(input_, desired_);
   if (status == Synchroniser::Status::running) return false;
   if (status == Synchroniser::Status::failed) {
-    latch(ErrorCode::synchronisation_failed, synchroniser_.axis(), 0, 0, tick);
+    latch(ErrorCode::synchronisation_failed, synchronised_axis(), 0, 0, tick);
     return false;  // the fault stops the robot
   }
-  const JointVector& shift = synchroniser_.shift();
+  const JointVector& shift = homes ? homing_.shift() : synchroniser_.shift();
   hardware_.set_origin(shift);
   input_.synchronised = true;
   encoders_.shift(shift);
@@ -85,6 +87,11 @@ bool Servo::synchronise(Tick tick) noexcept {
   for (std::size_t i = 0; i < pending_count_; ++i)
     if (pending_[i].ticket == active_.ticket) pending_[i].due = tick;
   return true;
+}
+
+int Servo::synchronised_axis() const noexcept {
+  if (!running_ || active_.kind != Macrostep::Kind::synchronise) return -1;
+  return hardware_.homes() ? homing_.axis() : synchroniser_.axis();
 }
 
 void Servo::change_model() noexcept {
@@ -123,7 +130,10 @@ bool Servo::start_next(Tick tick) noexcept {
   }
   forced_ = active_.kind == Macrostep::Kind::force;
   if (active_.with_outputs) put_out(active_.outputs);
-  if (active_.kind == Macrostep::Kind::synchronise) synchroniser_.start(desired_.position);
+  if (active_.kind == Macrostep::Kind::synchronise) {
+    synchroniser_.start(desired_.position);
+    if (hardware_.homes()) homing_.start(hardware_, desired_.position);
+  }
   if (active_.ticket != 0 && pending_count_ < pending_.size())
     pending_[pending_count_++] = {
         active_.ticket,
@@ -163,6 +173,7 @@ void Servo::stop(StopCategory category) noexcept {
 }
 
 void Servo::stop_and_switch_off() noexcept {
+  if (synchronised_axis() >= 0 && hardware_.homes()) return drives_off();  // a drive that homes follows no stop of ours
   if (running_ && active_.ticket != 0) finished_ = active_.ticket;
   abort_pending();
   brake(last_);

@@ -26,8 +26,10 @@ void Servo::measure(Tick tick) noexcept {
   input_.tick = tick;
   input_.motors.setConstant(kNothing);
   input_.current.setConstant(kNothing);
+  input_.fault_axis = -1;
+  input_.fault_value = input_.fault_limit = 0;
   hardware_.read(tick, input_);
-  found_ = {input_.fault};
+  found_ = {input_.fault, input_.fault_axis, input_.fault_value, input_.fault_limit};
   look_at_encoders();
   if (!ticked_) {
     last_ = tick == 0 ? 0 : tick - 1;
@@ -89,11 +91,8 @@ void Servo::watch(Tick tick) noexcept {
 Fault Servo::find_in_motion() noexcept {
   const bool moves = enabled_ && !stopping_;
   const std::vector<AxisParameters>& axes = model_->parameters().axes;
-  const bool synchronises = running_ && active_.kind == Macrostep::Kind::synchronise;
   const int axis = switches_.look(input_, desired_motors_ - previous_motors_,
-                                  !moves         ? LimitSwitchWatch::kEvery
-                                  : synchronises ? synchroniser_.axis()
-                                                 : -1);
+                                  moves ? synchronised_axis() : LimitSwitchWatch::kEvery);
   if (!moves) return {};
   for (int i = 0; i < model_->joint_count(); ++i) {
     const double error = std::abs(desired_motors_[i] - measured_motors_[i]);

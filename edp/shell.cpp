@@ -1,8 +1,13 @@
 #include "edp/shell.hpp"
 
+#include <unistd.h>
+
 #include <deque>
 #include <optional>
 
+#include "clock/monotonic.hpp"
+#include "config/drive_table.hpp"
+#include "edp/can/can_hardware.hpp"
 #include "edp/describe.hpp"
 #include "edp/effector.hpp"
 #include "edp/injected_hardware.hpp"
@@ -34,6 +39,22 @@ Place place_of(const process::Process& process) {
     if (robots[i].name + "_edp" == process.name()) return {i, robots[i]};
   }
   throw SystemError(ErrorCode::configuration, "the deployment has no robot for the process " + process.name());
+}
+
+constexpr std::int64_t kPatienceWithBus = 10 * clock::kSecond;
+
+/// A hub's socket may still have to be made by the simulated drives.
+std::unique_ptr<can::Bus> open_bus(const std::string& name) {
+  const std::int64_t end = clock::monotonic_ns() + kPatienceWithBus;
+  for (;;) {
+    try {
+      return can::open_bus(name);
+    } catch (const std::runtime_error& error) {
+      if (!name.starts_with("unix:") || clock::monotonic_ns() > end)
+        throw HardwareError(ErrorCode::hardware_silent, error.what());
+      ::usleep(20'000);
+    }
+  }
 }
 
 class Shell {
@@ -94,9 +115,19 @@ class Shell {
     return models;
   }
 
+  std::unique_ptr<Hardware> open_can(const config::CanEntry& can) const {
+    const RobotParameters& parameters = models_.front()->parameters();
+    const auto timing = process_.clock().simulated() ? CanHardware::Timing::lockstep : CanHardware::Timing::real;
+    return std::make_unique<CanHardware>(config::read_drive_table(can.drives, parameters), parameters,
+                                         process_.clock().period(), open_bus(can.interface), timing,
+                                         place_.entry.synchronised);
+  }
+
   std::unique_ptr<Hardware> open_hardware() {
     std::unique_ptr<Hardware> hardware;
-    if (place_.entry.hardware == "mujoco") {
+    if (place_.entry.can) {
+      hardware = open_can(*place_.entry.can);
+    } else if (place_.entry.hardware == "mujoco") {
       const auto timing =
           process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::real;
       hardware =
@@ -119,6 +150,7 @@ class Shell {
     servo_.tick(0);  // so that a command of tick 0 finds the robot's state
     feed();
     Tick next = 1;
+    bool ready = false;
     for (;;) {
       const clock::Wake wake = clock.wait(next);
       if (wake == clock::Wake::interrupted) return;
@@ -128,7 +160,8 @@ class Shell {
         next = clock.tick() + 1;
         feed();
       }
-      exchange();
+      ready = ready || switched_on();
+      if (ready) exchange();
       process_.status().counters(counters(nullptr));
       if (clock.stopping() && !servo_.drives_on()) return;
     }

@@ -24,6 +24,10 @@ constexpr StopCategory stop_category(ErrorCode reason) noexcept {
     case ErrorCode::encoder_fault:
     case ErrorCode::overspeed:
     case ErrorCode::axis_stuck:
+    case ErrorCode::bus_off:
+    case ErrorCode::drive_not_ready:
+    case ErrorCode::heartbeat_lost:
+    case ErrorCode::drive_restarted:
       return StopCategory::drives_off;
     // nothing is broken: the robot can be commanded on at once, and power keeps it where it is, weight and all
     case ErrorCode::none:
@@ -38,6 +42,7 @@ constexpr StopCategory stop_category(ErrorCode reason) noexcept {
     case ErrorCode::following_error:
     case ErrorCode::over_current:
     case ErrorCode::limit_switch:
+    case ErrorCode::bus_error:  // it still carries frames
     case ErrorCode::synchronisation_failed:
     case ErrorCode::not_enabled:  // switched off by order, or the deployment ends
     default:                      // a set-point that passes a limit, joints that are none

@@ -16,7 +16,7 @@ MotionFile::MotionFile(const std::filesystem::path& path, const config::Deployme
     throw std::runtime_error("motion file " + path.string() + ": " + std::strerror(errno) +
                              ", expected a file to write");
   for (const config::RobotEntry& robot : deployment_.robots)
-    if (robot.hardware == "mujoco") write_limits(robot);
+    if (robot.in_world()) write_limits(robot);
 }
 
 void MotionFile::write_limits(const config::RobotEntry& robot) {
@@ -39,7 +39,7 @@ void MotionFile::write(Tick tick) {
   for (std::size_t i = 0; i < deployment_.robots.size(); ++i) {
     const config::RobotEntry& robot = deployment_.robots[i];
     JointMeasurement measurement{};
-    if (robot.hardware != "mujoco" || !memory_.measurements[i].load(measurement)) continue;
+    if (!robot.in_world() || !memory_.measurements[i].load(measurement)) continue;
     JointDrive drive{};
     memory_.drives[i].load(drive);
     std::fprintf(file_, "%llu %s %d", static_cast<unsigned long long>(tick), robot.name.c_str(), drive.enabled == 0);

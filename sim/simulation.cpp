@@ -11,7 +11,7 @@ namespace mrroc::sim {
 
 namespace {
 
-bool in_world(const config::RobotEntry& robot) { return robot.hardware == "mujoco"; }
+bool in_world(const config::RobotEntry& robot) { return robot.in_world(); }
 
 bool in_world(const config::SensorEntry& sensor) { return sensor.source == "simulated"; }
 
@@ -64,7 +64,8 @@ Simulation::Simulation(const config::Deployment& deployment, WorldMemory& memory
     const RobotParameters parameters = config::read_robot_parameters(config::Table::load(file));
     std::vector<std::string> joints;
     for (const AxisParameters& axis : parameters.axes) joints.push_back(axis.name);
-    robots_.push_back({.memory = i, .world = world_.attach(robot.name, joints, parameters.home)});
+    robots_.push_back(
+        {.memory = i, .world = world_.attach(robot.name, joints, parameters.home), .on_bus = robot.can.has_value()});
   }
   for (std::size_t j = 0; j < deployment.sensors.size(); ++j) {
     const config::SensorEntry& sensor = deployment.sensors[j];
@@ -85,6 +86,12 @@ Simulation::Simulation(const config::Deployment& deployment, WorldMemory& memory
 void Simulation::publish_initial() { publish(0); }
 
 void Simulation::step(Tick tick) {
+  for (Slot& slot : robots_)
+    if (slot.on_bus) await_bus(slot, tick);
+  advance(tick);
+}
+
+void Simulation::advance(Tick tick) {
   for (Feeder& feeder : feeders_) feeder.feed(world_, tick - 1);
   for (Slot& slot : robots_) take_drive(slot, tick);
   world_.step(tick);
@@ -98,7 +105,7 @@ void Simulation::step_in_real_time(Tick tick, double patience) {
     for (Slot& slot : robots_)
       if (is_due(slot, tick)) slot.given_up = slot.drive.tick;
   }
-  step(tick);
+  advance(tick);
   memory_.measured.open();
 }
 
@@ -116,6 +123,13 @@ bool Simulation::is_due(Slot& slot, Tick tick) noexcept {
 
 bool Simulation::driven() const noexcept {
   return std::any_of(robots_.begin(), robots_.end(), [this](const Slot& slot) { return drives(slot, tick_); });
+}
+
+/// Lockstep: the EDP's tick is over when its frames are on the bus; what the drives make of them comes a moment later.
+void Simulation::await_bus(Slot& slot, Tick tick) {
+  const auto there = [&] { return memory_.drives[slot.memory].load(slot.drive) && slot.drive.tick + 1 >= tick; };
+  if (there() || slot.drive.tick == slot.given_up) return;
+  if (!memory_.driven.wait(there, std::llround(kPatienceWithDrives * 1e9))) slot.given_up = slot.drive.tick;
 }
 
 void Simulation::take_drive(Slot& slot, Tick tick) {

@@ -34,7 +34,8 @@ class Simulation {
   void publish_initial();
   /// Has the feeders put their parts, reads the drives, advances the world from tick - 1 to `tick`, stores its
   /// measurements and readings. Brakes hold a robot that has no drive yet, a disabled one, or one older than
-  /// kDriveLifetime ticks: its EDP is gone. Throws SystemError (simulator), see World::step.
+  /// kDriveLifetime ticks: its EDP is gone. Drives on a bus are waited for, kPatienceWithDrives at most. Throws
+  /// SystemError (simulator), see World::step.
   void step(Tick tick);
   /// Real time: `step`, but not before every robot's drive of tick - 1 is there, as in lockstep. A robot whose brakes
   /// are on is not waited for; one that keeps the world waiting for `patience` (s of wall time) is braked, and the
@@ -50,10 +51,11 @@ class Simulation {
 
  private:
   struct Slot {
-    std::size_t memory;  ///< slot in WorldMemory
-    std::size_t world;   ///< index of the robot in the world
-    JointDrive drive{};  ///< the newest
-    Tick given_up = 0;   ///< tick of the drive after which none came in time
+    std::size_t memory;   ///< slot in WorldMemory
+    std::size_t world;    ///< index of the robot in the world
+    JointDrive drive{};   ///< the newest
+    Tick given_up = 0;    ///< tick of the drive after which none came in time
+    bool on_bus = false;  ///< its drives are a process of their own, which the clock does not wait for
   };
   struct SensorSlot {
     std::size_t memory;
@@ -61,6 +63,8 @@ class Simulation {
   };
   bool drives(const Slot& slot, Tick tick) const noexcept;
   bool is_due(Slot& slot, Tick tick) noexcept;
+  void advance(Tick tick);
+  void await_bus(Slot& slot, Tick tick);
   void take_drive(Slot& slot, Tick tick);
   void publish(Tick tick);
   void store_snapshot(Tick tick) noexcept;

@@ -102,13 +102,15 @@ void refuse_name_of_robot(const Table& sensor, const std::string& name, const De
   }
 }
 
-/// The EDP of robot `arm` is the process `arm_edp`: no device may be called so.
-void refuse_names_of_edps(const Table& root, const Deployment& deployment) {
+/// The EDP of robot `arm` is the process `arm_edp`, its simulated drives are `arm_drives`: no device may be called so.
+void refuse_names_of_robots_processes(const Table& root, const Deployment& deployment) {
   const auto check = [&](const std::string& kind, const std::string& name) {
     for (const auto& robot : deployment.robots) {
-      if (robot.name + "_edp" == name) {
-        root.table(kind).table(name).fail("", in_quotes(name) + " is the EDP of robot " + in_quotes(robot.name),
-                                          "a name of its own");
+      const bool edp = robot.name + "_edp" == name;
+      if (edp || (robot.can && robot.can->simulated && robot.name + "_drives" == name)) {
+        root.table(kind).table(name).fail(
+            "", in_quotes(name) + (edp ? " is the EDP of robot " : " are the drives of robot ") + in_quotes(robot.name),
+            "a name of its own");
       }
     }
   };
@@ -168,8 +170,12 @@ Deployment load_deployment(const std::filesystem::path& file) {
   });
   settle_places(root, deployment);
   check_force_sensors(root, deployment);
-  refuse_names_of_edps(root, deployment);
-  const std::size_t processes = 2 * deployment.robots.size() + deployment.sensors.size() + 1 + (deployment.sim ? 1 : 0);
+  refuse_names_of_robots_processes(root, deployment);
+  const auto simulated_drives = static_cast<std::size_t>(
+      std::count_if(deployment.robots.begin(), deployment.robots.end(),
+                    [](const RobotEntry& robot) { return robot.can && robot.can->simulated; }));
+  const std::size_t processes =
+      2 * deployment.robots.size() + simulated_drives + deployment.sensors.size() + 1 + (deployment.sim ? 1 : 0);
   if (processes > kMostProcesses) {
     root.fail("",
               std::to_string(processes) + " processes (two per robot, one per sensor, the MP" +

@@ -28,13 +28,22 @@ struct MpEntry {
   std::filesystem::path states;      ///< the state machine that the stock MP runs, absolute; empty: none
 };
 
+/// The drives of a robot on a CAN bus: docs/can.md.
+struct CanEntry {
+  std::string interface;         ///< of the kernel ("can0"), or "unix:PATH"
+  std::filesystem::path drives;  ///< the table of its drives, absolute
+  bool simulated = false;        ///< the drives are simulated ones, whose motors are joints of the simulated world
+  std::string program;           ///< that plays them, absolute path; empty: real drives
+};
+
 struct RobotEntry {
   std::string name;
   std::string type;  ///< folder robots/<type>
   /// Of its ECP; the stock ECP when left out. Absolute path after loading, on the robot's own host.
   std::string program = "mrroc_ecp";
-  std::string hardware;               ///< mujoco | loopback
-  bool synchronised = true;           ///< simulated drives know their absolute positions from the start
+  std::string hardware;               ///< socketcan | mujoco | loopback
+  std::optional<CanEntry> can;        ///< socketcan only
+  bool synchronised = true;           ///< the drives know their absolute positions from the start
   std::optional<int> emergency_stop;  ///< digital input 0..15 that presses its emergency stop while it is off
   std::string force_sensor;           ///< the sensor whose raw readings its EDP takes; empty: none
   /// Beyond which the robot stops, in the axes of that sensor: 3 forces (N), 3 torques (N m). The original's.
@@ -45,6 +54,9 @@ struct RobotEntry {
   /// (rad, fixed axes x y z).
   Pose base = Pose::Identity();
   std::string edp_program;  ///< the type's `<type>_edp`, absolute path
+
+  /// Whether its motors drive joints of the simulated world.
+  bool in_world() const { return hardware == "mujoco" || (can && can->simulated); }
 };
 
 /// Name and unit of one value of a sensor's reading. Names are unique within a sensor, without spaces.

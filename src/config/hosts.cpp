@@ -51,7 +51,7 @@ std::string in_words(const std::string& host) {
 
 /// The first robot of the simulated world; null: none.
 const RobotEntry* simulated_robot(const Deployment& deployment) {
-  const auto simulated = [](const RobotEntry& robot) { return robot.hardware == "mujoco"; };
+  const auto simulated = [](const RobotEntry& robot) { return robot.in_world(); };
   const auto found = std::find_if(deployment.robots.begin(), deployment.robots.end(), simulated);
   return found == deployment.robots.end() ? nullptr : &*found;
 }
@@ -63,7 +63,7 @@ void settle_simulator(const Table& root, Deployment& deployment) {
     deployment.sim->host = robot == nullptr ? "" : robot->host;
   }
   for (const RobotEntry& robot : deployment.robots) {
-    if (robot.hardware != "mujoco" || robot.host == deployment.sim->host) continue;
+    if (!robot.in_world() || robot.host == deployment.sim->host) continue;
     const Table table = root.table("robots").table(robot.name);
     table.fail(
         table.has("host") ? "host" : "hardware",

@@ -46,7 +46,7 @@ void check_mounts(const Table& root, const Deployment& deployment) {
     if (carries_itself(robot, deployment)) {
       fail(in_quotes(robot.name) + " would carry itself", "no ring of robots that carry each other");
     }
-    if (robot.hardware == "mujoco" && parent->hardware != "mujoco") {
+    if (robot.in_world() && !parent->in_world()) {
       fail(in_quotes(robot.mount) + " is not in the simulated world", "a robot whose hardware is 'mujoco'");
     }
   }

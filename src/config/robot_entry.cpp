@@ -1,5 +1,6 @@
 #include "config/robot_entry.hpp"
 
+#include "config/can_entry.hpp"
 #include "config/hosts.hpp"
 #include "config/message_text.hpp"
 #include "config/named_file.hpp"
@@ -13,11 +14,7 @@ namespace mrroc::config {
 namespace {
 
 std::string read_hardware(const Table& table, const Deployment& deployment) {
-  const std::vector<std::string> available{"mujoco", "loopback"};
-  if (table.optional_text("hardware") == "socketcan") {
-    table.fail("hardware", "'socketcan' is not available in this version", alternatives(available));
-  }
-  const std::string hardware = table.choice("hardware", available);
+  const std::string hardware = table.choice("hardware", {"socketcan", "mujoco", "loopback"});
   if (hardware == "mujoco" && !deployment.sim) table.fail("hardware", "'mujoco' needs a simulator", "a table [sim]");
   return hardware;
 }
@@ -56,7 +53,7 @@ void read_force(const Table& table, RobotEntry& robot) {
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
   table.only({"type", "program", "hardware", "host", "mount", "position", "rotation", "synchronised", "emergency_stop",
-              "force_sensor", "force_limit", "torque_limit"});
+              "force_sensor", "force_limit", "torque_limit", "can"});
   RobotEntry robot;
   robot.name = name;
   robot.type = table.choice("type", robot_types());
@@ -65,6 +62,7 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
   robot.synchronised = read_synchronised(table, robot.type);
+  read_can(table, deployment, robot);
   if (table.has("emergency_stop"))
     robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, Signals::kDigital - 1));
   read_force(table, robot);

@@ -64,6 +64,16 @@ std::string_view describe(ErrorCode code) noexcept {
       return "a joint is faster than its limit";
     case ErrorCode::axis_stuck:
       return "an axis does not move though it is commanded to";
+    case ErrorCode::bus_off:
+      return "the CAN controller has left the bus";
+    case ErrorCode::bus_error:
+      return "the CAN bus fails";
+    case ErrorCode::drive_not_ready:
+      return "a drive is not ready for operation";
+    case ErrorCode::heartbeat_lost:
+      return "a drive's heartbeat is lost";
+    case ErrorCode::drive_restarted:
+      return "a drive has restarted";
     case ErrorCode::emergency_stop:
       return "the emergency stop is pressed or not reset";
     case ErrorCode::process_died:

@@ -1,0 +1,263 @@
+#include "edp/can/can_hardware.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "canopen/sdo_client.hpp"
+#include "clock/monotonic.hpp"
+#include "mrroc/errors.hpp"
+
+namespace mrroc::edp {
+
+namespace {
+
+using namespace canopen;
+using can::BusError;
+
+constexpr std::int64_t kPatienceWithSdo = clock::kSecond / 2;
+constexpr std::int64_t kBetweenResets = clock::kSecond / 2;
+constexpr int kFirstSyncs = 50;
+constexpr std::uint32_t kProfile402 = 402;
+
+std::int64_t ns(double seconds) { return std::llround(seconds * 1e9); }
+
+std::vector<can::Filter> filters_for(const std::vector<Drive>& drives) {
+  std::vector<can::Filter> filters;
+  for (const Drive& drive : drives)
+    for (const std::uint32_t function : {kTransmitPdo1, kTransmitPdo1 + 0x100, kEmergency, kSdoResponse, kHeartbeat})
+      filters.push_back({function + drive.node(), 0x7ff});
+  return filters;
+}
+
+}  // namespace
+
+CanHardware::CanHardware(config::DriveTable table, const RobotParameters& robot, double period,
+                         std::unique_ptr<can::Bus> bus, Timing timing, bool synchronised)
+    : table_(std::move(table)), period_(period), bus_(std::move(bus)), timing_(timing), synchronised_(synchronised) {
+  for (std::size_t i = 0; i < robot.axes.size(); ++i)
+    drives_.emplace_back(table_, table_.drives[i], period, robot.axes[i].motor_synchro);
+  heartbeat_ticks_ = table_.heartbeat > 0 ? std::max<Tick>(1, static_cast<Tick>(table_.heartbeat / period)) : 0;
+  position_ = velocity_ = JointVector::Zero(static_cast<Eigen::Index>(drives_.size()));
+  bus_->filter(filters_for(drives_));
+}
+
+/// The drives need not wait for our heartbeat to fail.
+CanHardware::~CanHardware() {
+  for (Drive& drive : drives_) {
+    drive.enable(false, tick_);
+    send(drive.command({}));
+    send(nmt_frame(NmtCommand::enter_pre_operational, drive.node()));
+  }
+}
+
+void CanHardware::fail(ErrorCode code, std::size_t axis, const std::string& what) const {
+  const config::DriveEntry& entry = table_.drives[axis];
+  throw HardwareError(code, "drive " + entry.axis + ", node " + std::to_string(entry.node) + ": " + what);
+}
+
+void CanHardware::open() {
+  await_boot();
+  for (std::size_t i = 0; i < drives_.size(); ++i) set_up(i);
+  for (Drive& drive : drives_) {
+    send(nmt_frame(NmtCommand::start, drive.node()));
+    drive.begin(0);
+  }
+  await_answers();
+}
+
+/// Every drive begins as if its power had just come on, whatever an earlier run has left.
+void CanHardware::await_boot() {
+  std::vector<bool> booted(drives_.size(), false);
+  const auto missing = [&booted] { return std::find(booted.begin(), booted.end(), false); };
+  const std::int64_t end = clock::monotonic_ns() + ns(kPatienceWithBoot);
+  while (missing() != booted.end()) {
+    for (std::size_t i = 0; i < drives_.size(); ++i)
+      if (!booted[i]) send(nmt_frame(NmtCommand::reset_communication, drives_[i].node()));
+    const std::int64_t again = clock::monotonic_ns() + kBetweenResets;
+    can::Frame frame;
+    while (missing() != booted.end() && bus_->receive(frame, again)) {
+      for (std::size_t i = 0; i < drives_.size(); ++i)
+        if (frame.id == kHeartbeat + drives_[i].node() && frame.size == 1 && frame.data[0] == 0) booted[i] = true;
+    }
+    if (clock::monotonic_ns() > end && missing() != booted.end())
+      fail(ErrorCode::hardware_silent, static_cast<std::size_t>(missing() - booted.begin()),
+           "no boot-up message within " + std::to_string(static_cast<int>(kPatienceWithBoot)) +
+               " s of its reset: no power, another node number or bit rate, or no wire" +
+               (bus_error_ == BusError::none ? "" : std::string(" (") + can::describe(bus_error_) + ")"));
+  }
+}
+
+void CanHardware::set_up(std::size_t axis) {
+  Drive& drive = drives_[axis];
+  SdoClient client(*bus_, kPatienceWithSdo);
+  try {
+    const std::vector<std::uint8_t> type = client.upload(drive.node(), kDeviceType);
+    if (can::get(type, 0, 2) != kProfile402)
+      fail(ErrorCode::configuration, axis,
+           "profile " + std::to_string(can::get(type, 0, 2)) + " in its device type, expected 402, a drive");
+  } catch (const SdoError& error) {
+    fail(ErrorCode::hardware_silent, axis, error.what());
+  }
+  can::Frame next = drive.setup().start();
+  while (drive.setup().status() == DriveSetup::Status::writing) {
+    if (next.id != 0) send(next);
+    can::Frame frame;
+    if (!bus_->receive(frame, clock::monotonic_ns() + kPatienceWithSdo))
+      fail(ErrorCode::hardware_silent, axis, "no answer to writing " + drive.setup().setting().name);
+    drive.setup().take(frame, next);
+  }
+  if (drive.setup().status() == DriveSetup::Status::refused)
+    fail(ErrorCode::configuration, axis,
+         "refuses " + drive.setup().setting().name + " = " + std::to_string(drive.setup().setting().value) + ": " +
+             std::string(describe(drive.setup().abort())));
+  drive.setup().give_up();
+}
+
+void CanHardware::await_answers() {
+  for (int i = 0; i < kFirstSyncs; ++i) {
+    for (Drive& drive : drives_) drive.expect();
+    send(sync_frame());
+    if (await_all(clock::monotonic_ns() + kPatienceWithSdo / 10)) return;
+  }
+  for (std::size_t i = 0; i < drives_.size(); ++i)
+    if (!drives_[i].answered()) fail(ErrorCode::hardware_silent, i, "no answer to a SYNC");
+}
+
+void CanHardware::send(const can::Frame& frame) noexcept {
+  if (frame.id == 0 && frame.size == 0) return;
+  switch (bus_->send(frame)) {
+    case can::Sent::yes:
+      return;
+    case can::Sent::full:
+      bus_error_ = BusError::queue_full;
+      return;
+    case can::Sent::down:
+      if (bus_error_ != BusError::bus_off) bus_error_ = BusError::down;
+      return;
+  }
+}
+
+void CanHardware::dispatch(const can::Frame& frame) noexcept {
+  if (frame.error) {
+    const BusError error = can::bus_error_of(frame);
+    const bool grave = error == BusError::bus_off || error == BusError::passive || error == BusError::overflow ||
+                       error == BusError::no_acknowledge || error == BusError::transceiver;
+    if (grave && bus_error_ != BusError::bus_off) bus_error_ = error;
+    return;
+  }
+  can::Frame next;
+  for (Drive& drive : drives_) {
+    if (!drive.take(frame, tick_, next)) continue;
+    send(next);
+    return;
+  }
+}
+
+/// Takes frames until every drive that is waited for has answered. False: the time was over before.
+bool CanHardware::await_all(std::int64_t deadline) noexcept {
+  const auto waited_for = [](const Drive& drive) { return drive.awaited(); };
+  can::Frame frame;
+  while (std::any_of(drives_.begin(), drives_.end(), waited_for)) {
+    if (!bus_->receive(frame, deadline)) return false;
+    dispatch(frame);
+  }
+  return true;
+}
+
+/// One cycle's SYNC and its answers.
+void CanHardware::synchronise(Tick tick) noexcept {
+  tick_ = tick;
+  const std::int64_t begin = clock::monotonic_ns();
+  const double patience = timing_ == Timing::real ? table_.answer_time * period_ : kPatienceWithTick;
+  can::Frame frame;
+  // what came since the last cycle; a babbling node must not hold the tick up
+  while (bus_->receive(frame, 0) && clock::monotonic_ns() < begin + ns(patience)) dispatch(frame);
+  if (heartbeat_ticks_ != 0 && (tick >= last_heartbeat_ + heartbeat_ticks_ || tick == 0)) {
+    send(heartbeat_frame(table_.master, NmtState::operational));
+    last_heartbeat_ = tick;
+  }
+  for (Drive& drive : drives_) drive.expect();
+  send(sync_frame());
+  await_all(begin + ns(patience));
+  for (Drive& drive : drives_) drive.close_cycle(tick);
+}
+
+void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
+  synchronise(tick);
+  const auto count = static_cast<Eigen::Index>(drives_.size());
+  input.motors.resize(count);
+  input.current.resize(count);
+  input.fault = ErrorCode::none;
+  if (bus_error_ != BusError::none) {
+    input.fault =
+        bus_error_ == BusError::bus_off || bus_error_ == BusError::down ? ErrorCode::bus_off : ErrorCode::bus_error;
+    input.fault_value = static_cast<double>(bus_error_);
+  }
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Drive& drive = drives_[static_cast<std::size_t>(i)];
+    input.motors[i] = drive.position();
+    input.current[i] = drive.current();
+    input.switches[static_cast<std::size_t>(i)] = drive.switches();
+    if (!drive.knows_position() && !table_.absolute_encoders) synchronised_ = false;
+    const Drive::Finding finding = drive.finding(tick);
+    if (finding.code == ErrorCode::none || input.fault != ErrorCode::none) continue;
+    input.fault = finding.code;
+    input.fault_axis = static_cast<int>(i);
+    input.fault_value = finding.value;
+    input.fault_limit = finding.limit;
+  }
+  input.synchronised = synchronised_;
+  input.homing = Homing::none;
+  if (homing_ < 0) return;
+  const Drive& drive = drives_[static_cast<std::size_t>(homing_)];
+  input.homing = drive.homing();
+  input.homing_shift = -drive.offset();
+}
+
+void CanHardware::enable(bool on) noexcept {
+  homing_ = -1;
+  for (Drive& drive : drives_) drive.enable(on, tick_);
+}
+
+void CanHardware::reset_fault() noexcept {
+  homing_ = -1;
+  bus_error_ = BusError::none;
+  for (Drive& drive : drives_) {
+    can::Frame next;
+    drive.reset(tick_, next);
+    send(next);
+  }
+}
+
+bool CanHardware::busy() const noexcept {
+  return std::any_of(drives_.begin(), drives_.end(), [this](const Drive& drive) { return drive.busy(tick_); });
+}
+
+void CanHardware::set_points(const JointVector& position, const JointVector& velocity) noexcept {
+  position_ = position;
+  velocity_ = velocity;
+}
+
+void CanHardware::write(Tick, const JointVector& current) noexcept {
+  for (std::size_t i = 0; i < drives_.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    send(drives_[i].command({current[k], position_[k], velocity_[k]}));
+  }
+}
+
+void CanHardware::set_origin(const JointVector& shift) noexcept {
+  homing_ = -1;
+  for (std::size_t i = 0; i < drives_.size(); ++i) {
+    drives_[i].add_origin(shift[static_cast<Eigen::Index>(i)]);
+    drives_[i].position_known();
+  }
+  position_ += shift;
+  synchronised_ = true;
+}
+
+void CanHardware::home(int axis) noexcept {
+  homing_ = axis;
+  drives_[static_cast<std::size_t>(axis)].home();
+}
+
+}  // namespace mrroc::edp

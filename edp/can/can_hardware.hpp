@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "can/bus.hpp"
+#include "can/bus_error.hpp"
+#include "edp/can/drive.hpp"
+#include "mrroc/robot_parameters.hpp"
+
+namespace mrroc::edp {
+
+/// The drives of a robot on a CAN bus, one CiA 402 node per axis. The servo's thread is the bus's only thread: `read`
+/// sends the SYNC and takes the drives' answers, `write` sends each its command, both also whatever keeps the network
+/// alive (heartbeats, NMT, and the set-up of a drive that comes back). A cycle is
+///
+///   SYNC, TPDO 1 of every drive (and TPDO 2 at each `status_every`-th SYNC), RPDO 1 to every drive.
+///
+/// A drive that leaves up to `missed_max` SYNCs unanswered is where it would be if it had gone on; then it is silent.
+/// What goes wrong on the bus or in a drive is a fault of the robot, with the axis and the drive's own code.
+///
+/// `enable(false)` is a quick stop: drives that still turn slow down on their own ramp before they let go. The drives
+/// watch our heartbeat, so they do the same when this process dies.
+class CanHardware : public Hardware {
+ public:
+  enum class Timing {
+    lockstep,  ///< simulated drives: each tick waits for all of them
+    real       ///< they get `answer_time` of the servo period
+  };
+
+  /// `period` in s. `synchronised`: positions are right from the start.
+  CanHardware(config::DriveTable table, const RobotParameters& robot, double period, std::unique_ptr<can::Bus> bus,
+              Timing timing, bool synchronised);
+  ~CanHardware() override;
+
+  /// Resets the drives, waits for each to boot, sets it up and starts it, until all answer a SYNC. Throws HardwareError
+  /// that names drive, node and what is wrong: no boot-up, no CiA 402 drive, a setting that is refused, no answer.
+  void open() override;
+  void enable(bool on) noexcept override;
+  void reset_fault() noexcept override;
+  bool busy() const noexcept override;
+  void read(Tick tick, HardwareInput& input) noexcept override;
+  void set_points(const JointVector& position, const JointVector& velocity) noexcept override;
+  void write(Tick tick, const JointVector& current) noexcept override;
+  void set_origin(const JointVector& shift) noexcept override;
+  bool homes() const noexcept override { return true; }
+  void home(int axis) noexcept override;
+
+  static constexpr double kPatienceWithBoot = 10;  ///< s of wall time
+  static constexpr double kPatienceWithTick = 2;   ///< s of wall time, lockstep
+
+ private:
+  void await_boot();
+  void set_up(std::size_t axis);
+  void await_answers();
+  void send(const can::Frame& frame) noexcept;
+  void dispatch(const can::Frame& frame) noexcept;
+  bool await_all(std::int64_t deadline) noexcept;
+  void synchronise(Tick tick) noexcept;
+  [[noreturn]] void fail(ErrorCode code, std::size_t axis, const std::string& what) const;
+
+  config::DriveTable table_;
+  double period_;
+  std::unique_ptr<can::Bus> bus_;
+  Timing timing_;
+  bool synchronised_;
+  std::vector<Drive> drives_;
+  can::BusError bus_error_ = can::BusError::none;
+  Tick tick_ = 0;
+  Tick heartbeat_ticks_ = 0;
+  Tick last_heartbeat_ = 0;
+  int homing_ = -1;  ///< axis
+  JointVector position_, velocity_;
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,216 @@
+#include "edp/can/drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "canopen/emergency.hpp"
+
+namespace mrroc::edp {
+
+namespace {
+
+using namespace canopen;
+
+constexpr double kPerMille = 1000;
+constexpr int kMissedHeartbeats = 3;
+
+Tick ticks(double time, double period) { return static_cast<Tick>(std::ceil(time / period)); }
+
+/// A whole number that fits `Integer`; what is beyond it, or no number, becomes the nearest end or 0.
+template <class Integer>
+std::int64_t whole(double value) noexcept {
+  if (!std::isfinite(value)) return 0;
+  constexpr auto kLeast = static_cast<double>(std::numeric_limits<Integer>::min());
+  constexpr auto kGreatest = static_cast<double>(std::numeric_limits<Integer>::max());
+  return std::llround(std::clamp(value, kLeast, kGreatest));
+}
+
+}  // namespace
+
+Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, double period, double home)
+    : node_(entry.node),
+      mode_(table.mode),
+      rad_per_unit_(2 * std::numbers::pi / entry.units_per_turn),
+      rated_current_(entry.rated_current),
+      position_gain_(entry.position_gain),
+      heartbeat_ticks_(ticks(kMissedHeartbeats * table.heartbeat, period)),
+      switch_on_ticks_(ticks(kSwitchOnTime, period)),
+      missed_max_(table.missed_max),
+      reversed_(entry.units_per_turn < 0),
+      jump_(std::llround((6 * std::max(entry.homing.speed_switch, entry.homing.speed_zero) * period + 0.1) /
+                         std::abs(rad_per_unit_))),
+      pdos_(drive_pdos(table.mode)),
+      setup_(entry.node, drive_settings(table, entry, period, home)) {}
+
+bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept {
+  next = {};
+  if (frame.error || frame.remote) return false;
+  if (frame.id == kTransmitPdo1 + node_) {
+    take_feedback(frame);
+  } else if (frame.id == kTransmitPdo1 + 0x100 + node_) {
+    std::int64_t value = 0;
+    if (pdos_.status.read(frame, kVelocityActual, true, value)) velocity_ = static_cast<double>(value) * rad_per_unit_;
+    if (pdos_.status.read(frame, kDigitalInputs, false, value)) inputs_ = static_cast<std::uint32_t>(value);
+  } else if (frame.id == kHeartbeat + node_) {
+    heard_ = tick;
+    const bool operational = frame.size >= 1 && static_cast<NmtState>(frame.data[0] & 0x7f) == NmtState::operational;
+    if (running_ && !operational) {
+      restarted_ = true;
+      running_ = was_enabled_ = false;
+      position_lost_ = position_lost_ || (frame.size >= 1 && frame.data[0] == 0);
+    }
+  } else if (const auto emergency = emergency_of(frame); emergency && emergency->node == node_) {
+    if (emergency->code != 0) emergency_ = emergency->code;
+  } else if (frame.id == kSdoResponse + node_) {
+    if (setup_.take(frame, next) && setup_.status() == DriveSetup::Status::done) {
+      setup_.give_up();
+      begin(tick);
+      next = nmt_frame(NmtCommand::start, node_);
+    }
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void Drive::take_feedback(const can::Frame& frame) noexcept {
+  std::int64_t status = 0, raw = 0, torque = 0;
+  if (!pdos_.feedback.read(frame, kStatusword, false, status) ||
+      !pdos_.feedback.read(frame, kPositionActual, true, raw) ||
+      !pdos_.feedback.read(frame, kTorqueActual, true, torque))
+    return;  // too short: as if it had not come
+  statusword_ = static_cast<std::uint16_t>(status);
+  increment_ = known_ ? raw - raw_ : 0;
+  if (homing_ == Homing::running && std::abs(increment_) > jump_) {
+    // it counts from its home position now: what it has moved meanwhile is too little to matter
+    offset_ -= static_cast<double>(increment_) * rad_per_unit_;
+    increment_ = 0;
+  }
+  raw_ = raw;
+  current_ = static_cast<double>(torque) / kPerMille * rated_current_ * (reversed_ ? -1 : 1);
+  answered_ = known_ = true;
+  missed_ = 0;
+  follow_homing();
+}
+
+void Drive::close_cycle(Tick) noexcept {
+  if (state() == DriveState::operation_enabled) was_enabled_ = wanted_;
+  if (answered_ || !running_) return;
+  if (++missed_ <= missed_max_) raw_ += increment_;
+}
+
+AxisSwitches Drive::switches() const noexcept {
+  AxisSwitches switches;
+  const bool negative = (inputs_ & kNegativeLimitSwitch) != 0, positive = (inputs_ & kPositiveLimitSwitch) != 0;
+  switches.lower_limit = reversed_ ? positive : negative;
+  switches.upper_limit = reversed_ ? negative : positive;
+  switches.synchro = (inputs_ & kHomeSwitch) != 0;
+  return switches;
+}
+
+Drive::Finding Drive::finding(Tick tick) const noexcept {
+  if (restarted_) return {ErrorCode::drive_restarted};
+  if (missed_ > missed_max_) return {ErrorCode::hardware_silent, static_cast<double>(missed_), 1.0 * missed_max_};
+  if (!running_) return {ErrorCode::hardware_silent};
+  if (heartbeat_ticks_ != 0 && tick > heard_ + heartbeat_ticks_)
+    return {ErrorCode::heartbeat_lost, static_cast<double>(tick - heard_), static_cast<double>(heartbeat_ticks_)};
+  const DriveState now = state();
+  if (emergency_ != 0 || now == DriveState::fault || now == DriveState::fault_reaction_active)
+    return {ErrorCode::drive_fault, static_cast<double>(emergency_ != 0 ? emergency_ : 0x1000)};
+  if (wanted_ && now != DriveState::operation_enabled && (was_enabled_ || tick > since_ + switch_on_ticks_))
+    return {ErrorCode::drive_not_ready, static_cast<double>(statusword_)};
+  if (mode_ == DriveMode::cyclic_position && homing_ == Homing::none && now == DriveState::operation_enabled &&
+      (statusword_ & kFollowingError) != 0)
+    return {ErrorCode::following_error};
+  return {};
+}
+
+void Drive::begin(Tick tick) noexcept {
+  running_ = true;
+  restarted_ = false;
+  missed_ = 0;
+  heard_ = tick;
+}
+
+void Drive::enable(bool on, Tick tick) noexcept {
+  wanted_ = on;
+  was_enabled_ = false;
+  since_ = tick;
+  homing_ = Homing::none;
+}
+
+void Drive::reset(Tick tick, can::Frame& next) noexcept {
+  next = {};
+  emergency_ = 0;
+  wanted_ = was_enabled_ = pulse_ = false;
+  resetting_ = true;
+  since_ = tick;
+  homing_ = Homing::none;
+  if (running_ && missed_ <= missed_max_) {
+    heard_ = tick;
+    return;
+  }
+  running_ = false;
+  known_ = false;
+  next = setup_.start();
+}
+
+bool Drive::busy(Tick tick) const noexcept {
+  if (tick > since_ + switch_on_ticks_) return false;
+  if (!wanted_ && !resetting_)
+    return running_ && missed_ <= missed_max_ &&
+           (state() == DriveState::operation_enabled || state() == DriveState::quick_stop_active);
+  if (resetting_) return !running_ || !known_ || state() == DriveState::fault;
+  return wanted_ && state() != DriveState::operation_enabled && finding(tick).code == ErrorCode::none;
+}
+
+void Drive::home() noexcept {
+  homing_ = Homing::running;
+  homing_ticks_ = 0;
+  homing_seen_ = false;
+}
+
+void Drive::follow_homing() noexcept {
+  if (homing_ != Homing::running || ++homing_ticks_ <= kSelectTicks) return;
+  const bool attained = (statusword_ & kHomingAttained) != 0;
+  if (!attained) homing_seen_ = true;
+  if ((statusword_ & kHomingError) != 0 && homing_seen_)
+    homing_ = Homing::failed;
+  else if (attained && homing_seen_ && (statusword_ & kTargetReached) != 0)
+    homing_ = Homing::attained;
+}
+
+std::uint16_t Drive::controlword() noexcept {
+  const DriveState now = state();
+  if (resetting_) {
+    resetting_ = now == DriveState::fault || !running_;
+    pulse_ = now == DriveState::fault && !pulse_;
+    return pulse_ ? kFaultReset : kDisableVoltage;
+  }
+  if (!wanted_)
+    return now == DriveState::operation_enabled || now == DriveState::quick_stop_active ? kQuickStop : kDisableVoltage;
+  const bool starts = homing_ == Homing::running && homing_ticks_ >= kSelectTicks;
+  return static_cast<std::uint16_t>(towards_operation(now) |
+                                    (starts && now == DriveState::operation_enabled ? kStartHoming : 0));
+}
+
+can::Frame Drive::command(const Target& target) noexcept {
+  can::Frame frame{kReceivePdo1 + node_, {}};
+  const bool on = state() == DriveState::operation_enabled && homing_ != Homing::running;
+  const double sign = reversed_ ? -1 : 1;
+  const double error = target.position - position();
+  const double position = on ? (target.position - offset_) / rad_per_unit_ : static_cast<double>(raw_);
+  const double velocity = on ? (target.velocity + position_gain_ * error) / rad_per_unit_ : 0.0;
+  const double torque = on ? sign * target.current / rated_current_ * kPerMille : 0.0;
+  const DriveMode mode = homing_ == Homing::running ? DriveMode::homing : mode_;
+  pdos_.command.write(frame, kControlword, controlword());
+  pdos_.command.write(frame, kTargetPosition, whole<std::int32_t>(position));
+  pdos_.command.write(frame, kTargetVelocity, whole<std::int32_t>(velocity));
+  pdos_.command.write(frame, kTargetTorque, whole<std::int16_t>(torque));
+  pdos_.command.write(frame, kMode, static_cast<std::int8_t>(mode));
+  return frame;
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+
+#include "canopen/drive_state.hpp"
+#include "edp/can/drive_setup.hpp"
+#include "edp/hardware.hpp"
+
+namespace mrroc::edp {
+
+/// One CiA 402 drive as its master sees it: what it has said last, what it is to be told next, what is wrong with it.
+/// It sends and receives nothing itself, and its time is the servo's tick. Allocates in the constructor only; one
+/// thread; never throws.
+class Drive {
+ public:
+  /// What is wrong with it; code none: nothing.
+  struct Finding {
+    ErrorCode code = ErrorCode::none;
+    double value = 0;
+    double limit = 0;
+  };
+  /// Set-points of the shaft: A, rad, rad/s.
+  struct Target {
+    double current = 0;
+    double position = 0;
+    double velocity = 0;
+  };
+
+  /// `period` in s, `home`: rad of the shaft at its zero pulse.
+  Drive(const config::DriveTable& table, const config::DriveEntry& entry, double period, double home);
+
+  canopen::NodeId node() const noexcept { return node_; }
+
+  // what comes
+  /// Looks at any frame of the bus; true: it was this drive's. `next` is to be sent when it has data.
+  bool take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept;
+  /// A SYNC is about to be sent.
+  void expect() noexcept { answered_ = false; }
+  bool answered() const noexcept { return answered_; }
+  /// Whether an answer to this SYNC is to be waited for.
+  bool awaited() const noexcept { return !answered_ && running_ && missed_ <= missed_max_; }
+  /// The time for answers is over: a missing position is guessed from the last two.
+  void close_cycle(Tick tick) noexcept;
+
+  // what it has said
+  canopen::DriveState state() const noexcept { return canopen::drive_state(statusword_); }
+  double position() const noexcept { return static_cast<double>(raw_) * rad_per_unit_ + offset_; }  ///< rad
+  double velocity() const noexcept { return velocity_; }                                            ///< rad/s
+  double current() const noexcept { return current_; }                                              ///< A
+  AxisSwitches switches() const noexcept;
+  Finding finding(Tick tick) const noexcept;
+
+  // what it is told
+  /// It has been set up and started: from `tick` on it answers every SYNC.
+  void begin(Tick tick) noexcept;
+  void enable(bool on, Tick tick) noexcept;
+  /// Clears what has been found and resets its fault; a drive that has restarted is set up and started again, with
+  /// `next` as the first request.
+  void reset(Tick tick, can::Frame& next) noexcept;
+  /// Neither where `enable` nor where `reset` wanted it, and there is still time.
+  bool busy(Tick tick) const noexcept;
+  void home() noexcept;
+  Homing homing() const noexcept { return homing_; }
+  void add_origin(double shift) noexcept { offset_ += shift; }
+  double offset() const noexcept { return offset_; }
+  /// False: it has restarted, its positions count from there.
+  bool knows_position() const noexcept { return !position_lost_; }
+  void position_known() noexcept { position_lost_ = false; }
+  /// The PDO of this tick.
+  can::Frame command(const Target& target) noexcept;
+
+  DriveSetup& setup() noexcept { return setup_; }
+
+  static constexpr double kSwitchOnTime = 2.0;  ///< s that it gets to become operation enabled, or to be reset
+  static constexpr int kSelectTicks = 4;        ///< between the mode's change and the start of homing
+
+ private:
+  void take_feedback(const can::Frame& frame) noexcept;
+  void follow_homing() noexcept;
+  std::uint16_t controlword() noexcept;
+
+  // from the table
+  canopen::NodeId node_;
+  canopen::DriveMode mode_;
+  double rad_per_unit_, rated_current_, position_gain_;
+  Tick heartbeat_ticks_, switch_on_ticks_;
+  int missed_max_;
+  bool reversed_;
+  std::int64_t jump_;  ///< units that homing does not move it in a tick
+  DrivePdos pdos_;
+  DriveSetup setup_;
+
+  // said
+  std::uint16_t statusword_ = 0;
+  std::int64_t raw_ = 0, increment_ = 0;
+  double offset_ = 0, velocity_ = 0, current_ = 0;
+  std::uint32_t inputs_ = 0;
+  std::uint16_t emergency_ = 0;
+  bool answered_ = false, known_ = false, running_ = false, restarted_ = false, position_lost_ = false;
+  int missed_ = 0;
+  Tick heard_ = 0;  ///< its last heartbeat
+
+  // told
+  bool wanted_ = false, was_enabled_ = false, resetting_ = false, pulse_ = false;
+  Tick since_ = 0;  ///< of `enable` or `reset`
+  Homing homing_ = Homing::none;
+  int homing_ticks_ = 0;
+  bool homing_seen_ = false;  ///< it has said that it has not attained yet
+};
+
+}  // namespace mrroc::edp

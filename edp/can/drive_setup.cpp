@@ -1,0 +1,128 @@
+#include "edp/can/drive_setup.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "canopen/object_value.hpp"
+#include "config/table.hpp"
+
+namespace mrroc::edp {
+
+namespace {
+
+using namespace canopen;
+
+constexpr std::uint32_t kNotUsed = 0x80000000;
+constexpr std::uint8_t kAtOnce = 255;  // transmission type: the value is taken when it comes
+constexpr int kMissedHeartbeats = 3;
+constexpr std::int64_t kSlowDownAndDisable = 2;  // quick stop option code
+
+class Settings {
+ public:
+  Settings(const config::DriveTable& table) : table_(table) {}
+
+  void add(Object object, std::int64_t value, std::uint8_t size) {
+    settings_.push_back({object, to_text(object), value, size});
+  }
+  /// Where the drive has it.
+  void add_known(Object object, std::int64_t value, std::uint8_t size) {
+    if (table_.eds.find(object) != nullptr) add(object, value, size);
+  }
+  /// One PDO: it may be changed only while it is not used (CiA 301, 7.5.2.36).
+  void add_pdo(std::uint16_t parameters, std::uint16_t mapping, std::uint32_t identifier, std::uint8_t transmission,
+               const PdoMapping& map) {
+    add({parameters, 1}, kNotUsed | identifier, 4);
+    add({parameters, 2}, transmission, 1);
+    add({mapping, 0}, 0, 1);
+    std::uint8_t place = 0;
+    for (const MappedObject& mapped : map.objects()) add({mapping, ++place}, mapped.entry(), 4);
+    add({mapping, 0}, place, 1);
+    add({parameters, 1}, identifier, 4);
+  }
+  std::vector<config::DriveSetting> settings_;
+
+ private:
+  const config::DriveTable& table_;
+};
+
+/// The servo period as 60C2h says it: a number up to 255, and an exponent of ten.
+std::array<int, 2> period_of(const config::DriveTable& table, double period) {
+  for (int exponent = -3; exponent >= -6; --exponent) {
+    const double number = period / std::pow(10.0, exponent);
+    if (number <= 255.5 && std::abs(number - std::round(number)) < 1e-6 && number > 0.5)
+      return {static_cast<int>(std::lround(number)), exponent};
+  }
+  throw config::ConfigurationError(table.file, 0, "", "a servo period of " + std::to_string(period) + " s",
+                                   "up to 255 whole units of a power of ten, as CiA 402 object 60C2h says it");
+}
+
+}  // namespace
+
+DrivePdos drive_pdos(DriveMode mode) {
+  const MappedObject target = mode == DriveMode::cyclic_position   ? MappedObject{kTargetPosition, 4}
+                              : mode == DriveMode::cyclic_velocity ? MappedObject{kTargetVelocity, 4}
+                                                                   : MappedObject{kTargetTorque, 2};
+  return {PdoMapping({{kControlword, 2}, target, {kMode, 1}}),
+          PdoMapping({{kStatusword, 2}, {kPositionActual, 4}, {kTorqueActual, 2}}),
+          PdoMapping({{kVelocityActual, 4}, {kDigitalInputs, 4}})};
+}
+
+std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table, const config::DriveEntry& drive,
+                                                 double period, double home) {
+  const DrivePdos pdos = drive_pdos(table.mode);
+  Settings list(table);
+  list.add_pdo(kReceivePdoParameters, kReceivePdoMapping, kReceivePdo1 + drive.node, table.target_at_sync ? 1 : kAtOnce,
+               pdos.command);
+  list.add_pdo(kTransmitPdoParameters, kTransmitPdoMapping, kTransmitPdo1 + drive.node, 1, pdos.feedback);
+  list.add_pdo(kTransmitPdoParameters + 1, kTransmitPdoMapping + 1, kTransmitPdo1 + 0x100 + drive.node,
+               static_cast<std::uint8_t>(table.status_every), pdos.status);
+  const auto milliseconds = static_cast<std::int64_t>(std::lround(table.heartbeat * 1e3));
+  list.add(kConsumerHeartbeat, static_cast<std::int64_t>(table.master) << 16 | kMissedHeartbeats * milliseconds, 4);
+  list.add(kProducerHeartbeat, milliseconds, 2);
+  const auto [number, exponent] = period_of(table, period);
+  list.add_known(kInterpolationTime, number, 1);
+  list.add_known(kInterpolationExponent, exponent, 1);
+  list.add(kMode, static_cast<std::int64_t>(table.mode), 1);
+  list.add_known(kQuickStopOption, kSlowDownAndDisable, 2);
+  const double units = drive.units_per_turn / (2 * std::numbers::pi);
+  list.add_known(kHomingMethod, drive.homing.method, 1);
+  list.add_known(kHomeOffset, std::llround(home * units), 4);
+  list.add_known(kHomingSpeedSwitch, std::llround(std::abs(drive.homing.speed_switch * units)), 4);
+  list.add_known(kHomingSpeedZero, std::llround(std::abs(drive.homing.speed_zero * units)), 4);
+  for (const config::DriveSetting& setting : drive.settings) list.settings_.push_back(setting);
+  return list.settings_;
+}
+
+DriveSetup::DriveSetup(NodeId node, std::vector<config::DriveSetting> settings)
+    : node_(node), settings_(std::move(settings)) {}
+
+can::Frame DriveSetup::start() noexcept {
+  place_ = 0;
+  status_ = Status::writing;
+  return request();
+}
+
+can::Frame DriveSetup::request() noexcept {
+  std::array<std::uint8_t, 8> bytes{};
+  can::put(bytes, 0, bytes.size(), static_cast<std::uint64_t>(setting().value));
+  return transfer_.download(node_, setting().object, std::span(bytes).first(setting().size));
+}
+
+bool DriveSetup::take(const can::Frame& frame, can::Frame& next) noexcept {
+  if (status_ != Status::writing || !transfer_.take(frame, next)) return false;
+  if (transfer_.status() == SdoTransfer::Status::refused) {
+    status_ = Status::refused;
+  } else if (transfer_.status() == SdoTransfer::Status::done) {
+    if (place_ + 1 == settings_.size()) {
+      status_ = Status::done;
+    } else {
+      ++place_;
+      next = request();
+    }
+  }
+  return true;
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "can/frame.hpp"
+#include "canopen/drive_state.hpp"
+#include "canopen/pdo_mapping.hpp"
+#include "config/drive_table.hpp"
+#include "sim/can/motor_control.hpp"
+#include "sim/can/object_store.hpp"
+#include "sim/can/sdo_server.hpp"
+
+namespace mrroc::sim {
+
+/// A simulated servo drive on a CAN bus: a CANopen node (NMT, SDO, PDOs as they are configured, heartbeats both ways,
+/// EMCY) with the drive profile CiA 402 (state machine, cyclic synchronous position, velocity and torque, homing by
+/// methods 3, 5, 35 and 37, quick stop). It knows no bus and no motor: its owner hands it frames and measurements, and
+/// takes its current. Its time is given to it, ns. One thread.
+class DriveNode {
+ public:
+  using Send = std::function<void(const can::Frame&)>;
+
+  /// `table` and the entry with the drive's number describe it as its master sees it; `period` in s.
+  DriveNode(const config::DriveTable& table, const config::DriveEntry& entry, const AxisParameters& axis, double period,
+            Send send);
+
+  /// The power comes on: boot-up message, all values as its maker has set them.
+  void boot(std::int64_t now);
+  /// Any frame of the bus but SYNC.
+  void take(const can::Frame& frame, std::int64_t now);
+  /// What is due by time alone: heartbeats.
+  void look(std::int64_t now);
+
+  // one cycle
+  /// The shaft in this cycle, rad and A as its encoder and current sensor tell.
+  void measure(double position, double current, const edp::AxisSwitches& switches);
+  /// A SYNC has come: set-points that wait for it are taken.
+  void synchronise();
+  /// The PDOs of this SYNC: those of velocity and switches where they are due, then that of the position.
+  void send_status();
+  void send_feedback();
+  /// Whether a set-point is still to come before the motor can be driven.
+  bool waits_for_command() const noexcept { return operational() && !commanded_; }
+  /// The motor's current until the next cycle, A.
+  double drive();
+
+  bool powered() const noexcept;
+  bool operational() const noexcept { return nmt_ == canopen::NmtState::operational; }
+  canopen::DriveState state() const noexcept { return state_; }
+  canopen::NodeId node() const noexcept { return node_; }
+
+  // what may go wrong
+  /// An error of its own: EMCY, and it stops and lets go.
+  void fail(std::uint16_t code);
+  /// It sends and hears nothing: as if its wire were cut.
+  void cut(bool on) noexcept { cut_ = on; }
+  /// It sends no heartbeats.
+  void hush(bool on) noexcept { hushed_ = on; }
+  /// Its position says nothing new.
+  void freeze(bool on) noexcept { frozen_ = on; }
+
+ private:
+  void send(const can::Frame& frame);
+  void nmt(canopen::NmtCommand command, std::int64_t now);
+  void take_command(const can::Frame& frame);
+  void obey();
+  void follow_state();
+  double home();
+  std::optional<canopen::PdoMapping> mapping(std::uint16_t parameters, std::uint16_t mapping, std::uint32_t& identifier,
+                                             int& transmission) const;
+  void use_pdos();
+  double shaft(std::int64_t units) const noexcept;
+  std::int64_t units(double shaft) const noexcept;
+
+  struct Pdo {
+    canopen::PdoMapping mapping;
+    std::uint32_t identifier = 0;
+    int transmission = 255;
+  };
+
+  canopen::NodeId node_;
+  double units_per_rad_, rated_current_;
+  bool reversed_;
+  Send send_;
+  ObjectStore store_;
+  SdoServer sdo_;
+  MotorControl motor_;
+  canopen::NmtState nmt_ = canopen::NmtState::boot_up;
+  canopen::DriveState state_ = canopen::DriveState::switch_on_disabled;
+  std::optional<Pdo> command_, feedback_, status_;
+  can::Frame pending_;  ///< a set-point that waits for the SYNC
+  bool has_pending_ = false, commanded_ = false;
+  std::uint16_t controlword_ = 0;
+  std::int64_t raw_offset_ = 0;  ///< units: since its home position is known
+  double position_ = 0;
+  int syncs_ = 0;
+  std::int64_t sent_ = 0, heard_ = 0;  ///< heartbeats, ns; 0: none heard yet
+  edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
+  bool homed_ = false, homing_failed_ = false;
+  bool cut_ = false, hushed_ = false, frozen_ = false;
+};
+
+}  // namespace mrroc::sim

@@ -1,0 +1,102 @@
+#include "sim/can/drive_rack.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clock/monotonic.hpp"
+
+namespace mrroc::sim {
+
+using namespace canopen;
+
+namespace {
+
+constexpr std::int64_t kGlance = 2'000'000;      // ns: between two looks at the time and at `stop`
+constexpr std::int64_t kPatience = 100'000'000;  // ns: lockstep, for set-points that belong to a cycle
+
+}  // namespace
+
+DriveRack::DriveRack(const config::DriveTable& table, const RobotParameters& robot, double period, can::Bus& bus,
+                     edp::Hardware& plant, PlantTick plant_tick, Time time)
+    : bus_(bus), plant_(plant), plant_tick_(std::move(plant_tick)), time_(time), period_(std::llround(period * 1e9)) {
+  nodes_.reserve(robot.axes.size());
+  for (std::size_t i = 0; i < robot.axes.size(); ++i)
+    nodes_.emplace_back(table, table.drives[i], robot.axes[i], period,
+                        [this](const can::Frame& frame) { bus_.send(frame); });
+}
+
+std::int64_t DriveRack::now() const noexcept {
+  return time_ == Time::wall ? clock::monotonic_ns() : static_cast<std::int64_t>(tick_ + 1) * period_;
+}
+
+void DriveRack::with(const std::function<void(std::vector<DriveNode>&)>& action) {
+  const std::lock_guard lock(mutex_);
+  action(nodes_);
+}
+
+bool DriveRack::any_powered() const noexcept {
+  return std::any_of(nodes_.begin(), nodes_.end(), [](const DriveNode& node) { return node.powered(); });
+}
+
+bool DriveRack::all_commanded() const noexcept {
+  return std::none_of(nodes_.begin(), nodes_.end(), [](const DriveNode& node) { return node.waits_for_command(); });
+}
+
+void DriveRack::serve() {
+  with([this](std::vector<DriveNode>& nodes) {
+    for (DriveNode& node : nodes) node.boot(now());
+  });
+  while (!stop_.load()) {
+    can::Frame frame;
+    const bool came = bus_.receive(frame, clock::monotonic_ns() + kGlance);
+    const std::lock_guard lock(mutex_);
+    if (came) take(frame);
+    for (DriveNode& node : nodes_) node.look(now());
+    const std::int64_t since = clock::monotonic_ns() - synced_;
+    // set-points that are lost: a frame that the bus has eaten, a master that has died
+    if (open_ && since > (time_ == Time::wall ? period_ : kPatience)) drive();
+    if (time_ == Time::wall && any_powered() && since > 2 * period_) begin_cycle(false);
+  }
+}
+
+void DriveRack::take(const can::Frame& frame) {
+  if (!frame.error && frame.id == kSync) {
+    if (open_) drive();
+    begin_cycle(true);
+    return;
+  }
+  for (DriveNode& node : nodes_) node.take(frame, now());
+  if (open_ && all_commanded()) drive();
+}
+
+void DriveRack::begin_cycle(bool on_bus) {
+  synced_ = clock::monotonic_ns();
+  tick_ = plant_tick_(tick_, any_powered());
+  input_.tick = tick_;
+  plant_.read(tick_, input_);
+  tick_ = input_.tick;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    nodes_[i].measure(input_.motors[k], input_.current[k], input_.switches[i]);
+  }
+  open_ = true;
+  if (!on_bus) return drive();
+  cycles_.fetch_add(1);
+  for (DriveNode& node : nodes_) node.synchronise();
+  // those that nobody waits for come first, so that they are there when the others are
+  for (DriveNode& node : nodes_) node.send_status();
+  for (DriveNode& node : nodes_) node.send_feedback();
+  if (all_commanded()) drive();
+}
+
+void DriveRack::drive() {
+  open_ = false;
+  const bool let_go = std::all_of(nodes_.begin(), nodes_.end(), [](const DriveNode& node) { return node.powered(); });
+  JointVector current(static_cast<Eigen::Index>(nodes_.size()));
+  for (std::size_t i = 0; i < nodes_.size(); ++i) current[static_cast<Eigen::Index>(i)] = nodes_[i].drive();
+  powered_.store(any_powered());
+  plant_.enable(let_go);
+  plant_.write(tick_, current);
+}
+
+}  // namespace mrroc::sim

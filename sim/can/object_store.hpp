@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "canopen/eds_file.hpp"
+#include "canopen/identifiers.hpp"
+#include "canopen/sdo.hpp"
+
+namespace mrroc::sim {
+
+/// The values of a simulated node's object dictionary, as its EDS file describes it: types, access, default values
+/// ("$NODEID+0x180" with the node's number). One thread.
+class ObjectStore {
+ public:
+  ObjectStore(const canopen::EdsFile& eds, canopen::NodeId node);
+
+  /// All default values again: the power has been off.
+  void reset();
+
+  // as the bus does it
+  canopen::SdoAbort read(canopen::Object object, std::vector<std::uint8_t>& value) const;
+  canopen::SdoAbort write(canopen::Object object, std::span<const std::uint8_t> value);
+
+  // as the device does it, whatever the access; of an object that there is not: 0, and nothing
+  std::int64_t number(canopen::Object object) const;
+  void set(canopen::Object object, std::int64_t value);
+  /// Bytes of the value.
+  std::size_t size(canopen::Object object) const;
+
+ private:
+  struct Value {
+    const canopen::ObjectEntry* entry;
+    std::vector<std::uint8_t> bytes;
+  };
+  std::vector<std::uint8_t> default_of(const canopen::ObjectEntry& entry) const;
+
+  canopen::EdsFile eds_;
+  canopen::NodeId node_;
+  std::map<canopen::Object, Value> values_;
+};
+
+}  // namespace mrroc::sim

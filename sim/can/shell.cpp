@@ -1,0 +1,124 @@
+// The same main() as the robot's EDP, linked with its simulated drives instead of the servo: it needs the robot's
+// model, because the motors are joints of the world.
+#include "edp/shell.hpp"
+
+#include <cmath>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "can/bus.hpp"
+#include "can/hub.hpp"
+#include "config/drive_table.hpp"
+#include "edp/mujoco_hardware.hpp"
+#include "mrroc/stopped.hpp"
+#include "process/process.hpp"
+#include "sim/can/drive_rack.hpp"
+#include "sim/mapped_world.hpp"
+
+namespace mrroc::edp {
+
+namespace {
+
+constexpr std::string_view kHub = "unix:";
+constexpr Tick kGlanceTicks = 10;  // between two looks at whether all is over
+
+struct Place {
+  std::size_t index;
+  const config::RobotEntry& entry;
+};
+
+Place place_of(const process::Process& process) {
+  const auto& robots = process.deployment().robots;
+  for (std::size_t i = 0; i < robots.size(); ++i)
+    if (robots[i].name + "_drives" == process.name()) return {i, robots[i]};
+  throw SystemError(ErrorCode::configuration, "the deployment has no robot for the process " + process.name());
+}
+
+/// The simulated drives of one robot: hardware to its EDP, reached by the bus alone.
+class Drives {
+ public:
+  Drives(process::Process& process, const ModelFactory& factory)
+      : process_(process),
+        place_(place_of(process)),
+        models_(factory()),
+        world_(sim::MappedWorld::attach(process.arguments().world_fd)),
+        plant_(*models_.front(), *world_, place_.index, MujocoHardware::Timing::newest, place_.entry.synchronised),
+        hub_(open_hub(place_.entry.can->interface)),
+        bus_(can::open_bus(place_.entry.can->interface)),
+        rack_(
+            config::read_drive_table(place_.entry.can->drives, models_.front()->parameters()),
+            models_.front()->parameters(), process.clock().period(), *bus_, plant_,
+            [this](Tick last, bool wait) { return newest(last, wait); },
+            process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall) {}
+
+  /// The bus is served by a thread of its own; this one waits for the end, which comes when no robot is driven any
+  /// more.
+  void serve() {
+    await_world();
+    std::exception_ptr failure;
+    std::thread thread([this, &failure] {
+      try {
+        rack_.serve();
+      } catch (...) {
+        failure = std::current_exception();
+        process_.clock().interrupt();
+      }
+    });
+    const std::shared_ptr<void> joined(nullptr, [&](void*) {
+      rack_.stop();
+      thread.join();
+    });
+    process_.start();
+    std::uint64_t cycles = 0;
+    for (;;) {
+      if (process_.clock().wait(process_.clock().tick() + kGlanceTicks) == clock::Wake::interrupted) break;
+      const std::uint64_t now = rack_.cycles();
+      // in simulated time drives without a master stand still: its ticks are their time
+      const bool left = now == std::exchange(cycles, now);
+      if (process_.clock().stopping() && (left || !rack_.powered())) break;
+    }
+    if (failure) std::rethrow_exception(failure);
+    throw Stopped{};
+  }
+
+ private:
+  static std::unique_ptr<can::Hub> open_hub(const std::string& interface) {
+    if (!interface.starts_with(kHub)) return nullptr;
+    return std::make_unique<can::Hub>(interface.substr(kHub.size()));
+  }
+
+  /// Before the world is there, there are no shafts to measure.
+  void await_world() {
+    sim::JointMeasurement measurement;
+    const auto there = [&] { return world_->measurements[place_.index].load(measurement); };
+    while (!there() && !process_.clock().stopping()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+
+  Tick newest(Tick last, bool wait) {
+    sim::JointMeasurement measurement;
+    const auto later = [&] { return world_->measurements[place_.index].load(measurement) && measurement.tick > last; };
+    const bool real = !process_.clock().simulated();
+    if (!later() && wait && real) world_->measured.wait(later, std::llround(process_.clock().period() * 1e9));
+    return measurement.tick;
+  }
+
+  process::Process& process_;
+  Place place_;
+  RobotModels models_;
+  sim::MappedWorld world_;
+  MujocoHardware plant_;
+  std::unique_ptr<can::Hub> hub_;  ///< null: the kernel has the bus
+  std::unique_ptr<can::Bus> bus_;
+  sim::DriveRack rack_;
+};
+
+}  // namespace
+
+int run(int argc, char** argv, const ModelFactory& factory) {
+  return process::run_process(argc, argv, links::ProcessRole::sim, [&factory](process::Process& process) {
+    std::make_unique<Drives>(process, factory)->serve();
+  });
+}
+
+}  // namespace mrroc::edp

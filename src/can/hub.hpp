@@ -1,0 +1,48 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <thread>
+#include <vector>
+
+#include "can/frame.hpp"
+
+namespace mrroc::can {
+
+/// A CAN bus without a kernel that has one: a Unix socket (SOCK_SEQPACKET) whose clients exchange `struct can_frame`.
+/// What one sends, all others get, in the order in which the hub has read it. A client that does not read loses
+/// frames once its socket is full, as a controller's receive buffer overruns. It has a thread of its own.
+class Hub {
+ public:
+  /// What becomes of a frame: passed on as it is or changed; false: lost. For tests of faults; the hub's thread.
+  using Fault = std::function<bool(Frame& frame)>;
+
+  /// Listens at `path`, which must not exist. Throws std::runtime_error.
+  explicit Hub(std::filesystem::path path, Fault fault = {});
+  /// Ends the bus: its clients see it gone.
+  ~Hub();
+  Hub(const Hub&) = delete;
+  Hub& operator=(const Hub&) = delete;
+
+  /// "unix:PATH", as `open_bus` takes it.
+  std::string name() const { return "unix:" + path_.string(); }
+  /// How many it has passed on. Any thread.
+  std::uint64_t frames() const noexcept { return frames_.load(std::memory_order_relaxed); }
+
+ private:
+  void serve();
+  void accept();
+  bool relay(int from);
+
+  std::filesystem::path path_;
+  Fault fault_;
+  int listener_ = -1;
+  int stop_ = -1;  ///< eventfd
+  std::vector<int> clients_;
+  std::atomic<std::uint64_t> frames_{0};
+  std::thread thread_;
+};
+
+}  // namespace mrroc::can

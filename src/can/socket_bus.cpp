@@ -1,0 +1,93 @@
+#include "can/socket_bus.hpp"
+
+#include <linux/can.h>
+#include <linux/can/error.h>
+#include <linux/can/raw.h>
+#include <net/if.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+#include "can/raw_frame.hpp"
+#include "can/wait_readable.hpp"
+
+namespace mrroc::can {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& interface, const std::string& what) {
+  throw std::runtime_error("CAN interface '" + interface + "': " + what);
+}
+
+void check_is_up(int socket, const std::string& interface) {
+  ifreq request{};
+  interface.copy(request.ifr_name, IFNAMSIZ - 1);
+  if (::ioctl(socket, SIOCGIFFLAGS, &request) == 0 && (request.ifr_flags & IFF_UP) == 0)
+    fail(interface, "is down, expected it up: ip link set " + interface + " up type can bitrate 1000000");
+}
+
+}  // namespace
+
+SocketBus::SocketBus(const std::string& interface) {
+  const unsigned index = interface.size() < IFNAMSIZ ? ::if_nametoindex(interface.c_str()) : 0;
+  socket_ = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
+  if (socket_ < 0)
+    fail(interface, errno == EAFNOSUPPORT ? "this kernel has no CAN, expected one with SocketCAN (modprobe can-raw)"
+                                          : std::strerror(errno));
+  try {
+    if (index == 0)
+      fail(interface, "is not there, expected the name of a CAN interface (ip -brief link show type can)");
+    check_is_up(socket_, interface);
+    const can_err_mask_t errors = CAN_ERR_MASK;
+    ::setsockopt(socket_, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &errors, sizeof errors);
+    sockaddr_can address{};
+    address.can_family = AF_CAN;
+    address.can_ifindex = static_cast<int>(index);
+    if (::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
+      fail(interface, errno == ENODEV ? "is no CAN interface" : std::strerror(errno));
+  } catch (...) {
+    ::close(socket_);
+    throw;
+  }
+}
+
+SocketBus::~SocketBus() { ::close(socket_); }
+
+Sent SocketBus::send(const Frame& frame) noexcept {
+  const can_frame raw = to_raw(frame);
+  ssize_t sent = 0;
+  do sent = ::send(socket_, &raw, sizeof raw, MSG_DONTWAIT);
+  while (sent < 0 && errno == EINTR);
+  if (sent == sizeof raw) return Sent::yes;
+  return errno == ENOBUFS || errno == EAGAIN || errno == ENOMEM ? Sent::full : Sent::down;
+}
+
+bool SocketBus::receive(Frame& frame, std::int64_t deadline) noexcept {
+  for (;;) {
+    can_frame raw{};
+    const ssize_t size = ::recv(socket_, &raw, sizeof raw, MSG_DONTWAIT);
+    if (size == sizeof raw) {
+      if (from_raw(raw, frame)) return true;
+      continue;
+    }
+    if (size < 0 && errno == EINTR) continue;
+    // an interface that goes down is an error here until it is up: `send` tells
+    if (!wait_readable(socket_, deadline)) return false;
+    if (size < 0 && errno != EAGAIN) return false;
+  }
+}
+
+void SocketBus::filter(std::span<const Filter> filters) {
+  std::vector<can_filter> raw;
+  for (const Filter& each : filters) raw.push_back({each.wanted, each.mask | CAN_EFF_FLAG});
+  if (::setsockopt(socket_, SOL_CAN_RAW, CAN_RAW_FILTER, raw.data(),
+                   static_cast<socklen_t>(raw.size() * sizeof(can_filter))) != 0)
+    throw std::system_error(errno, std::generic_category(), "CAN_RAW_FILTER");
+}
+
+}  // namespace mrroc::can

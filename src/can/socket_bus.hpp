@@ -1,0 +1,26 @@
+#pragma once
+
+#include "can/bus.hpp"
+
+namespace mrroc::can {
+
+/// A raw socket on a CAN interface of the kernel (Linux, Documentation/networking/can.rst). It hears what others on the
+/// same machine send, not itself, and every error that the controller reports.
+class SocketBus : public Bus {
+ public:
+  /// Throws std::runtime_error: the kernel knows no CAN, there is no such interface, it is down, it is no CAN.
+  explicit SocketBus(const std::string& interface);
+  ~SocketBus() override;
+  SocketBus(const SocketBus&) = delete;
+  SocketBus& operator=(const SocketBus&) = delete;
+
+  Sent send(const Frame& frame) noexcept override;
+  bool receive(Frame& frame, std::int64_t deadline) noexcept override;
+  void filter(std::span<const Filter> filters) override;
+  int descriptor() const noexcept override { return socket_; }
+
+ private:
+  int socket_ = -1;
+};
+
+}  // namespace mrroc::can

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "can/frame.hpp"
+
+namespace mrroc::canopen {
+
+/// A node of a CANopen network, 1..127; 0 addresses all of them.
+using NodeId = std::uint8_t;
+inline constexpr NodeId kMaxNode = 127;
+
+/// Identifiers of the predefined connection set (CiA 301, 7.3.5); with a node's number added but for the first three.
+inline constexpr std::uint32_t kNmt = 0x000;
+inline constexpr std::uint32_t kSync = 0x080;
+inline constexpr std::uint32_t kTime = 0x100;
+inline constexpr std::uint32_t kEmergency = 0x080;
+inline constexpr std::uint32_t kTransmitPdo1 = 0x180;  ///< from the drive; number n at + 0x100 (n - 1)
+inline constexpr std::uint32_t kReceivePdo1 = 0x200;   ///< to the drive
+inline constexpr std::uint32_t kSdoResponse = 0x580;   ///< from the drive
+inline constexpr std::uint32_t kSdoRequest = 0x600;    ///< to the drive
+inline constexpr std::uint32_t kHeartbeat = 0x700;
+
+/// What the master tells a node to do (CiA 301, 7.2.8.3.1).
+enum class NmtCommand : std::uint8_t {
+  start = 0x01,
+  stop = 0x02,
+  enter_pre_operational = 0x80,
+  reset_node = 0x81,
+  reset_communication = 0x82
+};
+
+/// A node's state, as its heartbeat tells it.
+enum class NmtState : std::uint8_t { boot_up = 0x00, stopped = 0x04, operational = 0x05, pre_operational = 0x7f };
+
+inline can::Frame nmt_frame(NmtCommand command, NodeId node) {
+  return {kNmt, {static_cast<std::uint8_t>(command), node}};
+}
+inline can::Frame sync_frame() { return {kSync, {}}; }
+inline can::Frame heartbeat_frame(NodeId node, NmtState state) {
+  return {kHeartbeat + node, {static_cast<std::uint8_t>(state)}};
+}
+
+/// "pre-operational"; "unknown" for what is no state.
+constexpr std::string_view describe(NmtState state) noexcept {
+  switch (state) {
+    case NmtState::boot_up:
+      return "boot-up";
+    case NmtState::stopped:
+      return "stopped";
+    case NmtState::operational:
+      return "operational";
+    case NmtState::pre_operational:
+      return "pre-operational";
+  }
+  return "unknown";
+}
+
+constexpr std::string_view describe(NmtCommand command) noexcept {
+  switch (command) {
+    case NmtCommand::start:
+      return "start";
+    case NmtCommand::stop:
+      return "stop";
+    case NmtCommand::enter_pre_operational:
+      return "enter pre-operational";
+    case NmtCommand::reset_node:
+      return "reset node";
+    case NmtCommand::reset_communication:
+      return "reset communication";
+  }
+  return "unknown";
+}
+
+}  // namespace mrroc::canopen

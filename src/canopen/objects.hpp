@@ -1,0 +1,62 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace mrroc::canopen {
+
+/// Address of a value in a node's object dictionary.
+struct Object {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  friend constexpr auto operator<=>(const Object&, const Object&) = default;
+};
+
+// CiA 301
+inline constexpr Object kDeviceType{0x1000};
+inline constexpr Object kErrorRegister{0x1001};
+inline constexpr Object kDeviceName{0x1008};
+inline constexpr Object kConsumerHeartbeat{0x1016, 1};
+inline constexpr Object kProducerHeartbeat{0x1017};
+inline constexpr Object kVendor{0x1018, 1};
+inline constexpr Object kProduct{0x1018, 2};
+inline constexpr Object kRevision{0x1018, 3};
+inline constexpr Object kSerialNumber{0x1018, 4};
+inline constexpr std::uint16_t kReceivePdoParameters = 0x1400;  ///< + number - 1
+inline constexpr std::uint16_t kReceivePdoMapping = 0x1600;
+inline constexpr std::uint16_t kTransmitPdoParameters = 0x1800;
+inline constexpr std::uint16_t kTransmitPdoMapping = 0x1a00;
+
+// CiA 402-2
+inline constexpr Object kAbortConnectionOption{0x6007};
+inline constexpr Object kErrorCode{0x603f};
+inline constexpr Object kControlword{0x6040};
+inline constexpr Object kStatusword{0x6041};
+inline constexpr Object kQuickStopOption{0x605a};
+inline constexpr Object kMode{0x6060};
+inline constexpr Object kModeDisplay{0x6061};
+inline constexpr Object kPositionActual{0x6064};
+inline constexpr Object kFollowingErrorWindow{0x6065};
+inline constexpr Object kVelocityActual{0x606c};
+inline constexpr Object kTargetTorque{0x6071};
+inline constexpr Object kRatedCurrent{0x6075};  ///< mA
+inline constexpr Object kRatedTorque{0x6076};
+inline constexpr Object kTorqueActual{0x6077};  ///< per mille of the rated torque
+inline constexpr Object kTargetPosition{0x607a};
+inline constexpr Object kHomeOffset{0x607c};
+inline constexpr Object kHomingMethod{0x6098};
+inline constexpr Object kHomingSpeedSwitch{0x6099, 1};
+inline constexpr Object kHomingSpeedZero{0x6099, 2};
+inline constexpr Object kHomingAcceleration{0x609a};
+inline constexpr Object kInterpolationTime{0x60c2, 1};      ///< of the cyclic modes' set-points
+inline constexpr Object kInterpolationExponent{0x60c2, 2};  ///< of ten: 60C2:1 x 10^60C2:2 s
+inline constexpr Object kDigitalInputs{0x60fd};
+inline constexpr Object kDigitalOutputs{0x60fe, 1};
+inline constexpr Object kTargetVelocity{0x60ff};
+
+/// Bits of 60FDh.
+inline constexpr std::uint32_t kNegativeLimitSwitch = 1u << 0;
+inline constexpr std::uint32_t kPositiveLimitSwitch = 1u << 1;
+inline constexpr std::uint32_t kHomeSwitch = 1u << 2;
+
+}  // namespace mrroc::canopen

@@ -1,0 +1,175 @@
+#include "canopen/sdo.hpp"
+
+#include <algorithm>
+
+namespace mrroc::canopen {
+
+namespace {
+
+// command specifiers, CiA 301 7.2.4.3: upper three bits
+constexpr std::uint8_t kDownloadSegment = 0x00, kDownload = 0x20, kUpload = 0x40, kUploadSegment = 0x60, kAbort = 0x80;
+constexpr std::uint8_t kAnsweredUploadSegment = 0x00, kAnsweredDownloadSegment = 0x20, kAnsweredUpload = 0x40,
+                       kAnsweredDownload = 0x60;
+constexpr std::uint8_t kSpecifier = 0xe0, kToggle = 0x10, kExpedited = 0x02, kSizeTold = 0x01, kLast = 0x01;
+constexpr std::size_t kInSegment = 7;
+
+}  // namespace
+
+std::string_view describe(SdoAbort abort) noexcept {
+  switch (abort) {
+    case SdoAbort::none:
+      return "no abort";
+    case SdoAbort::toggle_bit:
+      return "toggle bit not alternated";
+    case SdoAbort::timeout:
+      return "SDO protocol timed out";
+    case SdoAbort::unknown_command:
+      return "command specifier not valid or unknown";
+    case SdoAbort::out_of_memory:
+      return "out of memory";
+    case SdoAbort::unsupported_access:
+      return "unsupported access to an object";
+    case SdoAbort::write_only:
+      return "attempt to read a write only object";
+    case SdoAbort::read_only:
+      return "attempt to write a read only object";
+    case SdoAbort::no_such_object:
+      return "object does not exist in the object dictionary";
+    case SdoAbort::not_mappable:
+      return "object cannot be mapped to the PDO";
+    case SdoAbort::mapping_too_long:
+      return "the number and length of the objects to be mapped exceed PDO length";
+    case SdoAbort::wrong_length:
+      return "data type does not match, length of service parameter does not match";
+    case SdoAbort::no_such_sub_index:
+      return "sub-index does not exist";
+    case SdoAbort::invalid_value:
+      return "invalid value for parameter";
+    case SdoAbort::wrong_state:
+      return "data cannot be transferred because of the present device state";
+  }
+  return "unknown abort code";
+}
+
+can::Frame SdoTransfer::request(std::uint8_t command) const noexcept {
+  can::Frame frame{kSdoRequest + node_, {command, 0, 0, object_.sub, 0, 0, 0, 0}};
+  can::put(frame.data, 1, 2, object_.index);
+  return frame;
+}
+
+can::Frame SdoTransfer::upload(NodeId node, Object object) noexcept {
+  status_ = Status::waiting;
+  writes_ = segmented_ = false;
+  node_ = node;
+  object_ = object;
+  abort_ = SdoAbort::none;
+  size_ = sent_ = toggle_ = 0;
+  return request(kUpload);
+}
+
+can::Frame SdoTransfer::download(NodeId node, Object object, std::span<const std::uint8_t> value) noexcept {
+  upload(node, object);
+  writes_ = true;
+  size_ = std::min(value.size(), value_.size());
+  std::copy_n(value.begin(), size_, value_.begin());
+  segmented_ = size_ > 4;
+  if (segmented_) {
+    can::Frame frame = request(kDownload | kSizeTold);
+    can::put(frame.data, 4, 4, size_);
+    return frame;
+  }
+  const auto unused = static_cast<std::uint8_t>((4 - size_) << 2);
+  can::Frame frame = request(static_cast<std::uint8_t>(kDownload | unused | kExpedited | kSizeTold));
+  std::copy_n(value_.begin(), size_, frame.data.begin() + 4);
+  return frame;
+}
+
+can::Frame SdoTransfer::refuse(SdoAbort why) noexcept {
+  status_ = Status::refused;
+  abort_ = why;
+  can::Frame frame = request(kAbort);
+  can::put(frame.data, 4, 4, static_cast<std::uint32_t>(why));
+  return frame;
+}
+
+bool SdoTransfer::take(const can::Frame& frame, can::Frame& next) noexcept {
+  next = {};
+  if (status_ != Status::waiting || frame.error || frame.remote || frame.id != kSdoResponse + node_ || frame.size != 8)
+    return false;
+  const std::uint8_t specifier = frame.data[0] & kSpecifier;
+  const bool names_object =
+      !segmented_ || specifier == kAbort || (writes_ ? sent_ == 0 && specifier == kAnsweredDownload : false);
+  // the answer to an earlier request that was given up
+  if (names_object && Object{static_cast<std::uint16_t>(can::get(frame.data, 1, 2)), frame.data[3]} != object_)
+    return false;
+  if (specifier == kAbort) {
+    status_ = Status::refused;
+    abort_ = static_cast<SdoAbort>(can::get(frame.data, 4, 4));
+  } else if (!writes_) {
+    next = segmented_ ? take_segment(frame) : take_upload(frame);
+  } else if (specifier == kAnsweredDownload && sent_ == 0) {
+    if (segmented_)
+      next = next_segment();
+    else
+      status_ = Status::done;
+  } else if (segmented_ && specifier == kAnsweredDownloadSegment && sent_ > 0) {
+    if ((frame.data[0] & kToggle) != toggle_) {
+      next = refuse(SdoAbort::toggle_bit);
+    } else {
+      toggle_ ^= kToggle;
+      if (sent_ >= size_)
+        status_ = Status::done;
+      else
+        next = next_segment();
+    }
+  } else {
+    next = refuse(SdoAbort::unknown_command);
+  }
+  return true;
+}
+
+can::Frame SdoTransfer::take_upload(const can::Frame& frame) noexcept {
+  const std::uint8_t command = frame.data[0];
+  if ((command & kSpecifier) != kAnsweredUpload) return refuse(SdoAbort::unknown_command);
+  if ((command & kExpedited) != 0) {
+    size_ = (command & kSizeTold) != 0 ? 4u - ((command >> 2) & 3u) : 4u;
+    std::copy_n(frame.data.begin() + 4, size_, value_.begin());
+    status_ = Status::done;
+    return {};
+  }
+  if ((command & kSizeTold) != 0 && can::get(frame.data, 4, 4) > kMaxValue) return refuse(SdoAbort::out_of_memory);
+  segmented_ = true;
+  can::Frame segment = request(kUploadSegment);
+  std::fill(segment.data.begin() + 1, segment.data.end(), std::uint8_t{0});
+  return segment;
+}
+
+can::Frame SdoTransfer::take_segment(const can::Frame& frame) noexcept {
+  const std::uint8_t command = frame.data[0];
+  if ((command & kSpecifier) != kAnsweredUploadSegment) return refuse(SdoAbort::unknown_command);
+  if ((command & kToggle) != toggle_) return refuse(SdoAbort::toggle_bit);
+  const std::size_t count = kInSegment - ((command >> 1) & 7u);
+  if (size_ + count > kMaxValue) return refuse(SdoAbort::out_of_memory);
+  std::copy_n(frame.data.begin() + 1, count, value_.begin() + static_cast<std::ptrdiff_t>(size_));
+  size_ += count;
+  if ((command & kLast) != 0) {
+    status_ = Status::done;
+    return {};
+  }
+  toggle_ ^= kToggle;
+  can::Frame segment{kSdoRequest + node_, {0, 0, 0, 0, 0, 0, 0, 0}};
+  segment.data[0] = kUploadSegment | toggle_;
+  return segment;
+}
+
+can::Frame SdoTransfer::next_segment() noexcept {
+  const std::size_t count = std::min(kInSegment, size_ - sent_);
+  can::Frame segment{kSdoRequest + node_, {0, 0, 0, 0, 0, 0, 0, 0}};
+  segment.data[0] = static_cast<std::uint8_t>(kDownloadSegment | toggle_ | ((kInSegment - count) << 1) |
+                                              (sent_ + count >= size_ ? kLast : 0));
+  std::copy_n(value_.begin() + static_cast<std::ptrdiff_t>(sent_), count, segment.data.begin() + 1);
+  sent_ += count;
+  return segment;
+}
+
+}  // namespace mrroc::canopen
