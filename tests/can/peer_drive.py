@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""CiA 402 drives of another hand: nodes of python-canopen with the object dictionary of an EDS, for a master to drive.
+
+Prints `ready` when they are on the bus. Obeys lines of its standard input, for every node or after `node N` for one:
+  emcy CODE               a fault with that error code
+  limit positive|negative on|off
+  jam on|off              the shaft does not turn
+  silence, speak          deaf and dumb as with its plug pulled, and back
+  reboot                  power off and on
+  die                     the program ends without a word
+"""
+
+import argparse
+import os
+import queue
+import sys
+import threading
+
+import canopen
+
+from peer_motor import NEGATIVE_LIMIT, POSITIVE_LIMIT
+from peer_node import PeerNode
+from unix_bus import open_bus
+
+TICK = 0.005  # s between looks at the timers and the motor
+
+
+def obey(peer, words):
+    name, rest = words[0], words[1:]
+    motor = peer.motor
+    if name == "emcy":
+        peer.fault(int(rest[0], 0))
+    elif name == "limit":
+        bit = {"positive": POSITIVE_LIMIT, "negative": NEGATIVE_LIMIT}[rest[0]]
+        motor.inputs = motor.inputs | bit if is_on(rest[1]) else motor.inputs & ~bit
+    elif name == "jam":
+        motor.jammed = is_on(rest[0])
+    elif name in ("silence", "speak"):
+        peer.set_silent(name == "silence")
+    elif name == "reboot":
+        peer.restart()
+    elif name == "die":
+        os._exit(1)
+    else:
+        raise ValueError(name)
+
+
+def is_on(word):
+    return {"on": True, "off": False}[word]
+
+
+def read_lines(lines):
+    for line in sys.stdin:
+        lines.put(line.split())
+
+
+def obey_line(peers, words):
+    if words[:1] == ["node"]:
+        peers, words = [peer for peer in peers if peer.node.id == int(words[1], 0)], words[2:]
+    for peer in peers if words else ():
+        with peer.lock:
+            obey(peer, words)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bus", required=True, help="a network interface, or unix:PATH of a hub")
+    parser.add_argument("--eds", required=True)
+    parser.add_argument("nodes", type=int, nargs="+", help="node numbers")
+    asked = parser.parse_args()
+
+    network = canopen.Network(open_bus(asked.bus))
+    peers = [PeerNode(network, number, asked.eds) for number in asked.nodes]
+    network.listeners += [peer.on_frame for peer in peers]
+    network.connect()
+    print("ready", flush=True)
+
+    lines = queue.Queue()
+    threading.Thread(target=read_lines, args=[lines], daemon=True).start()
+    while network.notifier.exception is None:
+        try:
+            words = lines.get(timeout=TICK)
+            obey_line(peers, words)
+            print("done", *words, flush=True)
+        except queue.Empty:
+            pass
+        except (ValueError, KeyError, IndexError) as error:
+            print("not understood:", error, flush=True)
+        for peer in peers:
+            peer.tick()
+    return f"the bus is gone: {network.notifier.exception}"
+
+
+if __name__ == "__main__":
+    sys.exit(main())
