@@ -112,7 +112,7 @@ void Servo::obey_order() noexcept {
 /// False: not yet, the order waits.
 bool Servo::switch_on() noexcept {
   if (hardware_.busy()) return false;
-  if (input_.synchronised != (model_index_ != ModelSet::kShafts)) {
+  if (hardware_.homes() && input_.synchronised != (model_index_ != ModelSet::kShafts)) {
     use(input_.synchronised ? 0 : ModelSet::kShafts);
     return false;  // the next reading is seen as joints of that model
   }

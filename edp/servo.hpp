@@ -30,10 +30,11 @@ namespace mrroc::edp {
 /// holds there. At rest it holds the desired position.
 ///
 /// Life: it starts stopped, with the drives off. `enable` switches them on at the measured position, so nothing jumps,
-/// and clears a latched fault; while its cause lasts they stay off. A robot whose drives have lost their positions is
-/// switched on as one that is not synchronised. `disable` and every fault stop the robot, each in
-/// its category (stop_category.hpp): faults that the drives report, readings of the encoders that cannot be true, the
-/// emergency stop, a limit switch, a current or a following error beyond the axis's limit, a set-point beyond a limit.
+/// and clears a latched fault; while its cause lasts they stay off. A robot whose drives have lost their positions, but
+/// find them by themselves (Hardware::homes), is switched on as one that is not synchronised. `disable` and every fault
+/// stop the robot, each in its category (stop_category.hpp): faults that the drives report, readings of the encoders
+/// that cannot be true, the emergency stop, a limit switch, a current or a following error beyond the axis's limit, a
+/// set-point beyond a limit.
 ///
 /// Joints are those of the model in use: the shafts themselves until the hardware is synchronised, the robot's first
 /// model then, another one when a macrostep says so.

@@ -128,7 +128,9 @@ bool Servo::keeps_limits(Tick tick) noexcept {
     return stopping_;
   }
   if (stopping_) return true;  // nothing better than the stop is left
+  const int homing = hardware_.homes() ? synchronised_axis() : -1;
   for (int i = 0; i < model_->joint_count(); ++i) {
+    if (i == homing) continue;  // the set-point is where the drive has brought it
     const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];
     const double position = desired_.position[i];
     const double velocity = (position - previous_position_[i]) / (period_ * static_cast<double>(elapsed_));

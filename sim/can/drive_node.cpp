@@ -182,7 +182,7 @@ void DriveNode::look(std::int64_t now) {
 }
 
 void DriveNode::measure(double position, double current, const edp::AxisSwitches& switches) {
-  if (!frozen_) position_ = position;
+  position_ = position;
   motor_.measure(position_, switches);
   store_.set(kPositionActual, units(position_));
   store_.set(kVelocityActual, std::llround(motor_.velocity() * units_per_rad_));
@@ -218,7 +218,8 @@ void DriveNode::send_feedback() {
   can::Frame frame{feedback_->identifier, {}};
   for (const MappedObject& mapped : feedback_->mapping.objects())
     feedback_->mapping.write(frame, mapped.object, store_.number(mapped.object));
-  send(frame);
+  if (!frozen_) said_ = frame;
+  send(said_);
 }
 
 /// The statusword.

@@ -58,7 +58,7 @@ class DriveNode {
   void cut(bool on) noexcept { cut_ = on; }
   /// It sends no heartbeats.
   void hush(bool on) noexcept { hushed_ = on; }
-  /// Its position says nothing new.
+  /// It says the same again and again, whatever it does.
   void freeze(bool on) noexcept { frozen_ = on; }
 
  private:
@@ -100,6 +100,7 @@ class DriveNode {
   edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
   bool homed_ = false, homing_failed_ = false;
   bool cut_ = false, hushed_ = false, frozen_ = false;
+  can::Frame said_;  ///< its last feedback
 };
 
 }  // namespace mrroc::sim

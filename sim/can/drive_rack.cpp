@@ -95,7 +95,8 @@ void DriveRack::drive() {
   JointVector current(static_cast<Eigen::Index>(nodes_.size()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) current[static_cast<Eigen::Index>(i)] = nodes_[i].drive();
   powered_.store(any_powered());
-  plant_.enable(let_go);
+  if (let_go != let_go_) plant_.enable(let_go);
+  let_go_ = let_go;
   plant_.write(tick_, current);
 }
 

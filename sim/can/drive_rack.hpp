@@ -56,6 +56,7 @@ class DriveRack {
   std::vector<DriveNode> nodes_;
   edp::HardwareInput input_;
   Tick tick_ = 0;            ///< of the plant, in this cycle
+  bool let_go_ = false;      ///< the brakes
   bool open_ = false;        ///< the cycle's currents are still to be written
   std::int64_t synced_ = 0;  ///< when the last cycle began, ns of the wall
   std::mutex mutex_;

@@ -1,0 +1,127 @@
+#include "edp/can/can_hardware.hpp"
+
+#include <gtest/gtest.h>
+
+#include "can_rig.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+using canopen::DriveMode;
+using canopen::DriveState;
+
+constexpr double kIncrement = 2 * std::numbers::pi / 4000;
+
+class EveryMode : public testing::TestWithParam<DriveMode> {};
+
+TEST_P(EveryMode, TheRobotGoesWhereItIsSent) {
+  CanRig<Gantry> rig(GetParam());
+  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  const JointVector begin = rig.seen().joints;
+  const JointVector way = (JointVector(4) << 0.2, -0.1, 0.15, 0.3).finished();
+  ASSERT_FALSE(rig.send(relative_joints(way, 500)));
+  rig.run(700);
+  ASSERT_EQ(rig.replies.size(), 1u);
+  EXPECT_EQ(rig.replies[0].state.error.error_class, ErrorClass::none) << rig.replies[0].state.error.detail.view();
+  EXPECT_LT((rig.seen().joints - begin - way).cwiseAbs().maxCoeff() * GearedModel::kGear, 20 * kIncrement);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
+  EXPECT_LT((rig.rack.shafts() - rig.seen().motors).cwiseAbs().maxCoeff(), 20 * kIncrement) << "what the plant says";
+}
+
+TEST_P(EveryMode, WhoIsSwitchedOffInMotionIsStoppedByHisDrives) {
+  CanRig<Gantry> rig(GetParam());
+  rig.send(relative_joints(JointVector::Constant(4, 0.4), 600));
+  rig.run(300);
+  ASSERT_GT(rig.seen().velocity.norm(), 0.1) << "it is under way";
+  rig.rack.with([](auto& nodes) {
+    for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::operation_enabled);
+  });
+  rig.hardware.enable(false);
+  rig.run(400);
+  rig.rack.with([](auto& nodes) {
+    for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::switch_on_disabled);
+  });
+  const JointVector there = rig.rack.shafts();
+  rig.run(20);
+  EXPECT_EQ(rig.rack.shafts(), there);
+}
+
+INSTANTIATE_TEST_SUITE_P(Can, EveryMode,
+                         testing::Values(DriveMode::cyclic_position, DriveMode::cyclic_velocity,
+                                         DriveMode::cyclic_torque),
+                         [](const auto& each) {
+                           return std::string(each.param == DriveMode::cyclic_position   ? "Position"
+                                              : each.param == DriveMode::cyclic_velocity ? "Velocity"
+                                                                                         : "Torque");
+                         });
+
+TEST(CanHardware, ADriveThatCountsBackwardsAndInUnitsOfItsOwnIsNoOther) {
+  config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
+  table.drives[1].units_per_turn = -4000;
+  table.drives[2].units_per_turn = 65536;
+  table.drives[3].units_per_turn = -1000;
+  CanRig<Gantry> rig(table, true);
+  const JointVector begin = rig.seen().joints;
+  const JointVector way = JointVector::Constant(4, 0.1);
+  rig.send(relative_joints(way, 400));
+  rig.run(500);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::none) << describe(rig.seen().fault.code);
+  EXPECT_LT((rig.seen().joints - begin - way).cwiseAbs().maxCoeff() * GearedModel::kGear, 60 * kIncrement);
+}
+
+TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
+  const Gantry model;
+  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
+  const TestBus bus;
+  Rack rack(table, model, bus, true);
+  {
+    CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), CanHardware::Timing::real, true);
+    hardware.open();
+    hardware.enable(true);
+    HardwareInput input;
+    input.motors = input.current = JointVector::Zero(4);
+    for (Tick tick = 0; tick < 20; ++tick) {
+      hardware.read(tick, input);
+      hardware.set_points(input.motors, JointVector::Zero(4));
+      hardware.write(tick, JointVector::Zero(4));
+    }
+    EXPECT_FALSE(hardware.busy()) << "they are on";
+  }
+  // a second master finds them, whatever the first has left
+  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), CanHardware::Timing::real, true);
+  hardware.open();
+  rack.with([](auto& nodes) {
+    for (const sim::DriveNode& node : nodes) EXPECT_FALSE(node.powered());
+  });
+}
+
+/// What `open` says with these drives on the bus.
+std::string refusal(const config::DriveTable& wanted, const config::DriveTable& there) {
+  const Gantry model;
+  const TestBus bus;
+  Rack rack(there, model, bus, true);
+  CanHardware hardware(wanted, model.parameters(), kCanPeriod, bus.open(), CanHardware::Timing::real, true);
+  try {
+    hardware.open();
+  } catch (const HardwareError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CanHardware, WhatIsWrongWithADriveIsSaidByNameBeforeAnythingMoves) {
+  const config::DriveTable good = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
+  config::DriveTable table = good;
+  table.drives[2].settings.push_back({{0x6041, 0}, "Statusword", 1, 2});
+  const std::string read_only = refusal(table, good);
+  EXPECT_NE(read_only.find("drive z, node 3: refuses Statusword = 1: attempt to write a read only object"),
+            std::string::npos)
+      << read_only;
+  table = good;
+  table.drives[3].node = 9;
+  const std::string absent = refusal(table, good);
+  EXPECT_NE(absent.find("node 9: no boot-up message within"), std::string::npos) << absent;
+}
+
+}  // namespace
+}  // namespace mrroc::edp

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "can/hub.hpp"
+#include "edp/can/can_hardware.hpp"
+#include "edp/effector.hpp"
+#include "edp/loopback_hardware.hpp"
+#include "edp/servo.hpp"
+#include "edp/test_robots.hpp"
+#include "sim/can/drive_rack.hpp"
+
+namespace mrroc::edp {
+
+inline constexpr double kCanPeriod = 0.002;
+
+/// A table of drives for any robot: nodes 1, 2, ...
+inline config::DriveTable table_for(const RobotParameters& robot, canopen::DriveMode mode) {
+  config::DriveTable table;
+  table.file = "test";
+  table.mode = mode;
+  table.target_at_sync = mode != canopen::DriveMode::cyclic_torque;
+  table.heartbeat = 0.02;
+  table.answer_time = 25;  // 50 ms of the wall: a busy machine makes no node silent
+  table.eds = canopen::EdsFile::load(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia402.eds");
+  for (const AxisParameters& axis : robot.axes) {
+    config::DriveEntry drive;
+    drive.axis = axis.name;
+    drive.node = static_cast<canopen::NodeId>(table.drives.size() + 1);
+    drive.units_per_turn = axis.encoder_increments;
+    drive.rated_current = 10;
+    drive.position_gain = 20;
+    drive.homing = {static_cast<std::int8_t>(axis.synchro_coarse > 0 ? 3 : 5), std::abs(axis.synchro_coarse),
+                    std::abs(axis.synchro_fine)};
+    table.drives.push_back(drive);
+  }
+  return table;
+}
+
+/// The bus of a test: a hub of its own, or the interface that MRROC_TEST_BUS names.
+class TestBus {
+ public:
+  explicit TestBus(can::Hub::Fault fault = {}) {
+    if (const char* const name = std::getenv("MRROC_TEST_BUS")) {
+      name_ = name;
+      return;
+    }
+    static std::atomic<int> count{0};
+    const std::string file = "can_" + std::to_string(::getpid()) + "_" + std::to_string(count++);
+    hub_ = std::make_unique<can::Hub>(std::filesystem::temp_directory_path() / file, std::move(fault));
+    name_ = hub_->name();
+  }
+  std::unique_ptr<can::Bus> open() const { return can::open_bus(name_); }
+  /// Whether frames pass the test's own hands.
+  bool is_hub() const { return hub_ != nullptr; }
+
+ private:
+  std::unique_ptr<can::Hub> hub_;
+  std::string name_;
+};
+
+/// Simulated drives of a robot on a bus, with a plant model behind them; their thread. A SYNC is a tick of theirs.
+class Rack {
+ public:
+  Rack(const config::DriveTable& table, const RobotModel& model, const TestBus& bus, bool synchronised)
+      : bus_(bus.open()),
+        plant_(model, kCanPeriod, synchronised),
+        rack_(
+            table, model.parameters(), kCanPeriod, *bus_, plant_, [this](Tick last, bool) { return tick_ = last + 1; },
+            sim::DriveRack::Time::plant),
+        thread_([this] { rack_.serve(); }) {}
+  ~Rack() {
+    rack_.stop();
+    thread_.join();
+  }
+  void with(const std::function<void(std::vector<sim::DriveNode>&)>& action) { rack_.with(action); }
+  /// Shafts as the plant has them, at rest between two ticks of the master.
+  JointVector shafts() {
+    JointVector shafts;
+    rack_.with([this, &shafts](auto&) {
+      HardwareInput input;
+      plant_.read(tick_, input);
+      shafts = input.motors;
+    });
+    return shafts;
+  }
+  std::uint64_t cycles() const { return rack_.cycles(); }
+
+ private:
+  std::unique_ptr<can::Bus> bus_;
+  LoopbackHardware plant_;
+  Tick tick_ = 0;
+  sim::DriveRack rack_;
+  std::thread thread_;
+};
+
+/// A robot whose servo drives it over the bus.
+template <class Model>
+struct CanRig {
+  explicit CanRig(canopen::DriveMode mode, bool synchronised = true, can::Hub::Fault fault = {})
+      : CanRig(table_for(Model{}.parameters(), mode), synchronised, std::move(fault)) {}
+
+  CanRig(const config::DriveTable& drives, bool synchronised, can::Hub::Fault fault = {})
+      : table(drives),
+        bus(std::move(fault)),
+        rack(table, model, bus, synchronised),
+        hardware(table, model.parameters(), kCanPeriod, bus.open(), CanHardware::Timing::real, synchronised) {
+    hardware.open();
+    effector.enable(true);
+    while (!seen().enabled && seen().fault.code == ErrorCode::none && now < 3000) tick();
+  }
+
+  void tick() {
+    servo.tick(now++);
+    Reply reply;
+    while (effector.poll(reply)) replies.push_back(reply);
+  }
+  void run(Tick ticks) {
+    for (Tick i = 0; i < ticks; ++i) tick();
+  }
+  bool send(const RobotCommand& command) { return effector.accept(command, ++number, answer); }
+  const Snapshot& seen() const { return servo.snapshot(); }
+
+  Model model;
+  config::DriveTable table;
+  TestBus bus;
+  Rack rack;
+  CanHardware hardware;
+  HandOver hand_over;
+  ModelSet models{model};
+  clock::EmergencyStop operators;
+  Servo servo{models, hardware, kCanPeriod, hand_over};
+  Effector effector{models, kCanPeriod, hand_over};
+  Tick now = 0;
+  std::uint64_t number = 0;
+  Reply answer;
+  std::vector<Reply> replies;
+};
+
+inline RobotCommand relative_joints(const JointVector& way, std::uint16_t steps) {
+  RobotCommand command;
+  command.kind = CommandKind::joint;
+  command.relative = true;
+  command.joints = way;
+  command.motion_steps = command.reply_step = steps;
+  return command;
+}
+
+}  // namespace mrroc::edp

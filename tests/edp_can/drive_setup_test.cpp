@@ -1,0 +1,64 @@
+#include "edp/can/drive_setup.hpp"
+
+#include <gtest/gtest.h>
+
+#include "can_rig.hpp"
+#include "config/table.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+using namespace canopen;
+
+std::vector<config::DriveSetting> settings(DriveMode mode, double period = kCanPeriod) {
+  const config::DriveTable table = table_for(Slide{}.parameters(), mode);
+  return drive_settings(table, table.drives[0], period, 1.5);
+}
+
+std::int64_t last(const std::vector<config::DriveSetting>& all, Object object) {
+  std::int64_t value = -1;
+  for (const config::DriveSetting& setting : all)
+    if (setting.object == object) value = setting.value;
+  return value;
+}
+
+TEST(DriveSetup, APdoIsSwitchedOffWhileItIsChanged) {
+  const auto all = settings(DriveMode::cyclic_position);
+  ASSERT_GT(all.size(), 12u);
+  EXPECT_EQ(all[0].object, (Object{0x1400, 1}));
+  EXPECT_EQ(all[0].value, 0x80000201);
+  EXPECT_EQ(all[2].object, (Object{0x1600, 0}));
+  EXPECT_EQ(all[2].value, 0);
+  EXPECT_EQ(last(all, {0x1400, 1}), 0x201);
+  EXPECT_EQ(last(all, {0x1600, 0}), 3);
+  EXPECT_EQ(last(all, {0x1600, 1}), 0x60400010);
+  EXPECT_EQ(last(all, {0x1600, 2}), 0x607a0020);
+  EXPECT_EQ(last(all, {0x1600, 3}), 0x60600008);
+  EXPECT_EQ(last(all, {0x1a00, 0}), 3);
+  EXPECT_EQ(last(all, {0x1801, 2}), 4);
+}
+
+TEST(DriveSetup, TheModeDecidesWhatIsTransmitted) {
+  EXPECT_EQ(last(settings(DriveMode::cyclic_velocity), {0x1600, 2}), 0x60ff0020);
+  EXPECT_EQ(last(settings(DriveMode::cyclic_torque), {0x1600, 2}), 0x60710010);
+  EXPECT_EQ(last(settings(DriveMode::cyclic_torque), {0x1400, 2}), 255) << "at once";
+  EXPECT_EQ(last(settings(DriveMode::cyclic_torque), kMode), 10);
+}
+
+TEST(DriveSetup, TheServoPeriodIsWrittenAsTheProfileSaysIt) {
+  EXPECT_EQ(last(settings(DriveMode::cyclic_position, 0.002), kInterpolationTime), 2);
+  EXPECT_EQ(last(settings(DriveMode::cyclic_position, 0.002), kInterpolationExponent), -3);
+  EXPECT_EQ(last(settings(DriveMode::cyclic_position, 0.0005), kInterpolationTime), 5);
+  EXPECT_EQ(last(settings(DriveMode::cyclic_position, 0.0005), kInterpolationExponent), -4);
+  EXPECT_THROW(settings(DriveMode::cyclic_position, 1.0 / 3), config::ConfigurationError);
+}
+
+TEST(DriveSetup, HeartbeatsAndHomeAreThoseOfTheTable) {
+  const auto all = settings(DriveMode::cyclic_position);
+  EXPECT_EQ(last(all, kConsumerHeartbeat), 127 << 16 | 60);
+  EXPECT_EQ(last(all, kProducerHeartbeat), 20);
+  EXPECT_EQ(last(all, kHomeOffset), 955) << "1.5 rad of 4000 units a turn";
+}
+
+}  // namespace
+}  // namespace mrroc::edp

@@ -1,0 +1,163 @@
+#include "edp/can/drive.hpp"
+
+#include <gtest/gtest.h>
+
+#include "can_rig.hpp"
+#include "canopen/emergency.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+using namespace canopen;
+
+/// A drive that answers as the test says.
+class DriveTest : public testing::Test {
+ protected:
+  explicit DriveTest() : drive(table, table.drives[0], kCanPeriod, 0) { drive.begin(0); }
+
+  void say(std::uint16_t statusword, std::int32_t position = 0, std::int16_t torque = 0) {
+    can::Frame frame{0x181, {0, 0, 0, 0, 0, 0, 0, 0}};
+    can::put(frame.data, 0, 2, statusword);
+    can::put(frame.data, 2, 4, static_cast<std::uint32_t>(position));
+    can::put(frame.data, 6, 2, static_cast<std::uint16_t>(torque));
+    cycle(frame);
+  }
+  void cycle(const can::Frame& frame) {
+    drive.expect();
+    can::Frame next;
+    EXPECT_TRUE(drive.take(frame, ++tick, next));
+    drive.close_cycle(tick);
+  }
+  void say_nothing() {
+    drive.expect();
+    drive.close_cycle(++tick);
+  }
+  std::uint16_t controlword() { return static_cast<std::uint16_t>(can::get(drive.command({}).bytes(), 0, 2)); }
+  void switch_on() {
+    drive.enable(true, tick);
+    say(status_bits(DriveState::operation_enabled));
+  }
+
+  config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
+  Drive drive;
+  Tick tick = 0;
+};
+
+TEST_F(DriveTest, IsLedStepByStepToOperationEnabled) {
+  say(status_bits(DriveState::switch_on_disabled));
+  EXPECT_EQ(controlword(), kDisableVoltage) << "nobody wants it on";
+  drive.enable(true, tick);
+  EXPECT_EQ(controlword(), kShutdown);
+  say(status_bits(DriveState::ready_to_switch_on));
+  EXPECT_EQ(controlword(), kSwitchOn);
+  say(status_bits(DriveState::switched_on));
+  EXPECT_EQ(controlword(), kEnableOperation);
+  EXPECT_TRUE(drive.busy(tick));
+  say(status_bits(DriveState::operation_enabled));
+  EXPECT_FALSE(drive.busy(tick));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  drive.enable(false, tick);
+  EXPECT_EQ(controlword(), kQuickStop);
+  say(status_bits(DriveState::switch_on_disabled));
+  EXPECT_EQ(controlword(), kDisableVoltage);
+}
+
+TEST_F(DriveTest, TargetsFollowOnlyADriveThatIsOn) {
+  say(status_bits(DriveState::switched_on), 100);
+  drive.enable(true, tick);
+  const auto target = [this] { return can::sign_extended(can::get(drive.command({0, 1.0, 0}).bytes(), 2, 4), 4); };
+  EXPECT_EQ(target(), 100) << "where it is";
+  say(status_bits(DriveState::operation_enabled), 100);
+  EXPECT_EQ(target(), 637) << "1 rad of 4000 units a turn";
+}
+
+TEST_F(DriveTest, ReadsItsShaftAndItsCurrent) {
+  say(status_bits(DriveState::operation_enabled), -2000, -500);
+  EXPECT_DOUBLE_EQ(drive.position(), -std::numbers::pi);
+  EXPECT_DOUBLE_EQ(drive.current(), -5.0);
+}
+
+TEST_F(DriveTest, AnAnswerThatIsMissedIsGuessedTwiceThenItIsSilent) {
+  switch_on();
+  say(status_bits(DriveState::operation_enabled), 10);
+  say(status_bits(DriveState::operation_enabled), 14);
+  const double unit = 2 * std::numbers::pi / 4000;
+  say_nothing();
+  EXPECT_DOUBLE_EQ(drive.position(), 18 * unit);
+  say_nothing();
+  EXPECT_DOUBLE_EQ(drive.position(), 22 * unit);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  say_nothing();
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
+  EXPECT_FALSE(drive.awaited());
+}
+
+TEST_F(DriveTest, AFrameThatIsTooShortIsNoAnswer) {
+  can::Frame frame{0x181, {0x37, 0x16, 1, 0, 0, 0, 0}};
+  cycle(frame);
+  EXPECT_FALSE(drive.answered());
+}
+
+TEST_F(DriveTest, AnEmergencyIsKeptUntilItIsReset) {
+  switch_on();
+  can::Frame next;
+  drive.take(to_frame({1, 0x3220, 1, {}}), tick, next);
+  say(status_bits(DriveState::operation_enabled));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_fault);
+  EXPECT_EQ(drive.finding(tick).value, 0x3220);
+  drive.take(to_frame({1, 0, 0, {}}), tick, next);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_fault) << "it may have gone too soon to be seen";
+  drive.reset(tick, next);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+}
+
+TEST_F(DriveTest, AFaultIsResetByEdges) {
+  switch_on();
+  say(status_bits(DriveState::fault));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_fault);
+  can::Frame next;
+  drive.reset(tick, next);
+  EXPECT_TRUE(drive.busy(tick));
+  EXPECT_EQ(controlword(), kFaultReset);
+  EXPECT_EQ(controlword(), kDisableVoltage);
+  EXPECT_EQ(controlword(), kFaultReset);
+  say(status_bits(DriveState::switch_on_disabled));
+  EXPECT_EQ(controlword(), kDisableVoltage);
+  EXPECT_FALSE(drive.busy(tick));
+}
+
+TEST_F(DriveTest, ADriveThatSwitchesItselfOffIsNotReady) {
+  switch_on();
+  say(status_bits(DriveState::switch_on_disabled));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+}
+
+TEST_F(DriveTest, ItsOwnFollowingErrorIsOurs) {
+  switch_on();
+  say(static_cast<std::uint16_t>(status_bits(DriveState::operation_enabled) | kFollowingError));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::following_error);
+}
+
+TEST_F(DriveTest, HeartbeatsAreWatchedOverThreeOfThem) {
+  switch_on();
+  while (tick < 30) say(status_bits(DriveState::operation_enabled));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  say(status_bits(DriveState::operation_enabled));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::heartbeat_lost);
+  can::Frame next;
+  drive.take(heartbeat_frame(1, NmtState::operational), tick, next);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+}
+
+TEST_F(DriveTest, ABootUpInServiceIsARestart) {
+  switch_on();
+  can::Frame next;
+  drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_restarted);
+  EXPECT_FALSE(drive.knows_position());
+  drive.reset(tick, next);
+  EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
+}
+
+}  // namespace
+}  // namespace mrroc::edp

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "can_rig.hpp"
+#include "edp/drive_homing.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+using canopen::DriveMode;
+
+/// A gantry whose axes have switches on both sides.
+class Switched : public Gantry {
+ public:
+  Switched() {
+    for (AxisParameters& axis : parameters_.axes) {
+      axis.motor_min = -100;
+      axis.motor_max = 100;
+      axis.motor_synchro = -15.9;
+      axis.synchro_coarse = -15;
+      axis.synchro_fine = 3.5;
+    }
+    parameters_.axes[1].synchro_coarse = 15;
+    parameters_.axes[1].synchro_fine = -3.5;
+    parameters_.synchro_order = {3, 2, 1, 0};
+    parameters_.home = JointVector::Constant(4, 0.05);
+  }
+};
+
+RobotCommand synchronise() {
+  RobotCommand command;
+  command.kind = CommandKind::synchronise;
+  return command;
+}
+
+TEST(DriveHoming, EveryAxisFindsItsZeroPulseByItself) {
+  CanRig<Switched> rig(DriveMode::cyclic_position, false);
+  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  EXPECT_FALSE(rig.seen().synchronised);
+  ASSERT_FALSE(rig.send(synchronise())) << rig.answer.state.error.detail.view();
+  while (rig.replies.empty() && rig.now < 60'000) rig.tick();
+  ASSERT_EQ(rig.replies.size(), 1u);
+  EXPECT_EQ(rig.replies[0].state.error.error_class, ErrorClass::none) << rig.replies[0].state.error.detail.view();
+  EXPECT_TRUE(rig.seen().synchronised);
+  // at its zero pulse or past it by what the shaft needs to stop at the fine speed
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(rig.seen().motors[i], -15.9, 0.3) << i;
+
+  // and it goes on from there
+  rig.replies.clear();
+  const JointVector begin = rig.seen().joints;
+  ASSERT_FALSE(rig.send(relative_joints(JointVector::Constant(4, 0.1), 400))) << rig.answer.state.error.detail.view();
+  rig.run(500);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
+  EXPECT_LT((rig.seen().joints - begin - JointVector::Constant(4, 0.1)).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST(DriveHoming, AMethodThatTheDriveDoesNotHaveEndsTheSynchronisation) {
+  config::DriveTable table = table_for(Switched{}.parameters(), DriveMode::cyclic_position);
+  table.drives[2].homing.method = 14;
+  CanRig<Switched> rig(table, false);
+  ASSERT_FALSE(rig.send(synchronise()));
+  while (rig.seen().fault.code == ErrorCode::none && rig.now < 60'000) rig.tick();
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::synchronisation_failed);
+  EXPECT_EQ(rig.seen().fault.axis, 2);
+  EXPECT_FALSE(rig.seen().synchronised);
+}
+
+TEST(DriveHoming, AnEmergencyStopIsTheDrivesQuickStop) {
+  CanRig<Switched> rig(DriveMode::cyclic_position, false);
+  rig.servo.use_emergency_stop(rig.operators);
+  rig.run(2);
+  ASSERT_FALSE(rig.send(synchronise()));
+  rig.run(60);
+  const JointVector begin = rig.seen().motors;
+  rig.run(20);
+  ASSERT_GT((rig.seen().motors - begin).norm(), 0.1) << "it is under way";
+  rig.operators.press();
+  rig.run(200);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::emergency_stop);
+  EXPECT_FALSE(rig.seen().enabled);
+  const JointVector there = rig.rack.shafts();
+  rig.run(50);
+  EXPECT_EQ(rig.rack.shafts(), there) << "it stands";
+}
+
+}  // namespace
+}  // namespace mrroc::edp
