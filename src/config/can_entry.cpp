@@ -3,6 +3,7 @@
 #include <net/if.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "config/drive_table.hpp"
 #include "config/file_text.hpp"
@@ -42,6 +43,16 @@ void check_clock(const Table& table, const Deployment& deployment, const CanEntr
   if (can.simulated && !deployment.sim) table.fail("simulated", "true needs a simulator", "a table [sim]");
   if (!can.simulated && deployment.clock != ClockMode::real)
     table.fail("", "real drives go on by themselves", "clock = \"real\", or simulated = true");
+}
+
+/// The drives are told the period as a whole number of 8 bits and a power of ten (60C2h).
+void check_period(const Table& table, double period) {
+  for (const double unit : {1e-3, 1e-4, 1e-5, 1e-6}) {
+    const double number = period / unit;
+    if (std::abs(number - std::round(number)) < 1e-6 && number < 255.5) return;
+  }
+  table.fail("", "drives on a bus cannot be told a servo period of " + number_text(period) + " s",
+             "a whole number up to 255 of 1 ms, 0.1 ms, 10 us or 1 us");
 }
 
 void check_interface_is_free(const Table& table, const Deployment& deployment, const RobotEntry& robot) {
@@ -92,6 +103,7 @@ void read_can(const Table& robot_table, const Deployment& deployment, RobotEntry
   can.interface = read_interface(table);
   can.simulated = table.boolean_or("simulated", false);
   check_clock(table, deployment, can);
+  check_period(table, deployment.servo_period);
   check_interface_is_free(table, deployment, robot);
   if (can.simulated) check_process_name(table, robot);
   can.drives = table.has("drives") ? beside(table.file(), table.text("drives"))
