@@ -178,7 +178,8 @@ Deployment load_deployment(const std::filesystem::path& file) {
       2 * deployment.robots.size() + simulated_drives + deployment.sensors.size() + 1 + (deployment.sim ? 1 : 0);
   if (processes > kMostProcesses) {
     root.fail("",
-              std::to_string(processes) + " processes (two per robot, one per sensor, the MP" +
+              std::to_string(processes) + " processes (two per robot, " +
+                  (simulated_drives > 0 ? "one more with simulated drives, " : "") + "one per sensor, the MP" +
                   (deployment.sim ? ", the simulator)" : ")"),
               "at most " + std::to_string(kMostProcesses));
   }

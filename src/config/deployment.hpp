@@ -30,7 +30,7 @@ struct MpEntry {
 
 /// The drives of a robot on a CAN bus: docs/can.md.
 struct CanEntry {
-  std::string interface;         ///< of the kernel ("can0"), or "unix:PATH"
+  std::string interface;         ///< of the kernel ("can0"), or "unix:PATH" with an absolute path
   std::filesystem::path drives;  ///< the table of its drives, absolute
   bool simulated = false;        ///< the drives are simulated ones, whose motors are joints of the simulated world
   std::string program;           ///< that plays them, absolute path; empty: real drives

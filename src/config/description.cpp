@@ -25,10 +25,16 @@ std::string clock_name(ClockMode clock) {
 
 std::string on_host(const std::string& host) { return host.empty() ? "" : "host " + host + ", "; }
 
+/// " can0 with the drives of <file>".
+std::string on_bus(const RobotEntry& robot) {
+  return robot.can ? " " + robot.can->interface + " with the drives of " + robot.can->drives.string() : "";
+}
+
 std::string describe(const RobotEntry& robot) {
   const std::string mount = robot.mount.empty() ? "" : " carried by " + robot.mount;
-  return on_host(robot.host) + robot.type + mount + " on " + robot.hardware + ": ECP " + robot.program + ", EDP " +
-         robot.edp_program;
+  return on_host(robot.host) + robot.type + mount + " on " + robot.hardware + on_bus(robot) + ": ECP " + robot.program +
+         ", EDP " + robot.edp_program +
+         (robot.can && robot.can->simulated ? ", simulated drives " + robot.can->program : "");
 }
 
 std::string describe(const SensorEntry& sensor) {

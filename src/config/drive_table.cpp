@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <numbers>
+#include <tuple>
 
+#include "config/drive_objects.hpp"
 #include "config/message_text.hpp"
-#include "config/named_file.hpp"
-#include "config/resources.hpp"
 #include "config/table.hpp"
 
 namespace mrroc::config {
@@ -15,43 +15,10 @@ namespace {
 
 using canopen::DriveMode;
 
-/// A file beside the table, or one of the framework's.
-canopen::EdsFile read_eds(const Table& table) {
-  const std::string name = table.text("eds");
-  std::filesystem::path file = beside(table.file(), name);
-  if (!std::filesystem::exists(file)) file = type_file("canopen", "standard", name);
-  if (!std::filesystem::exists(file))
-    table.fail("eds", in_quotes(name) + " is not there", "an EDS file beside this one, or 'cia402.eds'");
-  try {
-    return canopen::EdsFile::load(file);
-  } catch (const canopen::EdsError& error) {
-    table.fail("eds", error.what(), "an EDS file of CiA 306");
-  }
-}
-
-/// `[objects]`: the object dictionary's names, or addresses, and the values to write.
-void read_settings(const Table& owner, const canopen::EdsFile& eds, std::vector<DriveSetting>& settings) {
-  const auto table = owner.optional_table("objects");
-  if (!table) return;
-  for (const std::string& key : table->keys()) {
-    DriveSetting setting;
-    setting.name = key;
-    try {
-      setting.object = eds.object(key);
-    } catch (const std::invalid_argument& error) {
-      table->fail(key, error.what(), "an object of the drive");
-    }
-    const canopen::ObjectEntry& entry = *eds.find(setting.object);
-    if (!entry.writable()) table->fail(key, "may only be read", "an object that may be written");
-    const std::size_t size = canopen::size_of(entry.type);
-    if (size == 0 || entry.type == canopen::DataType::real32)
-      table->fail(key, "is of a type that is no whole number", "an object with a whole number");
-    setting.value = table->integer(key, canopen::least(entry.type), canopen::greatest(entry.type));
-    setting.size = static_cast<std::uint8_t>(size);
-    settings.push_back(setting);
-  }
-  table->finish();
-}
+constexpr double kLongestServoPeriod = 0.02;      // s: of a deployment
+constexpr double kGreatestCurrentRatio = 32;      // of current_max to rated_current: a torque is 16 bits of per mille
+constexpr double kLeastCurrentRatio = 0.01;       // below: a unit was mistaken, mA for A
+constexpr double kGreatestPosition = 2147483647;  // a position is 32 bits with a sign
 
 DriveMode read_mode(const Table& table) {
   const std::string mode = table.choice("mode", {"position", "velocity", "torque"});
@@ -59,58 +26,111 @@ DriveMode read_mode(const Table& table) {
   return mode == "velocity" ? DriveMode::cyclic_velocity : DriveMode::cyclic_torque;
 }
 
+/// Heartbeats are sent with the servo's ticks: none can be more frequent.
+double read_heartbeat(const Table& table, double usual) {
+  const double heartbeat = table.number_or("heartbeat", usual, {0, 10});
+  if (heartbeat != 0 && heartbeat < kLongestServoPeriod)
+    table.fail("heartbeat", number_text(heartbeat) + " s is below a servo period",
+               "0 (none) or at least " + number_text(kLongestServoPeriod) + " s");
+  return heartbeat;
+}
+
 /// Onto the switch and off it as the robot's own synchronisation would: methods 3 and 5 take the first zero pulse off a
 /// switch that is closed up to the positive, or the negative, end.
 DriveHoming read_homing(const Table& table, const AxisParameters& axis) {
   DriveHoming homing;
   const int usual = axis.synchro_coarse > 0 ? 3 : axis.synchro_coarse < 0 ? 5 : 37;
-  homing.method = static_cast<std::int8_t>(table.integer_or("homing_method", usual, -128, 127));
+  const auto method = table.integer_or("homing_method", usual, -128, 127);
+  // CiA 402-2: the others are reserved
+  if (method == 0 || method == 15 || method == 16 || method == 31 || method == 32 || method == 36 || method > 37)
+    table.fail("homing_method", std::to_string(method) + " is none of CiA 402",
+               "1 to 14, 17 to 30, 33 to 35, 37, or one of the maker's own below 0");
+  homing.method = static_cast<std::int8_t>(method);
   homing.speed_switch = table.number_or("homing_speed_switch", std::abs(axis.synchro_coarse), {0, 1e4});
   homing.speed_zero = table.number_or("homing_speed_zero", std::abs(axis.synchro_fine), {0, 1e4});
+  const bool to_a_switch = method > 0 && method <= 30;
+  for (const auto& [key, speed, needed] : {std::tuple{"homing_speed_switch", homing.speed_switch, to_a_switch},
+                                           {"homing_speed_zero", homing.speed_zero, method > 0 && method <= 34}})
+    if (needed && speed == 0)
+      table.fail(key, "0, but homing method " + std::to_string(method) + " moves the axis", "a speed, rad/s");
   return homing;
+}
+
+double read_units(const Table& table, const AxisParameters& axis) {
+  const double units = table.number_or("units_per_turn", axis.encoder_increments, {1, 1e9});
+  const double turns = std::max(std::abs(axis.motor_min), std::abs(axis.motor_max)) / (2 * std::numbers::pi);
+  if (std::isfinite(turns) && turns * units > kGreatestPosition)
+    table.fail("units_per_turn", number_text(units) + " make the shaft's range longer than 32 bits",
+               "at most " + std::to_string(std::lround(std::floor(kGreatestPosition / turns))) +
+                   " for its motor_min and motor_max");
+  return units;
+}
+
+double read_rated_current(const Table& table, const AxisParameters& axis) {
+  const double rated = table.number("rated_current", {1e-3, 1e4});
+  const double least = axis.current_max / kGreatestCurrentRatio, greatest = axis.current_max / kLeastCurrentRatio;
+  if (rated < least || rated > greatest)
+    table.fail(
+        "rated_current",
+        number_text(rated) + " A does not go with current_max " + number_text(axis.current_max) + " A of the axis",
+        expected_number({least, greatest}) + " (A, not mA)");
+  return rated;
 }
 
 DriveEntry read_drive(const Table& table, const AxisParameters& axis, DriveMode mode) {
   DriveEntry drive;
   drive.axis = axis.name;
   drive.node = static_cast<canopen::NodeId>(table.integer("node", 1, canopen::kMaxNode));
-  drive.units_per_turn = table.number_or("units_per_turn", axis.encoder_increments, {1, 1e9});
+  drive.units_per_turn = read_units(table, axis);
   if (table.boolean_or("reversed", false)) drive.units_per_turn = -drive.units_per_turn;
-  drive.rated_current = table.number("rated_current", {1e-3, 1e4});
-  if (mode == DriveMode::cyclic_velocity) drive.position_gain = table.number("position_gain", {0, 1e4});
+  drive.rated_current = read_rated_current(table, axis);
+  if (mode == DriveMode::cyclic_velocity)
+    drive.position_gain = table.number("position_gain", {0, 1e4});
+  else if (table.has("position_gain"))
+    table.fail("position_gain", "a drive that gets no velocity", "mode = \"velocity\", or no such key");
   drive.homing = read_homing(table, axis);
   return drive;
 }
 
-std::vector<DriveEntry> read_drives(const Table& file, const RobotParameters& robot, DriveMode mode,
-                                    const canopen::EdsFile& eds) {
+/// The drive of each axis. A slip in a name is told before what follows from it.
+std::vector<const Table*> by_axis(const Table& file, const std::vector<Table>& tables, const RobotParameters& robot) {
+  std::vector<std::string> names;
+  for (const AxisParameters& axis : robot.axes) names.push_back(axis.name);
+  std::vector<const Table*> sorted(names.size(), nullptr);
+  for (const Table& table : tables) {
+    table.only({"axis", "node", "units_per_turn", "reversed", "rated_current", "position_gain", "homing_method",
+                "homing_speed_switch", "homing_speed_zero", "objects"});
+    const std::string name = table.choice("axis", names);
+    const Table*& place = sorted[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
+    if (place != nullptr) table.fail("axis", in_quotes(name) + " has an earlier drive", "one drive for each axis");
+    place = &table;
+  }
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (sorted[i] == nullptr) file.fail("drives", "no drive of axis " + in_quotes(names[i]), "one for each axis");
+  return sorted;
+}
+
+void check_node(const Table& table, canopen::NodeId node, const DriveTable& drives) {
+  if (node == drives.master)
+    table.fail("node", std::to_string(node) + " is the master's", "another one, or another 'master' of the table");
+  for (const DriveEntry& drive : drives.drives)
+    if (drive.node == node)
+      table.fail("node", std::to_string(node) + " is the node of the drive of " + in_quotes(drive.axis),
+                 "a node of its own");
+}
+
+void read_drives(const Table& file, const RobotParameters& robot, DriveTable& drives) {
   const std::vector<Table> tables = file.tables("drives");
   std::vector<DriveSetting> common;
-  read_settings(file, eds, common);
-  std::vector<DriveEntry> drives;
-  for (const AxisParameters& axis : robot.axes) {
-    const auto is_of_axis = [&axis](const Table& table) { return table.text("axis") == axis.name; };
-    const auto count = std::count_if(tables.begin(), tables.end(), is_of_axis);
-    if (count != 1)
-      file.fail("drives", std::to_string(count) + " drives of axis " + in_quotes(axis.name), "one for each axis");
-    const Table& table = *std::find_if(tables.begin(), tables.end(), is_of_axis);
-    drives.push_back(read_drive(table, axis, mode));
-    drives.back().settings = common;
-    read_settings(table, eds, drives.back().settings);
-    table.finish();
-    const canopen::NodeId node = drives.back().node;
-    const auto same = [node](const DriveEntry& drive) { return drive.node == node; };
-    if (std::any_of(drives.begin(), drives.end() - 1, same))
-      table.fail("node", std::to_string(node) + " is the node of an earlier drive", "a node of its own");
+  read_settings(file, drives.eds, common);
+  const std::vector<const Table*> sorted = by_axis(file, tables, robot);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    DriveEntry drive = read_drive(*sorted[i], robot.axes[i], drives.mode);
+    check_node(*sorted[i], drive.node, drives);
+    drive.settings = common;
+    read_settings(*sorted[i], drives.eds, drive.settings);
+    drives.drives.push_back(std::move(drive));
   }
-  if (tables.size() == robot.axes.size()) return drives;
-  for (const Table& table : tables) {
-    const std::string name = table.text("axis");
-    const auto same = [&name](const AxisParameters& axis) { return axis.name == name; };
-    if (std::none_of(robot.axes.begin(), robot.axes.end(), same))
-      table.fail("axis", in_quotes(name) + " is no axis of " + robot.type, "the name of one");
-  }
-  return drives;
 }
 
 }  // namespace
@@ -124,7 +144,7 @@ DriveTable read_drive_table(const std::filesystem::path& file, const RobotParame
   drives.mode = read_mode(table);
   drives.absolute_encoders = table.boolean_or("absolute_encoders", false);
   drives.master = static_cast<canopen::NodeId>(table.integer_or("master", drives.master, 1, canopen::kMaxNode));
-  drives.heartbeat = table.number_or("heartbeat", drives.heartbeat, {0, 10});
+  drives.heartbeat = read_heartbeat(table, drives.heartbeat);
   drives.answer_time = table.number_or("answer_time", drives.answer_time, {0.05, 0.9});
   drives.missed_max = static_cast<int>(table.integer_or("missed_max", drives.missed_max, 0, 100));
   // a loop that is closed here would have a tick of delay more in it
@@ -132,12 +152,8 @@ DriveTable read_drive_table(const std::filesystem::path& file, const RobotParame
   drives.target_at_sync =
       (table.has("set_points") ? table.choice("set_points", {"at sync", "at once"}) : usual) == "at sync";
   drives.status_every = static_cast<int>(table.integer_or("status_every", drives.status_every, 1, 240));
-  drives.eds = read_eds(table);
-  drives.drives = read_drives(table, robot, drives.mode, drives.eds);
-  for (const DriveEntry& drive : drives.drives)
-    if (drive.node == drives.master)
-      table.fail("master", std::to_string(drives.master) + " is the node of drive " + in_quotes(drive.axis),
-                 "a number that no node has");
+  drives.eds = read_eds(table, drives.mode);
+  read_drives(table, robot, drives);
   return drives;
 }
 

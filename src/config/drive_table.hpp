@@ -46,7 +46,7 @@ struct DriveTable {
   canopen::DriveMode mode = canopen::DriveMode::cyclic_position;
   bool absolute_encoders = false;  ///< positions are right from the start; else they have to be synchronised
   canopen::NodeId master = 127;    ///< whose heartbeats the drives watch: ours
-  double heartbeat = 0.1;          ///< s between two of each node; one is missed after three times that. 0: none
+  double heartbeat = 0.1;          ///< s between two of each node; it is lost after three times that. 0: none
   double answer_time = 0.5;        ///< of the servo period: how long the drives may take to answer a SYNC
   int missed_max = 2;              ///< SYNCs in a row that a drive may leave unanswered
   bool target_at_sync = true;      ///< the drives take a set-point at the next SYNC, else at once
@@ -56,8 +56,9 @@ struct DriveTable {
 };
 
 /// Reads a table for a robot with these axes. Throws ConfigurationError: what is wrong in it or in the EDS file that it
-/// names; an axis without a drive, or with two; two drives with one node; an object that the EDS file does not have or
-/// that may not be written, a value that its type does not hold.
+/// names; an axis without a drive, or with two; two drives with one node, or the master's; a rated current or a
+/// resolution that cannot be; an object that the EDS file does not have, that may not be written or that the EDP writes
+/// by itself.
 DriveTable read_drive_table(const std::filesystem::path& file, const RobotParameters& robot);
 
 }  // namespace mrroc::config

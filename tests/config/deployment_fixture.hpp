@@ -24,7 +24,7 @@ class DeploymentFixture : public testing::Test {
  protected:
   explicit DeploymentFixture(const std::string& folder) {
     for (const auto* name : {"mrroc_mp", "mrroc_ecp", "mrroc_sim", "press_mp", "press_ecp", "irb6_edp", "conveyor_edp",
-                             "force_torque_vsp", "operator_input_vsp", "ultrasonic_vsp"}) {
+                             "irb6_drives", "force_torque_vsp", "operator_input_vsp", "ultrasonic_vsp"}) {
       std::filesystem::permissions(programs_.write(name, ""), std::filesystem::perms::owner_all);
     }
     programs_.write("plain_file", "");

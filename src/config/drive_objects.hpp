@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "canopen/drive_state.hpp"
+#include "canopen/eds_file.hpp"
+#include "config/drive_table.hpp"
+#include "config/table.hpp"
+
+namespace mrroc::config {
+
+/// The EDS file of `eds = "NAME"`: beside the table, or the framework's in share/mrroc/canopen/standard. Throws
+/// ConfigurationError, also when it lacks an object that the cycle of `mode` needs.
+canopen::EdsFile read_eds(const Table& table, canopen::DriveMode mode);
+
+/// Appends the table `objects` of `owner`: objects by name or address, and the values to write. Throws
+/// ConfigurationError: no object of the EDS file, one that may not be written or that the EDP writes by itself, one
+/// given twice, a value that its type does not hold.
+void read_settings(const Table& owner, const canopen::EdsFile& eds, std::vector<DriveSetting>& settings);
+
+}  // namespace mrroc::config
