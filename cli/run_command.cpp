@@ -41,11 +41,21 @@ void check_hosts(const config::Deployment& deployment, const RunArguments& argum
                                      "a simulator on this machine");
 }
 
+/// Real drives go on by themselves, whatever the clock of the command line.
+void check_drives(const config::Deployment& deployment, const RunArguments& arguments) {
+  if (deployment.clock == config::ClockMode::real) return;
+  for (const config::RobotEntry& robot : deployment.robots)
+    if (robot.can && !robot.can->simulated)
+      throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
+                                       "robot '" + robot.name + "' has real drives", "--clock real");
+}
+
 int run(const RunArguments& arguments) {
   config::Deployment deployment = config::load_deployment(arguments.file);
   RunOptions options = arguments.options;
   if (!arguments.clock.empty()) deployment.clock = clock_mode(arguments.clock);
   check_hosts(deployment, arguments);
+  check_drives(deployment, arguments);
   if (!deployment.mp.states.empty()) {
     const config::ProgramsByRobot programs = ask_programs(deployment);
     config::load_state_machine(deployment.mp.states, deployment, programs);

@@ -211,7 +211,7 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
   if (homing_ < 0) return;
   const Drive& drive = drives_[static_cast<std::size_t>(homing_)];
   input.homing = drive.homing();
-  input.homing_shift = -drive.offset();
+  input.homing_shift = drive.homing_shift();
 }
 
 void CanHardware::enable(bool on) noexcept {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "canopen/emergency.hpp"
 
@@ -42,7 +43,8 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
       jump_(std::llround((6 * std::max(entry.homing.speed_switch, entry.homing.speed_zero) * period + 0.1) /
                          std::abs(rad_per_unit_))),
       pdos_(drive_pdos(table.mode)),
-      setup_(entry.node, drive_settings(table, entry, period, home)) {}
+      setup_(entry.node, drive_settings(table, entry, period)),
+      home_(home) {}
 
 bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept {
   next = {};
@@ -82,13 +84,15 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
       !pdos_.feedback.read(frame, kTorqueActual, true, torque))
     return;  // too short: as if it had not come
   statusword_ = static_cast<std::uint16_t>(status);
-  increment_ = known_ ? raw - raw_ : 0;
+  // an axis that turns for hours passes the ends of 32 bits
+  increment_ = known_ ? static_cast<std::int32_t>(static_cast<std::uint32_t>(raw - raw_)) : 0;
+  std::int64_t jumped = 0;
   if (homing_ == Homing::running && std::abs(increment_) > jump_) {
     // it counts from its home position now: what it has moved meanwhile is too little to matter
     offset_ -= static_cast<double>(increment_) * rad_per_unit_;
-    increment_ = 0;
+    jumped = std::exchange(increment_, 0);
   }
-  raw_ = raw;
+  raw_ = known_ ? raw_ + increment_ + jumped : raw;
   current_ = static_cast<double>(torque) / kPerMille * rated_current_ * (reversed_ ? -1 : 1);
   answered_ = known_ = true;
   missed_ = 0;
@@ -206,7 +210,7 @@ can::Frame Drive::command(const Target& target) noexcept {
   const double torque = on ? sign * target.current / rated_current_ * kPerMille : 0.0;
   const DriveMode mode = homing_ == Homing::running ? DriveMode::homing : mode_;
   pdos_.command.write(frame, kControlword, controlword());
-  pdos_.command.write(frame, kTargetPosition, whole<std::int32_t>(position));
+  pdos_.command.write(frame, kTargetPosition, whole<std::int64_t>(position));  // its low 32 bits
   pdos_.command.write(frame, kTargetVelocity, whole<std::int32_t>(velocity));
   pdos_.command.write(frame, kTargetTorque, whole<std::int16_t>(torque));
   pdos_.command.write(frame, kMode, static_cast<std::int8_t>(mode));

@@ -62,7 +62,8 @@ class Drive {
   void home() noexcept;
   Homing homing() const noexcept { return homing_; }
   void add_origin(double shift) noexcept { offset_ += shift; }
-  double offset() const noexcept { return offset_; }
+  /// After homing has attained: what to add to its positions.
+  double homing_shift() const noexcept { return home_ - offset_; }
   /// False: it has restarted, its positions count from there.
   bool knows_position() const noexcept { return !position_lost_; }
   void position_known() noexcept { position_lost_ = false; }
@@ -89,6 +90,7 @@ class Drive {
   std::int64_t jump_;  ///< units that homing does not move it in a tick
   DrivePdos pdos_;
   DriveSetup setup_;
+  double home_;  ///< rad of the shaft where a drive that has homed counts from
 
   // said
   std::uint16_t statusword_ = 0;

@@ -17,7 +17,8 @@ using namespace canopen;
 constexpr std::uint32_t kNotUsed = 0x80000000;
 constexpr std::uint8_t kAtOnce = 255;  // transmission type: the value is taken when it comes
 constexpr int kMissedHeartbeats = 3;
-constexpr std::int64_t kSlowDownAndDisable = 2;  // quick stop option code
+constexpr std::int64_t kSlowDownAndDisable = 2;  // quick stop and fault reaction option codes: on the quick stop ramp
+constexpr std::int64_t kFault = 1;               // abort connection option code: our heartbeat is lost
 
 class Settings {
  public:
@@ -70,7 +71,7 @@ DrivePdos drive_pdos(DriveMode mode) {
 }
 
 std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table, const config::DriveEntry& drive,
-                                                 double period, double home) {
+                                                 double period) {
   const DrivePdos pdos = drive_pdos(table.mode);
   Settings list(table);
   list.add_pdo(kReceivePdoParameters, kReceivePdoMapping, kReceivePdo1 + drive.node, table.target_at_sync ? 1 : kAtOnce,
@@ -86,9 +87,12 @@ std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table
   list.add_known(kInterpolationExponent, exponent, 1);
   list.add(kMode, static_cast<std::int64_t>(table.mode), 1);
   list.add_known(kQuickStopOption, kSlowDownAndDisable, 2);
+  list.add_known(kFaultReactionOption, kSlowDownAndDisable, 2);
+  list.add_known(kAbortConnectionOption, kFault, 2);
   const double units = drive.units_per_turn / (2 * std::numbers::pi);
   list.add_known(kHomingMethod, drive.homing.method, 1);
-  list.add_known(kHomeOffset, std::llround(home * units), 4);
+  // makers differ in its sign: a drive counts from its home position, and we add where that is
+  if (!table.absolute_encoders) list.add_known(kHomeOffset, 0, 4);
   list.add_known(kHomingSpeedSwitch, std::llround(std::abs(drive.homing.speed_switch * units)), 4);
   list.add_known(kHomingSpeedZero, std::llround(std::abs(drive.homing.speed_zero * units)), 4);
   for (const config::DriveSetting& setting : drive.settings) list.settings_.push_back(setting);

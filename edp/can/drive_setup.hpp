@@ -19,10 +19,10 @@ DrivePdos drive_pdos(canopen::DriveMode mode);
 
 /// All that is written into a drive before it is started, in this order: its PDOs, heartbeats, the servo period, the
 /// mode, quick stop and homing, then the table's own settings. Of what a drive may leave out, only what its EDS file
-/// has. `home`: rad of the shaft at the zero pulse. Throws config::ConfigurationError: a servo period that CiA 402
+/// has. Throws config::ConfigurationError: a servo period that CiA 402
 /// cannot say.
 std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table, const config::DriveEntry& drive,
-                                                 double period, double home);
+                                                 double period);
 
 /// Writes the settings into a drive, one after the other, without waiting: its owner sends what it gives and hands it
 /// what comes. So a drive that has restarted can be set up while the others are being served. Allocates in the

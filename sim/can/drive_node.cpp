@@ -155,7 +155,7 @@ void DriveNode::obey() {
   homed_ = homing_failed_ = false;
   const std::int64_t method = store_.number(kHomingMethod);
   if (method == 35 || method == 37) {
-    raw_offset_ += store_.number(kHomeOffset) - units(position_);
+    raw_offset_ -= store_.number(kHomeOffset) + units(position_);
     homed_ = true;
   } else if (method == 3 || method == 5) {
     const double to_positive = (method == 3) == !reversed_ ? 1 : -1;
@@ -245,7 +245,7 @@ double DriveNode::home() {
   const double current = motor_.follow_homing(homing_);
   if (homing_ == edp::Synchroniser::Status::failed) homing_failed_ = true;
   if (homing_ == edp::Synchroniser::Status::done) {
-    raw_offset_ += store_.number(kHomeOffset) - units(motor_.found());
+    raw_offset_ -= store_.number(kHomeOffset) + units(motor_.found());
     homed_ = true;
   }
   return current;

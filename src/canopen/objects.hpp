@@ -33,6 +33,7 @@ inline constexpr Object kErrorCode{0x603f};
 inline constexpr Object kControlword{0x6040};
 inline constexpr Object kStatusword{0x6041};
 inline constexpr Object kQuickStopOption{0x605a};
+inline constexpr Object kFaultReactionOption{0x605e};
 inline constexpr Object kMode{0x6060};
 inline constexpr Object kModeDisplay{0x6061};
 inline constexpr Object kPositionActual{0x6064};

@@ -12,7 +12,7 @@ using namespace canopen;
 
 std::vector<config::DriveSetting> settings(DriveMode mode, double period = kCanPeriod) {
   const config::DriveTable table = table_for(Slide{}.parameters(), mode);
-  return drive_settings(table, table.drives[0], period, 1.5);
+  return drive_settings(table, table.drives[0], period);
 }
 
 std::int64_t last(const std::vector<config::DriveSetting>& all, Object object) {
@@ -57,7 +57,8 @@ TEST(DriveSetup, HeartbeatsAndHomeAreThoseOfTheTable) {
   const auto all = settings(DriveMode::cyclic_position);
   EXPECT_EQ(last(all, kConsumerHeartbeat), 127 << 16 | 60);
   EXPECT_EQ(last(all, kProducerHeartbeat), 20);
-  EXPECT_EQ(last(all, kHomeOffset), 955) << "1.5 rad of 4000 units a turn";
+  EXPECT_EQ(last(all, kHomeOffset), 0) << "a drive that has homed counts from there";
+  EXPECT_EQ(last(all, kAbortConnectionOption), 1) << "the loss of our heartbeat is a fault";
 }
 
 }  // namespace

@@ -77,6 +77,15 @@ TEST_F(DriveTest, ReadsItsShaftAndItsCurrent) {
   EXPECT_DOUBLE_EQ(drive.current(), -5.0);
 }
 
+TEST_F(DriveTest, APositionGoesOnBeyond32Bits) {
+  switch_on();
+  say(status_bits(DriveState::operation_enabled), 0x7ffffff0);
+  say(status_bits(DriveState::operation_enabled), -0x7ffffff0);
+  EXPECT_DOUBLE_EQ(drive.position(), 0x80000010p0 * 2 * std::numbers::pi / 4000);
+  const double beyond = drive.position() + 2 * std::numbers::pi / 4000;
+  EXPECT_EQ(can::sign_extended(can::get(drive.command({0, beyond, 0}).bytes(), 2, 4), 4), -0x7fffffef);
+}
+
 TEST_F(DriveTest, AnAnswerThatIsMissedIsGuessedTwiceThenItIsSilent) {
   switch_on();
   say(status_bits(DriveState::operation_enabled), 10);
