@@ -59,11 +59,12 @@ can::Frame SdoTransfer::request(std::uint8_t command) const noexcept {
 
 can::Frame SdoTransfer::upload(NodeId node, Object object) noexcept {
   status_ = Status::waiting;
-  writes_ = segmented_ = false;
+  writes_ = segmented_ = begun_ = false;
   node_ = node;
   object_ = object;
   abort_ = SdoAbort::none;
-  size_ = sent_ = toggle_ = 0;
+  size_ = sent_ = told_ = 0;
+  toggle_ = 0;
   return request(kUpload);
 }
 
@@ -72,7 +73,7 @@ can::Frame SdoTransfer::download(NodeId node, Object object, std::span<const std
   writes_ = true;
   size_ = std::min(value.size(), value_.size());
   std::copy_n(value.begin(), size_, value_.begin());
-  segmented_ = size_ > 4;
+  segmented_ = size_ == 0 || size_ > 4;  // an expedited one has at least a byte
   if (segmented_) {
     can::Frame frame = request(kDownload | kSizeTold);
     can::put(frame.data, 4, 4, size_);
@@ -97,22 +98,22 @@ bool SdoTransfer::take(const can::Frame& frame, can::Frame& next) noexcept {
   if (status_ != Status::waiting || frame.error || frame.remote || frame.id != kSdoResponse + node_ || frame.size != 8)
     return false;
   const std::uint8_t specifier = frame.data[0] & kSpecifier;
-  const bool names_object =
-      !segmented_ || specifier == kAbort || (writes_ ? sent_ == 0 && specifier == kAnsweredDownload : false);
-  // the answer to an earlier request that was given up
-  if (names_object && Object{static_cast<std::uint16_t>(can::get(frame.data, 1, 2)), frame.data[3]} != object_)
+  const bool is_segment = specifier == kAnsweredUploadSegment || specifier == kAnsweredDownloadSegment;
+  // answers to an earlier request that was given up: another object's, or a segment before there can be one
+  if (is_segment ? !begun_ : Object{static_cast<std::uint16_t>(can::get(frame.data, 1, 2)), frame.data[3]} != object_)
     return false;
   if (specifier == kAbort) {
     status_ = Status::refused;
     abort_ = static_cast<SdoAbort>(can::get(frame.data, 4, 4));
   } else if (!writes_) {
-    next = segmented_ ? take_segment(frame) : take_upload(frame);
-  } else if (specifier == kAnsweredDownload && sent_ == 0) {
+    next = begun_ ? take_segment(frame) : take_upload(frame);
+  } else if (specifier == kAnsweredDownload && !begun_) {
+    begun_ = true;
     if (segmented_)
       next = next_segment();
     else
       status_ = Status::done;
-  } else if (segmented_ && specifier == kAnsweredDownloadSegment && sent_ > 0) {
+  } else if (specifier == kAnsweredDownloadSegment) {
     if ((frame.data[0] & kToggle) != toggle_) {
       next = refuse(SdoAbort::toggle_bit);
     } else {
@@ -138,7 +139,8 @@ can::Frame SdoTransfer::take_upload(const can::Frame& frame) noexcept {
     return {};
   }
   if ((command & kSizeTold) != 0 && can::get(frame.data, 4, 4) > kMaxValue) return refuse(SdoAbort::out_of_memory);
-  segmented_ = true;
+  told_ = (command & kSizeTold) != 0 ? can::get(frame.data, 4, 4) : kMaxValue + 1;
+  begun_ = segmented_ = true;
   can::Frame segment = request(kUploadSegment);
   std::fill(segment.data.begin() + 1, segment.data.end(), std::uint8_t{0});
   return segment;
@@ -153,6 +155,7 @@ can::Frame SdoTransfer::take_segment(const can::Frame& frame) noexcept {
   std::copy_n(frame.data.begin() + 1, count, value_.begin() + static_cast<std::ptrdiff_t>(size_));
   size_ += count;
   if ((command & kLast) != 0) {
+    if (told_ <= kMaxValue && told_ != size_) return refuse(SdoAbort::wrong_length);
     status_ = Status::done;
     return {};
   }
