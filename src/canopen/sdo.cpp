@@ -13,42 +13,54 @@ constexpr std::uint8_t kAnsweredUploadSegment = 0x00, kAnsweredDownloadSegment =
 constexpr std::uint8_t kSpecifier = 0xe0, kToggle = 0x10, kExpedited = 0x02, kSizeTold = 0x01, kLast = 0x01;
 constexpr std::size_t kInSegment = 7;
 
+struct Text {
+  std::uint32_t code;
+  std::string_view text;
+};
+
+// CiA 301, table 22
+constexpr Text kTexts[] = {
+    {0x05030000, "toggle bit not alternated"},
+    {0x05040000, "SDO protocol timed out"},
+    {0x05040001, "command specifier not valid or unknown"},
+    {0x05040002, "invalid block size"},
+    {0x05040003, "invalid sequence number"},
+    {0x05040004, "CRC error"},
+    {0x05040005, "out of memory"},
+    {0x06010000, "unsupported access to an object"},
+    {0x06010001, "attempt to read a write only object"},
+    {0x06010002, "attempt to write a read only object"},
+    {0x06020000, "object does not exist in the object dictionary"},
+    {0x06040041, "object cannot be mapped to the PDO"},
+    {0x06040042, "the number and length of the objects to be mapped exceed PDO length"},
+    {0x06040043, "general parameter incompatibility"},
+    {0x06040047, "general internal incompatibility in the device"},
+    {0x06060000, "access failed due to a hardware error"},
+    {0x06070010, "data type does not match, length of service parameter does not match"},
+    {0x06070012, "data type does not match, length of service parameter too high"},
+    {0x06070013, "data type does not match, length of service parameter too low"},
+    {0x06090011, "sub-index does not exist"},
+    {0x06090030, "invalid value for parameter"},
+    {0x06090031, "value of parameter written too high"},
+    {0x06090032, "value of parameter written too low"},
+    {0x06090036, "maximum value is less than minimum value"},
+    {0x060a0023, "resource not available"},
+    {0x08000000, "general error"},
+    {0x08000020, "data cannot be transferred or stored to the application"},
+    {0x08000021, "data cannot be transferred because of local control"},
+    {0x08000022, "data cannot be transferred because of the present device state"},
+    {0x08000023, "object dictionary dynamic generation failed or there is none"},
+    {0x08000024, "no data available"},
+};
+
 }  // namespace
 
 std::string_view describe(SdoAbort abort) noexcept {
-  switch (abort) {
-    case SdoAbort::none:
-      return "no abort";
-    case SdoAbort::toggle_bit:
-      return "toggle bit not alternated";
-    case SdoAbort::timeout:
-      return "SDO protocol timed out";
-    case SdoAbort::unknown_command:
-      return "command specifier not valid or unknown";
-    case SdoAbort::out_of_memory:
-      return "out of memory";
-    case SdoAbort::unsupported_access:
-      return "unsupported access to an object";
-    case SdoAbort::write_only:
-      return "attempt to read a write only object";
-    case SdoAbort::read_only:
-      return "attempt to write a read only object";
-    case SdoAbort::no_such_object:
-      return "object does not exist in the object dictionary";
-    case SdoAbort::not_mappable:
-      return "object cannot be mapped to the PDO";
-    case SdoAbort::mapping_too_long:
-      return "the number and length of the objects to be mapped exceed PDO length";
-    case SdoAbort::wrong_length:
-      return "data type does not match, length of service parameter does not match";
-    case SdoAbort::no_such_sub_index:
-      return "sub-index does not exist";
-    case SdoAbort::invalid_value:
-      return "invalid value for parameter";
-    case SdoAbort::wrong_state:
-      return "data cannot be transferred because of the present device state";
-  }
-  return "unknown abort code";
+  if (abort == SdoAbort::none) return "no abort";
+  const auto code = static_cast<std::uint32_t>(abort);
+  const auto* const found =
+      std::find_if(std::begin(kTexts), std::end(kTexts), [code](const Text& text) { return text.code == code; });
+  return found != std::end(kTexts) ? found->text : "unknown abort code";
 }
 
 can::Frame SdoTransfer::request(std::uint8_t command) const noexcept {

@@ -84,6 +84,9 @@ TEST(Sdo, TheServersRefusalHasItsText) {
   carry(transfer, server, transfer.upload(kNode, kThing));
   EXPECT_EQ(transfer.status(), Status::refused);
   EXPECT_EQ(describe(transfer.abort()), "object does not exist in the object dictionary");
+  EXPECT_EQ(describe(SdoAbort::none), "no abort");
+  EXPECT_EQ(describe(SdoAbort::wrong_state), "data cannot be transferred because of the present device state");
+  EXPECT_EQ(describe(static_cast<SdoAbort>(0x06090032)), "value of parameter written too low");
   EXPECT_EQ(describe(static_cast<SdoAbort>(0x12345678)), "unknown abort code");
 }
 
