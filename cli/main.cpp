@@ -2,6 +2,7 @@
 #include <exception>
 
 #include "cli/agent_command.hpp"
+#include "cli/can_command.hpp"
 #include "cli/graph_command.hpp"
 #include "cli/keys_command.hpp"
 #include "cli/run_command.hpp"
@@ -22,6 +23,7 @@ int main(int argc, char** argv) {
     mrroc::cli::add_graph_command(app, exit_code);
     mrroc::cli::add_keys_command(app, exit_code);
     mrroc::cli::add_agent_command(app, exit_code);
+    mrroc::cli::add_can_command(app, exit_code);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);

@@ -14,7 +14,7 @@ namespace mrroc::can {
 enum class Sent : std::uint8_t {
   yes,
   full,  ///< the transmit queue takes no more: nobody acknowledges, or more is sent than the bus carries
-  down   ///< the interface is down, or gone
+  down   ///< the interface is down, or gone; or a CAN FD frame, where it carries none
 };
 
 /// Identifiers that a bus hands on: those with (id & mask) == (wanted & mask).
@@ -33,6 +33,8 @@ class Bus {
   virtual bool receive(Frame& frame, std::int64_t deadline) noexcept = 0;
   /// From now on only these are received, and error frames. Throws std::system_error. Not on the real-time path.
   virtual void filter(std::span<const Filter> filters) = 0;
+  /// Whether frames of CAN FD can be sent; else only classical ones.
+  virtual bool carries_fd() const noexcept = 0;
   /// Becomes readable when a frame has come.
   virtual int descriptor() const noexcept = 0;
 };

@@ -8,23 +8,27 @@
 
 namespace mrroc::can {
 
-/// Most data bytes of a classical frame (ISO 11898-1); CAN FD is not used by CANopen's classical profile.
-inline constexpr std::size_t kMaxData = 8;
+/// Most data bytes of a classical frame (ISO 11898-1), all that CANopen's classical profile (CiA 301) uses.
+inline constexpr std::size_t kMaxClassicalData = 8;
+/// Most data bytes of a CAN FD frame.
+inline constexpr std::size_t kMaxData = 64;
 
-/// One frame of a CAN bus, base format: 11 bits of identifier, at most 8 bytes of data. What a controller reports of
-/// the bus itself (`linux/can/error.h`) comes as a frame with `error`.
+/// One frame of a CAN bus, base format: 11 bits of identifier, at most 8 bytes of data, or with `fd` 64. What a
+/// controller reports of the bus itself (`linux/can/error.h`) comes as a frame with `error`.
 struct Frame {
-  std::uint32_t id = 0;   ///< 0..0x7ff; of an error frame its class bits
-  std::uint8_t size = 0;  ///< bytes of data in use
-  bool remote = false;    ///< asks for the data of `id`
-  bool error = false;     ///< from the controller, not from the bus
+  std::uint32_t id = 0;          ///< 0..0x7ff; of an error frame its class bits
+  std::uint8_t size = 0;         ///< bytes of data in use; with `fd` 0..8, 12, 16, 20, 24, 32, 48 or 64
+  bool remote = false;           ///< asks for the data of `id`
+  bool error = false;            ///< from the controller, not from the bus
+  bool fd = false;               ///< of CAN FD
+  bool bit_rate_switch = false;  ///< CAN FD: the data at the higher bit rate
   std::array<std::uint8_t, kMaxData> data{};
 
   Frame() = default;
   /// A data frame; at most 8 bytes.
   Frame(std::uint32_t identifier, std::initializer_list<std::uint8_t> bytes) : id(identifier) {
     for (const std::uint8_t byte : bytes)
-      if (size < kMaxData) data[size++] = byte;
+      if (size < kMaxClassicalData) data[size++] = byte;
   }
   std::span<const std::uint8_t> bytes() const noexcept { return {data.data(), size}; }
   friend bool operator==(const Frame&, const Frame&) = default;

@@ -46,32 +46,35 @@ void Hub::serve() {
     for (const int client : clients_) entries.push_back({client, POLLIN, 0});
     if (::poll(entries.data(), entries.size(), -1) < 0) continue;
     if (entries[0].revents != 0) return;
+    accept();  // first: who has connected before a frame was sent gets it
     for (std::size_t i = 2; i < entries.size(); ++i) {
       if (entries[i].revents == 0 || relay(entries[i].fd)) continue;
       ::close(entries[i].fd);
       std::erase(clients_, entries[i].fd);
     }
-    if (entries[1].revents != 0) accept();
   }
 }
 
 void Hub::accept() {
-  const int client = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-  if (client >= 0) clients_.push_back(client);
+  for (;;) {
+    const int client = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    if (client < 0) return;
+    clients_.push_back(client);
+  }
 }
 
 /// Hands one frame on; false: its sender has gone.
 bool Hub::relay(int from) {
-  can_frame raw{};
+  canfd_frame raw{};
   const ssize_t size = ::recv(from, &raw, sizeof raw, MSG_DONTWAIT);
   if (size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR)) return false;
   Frame frame;
-  if (size != sizeof raw || !from_raw(raw, frame)) return true;
+  if (size < 0 || !from_raw(raw, static_cast<std::size_t>(size), frame)) return true;
   if (fault_ && !fault_(frame)) return true;
-  raw = to_raw(frame);
+  const std::size_t length = to_raw(frame, raw);
   frames_.fetch_add(1, std::memory_order_relaxed);
   for (const int client : clients_)
-    if (client != from) ::send(client, &raw, sizeof raw, MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (client != from) ::send(client, &raw, length, MSG_DONTWAIT | MSG_NOSIGNAL);
   return true;
 }
 

@@ -11,9 +11,10 @@
 
 namespace mrroc::can {
 
-/// A CAN bus without a kernel that has one: a Unix socket (SOCK_SEQPACKET) whose clients exchange `struct can_frame`.
-/// What one sends, all others get, in the order in which the hub has read it. A client that does not read loses
-/// frames once its socket is full, as a controller's receive buffer overruns. It has a thread of its own.
+/// A CAN bus without a kernel that has one: a Unix socket (SOCK_SEQPACKET) whose clients exchange `struct can_frame`
+/// (16 bytes) and, of CAN FD, `struct canfd_frame` (72 bytes). What one sends, all get who have connected before, but
+/// itself, in the order in which the hub has read it. A client that does not read loses frames once its socket is full,
+/// as a controller's receive buffer overruns. It has a thread of its own.
 class Hub {
  public:
   /// What becomes of a frame: passed on as it is or changed; false: lost. For tests of faults; the hub's thread.

@@ -27,21 +27,22 @@ HubBus::HubBus(const std::string& path) {
 HubBus::~HubBus() { ::close(socket_); }
 
 Sent HubBus::send(const Frame& frame) noexcept {
-  const can_frame raw = to_raw(frame);
+  canfd_frame raw;
+  const std::size_t size = to_raw(frame, raw);
   ssize_t sent = 0;
-  do sent = ::send(socket_, &raw, sizeof raw, MSG_DONTWAIT | MSG_NOSIGNAL);
+  do sent = ::send(socket_, &raw, size, MSG_DONTWAIT | MSG_NOSIGNAL);
   while (sent < 0 && errno == EINTR);
-  if (sent == sizeof raw) return Sent::yes;
+  if (sent == static_cast<ssize_t>(size)) return Sent::yes;
   return errno == EAGAIN || errno == ENOBUFS ? Sent::full : Sent::down;
 }
 
 bool HubBus::receive(Frame& frame, std::int64_t deadline) noexcept {
   for (;;) {
-    can_frame raw{};
+    canfd_frame raw{};
     const ssize_t size = ::recv(socket_, &raw, sizeof raw, MSG_DONTWAIT);
     if (size == 0) return false;  // the hub has gone
-    if (size == sizeof raw) {
-      if (from_raw(raw, frame) && wanted(frame)) return true;
+    if (size > 0) {
+      if (from_raw(raw, static_cast<std::size_t>(size), frame) && wanted(frame)) return true;
       continue;
     }
     if (size < 0 && errno == EINTR) continue;

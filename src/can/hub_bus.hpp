@@ -6,7 +6,7 @@
 
 namespace mrroc::can {
 
-/// A participant of a `Hub`: the frames of the kernel's `struct can_frame` over a Unix socket, for machines whose
+/// A participant of a `Hub`: the frames as the kernel's CAN sockets carry them, over a Unix socket, for machines whose
 /// kernel has no CAN.
 class HubBus : public Bus {
  public:
@@ -19,6 +19,7 @@ class HubBus : public Bus {
   Sent send(const Frame& frame) noexcept override;
   bool receive(Frame& frame, std::int64_t deadline) noexcept override;
   void filter(std::span<const Filter> filters) override { filters_.assign(filters.begin(), filters.end()); }
+  bool carries_fd() const noexcept override { return true; }
   int descriptor() const noexcept override { return socket_; }
 
  private:

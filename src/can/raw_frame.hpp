@@ -3,28 +3,39 @@
 #include <linux/can.h>
 
 #include <algorithm>
+#include <cstddef>
 
 #include "can/frame.hpp"
 
 namespace mrroc::can {
 
-/// The kernel's `struct can_frame`, which sockets and hubs carry.
-inline can_frame to_raw(const Frame& frame) noexcept {
-  can_frame raw{};
-  raw.can_id = frame.id | (frame.remote ? CAN_RTR_FLAG : 0) | (frame.error ? CAN_ERR_FLAG : 0);
-  raw.len = std::min<std::uint8_t>(frame.size, kMaxData);
-  std::copy_n(frame.data.begin(), kMaxData, raw.data);
-  return raw;
+// what a CAN FD frame's data begins with is a classical frame: one structure holds both, and its size tells which
+static_assert(offsetof(canfd_frame, len) == offsetof(can_frame, len));
+static_assert(offsetof(canfd_frame, data) == offsetof(can_frame, data));
+
+/// A frame as the kernel's sockets and hubs carry it. The result is its size: CAN_MTU, or CANFD_MTU.
+inline std::size_t to_raw(const Frame& frame, canfd_frame& raw) noexcept {
+  raw = {};
+  raw.can_id = frame.error ? (frame.id & CAN_ERR_MASK) | CAN_ERR_FLAG
+                           : (frame.id & CAN_SFF_MASK) | (frame.remote ? CAN_RTR_FLAG : 0);
+  raw.len = std::min(frame.size, static_cast<std::uint8_t>(frame.fd ? kMaxData : kMaxClassicalData));
+  if (frame.bit_rate_switch && frame.fd) raw.flags = CANFD_BRS;
+  std::copy_n(frame.data.begin(), raw.len, raw.data);
+  return frame.fd ? CANFD_MTU : CAN_MTU;
 }
 
-/// False: a frame of the extended format, which CANopen does not use.
-inline bool from_raw(const can_frame& raw, Frame& frame) noexcept {
-  if ((raw.can_id & CAN_EFF_FLAG) != 0) return false;
+/// False: it is of neither size, or of the extended format, which CANopen does not use.
+inline bool from_raw(const canfd_frame& raw, std::size_t size, Frame& frame) noexcept {
+  const bool fd = size == CANFD_MTU;
+  if ((!fd && size != CAN_MTU) || (raw.can_id & CAN_EFF_FLAG) != 0) return false;
+  frame = {};
+  frame.fd = fd;
+  frame.bit_rate_switch = fd && (raw.flags & CANFD_BRS) != 0;
   frame.error = (raw.can_id & CAN_ERR_FLAG) != 0;
-  frame.remote = (raw.can_id & CAN_RTR_FLAG) != 0;
+  frame.remote = !fd && (raw.can_id & CAN_RTR_FLAG) != 0;
   frame.id = raw.can_id & (frame.error ? CAN_ERR_MASK : CAN_SFF_MASK);
-  frame.size = std::min<std::uint8_t>(raw.len, kMaxData);
-  std::copy_n(raw.data, kMaxData, frame.data.begin());
+  frame.size = std::min(raw.len, static_cast<std::uint8_t>(fd ? kMaxData : kMaxClassicalData));
+  std::copy_n(raw.data, frame.size, frame.data.begin());
   return true;
 }
 

@@ -31,6 +31,15 @@ void check_is_up(int socket, const std::string& interface) {
     fail(interface, "is down, expected it up: ip link set " + interface + " up type can bitrate 1000000");
 }
 
+/// Whether the interface is set up for CAN FD, and the socket for its frames.
+bool turn_fd_on(int socket, const std::string& interface) {
+  ifreq request{};
+  interface.copy(request.ifr_name, IFNAMSIZ - 1);
+  if (::ioctl(socket, SIOCGIFMTU, &request) != 0 || request.ifr_mtu < static_cast<int>(CANFD_MTU)) return false;
+  const int on = 1;
+  return ::setsockopt(socket, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, &on, sizeof on) == 0;
+}
+
 }  // namespace
 
 SocketBus::SocketBus(const std::string& interface) {
@@ -45,6 +54,7 @@ SocketBus::SocketBus(const std::string& interface) {
     check_is_up(socket_, interface);
     const can_err_mask_t errors = CAN_ERR_MASK;
     ::setsockopt(socket_, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &errors, sizeof errors);
+    fd_ = turn_fd_on(socket_, interface);
     sockaddr_can address{};
     address.can_family = AF_CAN;
     address.can_ifindex = static_cast<int>(index);
@@ -59,26 +69,27 @@ SocketBus::SocketBus(const std::string& interface) {
 SocketBus::~SocketBus() { ::close(socket_); }
 
 Sent SocketBus::send(const Frame& frame) noexcept {
-  const can_frame raw = to_raw(frame);
+  if (frame.fd && !fd_) return Sent::down;
+  canfd_frame raw;
+  const std::size_t size = to_raw(frame, raw);
   ssize_t sent = 0;
-  do sent = ::send(socket_, &raw, sizeof raw, MSG_DONTWAIT);
+  do sent = ::send(socket_, &raw, size, MSG_DONTWAIT);
   while (sent < 0 && errno == EINTR);
-  if (sent == sizeof raw) return Sent::yes;
+  if (sent == static_cast<ssize_t>(size)) return Sent::yes;
   return errno == ENOBUFS || errno == EAGAIN || errno == ENOMEM ? Sent::full : Sent::down;
 }
 
 bool SocketBus::receive(Frame& frame, std::int64_t deadline) noexcept {
   for (;;) {
-    can_frame raw{};
+    canfd_frame raw{};
     const ssize_t size = ::recv(socket_, &raw, sizeof raw, MSG_DONTWAIT);
-    if (size == sizeof raw) {
-      if (from_raw(raw, frame)) return true;
+    if (size > 0) {
+      if (from_raw(raw, static_cast<std::size_t>(size), frame)) return true;
       continue;
     }
     if (size < 0 && errno == EINTR) continue;
-    // an interface that goes down is an error here until it is up: `send` tells
+    // that the interface goes down is an error once, and `send` tells; frames come again when it is up
     if (!wait_readable(socket_, deadline)) return false;
-    if (size < 0 && errno != EAGAIN) return false;
   }
 }
 

@@ -5,7 +5,8 @@
 namespace mrroc::can {
 
 /// A raw socket on a CAN interface of the kernel (Linux, Documentation/networking/can.rst). It hears what others on the
-/// same machine send, not itself, and every error that the controller reports.
+/// same machine send, not itself, and every error that the controller reports. An interface that is set
+/// up for CAN FD (`ip link`: mtu 72) carries frames of both kinds.
 class SocketBus : public Bus {
  public:
   /// Throws std::runtime_error: the kernel knows no CAN, there is no such interface, it is down, it is no CAN.
@@ -17,10 +18,12 @@ class SocketBus : public Bus {
   Sent send(const Frame& frame) noexcept override;
   bool receive(Frame& frame, std::int64_t deadline) noexcept override;
   void filter(std::span<const Filter> filters) override;
+  bool carries_fd() const noexcept override { return fd_; }
   int descriptor() const noexcept override { return socket_; }
 
  private:
   int socket_ = -1;
+  bool fd_ = false;
 };
 
 }  // namespace mrroc::can

@@ -138,7 +138,8 @@ class Parser {
 
 EdsFile EdsFile::load(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw EdsError(file.string() + ": cannot be read, expected an EDS file");
+  if (!stream || std::filesystem::is_directory(file))
+    throw EdsError(file.string() + ": cannot be read, expected an EDS file");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   return parse(text, file.string());
 }

@@ -36,8 +36,10 @@ std::string sdo_text(const can::Frame& frame, bool request) {
   const std::string object = to_text(Object{static_cast<std::uint16_t>(can::get(frame.bytes(), 1, 2)), frame.data[3]});
   const bool expedited = (frame.data[0] & 2) != 0;
   const std::size_t size = (frame.data[0] & 1) != 0 ? 4u - ((frame.data[0] >> 2) & 3u) : 4u;
-  const std::string value = expedited ? " = " + bytes_of(frame.bytes().subspan(4, size))
-                                      : ", " + std::to_string(can::get(frame.bytes(), 4, 4)) + " bytes";
+  const bool size_told = (frame.data[0] & 1) != 0;
+  const std::string value = expedited   ? " = " + bytes_of(frame.bytes().subspan(4, size))
+                            : size_told ? ", " + std::to_string(can::get(frame.bytes(), 4, 4)) + " bytes"
+                                        : ", in segments";
   if (specifier == 4)
     return "SDO abort " + object + ": " + std::string(describe(static_cast<SdoAbort>(can::get(frame.bytes(), 4, 4))));
   if (specifier == 1 && request) return "SDO write " + object + value;

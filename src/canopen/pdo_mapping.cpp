@@ -20,7 +20,8 @@ PdoMapping::PdoMapping(std::vector<MappedObject> objects) : objects_(std::move(o
                                   " bytes in a PDO, expected 1 to 8");
     size_ += mapped.size;
   }
-  if (size_ > can::kMaxData) throw std::invalid_argument(std::to_string(size_) + " bytes in a PDO, expected at most 8");
+  if (size_ > can::kMaxClassicalData)
+    throw std::invalid_argument(std::to_string(size_) + " bytes in a PDO, expected at most 8");
 }
 
 bool PdoMapping::read(const can::Frame& frame, Object object, bool with_sign, std::int64_t& value) const noexcept {

@@ -13,42 +13,54 @@ constexpr std::uint8_t kAnsweredUploadSegment = 0x00, kAnsweredDownloadSegment =
 constexpr std::uint8_t kSpecifier = 0xe0, kToggle = 0x10, kExpedited = 0x02, kSizeTold = 0x01, kLast = 0x01;
 constexpr std::size_t kInSegment = 7;
 
+struct Text {
+  std::uint32_t code;
+  std::string_view text;
+};
+
+// CiA 301, table 22
+constexpr Text kTexts[] = {
+    {0x05030000, "toggle bit not alternated"},
+    {0x05040000, "SDO protocol timed out"},
+    {0x05040001, "command specifier not valid or unknown"},
+    {0x05040002, "invalid block size"},
+    {0x05040003, "invalid sequence number"},
+    {0x05040004, "CRC error"},
+    {0x05040005, "out of memory"},
+    {0x06010000, "unsupported access to an object"},
+    {0x06010001, "attempt to read a write only object"},
+    {0x06010002, "attempt to write a read only object"},
+    {0x06020000, "object does not exist in the object dictionary"},
+    {0x06040041, "object cannot be mapped to the PDO"},
+    {0x06040042, "the number and length of the objects to be mapped exceed PDO length"},
+    {0x06040043, "general parameter incompatibility"},
+    {0x06040047, "general internal incompatibility in the device"},
+    {0x06060000, "access failed due to a hardware error"},
+    {0x06070010, "data type does not match, length of service parameter does not match"},
+    {0x06070012, "data type does not match, length of service parameter too high"},
+    {0x06070013, "data type does not match, length of service parameter too low"},
+    {0x06090011, "sub-index does not exist"},
+    {0x06090030, "invalid value for parameter"},
+    {0x06090031, "value of parameter written too high"},
+    {0x06090032, "value of parameter written too low"},
+    {0x06090036, "maximum value is less than minimum value"},
+    {0x060a0023, "resource not available"},
+    {0x08000000, "general error"},
+    {0x08000020, "data cannot be transferred or stored to the application"},
+    {0x08000021, "data cannot be transferred because of local control"},
+    {0x08000022, "data cannot be transferred because of the present device state"},
+    {0x08000023, "object dictionary dynamic generation failed or there is none"},
+    {0x08000024, "no data available"},
+};
+
 }  // namespace
 
 std::string_view describe(SdoAbort abort) noexcept {
-  switch (abort) {
-    case SdoAbort::none:
-      return "no abort";
-    case SdoAbort::toggle_bit:
-      return "toggle bit not alternated";
-    case SdoAbort::timeout:
-      return "SDO protocol timed out";
-    case SdoAbort::unknown_command:
-      return "command specifier not valid or unknown";
-    case SdoAbort::out_of_memory:
-      return "out of memory";
-    case SdoAbort::unsupported_access:
-      return "unsupported access to an object";
-    case SdoAbort::write_only:
-      return "attempt to read a write only object";
-    case SdoAbort::read_only:
-      return "attempt to write a read only object";
-    case SdoAbort::no_such_object:
-      return "object does not exist in the object dictionary";
-    case SdoAbort::not_mappable:
-      return "object cannot be mapped to the PDO";
-    case SdoAbort::mapping_too_long:
-      return "the number and length of the objects to be mapped exceed PDO length";
-    case SdoAbort::wrong_length:
-      return "data type does not match, length of service parameter does not match";
-    case SdoAbort::no_such_sub_index:
-      return "sub-index does not exist";
-    case SdoAbort::invalid_value:
-      return "invalid value for parameter";
-    case SdoAbort::wrong_state:
-      return "data cannot be transferred because of the present device state";
-  }
-  return "unknown abort code";
+  if (abort == SdoAbort::none) return "no abort";
+  const auto code = static_cast<std::uint32_t>(abort);
+  const auto* const found =
+      std::find_if(std::begin(kTexts), std::end(kTexts), [code](const Text& text) { return text.code == code; });
+  return found != std::end(kTexts) ? found->text : "unknown abort code";
 }
 
 can::Frame SdoTransfer::request(std::uint8_t command) const noexcept {
@@ -59,11 +71,12 @@ can::Frame SdoTransfer::request(std::uint8_t command) const noexcept {
 
 can::Frame SdoTransfer::upload(NodeId node, Object object) noexcept {
   status_ = Status::waiting;
-  writes_ = segmented_ = false;
+  writes_ = segmented_ = begun_ = false;
   node_ = node;
   object_ = object;
   abort_ = SdoAbort::none;
-  size_ = sent_ = toggle_ = 0;
+  size_ = sent_ = told_ = 0;
+  toggle_ = 0;
   return request(kUpload);
 }
 
@@ -72,7 +85,7 @@ can::Frame SdoTransfer::download(NodeId node, Object object, std::span<const std
   writes_ = true;
   size_ = std::min(value.size(), value_.size());
   std::copy_n(value.begin(), size_, value_.begin());
-  segmented_ = size_ > 4;
+  segmented_ = size_ == 0 || size_ > 4;  // an expedited one has at least a byte
   if (segmented_) {
     can::Frame frame = request(kDownload | kSizeTold);
     can::put(frame.data, 4, 4, size_);
@@ -97,22 +110,22 @@ bool SdoTransfer::take(const can::Frame& frame, can::Frame& next) noexcept {
   if (status_ != Status::waiting || frame.error || frame.remote || frame.id != kSdoResponse + node_ || frame.size != 8)
     return false;
   const std::uint8_t specifier = frame.data[0] & kSpecifier;
-  const bool names_object =
-      !segmented_ || specifier == kAbort || (writes_ ? sent_ == 0 && specifier == kAnsweredDownload : false);
-  // the answer to an earlier request that was given up
-  if (names_object && Object{static_cast<std::uint16_t>(can::get(frame.data, 1, 2)), frame.data[3]} != object_)
+  const bool is_segment = specifier == kAnsweredUploadSegment || specifier == kAnsweredDownloadSegment;
+  // answers to an earlier request that was given up: another object's, or a segment before there can be one
+  if (is_segment ? !begun_ : Object{static_cast<std::uint16_t>(can::get(frame.data, 1, 2)), frame.data[3]} != object_)
     return false;
   if (specifier == kAbort) {
     status_ = Status::refused;
     abort_ = static_cast<SdoAbort>(can::get(frame.data, 4, 4));
   } else if (!writes_) {
-    next = segmented_ ? take_segment(frame) : take_upload(frame);
-  } else if (specifier == kAnsweredDownload && sent_ == 0) {
+    next = begun_ ? take_segment(frame) : take_upload(frame);
+  } else if (specifier == kAnsweredDownload && !begun_) {
+    begun_ = true;
     if (segmented_)
       next = next_segment();
     else
       status_ = Status::done;
-  } else if (segmented_ && specifier == kAnsweredDownloadSegment && sent_ > 0) {
+  } else if (specifier == kAnsweredDownloadSegment) {
     if ((frame.data[0] & kToggle) != toggle_) {
       next = refuse(SdoAbort::toggle_bit);
     } else {
@@ -138,7 +151,8 @@ can::Frame SdoTransfer::take_upload(const can::Frame& frame) noexcept {
     return {};
   }
   if ((command & kSizeTold) != 0 && can::get(frame.data, 4, 4) > kMaxValue) return refuse(SdoAbort::out_of_memory);
-  segmented_ = true;
+  told_ = (command & kSizeTold) != 0 ? can::get(frame.data, 4, 4) : kMaxValue + 1;
+  begun_ = segmented_ = true;
   can::Frame segment = request(kUploadSegment);
   std::fill(segment.data.begin() + 1, segment.data.end(), std::uint8_t{0});
   return segment;
@@ -153,6 +167,7 @@ can::Frame SdoTransfer::take_segment(const can::Frame& frame) noexcept {
   std::copy_n(frame.data.begin() + 1, count, value_.begin() + static_cast<std::ptrdiff_t>(size_));
   size_ += count;
   if ((command & kLast) != 0) {
+    if (told_ <= kMaxValue && told_ != size_) return refuse(SdoAbort::wrong_length);
     status_ = Status::done;
     return {};
   }

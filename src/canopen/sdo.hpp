@@ -70,6 +70,7 @@ class SdoTransfer {
   Status status_ = Status::idle;
   bool writes_ = false;
   bool segmented_ = false;
+  bool begun_ = false;  ///< the first request has been answered: segments follow
   std::uint8_t toggle_ = 0;
   NodeId node_ = 0;
   Object object_;
@@ -77,6 +78,7 @@ class SdoTransfer {
   std::array<std::uint8_t, kMaxValue> value_{};
   std::size_t size_ = 0;  ///< of value_ in use
   std::size_t sent_ = 0;
+  std::size_t told_ = 0;  ///< the size that the server has announced; above kMaxValue: none
 };
 
 }  // namespace mrroc::canopen

@@ -1,0 +1,136 @@
+#include "canopen/eds_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canopen/random_frames.hpp"
+
+namespace mrroc::canopen {
+namespace {
+
+EdsFile parse(const std::string& text) { return EdsFile::parse(text, "drive.eds"); }
+
+std::string mistake(const std::string& text) {
+  try {
+    parse(text);
+    return "";
+  } catch (const EdsError& error) {
+    return error.what();
+  }
+}
+
+std::string no_object(const EdsFile& file, const std::string& name) {
+  try {
+    file.object(name);
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+constexpr const char* kSmall = R"(; a comment
+[DeviceInfo]
+ProductName = Servo
+
+[6040]
+ParameterName=Controlword
+DataType=0x0006
+AccessType=RW
+DefaultValue=0
+PDOMapping=1
+
+[1018]
+ParameterName=Identity object
+ObjectType=0x9
+SubNumber=2
+
+[1018sub1]
+ParameterName=Vendor-ID
+DataType=7
+AccessType=ro
+)";
+
+TEST(EdsFile, TheFrameworksOwnIsRead) {
+  const EdsFile file = EdsFile::load(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia402.eds");
+  EXPECT_EQ(file.product(), "CiA 402 servo drive");
+  for (const Object object : {kDeviceType, kControlword, kStatusword, kMode, kTargetPosition, kPositionActual, kVendor,
+                              kHomingSpeedZero, kInterpolationTime, kDigitalInputs, kQuickStopOption})
+    EXPECT_NE(file.find(object), nullptr) << to_text(object);
+  for (const auto& [object, entry] : file.entries()) {
+    EXPECT_FALSE(entry.name.empty());
+    EXPECT_FALSE(entry.access.empty()) << to_text(object);
+    EXPECT_TRUE(size_of(entry.type) != 0 || entry.type == DataType::visible_string) << to_text(object);
+  }
+  EXPECT_TRUE(file.find(kControlword)->mappable);
+  EXPECT_FALSE(file.find(kStatusword)->writable());
+}
+
+TEST(EdsFile, ObjectsByNameAndByAddress) {
+  const EdsFile file = parse(kSmall);
+  EXPECT_EQ(file.product(), "Servo");
+  EXPECT_EQ(file.entries().size(), 2u) << "an object that has only parts has no value";
+  for (const char* const name : {"Controlword", " controlWORD ", "0x6040", "0X6040:0", "0x6040:0x0"})
+    EXPECT_EQ(file.object(name), kControlword) << name;
+  EXPECT_EQ(file.object("identity object/vendor-id"), kVendor);
+  EXPECT_EQ(file.object("0x1018:1"), kVendor);
+  const ObjectEntry& entry = *file.find(kControlword);
+  EXPECT_EQ(entry.type, DataType::unsigned16);
+  EXPECT_EQ(entry.access, "rw");
+  EXPECT_EQ(entry.default_value, "0");
+  EXPECT_EQ(file.find({0x1018, 0}), nullptr);
+}
+
+TEST(EdsFile, AnUnknownNameIsAnsweredWithThoseThatComeNear) {
+  const EdsFile file = parse(kSmall);
+  EXPECT_EQ(no_object(file, "control"),
+            "'control' is no object of the EDS file, expected a name of it (Controlword) or an address like 0x6040 or "
+            "0x1018:1");
+  EXPECT_EQ(no_object(file, "0x1018:2"), "object 1018h:2 is not in the EDS file");
+  for (const char* const bad : {"", "0x", "0x10000", "0x6040:256", "0x6040:", "0x6040:1:2", "6040"})
+    EXPECT_NE(no_object(file, bad), "") << bad;
+}
+
+TEST(EdsFile, OfTwoObjectsWithOneNameItStandsForTheFirst) {
+  const std::string both = "[6060]\nParameterName=Mode\nAccessType=rw\n[6061]\nParameterName=mode\nAccessType=ro\n";
+  EXPECT_EQ(parse(both).object("mode"), kMode);
+}
+
+TEST(EdsFile, EveryMistakeHasItsLine) {
+  EXPECT_EQ(mistake("[6040\n"), "drive.eds:1: '[6040' has no end, expected [NAME]");
+  EXPECT_EQ(mistake("\n[6040]\nParameterName\n"), "drive.eds:3: 'ParameterName', expected KEY=VALUE");
+  EXPECT_EQ(mistake("a=b\n"), "drive.eds:1: 'a=b', expected a section [NAME] first");
+  EXPECT_EQ(mistake("[6040]\nAccessType=rw\n"), "drive.eds:1: 6040: no ParameterName, expected one");
+  EXPECT_EQ(mistake("[6040]\nParameterName=\n"), "drive.eds:1: 6040: no ParameterName, expected one");
+  EXPECT_EQ(mistake("[6040]\nParameterName=a\nAccessType=maybe\n"),
+            "drive.eds:3: 6040: AccessType: 'maybe', expected ro, wo, rw, rwr, rww or const");
+  for (const std::string type : {"", "x", "0", "0x10000", "-1", "7 8", "99999999999", "0x"})
+    EXPECT_EQ(mistake("[1018SUB1]\r\nParameterName=a\r\nDataType=" + type + "\r\n"),
+              "drive.eds:3: 1018sub1: DataType: '" + type + "', expected a type's number, as 0x0007");
+  EXPECT_THROW(EdsFile::load("/nonexistent/drive.eds"), EdsError);
+  EXPECT_THROW(EdsFile::load(MRROC_SOURCE_DIR), EdsError) << "a folder";
+}
+
+TEST(EdsFile, SectionsThatDescribeNoValueAreLeftOut) {
+  EXPECT_TRUE(parse("[Comments]\nLines=0\n[604]\na=b\n[60400]\na=b\n[6040su1]\na=b\n[6040sub]\na=b\n[6040sub100]\n"
+                    "a=b\n[6040subx]\na=b\n")
+                  .entries()
+                  .empty());
+  EXPECT_TRUE(parse("").entries().empty());
+}
+
+TEST(EdsFile, AnyTextIsReadOrRefused) {
+  EXPECT_TRUE(rc::check("lines of pieces", [] {
+    const auto pieces = *rc::gen::container<std::vector<std::string>>(
+        rc::gen::element<std::string>("[", "]", "6040", "sub", "1", "=", "\n", "\r", ";", " ", "ParameterName",
+                                      "DataType", "AccessType", "0x", "rw", "\xff", std::string(1, '\0')));
+    std::string text;
+    for (const std::string& piece : pieces) text += piece;
+    try {
+      parse(text);
+    } catch (const EdsError& error) {
+      RC_ASSERT(std::string(error.what()).starts_with("drive.eds:"));
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace mrroc::canopen

@@ -1,0 +1,150 @@
+// Frames of any content, in any order: what puts them into words, a transfer that waits for an answer, the EDP's side
+// of a drive, and a simulated drive.
+#include <algorithm>
+#include <cmath>
+
+#include "can/raw_frame.hpp"
+#include "canopen/emergency.hpp"
+#include "canopen/sdo.hpp"
+#include "cli/can_frame_words.hpp"
+#include "cli/can_nodes.hpp"
+#include "edp/can/drive.hpp"
+#include "fuzz/fuzz.hpp"
+
+namespace {
+
+using namespace mrroc;
+using namespace mrroc::canopen;
+
+constexpr Tick kReset = 50;  // ticks between two attempts to recover
+
+can::Frame frame_from(fuzz::Bytes& input) {
+  canfd_frame raw{};
+  const auto kind = input.take<std::uint8_t>();
+  raw.can_id = input.take<std::uint16_t>() % 0x800u;
+  if ((kind & 7) == 7) raw.can_id |= CAN_ERR_FLAG;
+  if ((kind & 7) == 6) raw.can_id |= CAN_RTR_FLAG;
+  const bool fd = (kind & 8) != 0;
+  raw.len = input.take<std::uint8_t>();
+  input.take(raw.data, std::min<std::size_t>(raw.len, fd ? CANFD_MAX_DLEN : CAN_MAX_DLEN));
+  can::Frame frame;
+  fuzz::require(can::from_raw(raw, fd ? CANFD_MTU : CAN_MTU, frame), "it is a frame");
+  canfd_frame again;
+  can::Frame back;
+  fuzz::require(can::from_raw(again, can::to_raw(frame, again), back), "a frame is sent as one");
+  fuzz::require(back.size == frame.size && back.data == frame.data, "a frame comes back");
+  return frame;
+}
+
+void check_words(const std::string& text) {
+  fuzz::require(!text.empty(), "every frame has words");
+  fuzz::require(std::all_of(text.begin(), text.end(), [](char letter) { return letter >= 0x20 && letter < 0x7f; }),
+                "words are one printable line");
+}
+
+void check_sent(const can::Frame& frame) {
+  fuzz::require(frame.id <= 0x7ff && frame.size <= can::kMaxClassicalData && !frame.fd && !frame.error,
+                "what is sent is a classical frame");
+}
+
+/// The EDP's side: a drive in every mode, ticks at each SYNC.
+class Master {
+ public:
+  explicit Master(const config::DriveTable& table) : drive_(table, table.drives[0], 0.002, 0.1) {
+    drive_.setup().start();
+    drive_.begin(0);
+    drive_.enable(true, 0);
+  }
+
+  void take(const can::Frame& frame) {
+    can::Frame next;
+    drive_.take(frame, tick_, next);
+    check_sent(next);
+    if (frame.id != kSync) return;
+    drive_.expect();
+    drive_.close_cycle(++tick_);
+    if (tick_ % kReset == 0) drive_.reset(tick_, next);
+    if (tick_ % kReset == kReset / 2) drive_.enable(true, tick_);
+    if (tick_ % kReset == kReset - 5) drive_.home();
+    drive_.finding(tick_);
+    drive_.busy(tick_);
+    fuzz::require(
+        std::isfinite(drive_.position()) && std::isfinite(drive_.velocity()) && std::isfinite(drive_.current()),
+        "what is measured is a number");
+    const can::Frame command = drive_.command({1, drive_.position(), 1});
+    check_sent(command);
+    fuzz::require(command.id == kReceivePdo1 + drive_.node() && command.size > 0, "a drive is commanded in every tick");
+  }
+
+ private:
+  edp::Drive drive_;
+  Tick tick_ = 0;
+};
+
+/// A simulated drive with a motor that stands.
+class Slave {
+ public:
+  Slave(const config::DriveTable& table, const AxisParameters& axis)
+      : node_(table, table.drives[0], axis, 0.002, &check_sent) {
+    node_.boot(0);
+  }
+
+  void take(const can::Frame& frame) {
+    now_ += 1'000'000;
+    node_.take(frame, now_);
+    node_.look(now_);
+    if (frame.id != kSync || frame.error) return;
+    node_.measure(0, 0, {});
+    node_.synchronise();
+    node_.send_status();
+    node_.send_feedback();
+    fuzz::require(std::isfinite(node_.drive()), "a motor's current is a number");
+  }
+
+ private:
+  sim::DriveNode node_;
+  std::int64_t now_ = 0;
+};
+
+/// A transfer at each of our own requests, as a client of the node that it goes to.
+void follow(SdoTransfer& transfer, const can::Frame& frame, const Object& object, bool writes) {
+  can::Frame next;
+  const bool waits = transfer.status() == SdoTransfer::Status::waiting;
+  const bool taken = transfer.take(frame, next);
+  fuzz::require(!taken || waits, "only who waits gets an answer");
+  fuzz::require(transfer.value().size() <= kMaxValue, "a value has an end");
+  check_sent(next);
+  if (transfer.status() != SdoTransfer::Status::waiting)
+    writes ? transfer.download(1, object, transfer.value()) : transfer.upload(1, object);
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const config::DriveTable table = cli::irb6_drives();
+  static const RobotParameters robot = cli::irb6_parameters();
+  fuzz::Bytes input(data, size);
+  config::DriveTable own = table;
+  const auto choice = input.take<std::uint8_t>();
+  own.mode = static_cast<DriveMode>(8 + choice % 3);
+  own.target_at_sync = (choice & 0x80) != 0;
+  if ((choice & 0x40) != 0) own.drives[0].units_per_turn *= -1;
+  cli::FrameWords words(own), without;
+  Master master(own);
+  Slave slave(own, robot.axes[0]);
+  SdoTransfer reads, writes;
+  reads.upload(1, kDeviceName);
+  writes.download(1, kDeviceName, std::array<std::uint8_t, 20>{});
+  while (!input.empty()) {
+    const can::Frame frame = frame_from(input);
+    check_words(words.line(frame));
+    check_words(without.line(frame));
+    if (const auto emergency = emergency_of(frame))
+      fuzz::require(!error_text(emergency->code).empty() && to_frame(*emergency) == frame, "an emergency comes back");
+    follow(reads, frame, kDeviceName, false);
+    follow(writes, frame, kDeviceName, true);
+    master.take(frame);
+    slave.take(frame);
+  }
+  return 0;
+}

@@ -1,0 +1,37 @@
+// An EDS file of any content, and a simulated node with the object dictionary that it describes.
+#include "canopen/eds_file.hpp"
+#include "fuzz/fuzz.hpp"
+#include "sim/can/object_store.hpp"
+
+namespace {
+
+using namespace mrroc::canopen;
+
+void check(const EdsFile& file) {
+  for (const auto& [object, entry] : file.entries()) {
+    fuzz::require(!entry.name.empty(), "an object has a name");
+    fuzz::require(least(entry.type) <= greatest(entry.type), "a type has limits");
+    char address[16];
+    std::snprintf(address, sizeof address, "0x%x:%u", object.index, object.sub);
+    fuzz::require(file.object(address) == object, "an object has an address");
+    fuzz::refuses<std::invalid_argument>(
+        [&] { fuzz::require(file.find(file.object(entry.name)) != nullptr, "a name is that of an object"); });
+  }
+  mrroc::sim::ObjectStore store(file, 5);
+  for (const auto& [object, entry] : file.entries()) {
+    std::vector<std::uint8_t> value;
+    const bool read = store.read(object, value) == SdoAbort::none;
+    fuzz::require(read == entry.readable(), "what may be read is read");
+    fuzz::require(!read || size_of(entry.type) == 0 || value.size() == size_of(entry.type), "a value fits its type");
+    fuzz::require(
+        (store.write(object, std::vector<std::uint8_t>(store.size(object))) == SdoAbort::none) == entry.writable(),
+        "what may be written is written");
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::refuses<EdsError>([&] { check(EdsFile::parse(fuzz::text_of(data, size), "input.eds")); });
+  return 0;
+}
