@@ -38,7 +38,7 @@ Target target_of(Kind kind) noexcept;
 /// One fault to be injected into a run: what, whom, when, for how long.
 struct Fault {
   Kind kind = Kind::kill;
-  std::string process;   ///< as the deployment names it: mp, arm, arm_edp, wrist, sim
+  std::string process;   ///< as the deployment names it: mp, arm, arm_edp, arm_drives, wrist, sim
   std::size_t axis = 0;  ///< from 0; of the kinds that strike one axis
   double value = 0;      ///< see Kind
   bool at_step = false;  ///< `when` counts the steps of process `counter`; else it is a tick
@@ -52,9 +52,10 @@ struct Fault {
 ///
 ///     ACTION TARGET [axis N] [by X] at (tick N | step N [of PROCESS]) [for N ticks]
 ///
-/// TARGET: `mp`, `sim`, `ecp:ROBOT`, `edp:ROBOT`, `vsp:SENSOR`. Axes count from 1. Steps are those of the target when
-/// it runs a task, of the robot's ECP for an EDP, else PROCESS must be named. Examples: "kill ecp:arm at step 120",
-/// "jump edp:arm axis 2 by 0.5 at tick 800", "lose ecp:arm at tick 500 for 100 ticks".
+/// TARGET: `mp`, `sim`, `ecp:ROBOT`, `edp:ROBOT`, `drives:ROBOT` (simulated ones on a bus), `vsp:SENSOR`. Axes count
+/// from 1. Steps are those of the target when it runs a task, of the robot's ECP for an EDP or drives, else PROCESS
+/// must be named. Examples: "kill ecp:arm at step 120", "jump edp:arm axis 2 by 0.5 at tick 800", "lose ecp:arm at tick
+/// 500 for 100 ticks".
 ///
 /// Throws std::invalid_argument that names the word that is wrong and what was expected. Any thread.
 Fault parse_fault(const std::string& text);

@@ -124,15 +124,16 @@ class Parser {
   }
 
   void target(const Row& row, Fault& fault) {
-    static constexpr std::array<const char*, 4> kExpected = {"mp, sim, ecp:ROBOT, edp:ROBOT or vsp:SENSOR", "edp:ROBOT",
-                                                             "edp:ROBOT or vsp:SENSOR", "mp or ecp:ROBOT"};
+    static constexpr std::array<const char*, 4> kExpected = {
+        "mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR", "edp:ROBOT", "edp:ROBOT or vsp:SENSOR",
+        "mp or ecp:ROBOT"};
     const std::string expected = kExpected.at(static_cast<std::size_t>(row.target));
     const std::string word = next();
     const std::size_t colon = word.find(':');
     role_.assign(word, 0, colon);
     const std::string name = colon == std::string::npos ? std::string{} : word.substr(colon + 1);
     const bool alone = role_ == "mp" || role_ == "sim";
-    const bool of_something = role_ == "ecp" || role_ == "edp" || role_ == "vsp";
+    const bool of_something = role_ == "ecp" || role_ == "edp" || role_ == "drives" || role_ == "vsp";
     if (!(alone && colon == std::string::npos) && !(of_something && !name.empty())) refuse(word, expected);
     const bool fits =
         row.target == Target::any_process || (row.target == Target::task && (role_ == "mp" || role_ == "ecp")) ||
@@ -141,9 +142,9 @@ class Parser {
     if (alone)
       fault.process = role_;
     else
-      fault.process = role_ == "edp" ? name + "_edp" : name;
+      fault.process = role_ == "edp" || role_ == "drives" ? name + "_" + role_ : name;
     if (role_ == "mp") fault.counter = "mp";
-    if (role_ == "ecp" || role_ == "edp") fault.counter = name;
+    if (role_ == "ecp" || role_ == "edp" || role_ == "drives") fault.counter = name;
   }
 
   void when(Fault& fault) {

@@ -59,6 +59,7 @@ class TestBus {
     hub_ = std::make_unique<can::Hub>(std::filesystem::temp_directory_path() / file, std::move(fault));
     name_ = hub_->name();
   }
+  const std::string& name() const { return name_; }
   std::unique_ptr<can::Bus> open() const { return can::open_bus(name_); }
   /// Whether frames pass the test's own hands.
   bool is_hub() const { return hub_ != nullptr; }

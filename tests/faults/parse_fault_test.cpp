@@ -66,8 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"",
               "it ends, expected one of kill, halt, end, fault, silence, unreference, jump, freeze, nan, overload, "
               "disconnect, runaway, lose, delay, corrupt, leap"},
-        Wrong{"kill arm at tick 1", "'arm', expected mp, sim, ecp:ROBOT, edp:ROBOT or vsp:SENSOR"},
-        Wrong{"kill ecp: at tick 1", "'ecp:', expected mp, sim, ecp:ROBOT, edp:ROBOT or vsp:SENSOR"},
+        Wrong{"kill arm at tick 1", "'arm', expected mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR"},
+        Wrong{"kill ecp: at tick 1", "'ecp:', expected mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR"},
         Wrong{"fault ecp:arm at tick 1", "'ecp:arm', expected edp:ROBOT"},
         Wrong{"lose edp:arm at tick 1", "'edp:arm', expected mp or ecp:ROBOT"},
         Wrong{"nan edp:arm at tick 1", "'at', expected 'axis'"},

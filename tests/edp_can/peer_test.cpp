@@ -1,0 +1,194 @@
+// The driver against drives that are not ours: CiA 402 nodes of python-canopen (tests/can/peer_drive.py), with an
+// object dictionary from an EDS file. Their motors turn in real time, so the servo's ticks come at its period.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "can_rig.hpp"
+#include "clock/monotonic.hpp"
+#include "edp/error_report.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+using canopen::DriveMode;
+
+constexpr double kPeerPeriod = 0.01;  // what Python keeps up with
+
+/// Two slides that synchronise to the positive side.
+class TwoSlides : public Gantry {
+ public:
+  TwoSlides() {
+    parameters_.axes.resize(2);
+    parameters_.home = JointVector::Zero(2);
+    for (AxisParameters& axis : parameters_.axes) {
+      axis.motor_min = -100;
+      axis.motor_max = 100;
+      axis.motor_synchro = 12.5;
+      axis.synchro_coarse = 8;
+      axis.synchro_fine = -2;
+      axis.following_error_max = 20;
+    }
+  }
+  Pose flange(const JointVector& joints) const noexcept override {
+    return Pose(Eigen::Translation3d(joints[0], joints[1], 0));
+  }
+};
+
+/// peer_drive.py with nodes 1 and 2.
+class Peer {
+ public:
+  explicit Peer(const std::string& bus) {
+    const std::string source = MRROC_SOURCE_DIR;
+    const std::string command = "PYTHONPATH=" + source + "/.deps/python exec python3 " + source +
+                                "/tests/can/peer_drive.py --bus " + bus + " --eds " + source +
+                                "/src/canopen/cia402.eds 1 2 > /dev/null";
+    input_ = ::popen(command.c_str(), "w");
+  }
+  ~Peer() { ::pclose(input_); }
+  void say(const std::string& line) {
+    std::fputs((line + "\n").c_str(), input_);
+    std::fflush(input_);
+  }
+
+ private:
+  std::FILE* input_;
+};
+
+class PeerTest : public testing::TestWithParam<DriveMode> {
+ protected:
+  void SetUp() override {
+    table = table_for(model.parameters(), GetParam());
+    table.heartbeat = 0.2;
+    table.missed_max = 20;
+    table.answer_time = 20;
+    table.absolute_encoders = true;
+    hardware = std::make_unique<CanHardware>(table, model.parameters(), kPeerPeriod, bus.open(),
+                                             CanHardware::Timing::real, true);
+    hardware->open();
+    servo = std::make_unique<Servo>(models, *hardware, kPeerPeriod, hand_over);
+    next = clock::monotonic_ns();
+    effector.enable(true);
+    while (!seen().enabled && seen().fault.code == ErrorCode::none && now < 500) tick();
+    ASSERT_TRUE(seen().enabled) << text();
+  }
+  void tick() {
+    next += std::llround(kPeerPeriod * 1e9);
+    const timespec time = clock::to_timespec(next);
+    ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr);
+    servo->tick(now++);
+    Reply reply;
+    while (effector.poll(reply)) last = reply;
+  }
+  void run(Tick ticks) {
+    for (Tick i = 0; i < ticks; ++i) tick();
+  }
+  bool send(const RobotCommand& command) { return effector.accept(command, ++number, last); }
+  bool do_now(CommandKind kind, Tick patience) {
+    RobotCommand command;
+    command.kind = kind;
+    last = {};
+    if (send(command)) return false;
+    for (Tick i = 0; i < patience && last.command != number; ++i) tick();
+    return last.command == number && last.state.error.error_class == ErrorClass::none;
+  }
+  const Snapshot& seen() const { return servo->snapshot(); }
+  std::string text() const { return std::string(make_report(seen().fault, model.parameters()).detail.view()); }
+
+  TwoSlides model;
+  config::DriveTable table;
+  TestBus bus;
+  Peer peer{bus.name()};
+  std::unique_ptr<CanHardware> hardware;
+  HandOver hand_over;
+  ModelSet models{model};
+  std::unique_ptr<Servo> servo;
+  Effector effector{models, kPeerPeriod, hand_over};
+  std::int64_t next = 0;
+  Tick now = 0;
+  std::uint64_t number = 0;
+  Reply last;
+};
+
+TEST_P(PeerTest, MovesStopsOnAnEmergencyRecoversAndMovesAgain) {
+  const JointVector begin = seen().joints;
+  ASSERT_FALSE(send(relative_joints(JointVector::Constant(2, 0.2), 100))) << last.state.error.detail.view();
+  run(160);
+  EXPECT_EQ(seen().fault.code, ErrorCode::none) << text();
+  EXPECT_NEAR(seen().joints[0] - begin[0], 0.2, 0.02);
+  EXPECT_NEAR(seen().joints[1] - begin[1], 0.2, 0.02);
+
+  ASSERT_FALSE(send(relative_joints(JointVector::Constant(2, 0.2), 200)));
+  run(60);
+  peer.say("node 2 emcy 0x7305");
+  for (int i = 0; i < 200 && seen().fault.code == ErrorCode::none; ++i) tick();
+  EXPECT_EQ(seen().fault.code, ErrorCode::drive_fault) << describe(seen().fault.code);
+  EXPECT_NE(text().find("axis 2 (y)"), std::string::npos) << text();
+  EXPECT_NE(text().find("7305h, incremental sensor 1 fault"), std::string::npos) << text();
+  run(50);
+  const JointVector there = seen().joints;
+  run(30);
+  EXPECT_LT((seen().joints - there).cwiseAbs().maxCoeff(), 1e-3) << "it stands";
+
+  EXPECT_TRUE(do_now(CommandKind::recover, 600)) << text() << " " << last.state.error.detail.view();
+  ASSERT_FALSE(send(relative_joints(JointVector::Constant(2, -0.1), 100))) << last.state.error.detail.view();
+  run(160);
+  EXPECT_EQ(seen().fault.code, ErrorCode::none) << text();
+  EXPECT_NEAR(seen().joints[0] - there[0], -0.1, 0.02);
+}
+
+TEST_P(PeerTest, ASilentNodeIsLost) {
+  peer.say("node 1 silence");
+  for (int i = 0; i < 300 && seen().fault.code == ErrorCode::none; ++i) tick();
+  EXPECT_TRUE(seen().fault.code == ErrorCode::hardware_silent || seen().fault.code == ErrorCode::heartbeat_lost)
+      << describe(seen().fault.code);
+  EXPECT_EQ(seen().fault.axis, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Can, PeerTest, testing::Values(DriveMode::cyclic_position, DriveMode::cyclic_velocity),
+                         [](const auto& each) {
+                           return std::string(each.param == DriveMode::cyclic_position ? "Position" : "Velocity");
+                         });
+
+/// Homing, with drives that begin where the power came on.
+TEST(Peer, HomesByItself) {
+  const TwoSlides model;
+  config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
+  table.heartbeat = 0.2;
+  table.missed_max = 20;
+  table.answer_time = 20;
+  for (config::DriveEntry& drive : table.drives) drive.homing.method = 37;
+  const TestBus bus;
+  const Peer peer(bus.name());
+  CanHardware hardware(table, model.parameters(), kPeerPeriod, bus.open(), CanHardware::Timing::real, false);
+  hardware.open();
+  const auto hand_over = std::make_unique<HandOver>();
+  const ModelSet models{model};
+  Servo servo(models, hardware, kPeerPeriod, *hand_over);
+  Effector effector(models, kPeerPeriod, *hand_over);
+  effector.enable(true);
+  RobotCommand synchronise;
+  synchronise.kind = CommandKind::synchronise;
+  Reply reply;
+  Tick now = 0;
+  bool sent = false;
+  std::int64_t next = clock::monotonic_ns();
+  while (!servo.snapshot().synchronised && now < 1500) {
+    next += std::llround(kPeerPeriod * 1e9);
+    const timespec time = clock::to_timespec(next);
+    ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr);
+    servo.tick(now++);
+    while (effector.poll(reply)) {
+    }
+    if (!sent && servo.snapshot().enabled) {
+      sent = true;
+      ASSERT_FALSE(effector.accept(synchronise, 1, reply)) << reply.state.error.detail.view();
+    }
+  }
+  ASSERT_TRUE(servo.snapshot().synchronised) << make_report(servo.snapshot().fault, model.parameters()).detail.view();
+  for (int i = 0; i < 2; ++i) EXPECT_NEAR(servo.snapshot().motors[i], 12.5, 0.1) << i;
+}
+
+}  // namespace
+}  // namespace mrroc::edp

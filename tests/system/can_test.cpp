@@ -1,0 +1,138 @@
+// `mrroc run` with a robot on a CAN bus: its EDP reaches its drives by frames alone. The bus is a hub of Unix sockets,
+// or the interface of the kernel that MRROC_TEST_BUS names.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "system/mrroc_run.hpp"
+#include "text_of.hpp"
+
+namespace mrroc::test {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kSource = MRROC_SOURCE_DIR;
+
+/// `deployment` with its arm's drives on a bus in `folder`.
+std::string on_bus(std::string deployment, const ScratchFolder& folder, const std::string& more = "") {
+  const char* const bus = std::getenv("MRROC_TEST_BUS");
+  const std::string hardware = "hardware = \"mujoco\"";
+  const std::size_t place = deployment.find(hardware);
+  if (place != std::string::npos) deployment.replace(place, hardware.size(), "hardware = \"socketcan\"");
+  deployment += "\n[robots.arm.can]\nsimulated = true\ninterface = \"";
+  deployment += bus != nullptr ? bus : "unix:" + (folder.path() / "bus").string();
+  return deployment + "\"\n" + more;
+}
+
+std::string press(const ScratchFolder& folder, const std::string& more = "") {
+  std::string text = text_of(kSource / "tasks/press/press.toml");
+  const std::string scene = "scene = \"";
+  text.insert(text.find(scene) + scene.size(), (kSource / "tasks/press").string() + "/");
+  return on_bus(text, folder, more);
+}
+
+/// Deployment of one arm whose task is `program`.
+std::string arm(const std::string& program, const std::string& scene, const std::string& more = "") {
+  return "[deployment]\nname = \"can\"\nclock = \"lockstep\"\n\n[robots.arm]\ntype = \"irb6\"\nprogram = "
+         "\"" MRROC_BINARY_DIR "/tests/" +
+         program + "\"\nhardware = \"mujoco\"\nposition = [0.0, 0.0, 0.7]\n" + more + "\n[sim]\nscene = \"" + scene +
+         "\"\n";
+}
+
+constexpr const char* kBlock = R"(<mujoco>
+  <compiler angle="radian"/>
+  <worldbody>
+    <geom name="floor" type="plane" size="4 4 0.1"/>
+    <geom name="block" type="box" size="0.1 0.1 0.33" pos="0.75 0 0.33"/>
+  </worldbody>
+</mujoco>
+)";
+
+/// `key = value` lines over the type's own table of drives.
+fs::path drives(const ScratchFolder& folder, const std::string& mode, const std::string& per_drive) {
+  std::string text = text_of(kSource / "robots/irb6/irb6_drives.toml");
+  const std::string position = "mode = \"position\"";
+  text.replace(text.find(position), position.size(), "mode = \"" + mode + "\"");
+  const std::string current = "rated_current";
+  for (std::size_t at = text.find(current); at != std::string::npos; at = text.find(current, at + 1)) {
+    text.insert(at, per_drive);
+    at += per_drive.size();
+  }
+  return folder.write("drives.toml", text);
+}
+
+TEST(Can, PressGoesToTheSameEndOverABus) {
+  const ScratchFolder folder;
+  const auto file = folder.write("press.toml", press(folder));
+  std::string hashes[2];
+  for (int i = 0; i < 2; ++i) {
+    const auto trace = folder.path() / ("trace" + std::to_string(i));
+    const std::string output = run_mrroc({"run", file.string(), "--trace", trace.string()}, 0);
+    EXPECT_NE(output.find("press succeeded: 9.342 s"), std::string::npos) << output;
+    hashes[i] = trace_hash(trace);
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(Can, PressSucceedsInEveryModeOfTheDrives) {
+  for (const auto& [mode, per_drive] : {std::pair{"velocity", "position_gain = 50.0\n"}, {"torque", ""}}) {
+    const ScratchFolder folder;
+    const auto table = drives(folder, mode, per_drive);
+    const auto file = folder.write("press.toml", press(folder, "drives = \"" + table.string() + "\"\n"));
+    const std::string output = run_mrroc({"run", file.string()}, 0);
+    EXPECT_NE(output.find("press succeeded"), std::string::npos) << mode << "\n" << output;
+  }
+}
+
+TEST(Can, PressSucceedsUnderTheRealClock) {
+  const ScratchFolder folder;
+  const auto file = folder.write("press.toml", press(folder));
+  const std::string output = run_mrroc({"run", file.string(), "--clock", "real"}, 0);
+  EXPECT_NE(output.find("press succeeded"), std::string::npos) << output;
+}
+
+TEST(Can, AnArmThatMeetsABlockStopsRecoversAndGoesHome) {
+  const ScratchFolder folder;
+  folder.write("block.xml", kBlock);
+  const auto file = folder.write("recover.toml", on_bus(arm("recover_ecp", "block.xml"), folder));
+  const std::string output = run_mrroc({"run", file.string(), "--quiet"}, 0);
+  EXPECT_NE(output.find("stopped: hardware error: "), std::string::npos) << output;
+  EXPECT_NE(output.find("| recovered"), std::string::npos) << output;
+}
+
+TEST(Can, AKilledEdpLeavesNoDriveRunning) {
+  for (const std::string clock : {"lockstep", "real"}) {
+    const ScratchFolder folder;
+    const auto file = folder.write("press.toml", press(folder));
+    MrrocRun run({"run", file.string(), "--clock", clock, "--inject", "kill edp:arm at tick 1500"});
+    EXPECT_EQ(run.wait(), 4) << run.out() << run.err();
+    EXPECT_NE((run.out() + run.err()).find("arm_edp"), std::string::npos) << run.out() << run.err();
+    EXPECT_EQ((run.out() + run.err()).find("not every robot has stopped"), std::string::npos) << run.out() << run.err();
+    EXPECT_TRUE(all_end(run.descendants()));
+  }
+}
+
+TEST(Can, KilledDrivesStopTheRun) {
+  const ScratchFolder folder;
+  const auto file = folder.write("press.toml", press(folder));
+  MrrocRun run({"run", file.string(), "--inject", "kill drives:arm at tick 1500"});
+  EXPECT_EQ(run.wait(), 4) << run.out() << run.err();
+  EXPECT_NE((run.out() + run.err()).find("arm_drives"), std::string::npos) << run.out() << run.err();
+}
+
+TEST(Can, RealDrivesKeepNoOtherClock) {
+  const ScratchFolder folder;
+  std::string text = press(folder);
+  const std::string simulated = "simulated = true\n";
+  text.erase(text.find(simulated), simulated.size());
+  const auto file = folder.write("press.toml", text);
+  MrrocRun run({"run", file.string()});
+  EXPECT_EQ(run.wait(), 2);
+  EXPECT_NE(run.err().find("robots.arm.can"), std::string::npos) << run.err();
+  EXPECT_NE(run.err().find("clock = \"real\""), std::string::npos) << run.err();
+}
+
+}  // namespace
+}  // namespace mrroc::test
