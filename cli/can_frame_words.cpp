@@ -47,7 +47,7 @@ std::string FrameWords::whose(unsigned node) const {
 }
 
 std::string FrameWords::line(const can::Frame& frame) {
-  if (frame.error || frame.remote || !table_) return to_text(frame);
+  if (frame.error || frame.remote || frame.fd || !table_) return to_text(frame);
   const unsigned node = frame.id & kNode;
   const std::uint32_t function = frame.id & kFunction;
   if (const auto found = drives_.find(node); found != drives_.end())

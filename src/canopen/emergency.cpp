@@ -95,7 +95,7 @@ std::string_view exact(std::uint16_t code) noexcept {
 }  // namespace
 
 std::optional<Emergency> emergency_of(const can::Frame& frame) noexcept {
-  if (frame.error || frame.remote || frame.size != 8) return {};
+  if (frame.error || frame.remote || frame.fd || frame.size != 8) return {};
   if (frame.id <= kEmergency || frame.id > kEmergency + kMaxNode) return {};
   Emergency emergency{static_cast<NodeId>(frame.id - kEmergency),
                       static_cast<std::uint16_t>(can::get(frame.bytes(), 0, 2)),

@@ -71,6 +71,9 @@ std::string of_node(const can::Frame& frame, std::uint32_t function) {
 
 std::string to_text(const can::Frame& frame) {
   if (frame.error) return std::string("bus: ") + can::describe(can::bus_error_of(frame));
+  char id[8];
+  std::snprintf(id, sizeof id, "%03Xh", frame.id & 0x7ff);
+  if (frame.fd) return "CAN FD " + std::string(id) + ": " + bytes_of(frame.bytes());
   const NodeId node = frame.id & 0x7f;
   const std::uint32_t function = frame.id & 0x780;
   const bool of_a_node = node != 0 && ((function >= kEmergency && function <= kSdoRequest) || function == kHeartbeat) &&
@@ -80,8 +83,6 @@ std::string to_text(const can::Frame& frame) {
   if (frame.id == kSync) return "SYNC";
   if (frame.id == kTime) return "TIME: " + bytes_of(frame.bytes());
   if (of_a_node) return "node " + std::to_string(node) + " " + of_node(frame, function);
-  char id[8];
-  std::snprintf(id, sizeof id, "%03Xh", frame.id & 0x7ff);
   return std::string(id) + ": " + bytes_of(frame.bytes());
 }
 

@@ -28,7 +28,7 @@ bool PdoMapping::read(const can::Frame& frame, Object object, bool with_sign, st
   std::size_t offset = 0;
   for (const MappedObject& mapped : objects_) {
     if (mapped.object == object) {
-      if (offset + mapped.size > frame.size) return false;
+      if (frame.fd || offset + mapped.size > frame.size) return false;
       const std::uint64_t raw = can::get(frame.bytes(), offset, mapped.size);
       value = with_sign ? can::sign_extended(raw, mapped.size) : static_cast<std::int64_t>(raw);
       return true;

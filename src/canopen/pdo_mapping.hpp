@@ -36,7 +36,7 @@ class PdoMapping {
   std::size_t size() const noexcept { return size_; }
 
   /// The value of `object` in a PDO's data, with the sign of its highest bit where `with_sign`. False: it is not
-  /// mapped, or the frame is too short. Never throws.
+  /// mapped, the frame is too short or of CAN FD. Never throws.
   bool read(const can::Frame& frame, Object object, bool with_sign, std::int64_t& value) const noexcept;
   /// Puts a value in; nothing happens when it is not mapped. Never throws.
   void write(can::Frame& frame, Object object, std::int64_t value) const noexcept;

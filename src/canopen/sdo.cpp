@@ -107,7 +107,8 @@ can::Frame SdoTransfer::refuse(SdoAbort why) noexcept {
 
 bool SdoTransfer::take(const can::Frame& frame, can::Frame& next) noexcept {
   next = {};
-  if (status_ != Status::waiting || frame.error || frame.remote || frame.id != kSdoResponse + node_ || frame.size != 8)
+  if (status_ != Status::waiting || frame.error || frame.remote || frame.fd || frame.id != kSdoResponse + node_ ||
+      frame.size != 8)
     return false;
   const std::uint8_t specifier = frame.data[0] & kSpecifier;
   const bool is_segment = specifier == kAnsweredUploadSegment || specifier == kAnsweredDownloadSegment;

@@ -23,7 +23,8 @@ TEST(Emergency, OtherFramesAreNone) {
   can::Frame other = frame;
   other.size = 7;
   EXPECT_FALSE(emergency_of(other));
-  other.size = 64;
+  other = frame;
+  other.fd = true;
   EXPECT_FALSE(emergency_of(other));
   other = frame;
   other.error = true;

@@ -26,6 +26,9 @@ TEST(FrameText, OfTheNetwork) {
   EXPECT_EQ(to_text(Frame{0x703, {5, 6}}), "node 3 heartbeat of 2 bytes: 05 06");
   EXPECT_EQ(to_text(Frame{0x7e5, {1, 2}}), "7E5h: 01 02");
   EXPECT_EQ(to_text(Frame{0x101, {1}}), "101h: 01");
+  Frame fd{0x183, {1, 2}};
+  fd.fd = true;
+  EXPECT_EQ(to_text(fd), "CAN FD 183h: 01 02") << "no part of the classical profile";
   Frame remote{0x703, {}};
   remote.remote = true;
   EXPECT_EQ(to_text(remote), "request for 703h");

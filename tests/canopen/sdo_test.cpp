@@ -103,6 +103,9 @@ TEST(Sdo, FramesOfOthersAreNotItsOwn) {
   other.size = 7;
   EXPECT_FALSE(transfer.take(other, next)) << "too short";
   other.size = 12;
+  EXPECT_FALSE(transfer.take(other, next)) << "too long";
+  other = answer;
+  other.fd = true;
   EXPECT_FALSE(transfer.take(other, next)) << "no classical frame";
   other = answer;
   other.remote = true;

@@ -118,17 +118,24 @@ void follow(SdoTransfer& transfer, const can::Frame& frame, const Object& object
     writes ? transfer.download(1, object, transfer.value()) : transfer.upload(1, object);
 }
 
+/// In each mode, set-points at once or at the SYNC, counting forwards or backwards.
+std::vector<config::DriveTable> every_table() {
+  std::vector<config::DriveTable> tables(12, cli::irb6_drives());
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    tables[i].mode = static_cast<DriveMode>(8 + i % 3);
+    tables[i].target_at_sync = i % 2 == 0;
+    if (i >= 6) tables[i].drives[0].units_per_turn *= -1;
+  }
+  return tables;
+}
+
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const config::DriveTable table = cli::irb6_drives();
+  static const auto tables = every_table();
   static const RobotParameters robot = cli::irb6_parameters();
   fuzz::Bytes input(data, size);
-  config::DriveTable own = table;
-  const auto choice = input.take<std::uint8_t>();
-  own.mode = static_cast<DriveMode>(8 + choice % 3);
-  own.target_at_sync = (choice & 0x80) != 0;
-  if ((choice & 0x40) != 0) own.drives[0].units_per_turn *= -1;
+  const config::DriveTable& own = tables[input.take<std::uint8_t>() % tables.size()];
   cli::FrameWords words(own), without;
   Master master(own);
   Slave slave(own, robot.axes[0]);

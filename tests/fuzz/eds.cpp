@@ -14,8 +14,9 @@ void check(const EdsFile& file) {
     char address[16];
     std::snprintf(address, sizeof address, "0x%x:%u", object.index, object.sub);
     fuzz::require(file.object(address) == object, "an object has an address");
+    const std::string& name = entry.name;  // a part's is found with its object's before it
     fuzz::refuses<std::invalid_argument>(
-        [&] { fuzz::require(file.find(file.object(entry.name)) != nullptr, "a name is that of an object"); });
+        [&] { fuzz::require(file.find(file.object(name)) != nullptr, "a name is that of an object"); });
   }
   mrroc::sim::ObjectStore store(file, 5);
   for (const auto& [object, entry] : file.entries()) {
