@@ -99,10 +99,14 @@ void CanHardware::set_up(std::size_t axis) {
     fail(ErrorCode::hardware_silent, axis, error.what());
   }
   can::Frame next = drive.setup().start();
+  std::int64_t deadline = 0;
   while (drive.setup().status() == DriveSetup::Status::writing) {
-    if (next.id != 0) send(next);
+    if (next.size != 0) {
+      send(next);
+      deadline = clock::monotonic_ns() + kPatienceWithSdo;
+    }
     can::Frame frame;
-    if (!bus_->receive(frame, clock::monotonic_ns() + kPatienceWithSdo))
+    if (!bus_->receive(frame, deadline) || clock::monotonic_ns() > deadline)
       fail(ErrorCode::hardware_silent, axis, "no answer to writing " + drive.setup().setting().name);
     drive.setup().take(frame, next);
   }

@@ -48,7 +48,7 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
 
 bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept {
   next = {};
-  if (frame.error || frame.remote) return false;
+  if (frame.error || frame.remote || frame.fd) return false;
   if (frame.id == kTransmitPdo1 + node_) {
     take_feedback(frame);
   } else if (frame.id == kTransmitPdo1 + 0x100 + node_) {
@@ -57,12 +57,7 @@ bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept 
     if (pdos_.status.read(frame, kDigitalInputs, false, value)) inputs_ = static_cast<std::uint32_t>(value);
   } else if (frame.id == kHeartbeat + node_) {
     heard_ = tick;
-    const bool operational = frame.size >= 1 && static_cast<NmtState>(frame.data[0] & 0x7f) == NmtState::operational;
-    if (running_ && !operational) {
-      restarted_ = true;
-      running_ = was_enabled_ = false;
-      position_lost_ = position_lost_ || (frame.size >= 1 && frame.data[0] == 0);
-    }
+    if (running_ && frame.size >= 1) judge(static_cast<NmtState>(frame.data[0] & 0x7f), tick);
   } else if (const auto emergency = emergency_of(frame); emergency && emergency->node == node_) {
     if (emergency->code != 0) emergency_ = emergency->code;
   } else if (frame.id == kSdoResponse + node_) {
@@ -75,6 +70,16 @@ bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept 
     return false;
   }
   return true;
+}
+
+/// A drive in service that says it is not operational has restarted, or was told to stop by somebody else.
+void Drive::judge(NmtState state, Tick tick) noexcept {
+  // one that has just been started may have said so before
+  const bool stale = state != NmtState::boot_up && tick <= begun_ + heartbeat_ticks_;
+  if (state == NmtState::operational || stale) return;
+  restarted_ = true;
+  running_ = was_enabled_ = false;
+  position_lost_ = position_lost_ || state == NmtState::boot_up;
 }
 
 void Drive::take_feedback(const can::Frame& frame) noexcept {
@@ -135,7 +140,7 @@ void Drive::begin(Tick tick) noexcept {
   running_ = true;
   restarted_ = false;
   missed_ = 0;
-  heard_ = tick;
+  heard_ = begun_ = tick;
 }
 
 void Drive::enable(bool on, Tick tick) noexcept {
@@ -177,9 +182,10 @@ void Drive::home() noexcept {
 }
 
 void Drive::follow_homing() noexcept {
-  if (homing_ != Homing::running || ++homing_ticks_ <= kSelectTicks) return;
+  if (homing_ != Homing::running) return;
   const bool attained = (statusword_ & kHomingAttained) != 0;
   if (!attained) homing_seen_ = true;
+  if (++homing_ticks_ <= kSelectTicks) return;
   if ((statusword_ & kHomingError) != 0 && homing_seen_)
     homing_ = Homing::failed;
   else if (attained && homing_seen_ && (statusword_ & kTargetReached) != 0)

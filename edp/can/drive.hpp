@@ -76,6 +76,7 @@ class Drive {
   static constexpr int kSelectTicks = 4;        ///< between the mode's change and the start of homing
 
  private:
+  void judge(canopen::NmtState state, Tick tick) noexcept;
   void take_feedback(const can::Frame& frame) noexcept;
   void follow_homing() noexcept;
   std::uint16_t controlword() noexcept;
@@ -101,6 +102,7 @@ class Drive {
   bool answered_ = false, known_ = false, running_ = false, restarted_ = false, position_lost_ = false;
   int missed_ = 0;
   Tick heard_ = 0;  ///< its last heartbeat
+  Tick begun_ = 0;
 
   // told
   bool wanted_ = false, was_enabled_ = false, resetting_ = false, pulse_ = false;

@@ -59,6 +59,14 @@ std::array<int, 2> period_of(const config::DriveTable& table, double period) {
                                    "up to 255 whole units of a power of ten, as CiA 402 object 60C2h says it");
 }
 
+/// Units per s, as an object of 32 bits takes them.
+std::int64_t speed(const config::DriveTable& table, const config::DriveEntry& drive, double units) {
+  constexpr double kMost = 0xffffffff;
+  if (std::abs(units) <= kMost) return std::llround(std::abs(units));
+  throw config::ConfigurationError(table.file, 0, "drives." + drive.axis,
+                                   "a homing speed of " + std::to_string(units) + " units per s", "at most 2^32 - 1");
+}
+
 }  // namespace
 
 DrivePdos drive_pdos(DriveMode mode) {
@@ -93,8 +101,8 @@ std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table
   list.add_known(kHomingMethod, drive.homing.method, 1);
   // makers differ in its sign: a drive counts from its home position, and we add where that is
   if (!table.absolute_encoders) list.add_known(kHomeOffset, 0, 4);
-  list.add_known(kHomingSpeedSwitch, std::llround(std::abs(drive.homing.speed_switch * units)), 4);
-  list.add_known(kHomingSpeedZero, std::llround(std::abs(drive.homing.speed_zero * units)), 4);
+  list.add_known(kHomingSpeedSwitch, speed(table, drive, drive.homing.speed_switch * units), 4);
+  list.add_known(kHomingSpeedZero, speed(table, drive, drive.homing.speed_zero * units), 4);
   for (const config::DriveSetting& setting : drive.settings) list.settings_.push_back(setting);
   return list.settings_;
 }

@@ -111,11 +111,11 @@ void DriveNode::use_pdos() {
 }
 
 void DriveNode::take(const can::Frame& frame, std::int64_t now) {
-  if (cut_ || frame.error || frame.remote) return;
+  if (cut_ || frame.error || frame.remote || frame.fd) return;
   if (frame.id == kNmt && frame.size == 2 && (frame.data[1] == 0 || frame.data[1] == node_)) {
     nmt(static_cast<NmtCommand>(frame.data[0]), now);
   } else if (const auto answer = sdo_.answer(frame)) {
-    send(*answer);
+    if (nmt_ != NmtState::stopped) send(*answer);
   } else if (operational() && command_ && frame.id == command_->identifier) {
     commanded_ = true;
     if (command_->transmission > 240) return take_command(frame);

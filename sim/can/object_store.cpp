@@ -22,7 +22,8 @@ std::vector<std::uint8_t> ObjectStore::default_of(const ObjectEntry& entry) cons
     text = text.substr(kOwn.size());
     if (text.starts_with("+")) text = text.substr(1);
   }
-  value += static_cast<std::int64_t>(std::strtoll(text.c_str(), nullptr, 0));
+  value = static_cast<std::int64_t>(static_cast<std::uint64_t>(value) +
+                                    static_cast<std::uint64_t>(std::strtoll(text.c_str(), nullptr, 0)));
   can::put(bytes, 0, bytes.size(), static_cast<std::uint64_t>(value));
   return bytes;
 }

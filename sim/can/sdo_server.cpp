@@ -26,7 +26,7 @@ std::optional<can::Frame> SdoServer::answer(const can::Frame& request) {
     case kUploadSegment:
       return upload_segment(request);
     case kAbort:
-      value_.clear();
+      uploading_ = false;
       return {};
     default:
       return abort(request, SdoAbort::unknown_command);
@@ -42,25 +42,32 @@ can::Frame SdoServer::abort(const can::Frame& request, SdoAbort why) const {
 can::Frame SdoServer::upload(const can::Frame& request) {
   if (const SdoAbort why = store_.read(object_of(request), value_); why != SdoAbort::none) return abort(request, why);
   can::Frame frame{kSdoResponse + node_, {0, request.data[1], request.data[2], request.data[3], 0, 0, 0, 0}};
-  if (value_.size() <= 4) {
+  uploading_ = value_.empty() || value_.size() > 4;
+  if (!uploading_) {
     frame.data[0] = static_cast<std::uint8_t>(0x43 | (4 - value_.size()) << 2);
     std::copy(value_.begin(), value_.end(), frame.data.begin() + 4);
     return frame;
   }
-  sent_ = 0;
+  sent_ = toggle_ = 0;
   frame.data[0] = 0x41;
   can::put(frame.data, 4, 4, value_.size());
   return frame;
 }
 
 can::Frame SdoServer::upload_segment(const can::Frame& request) {
-  const std::size_t count = std::min<std::size_t>(7, value_.size() - std::min(sent_, value_.size()));
+  if (!uploading_) return abort(request, SdoAbort::unknown_command);
+  if ((request.data[0] & 0x10) != toggle_) {
+    uploading_ = false;
+    return abort(request, SdoAbort::toggle_bit);
+  }
+  toggle_ ^= 0x10;
+  const std::size_t count = std::min<std::size_t>(7, value_.size() - sent_);
   const bool last = sent_ + count >= value_.size();
   can::Frame frame{kSdoResponse + node_, {0, 0, 0, 0, 0, 0, 0, 0}};
   frame.data[0] = static_cast<std::uint8_t>((request.data[0] & 0x10) | (7 - count) << 1 | (last ? 1 : 0));
-  std::copy_n(value_.begin() + static_cast<std::ptrdiff_t>(std::min(sent_, value_.size())), count,
-              frame.data.begin() + 1);
+  std::copy_n(value_.begin() + static_cast<std::ptrdiff_t>(sent_), count, frame.data.begin() + 1);
   sent_ += count;
+  uploading_ = !last;
   return frame;
 }
 

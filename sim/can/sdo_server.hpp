@@ -28,6 +28,8 @@ class SdoServer {
   ObjectStore& store_;
   std::vector<std::uint8_t> value_;  ///< that is being uploaded in segments
   std::size_t sent_ = 0;
+  std::uint8_t toggle_ = 0;
+  bool uploading_ = false;
 };
 
 }  // namespace mrroc::sim

@@ -25,6 +25,7 @@ class WeakBus : public can::Bus {
   bool receive(can::Frame& frame, std::int64_t deadline) noexcept override { return bus_->receive(frame, deadline); }
   void filter(std::span<const can::Filter> filters) override { bus_->filter(filters); }
   int descriptor() const noexcept override { return bus_->descriptor(); }
+  bool carries_fd() const noexcept override { return bus_->carries_fd(); }
   can::Sent answer = can::Sent::yes;
 
  private:
@@ -71,7 +72,7 @@ class Rig {
 
   void tick() {
     servo->tick(now++);
-    if (!servo->drives_on()) ::usleep(200);  // nobody who answers paces the ticks
+    if (!servo->drives_on()) ::usleep(50);  // nobody who answers paces the ticks
     Reply reply;
     while (effector.poll(reply)) last = reply;
     const Snapshot& seen = servo->snapshot();

@@ -46,7 +46,10 @@ class Peer {
                                 "/src/canopen/cia402.eds 1 2 > /dev/null";
     input_ = ::popen(command.c_str(), "w");
   }
-  ~Peer() { ::pclose(input_); }
+  ~Peer() {
+    say("die");
+    ::pclose(input_);
+  }
   void say(const std::string& line) {
     std::fputs((line + "\n").c_str(), input_);
     std::fflush(input_);
@@ -61,8 +64,8 @@ class PeerTest : public testing::TestWithParam<DriveMode> {
   void SetUp() override {
     table = table_for(model.parameters(), GetParam());
     table.heartbeat = 0.2;
-    table.missed_max = 20;
-    table.answer_time = 20;
+    table.missed_max = 40;  // Python pauses
+    table.answer_time = 0.9;
     table.absolute_encoders = true;
     hardware = std::make_unique<CanHardware>(table, model.parameters(), kPeerPeriod, bus.open(),
                                              CanHardware::Timing::real, true);
@@ -156,8 +159,8 @@ TEST(Peer, HomesByItself) {
   const TwoSlides model;
   config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
   table.heartbeat = 0.2;
-  table.missed_max = 20;
-  table.answer_time = 20;
+  table.missed_max = 40;  // Python pauses
+  table.answer_time = 0.9;
   for (config::DriveEntry& drive : table.drives) drive.homing.method = 37;
   const TestBus bus;
   const Peer peer(bus.name());
