@@ -1,20 +1,33 @@
 #include "edp/motion_watch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrroc::edp {
 
-Fault MotionWatch::look(const std::vector<AxisParameters>& axes, const JointVector& joints, const JointVector& motors,
-                        const JointVector& desired_motors, Tick read_tick, bool moves) noexcept {
+namespace {
+
+/// rad/s of a free drive that had `speed` a period before, pushed by `current` all that time.
+double next_speed(const AxisParameters& axis, double speed, double current, double period) noexcept {
+  const double push = std::copysign(std::max(std::abs(current) - axis.stuck_current, 0.0), current);
+  const double rate = period / axis.rotor_inertia;
+  return (speed + rate * axis.torque_constant * push) / (1.0 + rate * axis.viscous_friction);
+}
+
+}  // namespace
+
+Fault MotionWatch::look(const RobotModel& model, const Seen& seen, Tick read_tick, bool moves) noexcept {
   if (readings_ == 0) {
-    ring_[0] = {read_tick, joints};
+    ring_[0] = {read_tick, seen.joints};
     readings_ = 1;
-    motors_ = motors;
-    desired_there_ = desired_motors;
+    motors_ = seen.motors;
+    desired_there_ = seen.desired_motors;
+    current_there_ = seen.current;
+    pushed_.setZero(seen.motors.size());
     return {};
   }
-  const Fault fast = look_at_speed(axes, joints, read_tick);
-  const Fault stuck = look_at_shafts(axes, motors, desired_motors);
+  const Fault fast = look_at_speed(model.parameters().axes, seen.joints, read_tick);
+  const Fault stuck = look_at_shafts(model, seen);
   if (fast.code != ErrorCode::none || !moves) return fast;
   return stuck;
 }
@@ -35,18 +48,35 @@ Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const 
   return fault;
 }
 
-Fault MotionWatch::look_at_shafts(const std::vector<AxisParameters>& axes, const JointVector& motors,
-                                  const JointVector& desired_motors) noexcept {
+Fault MotionWatch::look_at_shafts(const RobotModel& model, const Seen& seen) noexcept {
   Fault fault;
-  for (Eigen::Index i = motors.size(); i-- > 0;) {
-    if (motors[i] != motors_[i]) {
-      motors_[i] = motors[i];
-      desired_there_[i] = desired_motors[i];
+  for (Eigen::Index i = seen.motors.size(); i-- > 0;) {
+    if (seen.motors[i] != motors_[i]) {
+      motors_[i] = seen.motors[i];
+      desired_there_[i] = seen.desired_motors[i];
+      current_there_[i] = seen.current[i];
+      pushed_[i] = 0;
       continue;
     }
-    const double way = std::abs(desired_motors[i] - desired_there_[i]);
-    const double limit = axes[static_cast<std::size_t>(i)].stuck_max;
-    if (!(way <= limit)) fault = {ErrorCode::axis_stuck, static_cast<int>(i), way, limit};
+    const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
+    const double way = std::abs(seen.desired_motors[i] - desired_there_[i]);
+    if (!(way <= axis.stuck_max)) fault = {ErrorCode::axis_stuck, static_cast<int>(i), way, axis.stuck_max};
+    pushed_[i] = next_speed(axis, pushed_[i], seen.current[i] - current_there_[i], period_);
+  }
+  return fault.code != ErrorCode::none || pushed_.isZero(0) ? fault : look_at_push(model, seen.joints);
+}
+
+/// Each shaft's push by itself, as all that its encoder hides.
+Fault MotionWatch::look_at_push(const RobotModel& model, const JointVector& joints) const noexcept {
+  const std::vector<AxisParameters>& axes = model.parameters().axes;
+  const JointMatrix ratio = model.transmission(joints).inverse();
+  Fault fault;
+  for (Eigen::Index i = pushed_.size(); i-- > 0;) {
+    for (Eigen::Index j = pushed_.size(); j-- > 0;) {
+      const double speed = std::abs(ratio(j, i) * pushed_[i]);
+      const double limit = kPushed * axes[static_cast<std::size_t>(j)].velocity_max;
+      if (speed > limit) fault = {ErrorCode::axis_stuck, static_cast<int>(i), speed, limit};
+    }
   }
   return fault;
 }

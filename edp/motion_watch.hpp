@@ -3,7 +3,7 @@
 #include <array>
 
 #include "edp/snapshot.hpp"
-#include "mrroc/robot_parameters.hpp"
+#include "mrroc/robot_model.hpp"
 
 namespace mrroc::edp {
 
@@ -12,7 +12,10 @@ namespace mrroc::edp {
 /// - a joint faster than kOverspeed times its velocity limit, over kReadings readings, has run away: its drive no
 /// longer obeys;
 /// - a shaft that reads the very same position while its set-point goes on by `stuck_max` is jammed, or its encoder has
-/// died and the regulator will push it faster and faster.
+/// died and the regulator will push it faster and faster;
+/// - so is one that reads the very same position while its current has changed by what brings the free drive, its rotor
+/// and its friction, to a speed at which a joint is faster than kPushed times its velocity limit. The set-point need
+/// not go on for that: the regulator adds up the part of an increment by which a dead encoder stands beside it.
 ///
 /// The servo's thread; allocates nothing, never throws.
 class MotionWatch {
@@ -20,22 +23,29 @@ class MotionWatch {
   static constexpr double kOverspeed = 1.15;
   /// A single difference trembles by an increment of the encoder, and by what the regulator does about it.
   static constexpr std::size_t kReadings = 4;
+  /// A wrist that holds one end of a bar, whose other end is held too, is pushed to 0.9 and stands.
+  static constexpr double kPushed = 1.3;
 
   /// `period` in s.
   explicit MotionWatch(double period) noexcept : period_(period) {}
 
   /// The drives have been switched on, or joints and shafts are counted otherwise from now on.
   void reset() noexcept { readings_ = 0; }
-  /// Takes joints (rad or m) and shafts (rad) as they were read at `read_tick`, and the set-points of the shafts. The
-  /// first axis that is too fast, else one that is stuck (`moves`: it is commanded, not stopping); code none: all is
-  /// well.
-  Fault look(const std::vector<AxisParameters>& axes, const JointVector& joints, const JointVector& motors,
-             const JointVector& desired_motors, Tick read_tick, bool moves) noexcept;
+  struct Seen {
+    const JointVector& joints;          ///< as they were read, rad or m
+    const JointVector& motors;          ///< shafts as they were read, rad
+    const JointVector& desired_motors;  ///< their set-points
+    const JointVector& current;         ///< that the drives were given last, A
+  };
+  /// Once per servo tick; the readings are those of `read_tick`. The first axis that is too fast, else one that is
+  /// stuck
+  /// (`moves`: it is commanded, not stopping); code none: all is well.
+  Fault look(const RobotModel& model, const Seen& seen, Tick read_tick, bool moves) noexcept;
 
  private:
   Fault look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Tick read_tick) noexcept;
-  Fault look_at_shafts(const std::vector<AxisParameters>& axes, const JointVector& motors,
-                       const JointVector& desired_motors) noexcept;
+  Fault look_at_shafts(const RobotModel& model, const Seen& seen) noexcept;
+  Fault look_at_push(const RobotModel& model, const JointVector& joints) const noexcept;
 
   double period_;
   struct Reading {
@@ -46,6 +56,8 @@ class MotionWatch {
   std::size_t readings_ = 0;   ///< so far; number n is in place n % kReadings
   JointVector motors_;         ///< where each shaft came to last
   JointVector desired_there_;  ///< its set-point when it came there
+  JointVector current_there_;  ///< its current then
+  JointVector pushed_;         ///< shaft speed that the change of its current would have brought since, rad/s
 };
 
 }  // namespace mrroc::edp

@@ -30,6 +30,8 @@ struct AxisParameters {
   double current_max_time = std::numeric_limits<double>::infinity();
   /// rad of the shaft: how far its set-point may go on while it reads the very same position.
   double stuck_max = std::numeric_limits<double>::infinity();
+  /// A: by how much the drive's current may change before a standing shaft moves, its static friction.
+  double stuck_current = std::numeric_limits<double>::infinity();
   double following_error_max = 0;  ///< rad of the shaft
   // servo regulator (original's algorithm 0, `mrrocpp` 4.1)
   double regulator_a = 0;

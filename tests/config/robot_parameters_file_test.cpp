@@ -89,6 +89,8 @@ TEST_F(RobotParametersFileTest, ReadsEveryNumber) {
 TEST_F(RobotParametersFileTest, SomeKeysMayBeLeftOut) {
   EXPECT_EQ(read(robot_text(with("encoder_increments", ""))).axes[0].encoder_increments, 4000);
   EXPECT_EQ(read(robot_text(with("regulator_output_max", ""))).axes[0].regulator_output_max, 190);
+  EXPECT_EQ(read(robot_text()).axes[0].stuck_current, 0);
+  EXPECT_EQ(read(robot_text(with("current_max", "current_max = 15\nstuck_current = 2"))).axes[0].stuck_current, 2);
   EXPECT_EQ(read(robot_text()).axes[0].current_max_time, std::numeric_limits<double>::infinity());
   EXPECT_EQ(read(robot_text(with("current_max", "current_max = 15\ncurrent_max_time = 0.5"))).axes[0].current_max_time,
             0.5);
@@ -132,6 +134,8 @@ TEST_F(RobotParametersFileTest, RefusesNumbersThatMakeNoSense) {
             "r.toml:6: axes[0].position_max: -2.5 is not above position_min, expected a number above -2.5");
   EXPECT_EQ(message(robot_text(with("current_max", "current_max = 15\ncurrent_max_time = 0"))),
             "r.toml:15: axes[0].current_max_time: 0 is not positive, expected a number above 0");
+  EXPECT_EQ(message(robot_text(with("current_max", "current_max = 15\nstuck_current = -1"))),
+            "r.toml:15: axes[0].stuck_current: -1 is negative, expected 0 or a number above 0");
   EXPECT_EQ(message(robot_text(with("velocity_max", "velocity_max = 0"))),
             "r.toml:7: axes[0].velocity_max: 0 is not positive, expected a number above 0");
   EXPECT_EQ(message(robot_text(with("motor_synchro", "motor_synchro = 500"))),

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "edp/stop_category.hpp"
@@ -340,6 +341,51 @@ TEST(Encoder, AfterASilenceTheAxisMayBeElsewhere) {
   EXPECT_EQ(recover(rig), ErrorCode::none);
   EXPECT_NEAR(rig.seen().joints[0], 0.75, 1e-3);
   EXPECT_NEAR(rig.seen().desired.position[0], 0.75, 1e-3) << "and it stays there";
+}
+
+/// It meets no switch, however far it goes.
+class WatchedBelt : public Slide {
+ public:
+  WatchedBelt() {
+    AxisParameters& axis = parameters_.axes[0];
+    axis.motor_min = -1e6;
+    axis.motor_max = 1e6;
+    axis.stuck_max = 1;
+    axis.stuck_current = 0;
+  }
+};
+
+TEST(Encoder, ThatDiesAtRestMovesTheAxisByLessThanItsLimits) {
+  for (const double beside : {0.5, 1.0, 20.0}) {  // increments between the last reading and the set-point
+    Rig<WatchedBelt> rig;
+    rig.run(10);
+    const double read = rig.seen().motors[0] - beside * 2 * std::numbers::pi / 4000;
+    rig.hardware.spoil = [read](HardwareInput& input) { input.motors[0] = read; };
+    double fastest = 0;
+    double before = rig.hardware.travelled()[0];
+    Tick ticks = 0;
+    for (; ticks < 1'000'000 && rig.hardware.powered; ++ticks) {
+      rig.tick();
+      fastest = std::max(fastest, std::abs(rig.hardware.travelled()[0] - before) / kPeriod / GearedModel::kGear);
+      before = rig.hardware.travelled()[0];
+    }
+    EXPECT_EQ(rig.seen().fault.code, ErrorCode::axis_stuck) << "the set-point stands, after " << ticks;
+    EXPECT_EQ(rig.seen().fault.axis, 0);
+    const double limit = rig.model.parameters().axes[0].velocity_max;
+    EXPECT_NEAR(rig.seen().fault.limit, MotionWatch::kPushed * limit, 1e-9);
+    EXPECT_LE(fastest, 1.5 * limit) << beside;
+    EXPECT_GE(fastest, limit) << "it was pushed: " << beside;
+  }
+}
+
+TEST(Encoder, WhatStaticFrictionHoldsMayStand) {
+  Rig<WatchedBelt> rig;
+  rig.model.change().axes[0].stuck_current = rig.model.parameters().axes[0].current_max;
+  rig.run(10);
+  const double read = rig.seen().motors[0] - 0.03;
+  rig.hardware.spoil = [read](HardwareInput& input) { input.motors[0] = read; };
+  rig.run(20'000);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
 }
 
 /// Drives of which the driver reports nothing.
