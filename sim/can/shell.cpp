@@ -95,6 +95,12 @@ class Drives {
     while (!there() && !process_.clock().stopping()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
 
+  sim::DriveRack::PlantClock plant_clock() {
+    sim::DriveRack::PlantClock clock{[this](Tick last, bool wait) { return newest(last, wait); }, {}};
+    if (!process_.clock().simulated()) clock.due = [this] { return process_.clock().tick(); };
+    return clock;
+  }
+
   Tick newest(Tick last, bool wait) {
     sim::JointMeasurement measurement;
     const auto later = [&] { return world_->measurements[place_.index].load(measurement) && measurement.tick > last; };
