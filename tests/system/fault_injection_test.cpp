@@ -88,7 +88,8 @@ TEST_F(FaultInjection, WithoutAFaultNothingIsInjected) {
 
 TEST_F(FaultInjection, AWrongFaultIsRefusedBeforeAnythingIsStarted) {
   for (const auto& [fault, message] : std::map<std::string, std::string>{
-           {"kill arm", "the fault \"kill arm\": 'arm', expected mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR"},
+           {"kill arm",
+            "the fault \"kill arm\": 'arm', expected mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR"},
            {"kill ecp:leg at tick 1", "the deployment has no process 'leg', it has sim, arm_edp, wrist, gate, arm, mp"},
            {"kill sim at step 1 of leg", "the deployment has no process 'leg'"}}) {
     const RunResult run = press().inject(fault).run();
