@@ -46,11 +46,9 @@ class Drives {
         plant_(*models_.front(), *world_, place_.index, MujocoHardware::Timing::newest, place_.entry.synchronised),
         hub_(open_hub(place_.entry.can->interface)),
         bus_(can::open_bus(place_.entry.can->interface)),
-        rack_(
-            config::read_drive_table(place_.entry.can->drives, models_.front()->parameters()),
-            models_.front()->parameters(), process.clock().period(), *bus_, plant_,
-            [this](Tick last, bool wait) { return newest(last, wait); },
-            process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall) {}
+        rack_(config::read_drive_table(place_.entry.can->drives, models_.front()->parameters()),
+              models_.front()->parameters(), process.clock().period(), *bus_, plant_, plant_clock(),
+              process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall) {}
 
   /// The bus is served by a thread of its own; this one waits for the end, which comes when no robot is driven any
   /// more.

@@ -28,8 +28,11 @@ void check(const config::DriveTable& table, const RobotParameters& robot) {
       fuzz::require(bits == 64 || (setting.value >= -(1LL << (bits - 1)) && setting.value < 1LL << bits),
                     "a setting fits its object");
     }
-    for (const config::DriveSetting& setting : edp::drive_settings(table, drive, 0.002, 0.1))
-      fuzz::require(setting.size >= 1 && setting.size <= 8, "a setting is a number of whole bytes");
+    try {
+      for (const config::DriveSetting& setting : edp::drive_settings(table, drive, 0.002))
+        fuzz::require(setting.size >= 1 && setting.size <= 8, "a setting is a number of whole bytes");
+    } catch (const config::ConfigurationError&) {  // a homing speed beyond 32 bits
+    }
   }
 }
 
