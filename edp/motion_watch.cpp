@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace mrroc::edp {
 
@@ -18,12 +19,7 @@ double next_speed(const AxisParameters& axis, double speed, double current, doub
 
 Fault MotionWatch::look(const RobotModel& model, const Seen& seen, Tick read_tick, bool moves) noexcept {
   if (readings_ == 0) {
-    ring_[0] = {read_tick, seen.joints};
-    readings_ = 1;
-    motors_ = seen.motors;
-    desired_there_ = seen.desired_motors;
-    current_there_ = seen.current;
-    pushed_.setZero(seen.motors.size());
+    begin(model, seen, read_tick);
     return {};
   }
   const Fault fast = look_at_speed(model.parameters().axes, seen.joints, read_tick);
@@ -32,18 +28,38 @@ Fault MotionWatch::look(const RobotModel& model, const Seen& seen, Tick read_tic
   return stuck;
 }
 
+void MotionWatch::begin(const RobotModel& model, const Seen& seen, Tick read_tick) noexcept {
+  ring_[0] = {read_tick, seen.joints};
+  readings_ = 1;
+  speed_ = seen.velocity;
+  motors_ = seen.motors;
+  desired_there_ = seen.desired_motors;
+  current_there_ = seen.current;
+  pushed_.setZero(seen.motors.size());
+  JointVector increments(seen.motors.size());
+  for (Eigen::Index i = 0; i < increments.size(); ++i)
+    increments[i] = 2 * std::numbers::pi / model.parameters().axes[static_cast<std::size_t>(i)].encoder_increments;
+  const JointMatrix ratio = model.transmission(seen.joints).inverse();
+  tremble_ = kTremble * (ratio.cwiseAbs() * increments);
+}
+
 Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints,
                                  Tick read_tick) noexcept {
   if (read_tick <= ring_[(readings_ - 1) % kReadings].tick) return {};  // the same reading again
-  const Reading oldest = ring_[readings_ % kReadings];
-  ring_[readings_ % kReadings] = {read_tick, joints};
-  if (readings_++ < kReadings) return {};
-  const double time = period_ * static_cast<double>(read_tick - oldest.tick);
+  const Reading last = ring_[(readings_ - 1) % kReadings], oldest = ring_[readings_ % kReadings];
+  const bool full = readings_ >= kReadings;
+  ring_[readings_++ % kReadings] = {read_tick, joints};
+  const double time = period_ * static_cast<double>(read_tick - last.tick);
+  const double whole_time = period_ * static_cast<double>(read_tick - oldest.tick);
   Fault fault;
   for (Eigen::Index i = joints.size(); i-- > 0;) {
-    const double speed = std::abs(joints[i] - oldest.joints[i]) / time;
+    const double latest = (joints[i] - last.joints[i]) / time;
+    const double next = std::abs(2 * latest - speed_[i]) - tremble_[i] / time;
+    const double over_all = full ? std::abs(joints[i] - oldest.joints[i]) / whole_time : 0.0;
+    const double speed = std::max(over_all, next);
     const double limit = kOverspeed * axes[static_cast<std::size_t>(i)].velocity_max;
     if (!(speed <= limit)) fault = {ErrorCode::overspeed, static_cast<int>(i), speed, limit};
+    speed_[i] = latest;
   }
   return fault;
 }

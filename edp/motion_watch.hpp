@@ -10,7 +10,8 @@ namespace mrroc::edp {
 /// Watches whether the robot moves as it is told to, sooner than the following error does:
 ///
 /// - a joint faster than kOverspeed times its velocity limit, over kReadings readings, has run away: its drive no
-/// longer obeys;
+/// longer obeys; so has one that will be as fast at the next reading if it goes on to gain speed, even if kTremble
+/// increments of that are the encoder's;
 /// - a shaft that reads the very same position while its set-point goes on by `stuck_max` is jammed, or its encoder has
 /// died and the regulator will push it faster and faster;
 /// - so is one that reads the very same position while its current has changed by what brings the free drive, its rotor
@@ -23,6 +24,7 @@ class MotionWatch {
   static constexpr double kOverspeed = 1.15;
   /// A single difference trembles by an increment of the encoder, and by what the regulator does about it.
   static constexpr std::size_t kReadings = 4;
+  static constexpr double kTremble = 4;
   /// A wrist that holds one end of a bar, whose other end is held too, is pushed to 0.9 and stands.
   static constexpr double kPushed = 1.3;
 
@@ -33,6 +35,7 @@ class MotionWatch {
   void reset() noexcept { readings_ = 0; }
   struct Seen {
     const JointVector& joints;          ///< as they were read, rad or m
+    const JointVector& velocity;        ///< of the joints, from the last two readings, rad/s or m/s
     const JointVector& motors;          ///< shafts as they were read, rad
     const JointVector& desired_motors;  ///< their set-points
     const JointVector& current;         ///< that the drives were given last, A
@@ -43,6 +46,7 @@ class MotionWatch {
   Fault look(const RobotModel& model, const Seen& seen, Tick read_tick, bool moves) noexcept;
 
  private:
+  void begin(const RobotModel& model, const Seen& seen, Tick read_tick) noexcept;
   Fault look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Tick read_tick) noexcept;
   Fault look_at_shafts(const RobotModel& model, const Seen& seen) noexcept;
   Fault look_at_push(const RobotModel& model, const JointVector& joints) const noexcept;
@@ -54,6 +58,8 @@ class MotionWatch {
   };
   std::array<Reading, kReadings> ring_;
   std::size_t readings_ = 0;   ///< so far; number n is in place n % kReadings
+  JointVector speed_;          ///< of the joints between the last two readings, rad/s or m/s
+  JointVector tremble_;        ///< of a joint, rad or m, that kTremble increments of all shafts make
   JointVector motors_;         ///< where each shaft came to last
   JointVector desired_there_;  ///< its set-point when it came there
   JointVector current_there_;  ///< its current then

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "edp/stop_category.hpp"
 #include "rig.hpp"
@@ -236,6 +237,39 @@ TEST(EmergencyLatch, NoPressIsMissedAndNoResetCountsThatComesTooEarly) {
   stop.press();
   stop.reset();
   EXPECT_TRUE(latch.look({}));
+}
+
+/// Looks at a slide that reads these ways of its shaft, tick by tick, as parts of its way at full speed.
+Fault after_ways(const std::vector<double>& ways) {
+  const Slide model;
+  MotionWatch watch(kPeriod);
+  const double full = model.parameters().axes[0].velocity_max * kPeriod;
+  JointVector joints = one(0), velocity = one(ways.front() * full / kPeriod);
+  Fault fault = watch.look(model, {joints, velocity, joints, joints, one(0)}, 1, true);
+  Tick tick = 1;
+  for (const double way : ways) {
+    if (fault.code != ErrorCode::none) break;
+    joints[0] += way * full;
+    velocity[0] = way * full / kPeriod;
+    const JointVector motors = GearedModel::kGear * joints;
+    fault = watch.look(model, {joints, velocity, motors, motors, one(0)}, ++tick, true);
+  }
+  fault.tick = tick;
+  return fault;
+}
+
+TEST(Overspeed, IsSeenATickAheadAndNotInATremble) {
+  const Fault runaway = after_ways({0.5, 0.5, 0.9, 1.3, 1.7});
+  EXPECT_EQ(runaway.code, ErrorCode::overspeed);
+  EXPECT_EQ(runaway.tick, 4u) << "it would be 1.3 times as fast as it may";
+  EXPECT_EQ(after_ways({-0.5, -0.5, -0.9, -1.3}).tick, 4u);
+  std::vector<double> steady(100, 1.1), trembling(100, 1.0);
+  EXPECT_EQ(after_ways(steady).code, ErrorCode::none);
+  for (std::size_t i = 0; i < trembling.size(); ++i) trembling[i] += i % 2 == 0 ? 0.01 : -0.01;  // a whole increment
+  EXPECT_EQ(after_ways(trembling).code, ErrorCode::none);
+  steady.back() = 1.13;
+  EXPECT_EQ(after_ways(steady).code, ErrorCode::none) << "two increments more";
+  EXPECT_EQ(after_ways(std::vector<double>(10, 1.17)).code, ErrorCode::overspeed);
 }
 
 TEST(OverCurrent, IsWhatLastsLongerThanItsTime) {
