@@ -28,12 +28,14 @@ void Crew::wait(int milliseconds, int also) {
 }
 
 Child* Crew::first_lost() {
-  for (Member& member : members_) {
-    if (!member.child.lost()) continue;
-    listen(member.child);
-    return &member.child;
-  }
-  return nullptr;
+  const auto lost = [](Member& member) { return member.child.lost(); };
+  const auto failed = [](Member& member) { return member.child.lost() && member.child.exit_code() != 0; };
+  auto found = std::find_if(members_.begin(), members_.end(), lost);
+  if (found == members_.end()) return nullptr;
+  // one that leaves because another has died may be seen before that one
+  if (const auto cause = std::find_if(members_.begin(), members_.end(), failed); cause != members_.end()) found = cause;
+  listen(found->child);
+  return &found->child;
 }
 
 bool Crew::all_ended() noexcept {
