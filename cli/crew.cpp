@@ -27,13 +27,16 @@ void Crew::wait(int milliseconds, int also) {
   for (Member& member : members_) listen(member.child);
 }
 
-Child* Crew::first_lost() {
-  for (Member& member : members_) {
-    if (!member.child.lost()) continue;
-    listen(member.child);
-    return &member.child;
-  }
-  return nullptr;
+Child* Crew::first_lost(const std::vector<std::string>& suspects) {
+  const auto is_suspect = [&suspects](const Child& child) {
+    return std::find(suspects.begin(), suspects.end(), child.name()) != suspects.end();
+  };
+  Child* found = nullptr;
+  for (Member& member : members_)
+    if (member.child.lost() && (found == nullptr || (is_suspect(member.child) && !is_suspect(*found))))
+      found = &member.child;
+  if (found != nullptr) listen(*found);
+  return found;
 }
 
 bool Crew::all_ended() noexcept {
