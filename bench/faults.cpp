@@ -193,7 +193,8 @@ bool run_campaign(const Campaign& campaign, int seeds, const std::string& beginn
       add(row, task_test::DeploymentRun(MRROC_BINARY_DIR "/bin/mrroc", deployment).inject(fault).run(), fault);
     }
     row.print(kind);
-    good = good && row.exceeded == 0 && row.moving == 0 && row.leftovers == 0;
+    const bool world_ends = kind.ends_with(" sim");  // with its robots as they moved
+    good = good && row.exceeded == 0 && (world_ends || row.moving == 0) && row.leftovers == 0;
   }
   return good;
 }

@@ -1,10 +1,9 @@
 #include "cli/can_command.hpp"
 
+#include <signal.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <memory>
 
 #include "cli/can_monitor.hpp"
@@ -15,8 +14,21 @@ namespace mrroc::cli {
 
 namespace {
 
-std::atomic<bool> interrupted{false};
-void interrupt(int) { interrupted = true; }
+/// Blocks ctrl-C and SIGTERM, and tells whether one has come.
+class Interruption {
+ public:
+  Interruption() {
+    sigset_t both;
+    sigemptyset(&both);
+    sigaddset(&both, SIGINT);
+    sigaddset(&both, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &both, nullptr);
+  }
+  bool has_come() const {
+    sigset_t pending;
+    return sigpending(&pending) == 0 && (sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1);
+  }
+};
 
 int scan_interface(const std::string& interface, double patience) {
   const auto bus = can::open_bus(interface);
@@ -46,10 +58,10 @@ config::DriveTable drives_of(const std::string& type, std::filesystem::path file
 void monitor_interface(const MonitorArguments& arguments) {
   FrameWords words = arguments.robot.empty() ? FrameWords() : FrameWords(drives_of(arguments.robot, arguments.drives));
   const auto bus = can::open_bus(arguments.interface);
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  const Interruption interruption;
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  monitor(*bus, words, arguments.options, interrupted, stdout);
+  monitor(
+      *bus, words, arguments.options, [&interruption] { return interruption.has_come(); }, stdout);
 }
 
 constexpr const char* kInterface = "CAN interface, as can0; or unix:PATH, the bus of simulated drives";

@@ -19,7 +19,7 @@ double seconds_of(std::int64_t time) { return static_cast<double>(time) / 1e9; }
 
 }  // namespace
 
-void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, const std::atomic<bool>& stop,
+void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, const std::function<bool()>& stop,
              std::FILE* output) {
   const std::int64_t begin = clock::monotonic_ns();
   const std::int64_t end = begin + static_cast<std::int64_t>(std::min(options.seconds, kLongest) * 1e9);
@@ -27,7 +27,7 @@ void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, co
   CanSummary summary;
   bool gone = false;
   std::uint64_t count = 0;
-  for (std::int64_t now = begin; !stop && !gone && count < options.count && now < end; now = clock::monotonic_ns()) {
+  for (std::int64_t now = begin; !stop() && !gone && count < options.count && now < end; now = clock::monotonic_ns()) {
     const std::int64_t until = std::min(end, now + kGlance);
     can::Frame frame;
     if (!bus.receive(frame, until)) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <limits>
 
 #include "can/bus.hpp"
@@ -17,9 +17,9 @@ struct MonitorOptions {
   double bit_rate = 1e6;
 };
 
-/// Listens until the frames or the seconds are over, or `stop`: one line for each frame, s since the first one and the
-/// frame in words, or a summary. Sends nothing. Throws std::runtime_error when the bus has gone.
-void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, const std::atomic<bool>& stop,
+/// Listens until the frames or the seconds are over, or `stop` says so: one line for each frame, s since the first one
+/// and the frame in words, or a summary. Sends nothing. Throws std::runtime_error when the bus has gone.
+void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, const std::function<bool()>& stop,
              std::FILE* output);
 
 }  // namespace mrroc::cli

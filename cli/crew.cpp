@@ -27,15 +27,20 @@ void Crew::wait(int milliseconds, int also) {
   for (Member& member : members_) listen(member.child);
 }
 
-Child* Crew::first_lost() {
-  const auto lost = [](Member& member) { return member.child.lost(); };
-  const auto failed = [](Member& member) { return member.child.lost() && member.child.exit_code() != 0; };
-  auto found = std::find_if(members_.begin(), members_.end(), lost);
-  if (found == members_.end()) return nullptr;
-  // one that leaves because another has died may be seen before that one
-  if (const auto cause = std::find_if(members_.begin(), members_.end(), failed); cause != members_.end()) found = cause;
-  listen(found->child);
-  return &found->child;
+Child* Crew::first_lost(const std::vector<std::string>& suspects) {
+  if (std::none_of(members_.begin(), members_.end(), [](Member& member) { return member.child.lost(); }))
+    return nullptr;
+  // one that leaves because another has died may be seen before that one: so all are looked at once more
+  const auto blame = [&suspects](Child& child) {
+    if (!child.lost()) return -1;
+    if (std::find(suspects.begin(), suspects.end(), child.name()) != suspects.end()) return 2;
+    return child.exit_code() != 0 ? 1 : 0;
+  };
+  Child* found = nullptr;
+  for (Member& member : members_)
+    if (blame(member.child) > (found == nullptr ? -1 : blame(*found))) found = &member.child;
+  if (found != nullptr) listen(*found);
+  return found;
 }
 
 bool Crew::all_ended() noexcept {

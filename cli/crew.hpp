@@ -23,8 +23,9 @@ class Crew {
   const Child* find(const std::string& name) const noexcept;
   /// Waits until a process writes or ends, `also` becomes readable, or the time is over; hands the lines on.
   void wait(int milliseconds, int also);
-  /// A process that has ended or been stopped, with all that it has written handed on; null when all are at work.
-  Child* first_lost();
+  /// A process that has ended or been stopped, with all that it has written handed on; null when all are at work. One
+  /// of `suspects` rather than another.
+  Child* first_lost(const std::vector<std::string>& suspects = {});
   bool all_ended() noexcept;
   /// Those of this part that have not ended as they should: lost with an exit code, by a signal, or stopped by one.
   std::vector<Child*> failed(clock::Part part) noexcept;

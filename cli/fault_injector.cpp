@@ -98,6 +98,13 @@ void FaultInjector::strike(const faults::Fault& fault) {
   clock_.stop();
 }
 
+std::vector<std::string> FaultInjector::struck() {
+  const std::lock_guard lock(struck_mutex_);
+  std::vector<std::string> names;
+  for (const auto& [name, time] : struck_) names.push_back(name);
+  return names;
+}
+
 void FaultInjector::tell() {
   for (std::size_t i = 0; i < plan_.all().size(); ++i) {
     // the tick that it strikes at is not visible yet while it does

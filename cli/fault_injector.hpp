@@ -30,6 +30,8 @@ class FaultInjector {
   void tell();
   /// At the end: tells of those that never were.
   void tell_left();
+  /// Those that a signal was sent to. In simulated time the others may have ended in consequence before anybody looks.
+  std::vector<std::string> struck();
   /// Under the real clock: tells how long it took to see what a signal has done to this process.
   void tell_noticed(const std::string& process);
   /// A fault has begun the end of the run: whatever a task says from now on is a consequence.

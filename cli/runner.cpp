@@ -330,8 +330,9 @@ void Runner::look_at_desk() {
 
 void Runner::check_children() {
   if (stopping_) return;
-  Child* const child = crew_.first_lost();
-  if (child == nullptr) return;
+  if (crew_.first_lost() == nullptr) return;
+  // a second look: the cause came before what it caused, but may have been looked at too early
+  Child* const child = crew_.first_lost(faults_.struck());
   std::string how = (child->ended() ? "died: " : "is ") + child->how_it_ended();
   if (child->exit_code() && !child->last_line().empty()) how += ": " + child->last_line();
   if (task_started_) how += " [tick " + std::to_string(std::min(clock_.stop_tick(), clock_.tick())) + "]";

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "canopen/emergency.hpp"
 
@@ -82,6 +81,18 @@ void Drive::judge(NmtState state, Tick tick) noexcept {
   position_lost_ = position_lost_ || state == NmtState::boot_up;
 }
 
+/// An axis that turns for hours passes the ends of 32 bits, by a small step; what jumps is taken as it is said.
+std::int64_t Drive::unwrapped(std::int64_t raw) noexcept {
+  constexpr std::int64_t kTurnOver = std::int64_t{1} << 32;
+  constexpr std::int64_t kSmall = std::int64_t{1} << 24;
+  for (const std::int64_t wraps : {wraps_ - 1, wraps_ + 1}) {
+    if (std::abs(raw + wraps * kTurnOver - raw_) > kSmall) continue;
+    wraps_ = wraps;
+    break;
+  }
+  return raw + wraps_ * kTurnOver;
+}
+
 void Drive::take_feedback(const can::Frame& frame) noexcept {
   std::int64_t status = 0, raw = 0, torque = 0;
   if (!pdos_.feedback.read(frame, kStatusword, false, status) ||
@@ -89,15 +100,15 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
       !pdos_.feedback.read(frame, kTorqueActual, true, torque))
     return;  // too short: as if it had not come
   statusword_ = static_cast<std::uint16_t>(status);
-  // an axis that turns for hours passes the ends of 32 bits
-  increment_ = known_ ? static_cast<std::int32_t>(static_cast<std::uint32_t>(raw - raw_)) : 0;
-  std::int64_t jumped = 0;
+  if (!known_) wraps_ = 0;
+  raw = known_ ? unwrapped(raw) : raw;
+  increment_ = known_ ? raw - raw_ : 0;
   if (homing_ == Homing::running && std::abs(increment_) > jump_) {
     // it counts from its home position now: what it has moved meanwhile is too little to matter
     offset_ -= static_cast<double>(increment_) * rad_per_unit_;
-    jumped = std::exchange(increment_, 0);
+    increment_ = 0;
   }
-  raw_ = known_ ? raw_ + increment_ + jumped : raw;
+  raw_ = raw;
   current_ = static_cast<double>(torque) / kPerMille * rated_current_ * (reversed_ ? -1 : 1);
   answered_ = known_ = true;
   missed_ = 0;

@@ -77,6 +77,7 @@ class Drive {
 
  private:
   void judge(canopen::NmtState state, Tick tick) noexcept;
+  std::int64_t unwrapped(std::int64_t raw) noexcept;
   void take_feedback(const can::Frame& frame) noexcept;
   void follow_homing() noexcept;
   std::uint16_t controlword() noexcept;
@@ -96,6 +97,7 @@ class Drive {
   // said
   std::uint16_t statusword_ = 0;
   std::int64_t raw_ = 0, increment_ = 0;
+  std::int64_t wraps_ = 0;  ///< of its 32 bits
   double offset_ = 0, velocity_ = 0, current_ = 0;
   std::uint32_t inputs_ = 0;
   std::uint16_t emergency_ = 0;

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace mrroc::canopen {
@@ -52,9 +51,8 @@ std::optional<Object> object_of_section(const std::string& section) {
   return Object{static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub)};
 }
 
-const std::set<std::string>& accesses() {
-  static const std::set<std::string> all{"ro", "wo", "rw", "rwr", "rww", "const"};
-  return all;
+bool is_access(std::string_view text) {
+  return text == "ro" || text == "wo" || text == "rw" || text == "rwr" || text == "rww" || text == "const";
 }
 
 struct Line {
@@ -115,7 +113,7 @@ class Parser {
     }
     if (const Line* const line = section.find("accesstype")) {
       entry.access = small(line->value);
-      if (!accesses().contains(entry.access))
+      if (!is_access(entry.access))
         fail(line->number, section.name + ": AccessType", in_quotes(line->value), "ro, wo, rw, rwr, rww or const");
     }
     if (const Line* const line = section.find("defaultvalue")) entry.default_value = line->value;

@@ -20,26 +20,22 @@ namespace {
 using canopen::DriveMode;
 using canopen::Object;
 
-/// What the EDP writes into every drive, and when or where its value comes from.
-struct OwnObject {
-  Object object;
-  const char* source;
-};
-constexpr std::array kOwnObjects{
-    OwnObject{canopen::kConsumerHeartbeat, "from the keys 'heartbeat' and 'master'"},
-    OwnObject{canopen::kProducerHeartbeat, "from the key 'heartbeat'"},
-    OwnObject{canopen::kInterpolationTime, "from the deployment's servo_period"},
-    OwnObject{canopen::kInterpolationExponent, "from the deployment's servo_period"},
-    OwnObject{canopen::kMode, "from the key 'mode'"},
-    OwnObject{canopen::kHomingMethod, "from the drive's key 'homing_method'"},
-    OwnObject{canopen::kHomingSpeedSwitch, "from the drive's key 'homing_speed_switch'"},
-    OwnObject{canopen::kHomingSpeedZero, "from the drive's key 'homing_speed_zero'"},
-    OwnObject{canopen::kHomeOffset, "from motor_synchro of the robot's axis"},
-    OwnObject{canopen::kControlword, "in every cycle"},
-    OwnObject{canopen::kTargetPosition, "in every cycle"},
-    OwnObject{canopen::kTargetVelocity, "in every cycle"},
-    OwnObject{canopen::kTargetTorque, "in every cycle"},
-};
+/// Where the value of an object comes from that the EDP writes into every drive; null: it writes none.
+const char* source_of(Object object) {
+  if (object == canopen::kConsumerHeartbeat) return "from the keys 'heartbeat' and 'master'";
+  if (object == canopen::kProducerHeartbeat) return "from the key 'heartbeat'";
+  if (object == canopen::kInterpolationTime || object == canopen::kInterpolationExponent)
+    return "from the deployment's servo_period";
+  if (object == canopen::kMode) return "from the key 'mode'";
+  if (object == canopen::kHomingMethod) return "from the drive's key 'homing_method'";
+  if (object == canopen::kHomingSpeedSwitch) return "from the drive's key 'homing_speed_switch'";
+  if (object == canopen::kHomingSpeedZero) return "from the drive's key 'homing_speed_zero'";
+  if (object == canopen::kHomeOffset) return "from motor_synchro of the robot's axis";
+  for (const Object cyclic :
+       {canopen::kControlword, canopen::kTargetPosition, canopen::kTargetVelocity, canopen::kTargetTorque})
+    if (object == cyclic) return "in every cycle";
+  return nullptr;
+}
 
 /// Of RPDO 1, TPDO 1 and TPDO 2: identifier, transmission type and mapping.
 bool is_of_own_pdo(Object object) {
@@ -53,9 +49,8 @@ bool is_of_own_pdo(Object object) {
 void refuse_own(const Table& table, const std::string& key, Object object) {
   if (is_of_own_pdo(object))
     table.fail(key, "is of a PDO that the EDP sets up itself", "an object that it leaves alone");
-  for (const OwnObject& own : kOwnObjects)
-    if (own.object == object)
-      table.fail(key, std::string("is written by the EDP itself, ") + own.source, "an object that it leaves alone");
+  if (const char* const source = source_of(object))
+    table.fail(key, std::string("is written by the EDP itself, ") + source, "an object that it leaves alone");
 }
 
 /// Those that the PDOs carry.

@@ -145,7 +145,7 @@ TEST_F(CanMonitor, EndsWithItsBus) {
   sender_->send(sync_frame());
   hub_.reset();
   FrameWords words;
-  const std::atomic<bool> stop{false};
+  const auto stop = [] { return false; };
   std::FILE* const nowhere = std::tmpfile();
   EXPECT_THROW(monitor(*bus, words, {}, stop, nowhere), std::runtime_error);
   std::fclose(nowhere);
@@ -154,7 +154,7 @@ TEST_F(CanMonitor, EndsWithItsBus) {
 TEST_F(CanMonitor, EndsWhenItIsToldTo) {
   const auto bus = can::open_bus(hub_->name());
   FrameWords words;
-  const std::atomic<bool> stop{true};
+  const auto stop = [] { return true; };
   monitor(*bus, words, {}, stop, stdout);
 }
 

@@ -1,0 +1,1 @@
+mrroc_bench(launches SOURCES launches.cpp LINKS mrroc_testing)
