@@ -18,7 +18,7 @@ using namespace canopen;
 
 constexpr std::int64_t kRetry = clock::kSecond / 1000;  // between two tries to send where the queue is full
 
-constexpr std::array kQuestions{kDeviceType, kDeviceName, kVendor, kProduct, kRevision, kSerialNumber};
+constexpr Object kQuestions[] = {kDeviceType, kDeviceName, kVendor, kProduct, kRevision, kSerialNumber};
 
 /// The questions to one node, one after the other.
 class Inquiry {
@@ -35,7 +35,7 @@ class Inquiry {
     } else if (transfer_.take(frame, next)) {
       heard_ = true;
       if (transfer_.status() == SdoTransfer::Status::done) keep();
-      if (transfer_.status() != SdoTransfer::Status::waiting && ++place_ < kQuestions.size()) next = ask();
+      if (transfer_.status() != SdoTransfer::Status::waiting && ++place_ < std::size(kQuestions)) next = ask();
     }
   }
   bool found() const noexcept { return heard_ || found_.state; }

@@ -15,7 +15,7 @@ PlannedProcess shell(const std::string& name) {
 
 TEST(Crew, NamesTheSuspectAmongThoseThatHaveEnded) {
   Crew crew([](const std::string&, const std::string&) {});
-  for (const char* name : {"first", "struck", "last"}) crew.start(shell(name), {"-c", "read line"});
+  for (const char* name : {"first", "struck", "last"}) crew.start(shell(name), {"-c", "exec sleep 60"});
   EXPECT_EQ(crew.first_lost({"struck"}), nullptr) << "all are at work";
   crew.signal(SIGKILL);
   while (!crew.all_ended()) crew.wait(1, -1);
@@ -26,7 +26,7 @@ TEST(Crew, NamesTheSuspectAmongThoseThatHaveEnded) {
 
 TEST(Crew, NamesAnyOtherWhileTheSuspectIsAtWork) {
   Crew crew([](const std::string&, const std::string&) {});
-  crew.start(shell("suspect"), {"-c", "sleep 60"});
+  crew.start(shell("suspect"), {"-c", "exec sleep 60"});
   crew.start(shell("other"), {"-c", "exit 3"});
   Child* lost = nullptr;
   while ((lost = crew.first_lost({"suspect"})) == nullptr) crew.wait(1, -1);
