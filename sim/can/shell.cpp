@@ -72,6 +72,9 @@ class Drives {
     for (;;) {
       if (process_.clock().wait(process_.clock().tick() + kGlanceTicks) == clock::Wake::interrupted) break;
       const std::uint64_t now = rack_.cycles();
+      links::Counters counters;
+      counters.ticks = now;
+      process_.status().counters(counters);
       // in simulated time drives without a master stand still: its ticks are their time
       const bool left = now == std::exchange(cycles, now);
       if (process_.clock().stopping() && (left || !rack_.powered())) break;
