@@ -12,14 +12,13 @@ using namespace canopen;
 namespace {
 
 constexpr std::int64_t kGlance = 2'000'000;      // ns: between two looks at the time and at `stop`
-constexpr int kMostBehind = 3;                   // ticks that are made up for in one cycle
 constexpr std::int64_t kPatience = 100'000'000;  // ns: lockstep, for set-points that belong to a cycle
 
 }  // namespace
 
 DriveRack::DriveRack(const config::DriveTable& table, const RobotParameters& robot, double period, can::Bus& bus,
-                     edp::Hardware& plant, PlantClock plant_clock, Time time)
-    : bus_(bus), plant_(plant), plant_clock_(std::move(plant_clock)), time_(time), period_(std::llround(period * 1e9)) {
+                     edp::Hardware& plant, PlantTick plant_tick, Time time)
+    : bus_(bus), plant_(plant), plant_tick_(std::move(plant_tick)), time_(time), period_(std::llround(period * 1e9)) {
   nodes_.reserve(robot.axes.size());
   for (std::size_t i = 0; i < robot.axes.size(); ++i)
     nodes_.emplace_back(table, table.drives[i], robot.axes[i], period,
@@ -70,16 +69,9 @@ void DriveRack::take(const can::Frame& frame) {
   if (open_ && all_commanded()) drive();
 }
 
-/// A world that waits for its drives' last tick would stay a tick behind for good: it gets one more of the old
-/// set-points.
-void DriveRack::catch_up() {
-  for (int i = 0; i < kMostBehind && plant_clock_.newest(tick_, true) < plant_clock_.due(); ++i) begin_cycle(false);
-}
-
 void DriveRack::begin_cycle(bool on_bus) {
-  if (on_bus && plant_clock_.due && any_powered()) catch_up();
   synced_ = clock::monotonic_ns();
-  tick_ = plant_clock_.newest(tick_, any_powered());
+  tick_ = plant_tick_(tick_, any_powered());
   input_.tick = tick_;
   plant_.read(tick_, input_);
   tick_ = input_.tick;

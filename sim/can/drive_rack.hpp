@@ -20,19 +20,14 @@ namespace mrroc::sim {
 /// One thread serves it; `stop` and the nodes' faults may come from any other, under `with`.
 class DriveRack {
  public:
-  /// The time of the plant.
-  struct PlantClock {
-    /// Its newest tick; with `wait` it waits for one later than `last`, where that is worth it.
-    std::function<Tick(Tick last, bool wait)> newest;
-    /// The tick that it should have come to; empty: the newest always is.
-    std::function<Tick()> due;
-  };
+  /// The plant's newest tick; with `wait` it waits for one later than `last`, where that is worth it.
+  using PlantTick = std::function<Tick(Tick last, bool wait)>;
   /// Of the drives' own time: by the wall, or by the plant's ticks where that is simulated.
   enum class Time { wall, plant };
 
   /// `bus`, `plant` must outlive it. `period` in s.
   DriveRack(const config::DriveTable& table, const RobotParameters& robot, double period, can::Bus& bus,
-            edp::Hardware& plant, PlantClock plant_clock, Time time);
+            edp::Hardware& plant, PlantTick plant_tick, Time time);
 
   /// The power comes on, then serves until `stop`. Throws what the plant throws.
   void serve();
@@ -49,14 +44,13 @@ class DriveRack {
   std::int64_t now() const noexcept;
   void take(const can::Frame& frame);
   void begin_cycle(bool on_bus);
-  void catch_up();
   void drive();
   bool all_commanded() const noexcept;
   bool any_powered() const noexcept;
 
   can::Bus& bus_;
   edp::Hardware& plant_;
-  PlantClock plant_clock_;
+  PlantTick plant_tick_;
   Time time_;
   std::int64_t period_;  ///< ns
   std::vector<DriveNode> nodes_;

@@ -46,9 +46,11 @@ class Drives {
         plant_(*models_.front(), *world_, place_.index, MujocoHardware::Timing::newest, place_.entry.synchronised),
         hub_(open_hub(place_.entry.can->interface)),
         bus_(can::open_bus(place_.entry.can->interface)),
-        rack_(config::read_drive_table(place_.entry.can->drives, models_.front()->parameters()),
-              models_.front()->parameters(), process.clock().period(), *bus_, plant_, plant_clock(),
-              process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall) {}
+        rack_(
+            config::read_drive_table(place_.entry.can->drives, models_.front()->parameters()),
+            models_.front()->parameters(), process.clock().period(), *bus_, plant_,
+            [this](Tick last, bool wait) { return newest(last, wait); },
+            process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall) {}
 
   /// The bus is served by a thread of its own; this one waits for the end, which comes when no robot is driven any
   /// more.
@@ -94,12 +96,6 @@ class Drives {
     sim::JointMeasurement measurement;
     const auto there = [&] { return world_->measurements[place_.index].load(measurement); };
     while (!there() && !process_.clock().stopping()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-
-  sim::DriveRack::PlantClock plant_clock() {
-    sim::DriveRack::PlantClock clock{[this](Tick last, bool wait) { return newest(last, wait); }, {}};
-    if (!process_.clock().simulated()) clock.due = [this] { return process_.clock().tick(); };
-    return clock;
   }
 
   Tick newest(Tick last, bool wait) {

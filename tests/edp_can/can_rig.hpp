@@ -75,8 +75,9 @@ class Rack {
   Rack(const config::DriveTable& table, const RobotModel& model, const TestBus& bus, bool synchronised)
       : bus_(bus.open()),
         plant_(model, kCanPeriod, synchronised),
-        rack_(table, model.parameters(), kCanPeriod, *bus_, plant_,
-              {[this](Tick last, bool) { return tick_ = last + 1; }, {}}, sim::DriveRack::Time::plant),
+        rack_(
+            table, model.parameters(), kCanPeriod, *bus_, plant_, [this](Tick last, bool) { return tick_ = last + 1; },
+            sim::DriveRack::Time::plant),
         thread_([this] { rack_.serve(); }) {}
   ~Rack() {
     rack_.stop();

@@ -102,17 +102,19 @@ TEST(Can, AnArmThatMeetsABlockStopsRecoversAndGoesHome) {
   EXPECT_NE(output.find("| recovered"), std::string::npos) << output;
 }
 
-TEST(Can, AKilledEdpLeavesNoDriveRunning) {
-  for (const std::string clock : {"lockstep", "real"}) {
-    const ScratchFolder folder;
-    const auto file = folder.write("press.toml", press(folder));
-    MrrocRun run({"run", file.string(), "--clock", clock, "--inject", "kill edp:arm at tick 1500"});
-    EXPECT_EQ(run.wait(), 4) << run.out() << run.err();
-    EXPECT_NE((run.out() + run.err()).find("arm_edp"), std::string::npos) << run.out() << run.err();
-    EXPECT_EQ((run.out() + run.err()).find("not every robot has stopped"), std::string::npos) << run.out() << run.err();
-    EXPECT_TRUE(all_end(run.descendants()));
-  }
+void expect_nothing_left_when_the_edp_is_killed(const std::string& clock) {
+  const ScratchFolder folder;
+  const auto file = folder.write("press.toml", press(folder));
+  MrrocRun run({"run", file.string(), "--clock", clock, "--inject", "kill edp:arm at tick 1500"});
+  EXPECT_EQ(run.wait(), 4) << run.out() << run.err();
+  EXPECT_NE((run.out() + run.err()).find("arm_edp"), std::string::npos) << run.out() << run.err();
+  EXPECT_EQ((run.out() + run.err()).find("not every robot has stopped"), std::string::npos) << run.out() << run.err();
+  EXPECT_TRUE(all_end(run.descendants()));
 }
+
+TEST(Can, AKilledEdpLeavesNoDriveRunning) { expect_nothing_left_when_the_edp_is_killed("lockstep"); }
+
+TEST(Can, AKilledEdpLeavesNoDriveRunningUnderTheRealClock) { expect_nothing_left_when_the_edp_is_killed("real"); }
 
 TEST(Can, KilledDrivesStopTheRun) {
   const ScratchFolder folder;
