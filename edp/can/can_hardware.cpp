@@ -183,7 +183,7 @@ void CanHardware::synchronise(Tick tick) noexcept {
   for (Drive& drive : drives_) drive.expect();
   send(sync_frame());
   await_all(begin + ns(patience));
-  for (Drive& drive : drives_) drive.close_cycle(tick);
+  for (Drive& drive : drives_) drive.close_cycle();
 }
 
 void CanHardware::read(Tick tick, HardwareInput& input) noexcept {

@@ -115,7 +115,7 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
   follow_homing();
 }
 
-void Drive::close_cycle(Tick) noexcept {
+void Drive::close_cycle() noexcept {
   if (state() == DriveState::operation_enabled) was_enabled_ = wanted_;
   if (answered_ || !running_) return;
   if (++missed_ <= missed_max_) raw_ += increment_;

@@ -40,7 +40,7 @@ class Drive {
   /// Whether an answer to this SYNC is to be waited for.
   bool awaited() const noexcept { return !answered_ && running_ && missed_ <= missed_max_; }
   /// The time for answers is over: a missing position is guessed from the last two.
-  void close_cycle(Tick tick) noexcept;
+  void close_cycle() noexcept;
 
   // what it has said
   canopen::DriveState state() const noexcept { return canopen::drive_state(statusword_); }

@@ -9,28 +9,12 @@
 
 #include "random_values.hpp"
 #include "rig.hpp"
+#include "switched_gantry.hpp"
 
 namespace mrroc::edp {
 namespace {
 
 constexpr double kIncrement = 2 * std::numbers::pi / 4000;
-
-/// A gantry with switches; the axes synchronise from the last to the first.
-class Switched : public Gantry {
- public:
-  Switched() {
-    for (AxisParameters& axis : parameters_.axes) {
-      axis.motor_min = -100;
-      axis.motor_max = 100;
-      axis.motor_synchro = -15.9;
-      axis.synchro_coarse = -15;
-      axis.synchro_fine = 3.5;
-    }
-    parameters_.axes[1].synchro_coarse = 15;  // from the other side
-    parameters_.axes[1].synchro_fine = -3.5;
-    parameters_.synchro_order = {3, 2, 1, 0};
-  }
-};
 
 /// Starts where the case says; `home` is where the simulated robot stands.
 class Placed : public Switched {

@@ -26,11 +26,12 @@ class DriveTest : public testing::Test {
     drive.expect();
     can::Frame next;
     EXPECT_TRUE(drive.take(frame, ++tick, next));
-    drive.close_cycle(tick);
+    drive.close_cycle();
   }
   void say_nothing() {
     drive.expect();
-    drive.close_cycle(++tick);
+    ++tick;
+    drive.close_cycle();
   }
   std::uint16_t controlword() { return static_cast<std::uint16_t>(can::get(drive.command({}).bytes(), 0, 2)); }
   void switch_on() {

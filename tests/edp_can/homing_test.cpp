@@ -2,28 +2,17 @@
 
 #include "can_rig.hpp"
 #include "edp/drive_homing.hpp"
+#include "edp/switched_gantry.hpp"
 
 namespace mrroc::edp {
 namespace {
 
 using canopen::DriveMode;
 
-/// A gantry whose axes have switches on both sides.
-class Switched : public Gantry {
+/// Its axes begin beside their switches.
+class Beside : public Switched {
  public:
-  Switched() {
-    for (AxisParameters& axis : parameters_.axes) {
-      axis.motor_min = -100;
-      axis.motor_max = 100;
-      axis.motor_synchro = -15.9;
-      axis.synchro_coarse = -15;
-      axis.synchro_fine = 3.5;
-    }
-    parameters_.axes[1].synchro_coarse = 15;
-    parameters_.axes[1].synchro_fine = -3.5;
-    parameters_.synchro_order = {3, 2, 1, 0};
-    parameters_.home = JointVector::Constant(4, 0.05);
-  }
+  Beside() { parameters_.home = JointVector::Constant(4, 0.05); }
 };
 
 RobotCommand synchronise() {
@@ -33,7 +22,7 @@ RobotCommand synchronise() {
 }
 
 TEST(DriveHoming, EveryAxisFindsItsZeroPulseByItself) {
-  CanRig<Switched> rig(DriveMode::cyclic_position, false);
+  CanRig<Beside> rig(DriveMode::cyclic_position, false);
   ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
   EXPECT_FALSE(rig.seen().synchronised);
   ASSERT_FALSE(rig.send(synchronise())) << rig.answer.state.error.detail.view();
@@ -54,9 +43,9 @@ TEST(DriveHoming, EveryAxisFindsItsZeroPulseByItself) {
 }
 
 TEST(DriveHoming, AMethodThatTheDriveDoesNotHaveEndsTheSynchronisation) {
-  config::DriveTable table = table_for(Switched{}.parameters(), DriveMode::cyclic_position);
+  config::DriveTable table = table_for(Beside{}.parameters(), DriveMode::cyclic_position);
   table.drives[2].homing.method = 14;
-  CanRig<Switched> rig(table, false);
+  CanRig<Beside> rig(table, false);
   ASSERT_FALSE(rig.send(synchronise()));
   while (rig.seen().fault.code == ErrorCode::none && rig.now < 60'000) rig.tick();
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::synchronisation_failed);
@@ -65,7 +54,7 @@ TEST(DriveHoming, AMethodThatTheDriveDoesNotHaveEndsTheSynchronisation) {
 }
 
 TEST(DriveHoming, AnEmergencyStopIsTheDrivesQuickStop) {
-  CanRig<Switched> rig(DriveMode::cyclic_position, false);
+  CanRig<Beside> rig(DriveMode::cyclic_position, false);
   rig.servo.use_emergency_stop(rig.operators);
   rig.run(2);
   ASSERT_FALSE(rig.send(synchronise()));

@@ -62,7 +62,8 @@ class Master {
     check_sent(next);
     if (frame.id != kSync) return;
     drive_.expect();
-    drive_.close_cycle(++tick_);
+    ++tick_;
+    drive_.close_cycle();
     if (tick_ % kReset == 0) drive_.reset(tick_, next);
     if (tick_ % kReset == kReset / 2) drive_.enable(true, tick_);
     if (tick_ % kReset == kReset - 5) drive_.home();

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "system/block_scene.hpp"
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
@@ -40,15 +41,6 @@ std::string arm(const std::string& program, const std::string& scene, const std:
          program + "\"\nhardware = \"mujoco\"\nposition = [0.0, 0.0, 0.7]\n" + more + "\n[sim]\nscene = \"" + scene +
          "\"\n";
 }
-
-constexpr const char* kBlock = R"(<mujoco>
-  <compiler angle="radian"/>
-  <worldbody>
-    <geom name="floor" type="plane" size="4 4 0.1"/>
-    <geom name="block" type="box" size="0.1 0.1 0.33" pos="0.75 0 0.33"/>
-  </worldbody>
-</mujoco>
-)";
 
 /// `key = value` lines over the type's own table of drives.
 fs::path drives(const ScratchFolder& folder, const std::string& mode, const std::string& per_drive) {
@@ -95,7 +87,7 @@ TEST(Can, PressSucceedsUnderTheRealClock) {
 
 TEST(Can, AnArmThatMeetsABlockStopsRecoversAndGoesHome) {
   const ScratchFolder folder;
-  folder.write("block.xml", kBlock);
+  folder.write("block.xml", kBlockScene);
   const auto file = folder.write("recover.toml", on_bus(arm("recover_ecp", "block.xml"), folder));
   const std::string output = run_mrroc({"run", file.string(), "--quiet"}, 0);
   EXPECT_NE(output.find("stopped: hardware error: "), std::string::npos) << output;

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "system/block_scene.hpp"
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
@@ -23,19 +24,9 @@ scene = "block.xml"
 )";
 }
 
-/// A block whose top is 40 mm below the tip of the arm at home.
-constexpr const char* kScene = R"(<mujoco>
-  <compiler angle="radian"/>
-  <worldbody>
-    <geom name="floor" type="plane" size="4 4 0.1"/>
-    <geom name="block" type="box" size="0.1 0.1 0.33" pos="0.75 0 0.33"/>
-  </worldbody>
-</mujoco>
-)";
-
 TEST(Recovery, AnArmThatMeetsABlockStopsRecoversAndGoesHome) {
   const ScratchFolder folder;
-  folder.write("block.xml", kScene);
+  folder.write("block.xml", kBlockScene);
   const auto file = folder.write("recover.toml", deployment("recover"));
   const std::string output = run_mrroc({"run", file.string(), "--quiet"}, 0);
   EXPECT_NE(output.find("stopped: hardware error: "), std::string::npos) << output;
@@ -44,7 +35,7 @@ TEST(Recovery, AnArmThatMeetsABlockStopsRecoversAndGoesHome) {
 
 TEST(Recovery, AFaultThatNobodyCatchesEndsTheRunAndIsInTheBlackBox) {
   const ScratchFolder folder;
-  folder.write("block.xml", kScene);
+  folder.write("block.xml", kBlockScene);
   const auto file = folder.write("uncaught.toml", deployment("uncaught"));
   const std::string output =
       run_mrroc({"run", file.string(), "--quiet", "--black-box", (folder.path() / "boxes").string()}, 3);
