@@ -58,7 +58,7 @@ ErrorReport Effector::refusal_of_change(const RobotCommand& command) const noexc
       if (snapshot_->synchronised)
         return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "already synchronised");
       for (const AxisParameters& axis : models_.parameters().axes)
-        if (axis.synchro_coarse == 0)
+        if (axis.synchro_coarse == 0 && !snapshot_->drives_home)
           return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
                              "axis %s has no synchronisation switch", axis.name.c_str());
       return {};

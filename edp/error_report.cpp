@@ -7,6 +7,7 @@
 #include "can/bus_error.hpp"
 #include "canopen/drive_state.hpp"
 #include "canopen/emergency.hpp"
+#include "canopen/sdo.hpp"
 
 namespace mrroc::edp {
 
@@ -31,6 +32,18 @@ ErrorReport make_drive_report(const Fault& fault, const char* name) noexcept {
                      static_cast<int>(text.size()), text.data());
 }
 
+/// `value` of the fault is the object that the drive refuses to be given, or 0; `limit` its reason.
+ErrorReport make_restart_report(const Fault& fault, const char* name) noexcept {
+  const auto tick = static_cast<unsigned long long>(fault.tick);
+  if (fault.value == 0)
+    return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu", fault.axis + 1, name, tick);
+  const auto object = static_cast<std::uint32_t>(fault.value);
+  const std::string_view why = canopen::describe(static_cast<canopen::SdoAbort>(fault.limit));
+  return make_report(ErrorClass::hardware, fault.code,
+                     "axis %d (%s), tick %llu: it refuses to be set up: object %04Xh:%u, %.*s", fault.axis + 1, name,
+                     tick, object >> 8, object & 0xff, static_cast<int>(why.size()), why.data());
+}
+
 }  // namespace
 
 ErrorReport make_report(const Fault& fault, const RobotParameters& parameters) noexcept {
@@ -45,6 +58,7 @@ ErrorReport make_report(const Fault& fault, const RobotParameters& parameters) n
                        fault.axis + 1, name, tick, fault.value);
   if (fault.code == ErrorCode::drive_fault || fault.code == ErrorCode::drive_not_ready)
     return make_drive_report(fault, name);
+  if (fault.code == ErrorCode::drive_restarted) return make_restart_report(fault, name);
   return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: %.6g, limit %.6g", fault.axis + 1,
                      name, tick, fault.value, fault.limit);
 }

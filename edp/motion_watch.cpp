@@ -17,19 +17,19 @@ double next_speed(const AxisParameters& axis, double speed, double current, doub
 
 }  // namespace
 
-Fault MotionWatch::look(const RobotModel& model, const Seen& seen, Tick read_tick, bool moves) noexcept {
+Fault MotionWatch::look(const RobotModel& model, const Seen& seen, double now, bool moves) noexcept {
   if (readings_ == 0) {
-    begin(model, seen, read_tick);
+    begin(model, seen, now);
     return {};
   }
-  const Fault fast = look_at_speed(model.parameters().axes, seen.joints, read_tick);
+  const Fault fast = look_at_speed(model.parameters().axes, seen.joints, now);
   const Fault stuck = look_at_shafts(model, seen);
   if (fast.code != ErrorCode::none || !moves) return fast;
   return stuck;
 }
 
-void MotionWatch::begin(const RobotModel& model, const Seen& seen, Tick read_tick) noexcept {
-  ring_[0] = {read_tick, seen.joints};
+void MotionWatch::begin(const RobotModel& model, const Seen& seen, double now) noexcept {
+  ring_[0] = {now, seen.joints};
   readings_ = 1;
   speed_ = seen.velocity;
   motors_ = seen.motors;
@@ -44,13 +44,13 @@ void MotionWatch::begin(const RobotModel& model, const Seen& seen, Tick read_tic
 }
 
 Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints,
-                                 Tick read_tick) noexcept {
-  if (read_tick <= ring_[(readings_ - 1) % kReadings].tick) return {};  // the same reading again
+                                 double now) noexcept {
+  if (now < ring_[(readings_ - 1) % kReadings].time + kShortest) return {};  // as good as the same again
   const Reading last = ring_[(readings_ - 1) % kReadings], oldest = ring_[readings_ % kReadings];
   const bool full = readings_ >= kReadings;
-  ring_[readings_++ % kReadings] = {read_tick, joints};
-  const double time = period_ * static_cast<double>(read_tick - last.tick);
-  const double whole_time = period_ * static_cast<double>(read_tick - oldest.tick);
+  ring_[readings_++ % kReadings] = {now, joints};
+  const double time = period_ * (now - last.time);
+  const double whole_time = period_ * (now - oldest.time);
   Fault fault;
   for (Eigen::Index i = joints.size(); i-- > 0;) {
     const double latest = (joints[i] - last.joints[i]) / time;

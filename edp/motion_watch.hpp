@@ -25,6 +25,8 @@ class MotionWatch {
   /// A single difference trembles by an increment of the encoder, and by what the regulator does about it.
   static constexpr std::size_t kReadings = 4;
   static constexpr double kTremble = 4;
+  /// Readings closer than that, in servo periods, show no speed: a bus is read when the servo comes to it.
+  static constexpr double kShortest = 0.5;
   /// A wrist that holds one end of a bar, whose other end is held too, is pushed to 0.9 and stands.
   static constexpr double kPushed = 1.3;
 
@@ -40,20 +42,19 @@ class MotionWatch {
     const JointVector& desired_motors;  ///< their set-points
     const JointVector& current;         ///< that the drives were given last, A
   };
-  /// Once per servo tick; the readings are those of `read_tick`. The first axis that is too fast, else one that is
-  /// stuck
-  /// (`moves`: it is commanded, not stopping); code none: all is well.
-  Fault look(const RobotModel& model, const Seen& seen, Tick read_tick, bool moves) noexcept;
+  /// Once per servo tick; the readings are those of time `now`, servo periods. The first axis that is too fast, else
+  /// one that is stuck (`moves`: it is commanded, not stopping); code none: all is well.
+  Fault look(const RobotModel& model, const Seen& seen, double now, bool moves) noexcept;
 
  private:
-  void begin(const RobotModel& model, const Seen& seen, Tick read_tick) noexcept;
-  Fault look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Tick read_tick) noexcept;
+  void begin(const RobotModel& model, const Seen& seen, double now) noexcept;
+  Fault look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, double now) noexcept;
   Fault look_at_shafts(const RobotModel& model, const Seen& seen) noexcept;
   Fault look_at_push(const RobotModel& model, const JointVector& joints) const noexcept;
 
   double period_;
   struct Reading {
-    Tick tick = 0;
+    double time = 0;  ///< servo periods
     JointVector joints;
   };
   std::array<Reading, kReadings> ring_;

@@ -162,6 +162,7 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.motors = measured_motors_;
   snapshot_.current = input_.current;
   snapshot_.synchronised = input_.synchronised;
+  snapshot_.drives_home = hardware_.homes();
   snapshot_.enabled = enabled_ && !stopping_;
   snapshot_.fault = fault_;
   snapshot_.switches = switches_.on();

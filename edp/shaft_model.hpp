@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mrroc/robot_model.hpp"
+#include "mrroc/search_speed.hpp"
 
 namespace mrroc::edp {
 
@@ -14,7 +15,7 @@ class ShaftModel final : public RobotModel {
     for (AxisParameters& axis : parameters_.axes) {
       axis.position_min = axis.motor_min = -HUGE_VAL;
       axis.position_max = axis.motor_max = HUGE_VAL;
-      axis.velocity_max = std::abs(axis.synchro_coarse);
+      axis.velocity_max = search_speed(axis);
       axis.acceleration_max = kAccelerationRate * axis.velocity_max;
       axis.jerk_max = kJerkRate * axis.acceleration_max;
     }

@@ -117,9 +117,11 @@ class Shell {
 
   std::unique_ptr<Hardware> open_can(const config::CanEntry& can) const {
     const RobotParameters& parameters = models_.front()->parameters();
-    const auto timing = process_.clock().simulated() ? CanHardware::Timing::lockstep : CanHardware::Timing::real;
-    return std::make_unique<CanHardware>(config::read_drive_table(can.drives, parameters), parameters,
-                                         process_.clock().period(), open_bus(can.interface), timing,
+    config::DriveTable table = config::read_drive_table(can.drives, parameters);
+    const double period = process_.clock().period();
+    const auto timing = process_.clock().simulated() ? CanHardware::Timing{CanHardware::kPatienceWithTick}
+                                                     : CanHardware::Timing{table.answer_time * period, true};
+    return std::make_unique<CanHardware>(std::move(table), parameters, period, open_bus(can.interface), timing,
                                          place_.entry.synchronised);
   }
 

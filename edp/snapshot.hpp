@@ -21,7 +21,8 @@ struct Snapshot {
   Tick tick = 0;
   JointVector joints, velocity, motors, current;  ///< measured
   bool synchronised = false;
-  bool enabled = false;  ///< drives on and not about to be switched off
+  bool drives_home = false;  ///< Hardware::homes
+  bool enabled = false;      ///< drives on and not about to be switched off
   Fault fault;
   LimitSwitches switches;      ///< on which the axes stand
   std::uint8_t model = 0;      ///< in use: place in the ModelSet

@@ -172,17 +172,20 @@ bool CanHardware::await_all(std::int64_t deadline) noexcept {
 void CanHardware::synchronise(Tick tick) noexcept {
   tick_ = tick;
   const std::int64_t begin = clock::monotonic_ns();
-  const double patience = timing_ == Timing::real ? table_.answer_time * period_ : kPatienceWithTick;
+  const std::int64_t deadline = begin + ns(timing_.patience);
   can::Frame frame;
   // what came since the last cycle; a babbling node must not hold the tick up
-  while (bus_->receive(frame, 0) && clock::monotonic_ns() < begin + ns(patience)) dispatch(frame);
+  while (bus_->receive(frame, 0) && clock::monotonic_ns() < deadline) dispatch(frame);
   if (heartbeat_ticks_ != 0 && (tick >= last_heartbeat_ + heartbeat_ticks_ || tick == 0)) {
     send(heartbeat_frame(table_.master, NmtState::operational));
     last_heartbeat_ = tick;
   }
   for (Drive& drive : drives_) drive.expect();
+  const std::int64_t synced = clock::monotonic_ns();
+  if (!origin_) origin_ = synced - static_cast<std::int64_t>(tick) * ns(period_);
+  late_ = static_cast<double>(synced - *origin_) / (period_ * 1e9) - static_cast<double>(tick);
   send(sync_frame());
-  await_all(begin + ns(patience));
+  await_all(deadline);
   for (Drive& drive : drives_) drive.close_cycle();
 }
 
@@ -192,6 +195,7 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
   input.motors.resize(count);
   input.current.resize(count);
   input.fault = ErrorCode::none;
+  if (timing_.real) input.late = late_;
   if (bus_error_ != BusError::none) {
     input.fault =
         bus_error_ == BusError::bus_off || bus_error_ == BusError::down ? ErrorCode::bus_off : ErrorCode::bus_error;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,9 @@ namespace mrroc::edp {
 /// watch our heartbeat, so they do the same when this process dies.
 class CanHardware : public Hardware {
  public:
-  enum class Timing {
-    lockstep,  ///< simulated drives: each tick waits for all of them
-    real       ///< they get `answer_time` of the servo period
+  struct Timing {
+    double patience;    ///< s of wall time that the drives get to answer a SYNC
+    bool real = false;  ///< a tick is when its SYNC is sent, on time or late; else it is a tick, however long it takes
   };
 
   /// `period` in s. `synchronised`: positions are right from the start.
@@ -48,7 +49,7 @@ class CanHardware : public Hardware {
   void home(int axis) noexcept override;
 
   static constexpr double kPatienceWithBoot = 10;  ///< s of wall time
-  static constexpr double kPatienceWithTick = 2;   ///< s of wall time, lockstep
+  static constexpr double kPatienceWithTick = 2;   ///< s of wall time, for simulated drives in lockstep
 
  private:
   void await_boot();
@@ -68,6 +69,8 @@ class CanHardware : public Hardware {
   std::vector<Drive> drives_;
   can::BusError bus_error_ = can::BusError::none;
   Tick tick_ = 0;
+  std::optional<std::int64_t> origin_;  ///< ns of the wall: tick 0, as the first SYNC shows it
+  double late_ = 0;                     ///< of this cycle's SYNC, servo periods; the drives measure when it comes
   Tick heartbeat_ticks_ = 0;
   Tick last_heartbeat_ = 0;
   int homing_ = -1;  ///< axis

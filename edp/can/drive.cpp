@@ -131,6 +131,11 @@ AxisSwitches Drive::switches() const noexcept {
 }
 
 Drive::Finding Drive::finding(Tick tick) const noexcept {
+  if (setup_.status() == DriveSetup::Status::refused) {
+    const Object object = setup_.setting().object;
+    return {ErrorCode::drive_restarted, static_cast<double>(object.index << 8 | object.sub),
+            static_cast<double>(setup_.abort())};
+  }
   if (restarted_) return {ErrorCode::drive_restarted};
   if (missed_ > missed_max_) return {ErrorCode::hardware_silent, static_cast<double>(missed_), 1.0 * missed_max_};
   if (!running_) return {ErrorCode::hardware_silent};

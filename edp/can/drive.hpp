@@ -13,7 +13,8 @@ namespace mrroc::edp {
 /// thread; never throws.
 class Drive {
  public:
-  /// What is wrong with it; code none: nothing.
+  /// What is wrong with it; code none: nothing. Of a drive that refuses to be set up anew (drive_restarted) the value
+  /// is the object, index and sub-index in 24 bits, and the limit its SDO abort code.
   struct Finding {
     ErrorCode code = ErrorCode::none;
     double value = 0;

@@ -12,6 +12,7 @@ using namespace canopen;
 namespace {
 
 constexpr std::int64_t kGlance = 2'000'000;      // ns: between two looks at the time and at `stop`
+constexpr double kOldest = 2;                    // periods that a shaft goes on as it was
 constexpr std::int64_t kPatience = 100'000'000;  // ns: lockstep, for set-points that belong to a cycle
 
 }  // namespace
@@ -71,14 +72,7 @@ void DriveRack::take(const can::Frame& frame) {
 
 void DriveRack::begin_cycle(bool on_bus) {
   synced_ = clock::monotonic_ns();
-  tick_ = plant_tick_(tick_, any_powered());
-  input_.tick = tick_;
-  plant_.read(tick_, input_);
-  tick_ = input_.tick;
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    nodes_[i].measure(input_.motors[k], input_.current[k], input_.switches[i]);
-  }
+  measure();
   open_ = true;
   if (!on_bus) return drive();
   cycles_.fetch_add(1);
@@ -87,6 +81,22 @@ void DriveRack::begin_cycle(bool on_bus) {
   for (DriveNode& node : nodes_) node.send_status();
   for (DriveNode& node : nodes_) node.send_feedback();
   if (all_commanded()) drive();
+}
+
+void DriveRack::measure() {
+  const Newest newest = plant_tick_(tick_, any_powered(), synced_);
+  const JointVector last = input_.motors;
+  input_.tick = newest.tick;
+  plant_.read(newest.tick, input_);
+  if (last.size() == 0) per_period_.setZero(input_.motors.size());
+  if (input_.tick > tick_ && last.size() != 0)
+    per_period_ = (input_.motors - last) / static_cast<double>(input_.tick - tick_);
+  tick_ = input_.tick;
+  const double age = std::clamp(newest.age, -kOldest, kOldest);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    nodes_[i].measure(input_.motors[k] + age * per_period_[k], input_.current[k], input_.switches[i]);
+  }
 }
 
 void DriveRack::drive() {

@@ -14,14 +14,21 @@ namespace mrroc::sim {
 
 /// The simulated drives of one robot on a bus, and the motors that they drive: those of the simulated world or of a
 /// plant model. In each cycle, that is at each SYNC, it reads the plant, lets every node answer, takes the nodes'
-/// set-points and writes the plant's currents. The brakes of all axes hang on one relay: they let go while every drive
-/// has power. A SYNC that does not come while a motor has power is made up for after two periods: drives go on.
+/// set-points and writes the plant's currents. Real drives measure when the SYNC comes, the plant has ticks of its own:
+/// what a shaft has turned since is added, as fast as it was. The brakes of all axes hang on one relay: they let go
+/// while every drive has power. A SYNC that does not come while a motor has power is made up for after two periods:
+/// drives go on.
 ///
 /// One thread serves it; `stop` and the nodes' faults may come from any other, under `with`.
 class DriveRack {
  public:
-  /// The plant's newest tick; with `wait` it waits for one later than `last`, where that is worth it.
-  using PlantTick = std::function<Tick(Tick last, bool wait)>;
+  struct Newest {
+    Tick tick = 0;
+    double age = 0;  ///< periods that have gone by since `tick`
+  };
+  /// The plant's newest tick; with `wait` it waits for one later than `last`, where that is worth it. `now`: when the
+  /// SYNC came, ns of the wall; the age is that of then.
+  using PlantTick = std::function<Newest(Tick last, bool wait, std::int64_t now)>;
   /// Of the drives' own time: by the wall, or by the plant's ticks where that is simulated.
   enum class Time { wall, plant };
 
@@ -44,6 +51,7 @@ class DriveRack {
   std::int64_t now() const noexcept;
   void take(const can::Frame& frame);
   void begin_cycle(bool on_bus);
+  void measure();
   void drive();
   bool all_commanded() const noexcept;
   bool any_powered() const noexcept;
@@ -55,6 +63,7 @@ class DriveRack {
   std::int64_t period_;  ///< ns
   std::vector<DriveNode> nodes_;
   edp::HardwareInput input_;
+  JointVector per_period_;   ///< that the shafts have turned, rad
   Tick tick_ = 0;            ///< of the plant, in this cycle
   bool let_go_ = false;      ///< the brakes
   bool open_ = false;        ///< the cycle's currents are still to be written

@@ -8,8 +8,8 @@ namespace mrroc::sim {
 namespace {
 
 // homing is slow: what the shaft of any of our motors can follow
-constexpr double kHomingAcceleration = 300;  // rad/s^2
-constexpr double kHomingJerk = 15000;        // rad/s^3
+constexpr double kHomingAcceleration = 100;  // rad/s^2
+constexpr double kHomingJerk = 2500;         // rad/s^3
 
 edp::Synchroniser one_axis_synchroniser(AxisParameters axis, double period) {
   axis.motor_synchro = 0;

@@ -49,7 +49,7 @@ class Drives {
         rack_(
             config::read_drive_table(place_.entry.can->drives, models_.front()->parameters()),
             models_.front()->parameters(), process.clock().period(), *bus_, plant_,
-            [this](Tick last, bool wait) { return newest(last, wait); },
+            [this](Tick last, bool wait, std::int64_t now) { return newest(last, wait, now); },
             process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall) {}
 
   /// The bus is served by a thread of its own; this one waits for the end, which comes when no robot is driven any
@@ -98,12 +98,16 @@ class Drives {
     while (!there() && !process_.clock().stopping()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
 
-  Tick newest(Tick last, bool wait) {
+  sim::DriveRack::Newest newest(Tick last, bool wait, std::int64_t now) {
     sim::JointMeasurement measurement;
     const auto later = [&] { return world_->measurements[place_.index].load(measurement) && measurement.tick > last; };
-    const bool real = !process_.clock().simulated();
-    if (!later() && wait && real) world_->measured.wait(later, std::llround(process_.clock().period() * 1e9));
-    return measurement.tick;
+    const bool there = later();
+    if (process_.clock().simulated()) return {measurement.tick};
+    const double period = process_.clock().period() * 1e9;
+    if (!there && wait) world_->measured.wait(later, std::llround(period));
+    const auto begin =
+        static_cast<double>(process_.clock().epoch_ns()) + static_cast<double>(measurement.tick) * period;
+    return {measurement.tick, (static_cast<double>(now) - begin) / period};
   }
 
   process::Process& process_;

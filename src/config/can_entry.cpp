@@ -72,17 +72,19 @@ void check_process_name(const Table& table, const RobotEntry& robot) {
 
 /// A robot whose encoders count from where the power came on must be synchronised first; a simulated one may be born
 /// synchronised.
-void settle_synchronised(const Table& robot_table, const DriveTable& drives, const RobotParameters& parameters,
-                         RobotEntry& robot) {
-  if (robot.can->simulated || drives.absolute_encoders) return;
+void settle_synchronised(const Table& robot_table, const DriveTable& drives, RobotEntry& robot) {
+  const bool counting = !robot.can->simulated && !drives.absolute_encoders;
   const std::string why = "the drives have no absolute encoders (" + drives.file.string() + ")";
-  for (const AxisParameters& axis : parameters.axes)
-    if (axis.synchro_coarse == 0)
-      robot_table.fail("can", why + ", and axis " + in_quotes(axis.name) + " has no switch to find its position by",
-                       "absolute_encoders = true in the table of drives");
-  if (robot_table.has("synchronised") && robot.synchronised)
+  if (counting && robot_table.has("synchronised") && robot.synchronised)
     robot_table.fail("synchronised", "true, but " + why, "false (leave the key out)");
+  if (robot.synchronised && !counting) return;
   robot.synchronised = false;
+  for (const DriveEntry& drive : drives.drives)
+    if (drive.homing.method == 0)
+      robot_table.fail(counting ? "can" : "synchronised",
+                       (counting ? why : "false") + ", but axis " + in_quotes(drive.axis) +
+                           " has no switch, and its drive no homing method, to find its position by",
+                       "a homing_method, or absolute_encoders = true, in the table of drives");
 }
 
 }  // namespace
@@ -113,7 +115,7 @@ void read_can(const Table& robot_table, const Deployment& deployment, RobotEntry
   if (const std::string problem = reading_problem(can.drives); !problem.empty())
     table.fail("drives", in_quotes(can.drives.string()) + " " + problem, "a table of the robot's drives (docs/can.md)");
   const RobotParameters parameters = read_robot_parameters(Table::load(robot_file(robot.type, robot.type + ".toml")));
-  settle_synchronised(robot_table, read_drive_table(can.drives, parameters), parameters, robot);
+  settle_synchronised(robot_table, read_drive_table(can.drives, parameters), robot);
   if (can.simulated) can.program = require_program(table, "simulated", can.program);
 }
 

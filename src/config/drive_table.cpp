@@ -8,6 +8,7 @@
 #include "config/drive_objects.hpp"
 #include "config/message_text.hpp"
 #include "config/table.hpp"
+#include "mrroc/search_speed.hpp"
 
 namespace mrroc::config {
 
@@ -36,18 +37,19 @@ double read_heartbeat(const Table& table, double usual) {
 }
 
 /// Onto the switch and off it as the robot's own synchronisation would: methods 3 and 5 take the first zero pulse off a
-/// switch that is closed up to the positive, or the negative, end.
+/// switch that is closed up to the positive, or the negative, end. An axis without one has no usual method: "here" must
+/// be said by somebody who has looked.
 DriveHoming read_homing(const Table& table, const AxisParameters& axis) {
   DriveHoming homing;
-  const int usual = axis.synchro_coarse > 0 ? 3 : axis.synchro_coarse < 0 ? 5 : 37;
-  const auto method = table.integer_or("homing_method", usual, -128, 127);
+  if (axis.synchro_coarse == 0 && !table.has("homing_method")) return homing;
+  const auto method = table.integer_or("homing_method", axis.synchro_coarse > 0 ? 3 : 5, -128, 127);
   // CiA 402-2: the others are reserved
   if (method == 0 || method == 15 || method == 16 || method == 31 || method == 32 || method == 36 || method > 37)
     table.fail("homing_method", std::to_string(method) + " is none of CiA 402",
                "1 to 14, 17 to 30, 33 to 35, 37, or one of the maker's own below 0");
   homing.method = static_cast<std::int8_t>(method);
-  homing.speed_switch = table.number_or("homing_speed_switch", std::abs(axis.synchro_coarse), {0, 1e4});
-  homing.speed_zero = table.number_or("homing_speed_zero", std::abs(axis.synchro_fine), {0, 1e4});
+  homing.speed_switch = table.number_or("homing_speed_switch", std::abs(axis.synchro_coarse), {0, search_speed(axis)});
+  homing.speed_zero = table.number_or("homing_speed_zero", std::abs(axis.synchro_fine), {0, search_speed(axis)});
   const bool to_a_switch = method > 0 && method <= 30;
   for (const auto& [key, speed, needed] : {std::tuple{"homing_speed_switch", homing.speed_switch, to_a_switch},
                                            {"homing_speed_zero", homing.speed_zero, method > 0 && method <= 34}})

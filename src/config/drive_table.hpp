@@ -23,7 +23,7 @@ struct DriveSetting {
 
 /// How a drive finds its position (CiA 402-2, homing mode).
 struct DriveHoming {
-  std::int8_t method = 0;
+  std::int8_t method = 0;   ///< 0: it does not
   double speed_switch = 0;  ///< rad/s of the shaft
   double speed_zero = 0;    ///< rad/s of the shaft
 };

@@ -19,9 +19,11 @@ std::string read_hardware(const Table& table, const Deployment& deployment) {
   return hardware;
 }
 
-/// Whether the drives know their positions from the start. If not, every axis must have a switch to find them by.
-bool read_synchronised(const Table& table, const std::string& type) {
+/// Whether the drives know their positions from the start. If not, every axis must have a switch to find them by, or a
+/// drive that has its own means.
+bool read_synchronised(const Table& table, const std::string& type, const std::string& hardware) {
   if (table.boolean_or("synchronised", true)) return true;
+  if (hardware == "socketcan") return false;
   const RobotParameters parameters = read_robot_parameters(Table::load(robot_file(type, type + ".toml")));
   for (const AxisParameters& axis : parameters.axes) {
     if (axis.synchro_coarse != 0) continue;
@@ -61,7 +63,7 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   robot.host = read_host(table, deployment);
   robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
-  robot.synchronised = read_synchronised(table, robot.type);
+  robot.synchronised = read_synchronised(table, robot.type, robot.hardware);
   read_can(table, deployment, robot);
   if (table.has("emergency_stop"))
     robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, Signals::kDigital - 1));

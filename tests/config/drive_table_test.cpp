@@ -128,7 +128,7 @@ TEST_F(DriveTableTest, HomingIsThatOfTheAxisUnlessTold) {
   EXPECT_EQ(drives.drives[1].homing.method, 3);
   EXPECT_EQ(drives.drives[1].homing.speed_switch, 20);
   EXPECT_EQ(drives.drives[1].homing.speed_zero, 2);
-  EXPECT_EQ(drives.drives[2].homing.method, 37);  // without a switch: where it stands
+  EXPECT_EQ(drives.drives[2].homing.method, 0) << "without a switch it has none";
   EXPECT_EQ(read(table("", "homing_method = -3\n")).drives[0].homing.method, -3);
 }
 
@@ -242,6 +242,8 @@ TEST_F(DriveTableTest, RefusesNumbersThatMakeNoSense) {
             "35, 37, or one of the maker's own below 0");
   EXPECT_EQ(message(table("", "homing_method = 300\n")),
             "crane_drives.toml:7: drives[0].homing_method: 300 is out of range, expected an integer from -128 to 127");
+  EXPECT_EQ(message(table("", "homing_speed_switch = 16\n")),
+            "crane_drives.toml:7: drives[0].homing_speed_switch: 16 is out of range, expected a number from 0 to 15");
   EXPECT_EQ(message(table("", "homing_speed_switch = 0\n")),
             "crane_drives.toml:7: drives[0].homing_speed_switch: 0, but homing method 5 moves the axis, expected a "
             "speed, rad/s");

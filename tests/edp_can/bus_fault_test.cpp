@@ -59,8 +59,7 @@ class Rig {
         rack(table, model, bus, true) {
     auto weak = std::make_unique<WeakBus>(bus.open());
     weak_bus = weak.get();
-    hardware = std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, std::move(weak),
-                                             CanHardware::Timing::real, true);
+    hardware = std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, std::move(weak), kTestTiming, true);
     hardware->open();
     servo = std::make_unique<Servo>(models, *hardware, kCanPeriod, hand_over);
     effector.enable(true);

@@ -75,7 +75,7 @@ TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
   const TestBus bus;
   Rack rack(table, model, bus, true);
   {
-    CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), CanHardware::Timing::real, true);
+    CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
     hardware.open();
     hardware.enable(true);
     HardwareInput input;
@@ -88,7 +88,7 @@ TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
     EXPECT_FALSE(hardware.busy()) << "they are on";
   }
   // a second master finds them, whatever the first has left
-  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), CanHardware::Timing::real, true);
+  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
   hardware.open();
   rack.with([](auto& nodes) {
     for (const sim::DriveNode& node : nodes) EXPECT_FALSE(node.powered());
@@ -100,7 +100,7 @@ std::string refusal(const config::DriveTable& wanted, const config::DriveTable& 
   const Gantry model;
   const TestBus bus;
   Rack rack(there, model, bus, true);
-  CanHardware hardware(wanted, model.parameters(), kCanPeriod, bus.open(), CanHardware::Timing::real, true);
+  CanHardware hardware(wanted, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
   try {
     hardware.open();
   } catch (const HardwareError& error) {

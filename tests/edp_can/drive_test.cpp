@@ -4,6 +4,7 @@
 
 #include "can_rig.hpp"
 #include "canopen/emergency.hpp"
+#include "edp/error_report.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -167,6 +168,25 @@ TEST_F(DriveTest, ABootUpInServiceIsARestart) {
   EXPECT_FALSE(drive.knows_position());
   drive.reset(tick, next);
   EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
+}
+
+TEST_F(DriveTest, ADriveThatRefusesToBeSetUpAnewSaysWhatAndWhy) {
+  switch_on();
+  can::Frame next;
+  drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+  drive.reset(tick, next);
+  const auto low = next.data[1], high = next.data[2], sub = next.data[3];
+  drive.take({0x581, {0x80, low, high, sub, 0x22, 0x00, 0x00, 0x08}}, tick, next);
+  Drive::Finding finding = drive.finding(tick);
+  const Fault fault{finding.code, 0, finding.value, finding.limit, 7};
+  const std::string text{make_report(fault, Slide{}.parameters()).detail.view()};
+  char object[16];
+  std::snprintf(object, sizeof object, "%02X%02Xh:%u", high, low, sub);
+  std::string expected = "axis 1 (x), tick 7: it refuses to be set up: object ";
+  expected.append(object).append(", ").append(describe(SdoAbort{0x08000022}));
+  EXPECT_EQ(text, expected);
+  drive.reset(tick, next);
+  EXPECT_EQ(drive.finding(tick).value, 0) << "it is tried again";
 }
 
 }  // namespace

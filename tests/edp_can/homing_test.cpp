@@ -42,6 +42,27 @@ TEST(DriveHoming, EveryAxisFindsItsZeroPulseByItself) {
   EXPECT_LT((rig.seen().joints - begin - JointVector::Constant(4, 0.1)).cwiseAbs().maxCoeff(), 1e-3);
 }
 
+/// It has no switches at all.
+class Unswitched : public Beside {
+ public:
+  Unswitched() {
+    for (AxisParameters& axis : parameters_.axes) axis.synchro_coarse = axis.synchro_fine = 0;
+  }
+};
+
+TEST(DriveHoming, AnAxisWithoutASwitchIsWhereItsDriveSays) {
+  config::DriveTable table = table_for(Unswitched{}.parameters(), DriveMode::cyclic_position);
+  for (config::DriveEntry& drive : table.drives) drive.homing.method = 37;
+  CanRig<Unswitched> rig(table, false);
+  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  ASSERT_FALSE(rig.send(synchronise())) << rig.answer.state.error.detail.view();
+  while (rig.replies.empty() && rig.now < 60'000) rig.tick();
+  ASSERT_EQ(rig.replies.size(), 1u);
+  EXPECT_EQ(rig.replies[0].state.error.error_class, ErrorClass::none) << rig.replies[0].state.error.detail.view();
+  EXPECT_TRUE(rig.seen().synchronised);
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(rig.seen().motors[i], -15.9, 0.01) << i;
+}
+
 TEST(DriveHoming, AMethodThatTheDriveDoesNotHaveEndsTheSynchronisation) {
   config::DriveTable table = table_for(Beside{}.parameters(), DriveMode::cyclic_position);
   table.drives[2].homing.method = 14;

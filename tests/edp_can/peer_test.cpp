@@ -15,6 +15,7 @@ namespace {
 using canopen::DriveMode;
 
 constexpr double kPeerPeriod = 0.01;  // what Python keeps up with
+constexpr CanHardware::Timing kPeerTiming{0.9 * kPeerPeriod};
 
 /// Two slides that synchronise to the positive side.
 class TwoSlides : public Gantry {
@@ -65,10 +66,8 @@ class PeerTest : public testing::TestWithParam<DriveMode> {
     table = table_for(model.parameters(), GetParam());
     table.heartbeat = 0.2;
     table.missed_max = 40;  // Python pauses
-    table.answer_time = 0.9;
     table.absolute_encoders = true;
-    hardware = std::make_unique<CanHardware>(table, model.parameters(), kPeerPeriod, bus.open(),
-                                             CanHardware::Timing::real, true);
+    hardware = std::make_unique<CanHardware>(table, model.parameters(), kPeerPeriod, bus.open(), kPeerTiming, true);
     hardware->open();
     servo = std::make_unique<Servo>(models, *hardware, kPeerPeriod, hand_over);
     next = clock::monotonic_ns();
@@ -160,11 +159,10 @@ TEST(Peer, HomesByItself) {
   config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
   table.heartbeat = 0.2;
   table.missed_max = 40;  // Python pauses
-  table.answer_time = 0.9;
   for (config::DriveEntry& drive : table.drives) drive.homing.method = 37;
   const TestBus bus;
   const Peer peer(bus.name());
-  CanHardware hardware(table, model.parameters(), kPeerPeriod, bus.open(), CanHardware::Timing::real, false);
+  CanHardware hardware(table, model.parameters(), kPeerPeriod, bus.open(), kPeerTiming, false);
   hardware.open();
   const auto hand_over = std::make_unique<HandOver>();
   const ModelSet models{model};

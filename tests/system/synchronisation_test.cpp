@@ -57,9 +57,9 @@ std::vector<double> joints_in_the_world(const std::filesystem::path& deployment,
 
 class Synchronisation : public testing::TestWithParam<std::string> {};
 
-TEST_P(Synchronisation, FromHomeInTheSimulatedWorldItFindsItsPositionsAndGoesWhereItIsSent) {
-  const ScratchFolder folder;
-  const auto deployment = folder.write("unsynchronised.toml", unsynchronised(GetParam()));
+/// Runs `text` in the simulated world: the robot finds its positions and goes where it is sent.
+void expect_synchronisation(const ScratchFolder& folder, const std::string& text) {
+  const auto deployment = folder.write("unsynchronised.toml", text);
   const auto states = folder.path() / "states";
   const std::string output =
       run_mrroc({"run", deployment.string(), "--quiet", "--snapshots", states.string()}, 0, kPatience);
@@ -77,10 +77,22 @@ TEST_P(Synchronisation, FromHomeInTheSimulatedWorldItFindsItsPositionsAndGoesWhe
   for (std::size_t i = 0; i < joints.size(); ++i) EXPECT_NEAR(joints[i], target[i], 5e-4) << "axis " << i;
 }
 
+TEST_P(Synchronisation, FromHomeInTheSimulatedWorldItFindsItsPositionsAndGoesWhereItIsSent) {
+  const ScratchFolder folder;
+  expect_synchronisation(folder, unsynchronised(GetParam()));
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, Synchronisation,
                          testing::Values("irb6", "irb6_track", "irb6_five_axis", "irb60", "serial_parallel",
                                          "two_finger_gripper"),
                          [](const auto& test) { return test.param; });
+
+TEST(SynchronisationOnABus, TheDrivesFindThePositionsAndTheRobotGoesWhereItIsSent) {
+  const ScratchFolder folder;
+  const std::string text = replaced(unsynchronised("irb6"), "\"mujoco\"", "\"socketcan\"");
+  expect_synchronisation(folder, text + "\n[robots.arm.can]\nsimulated = true\ninterface = \"unix:" +
+                                     (folder.path() / "bus").string() + "\"\n");
+}
 
 class WithoutSwitches : public testing::TestWithParam<std::string> {};
 
