@@ -5,18 +5,16 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
+#include <random>
 #include <stdexcept>
 
 #include "cli/clock_options.hpp"
+#include "cli/launch.hpp"
 #include "cli/orderly_end.hpp"
 #include "clock/realtime.hpp"
-#include "config/network_entry.hpp"
 #include "config/resources.hpp"
-#include "links/security.hpp"
 #include "mrroc/errors.hpp"
-#include "process/arguments.hpp"
 #include "process/process.hpp"
 
 namespace mrroc::cli {
@@ -32,23 +30,6 @@ std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
-}
-
-/// Keys that are none are told before anything is started; that nobody keeps strangers out, too. Throws
-/// std::runtime_error: the mistake is the user's, nothing has moved.
-void check_network(const config::NetworkEntry& network) {
-  if (network.security) {
-    try {
-      links::check_keys(network.keys);
-    } catch (const SystemError& error) {
-      throw std::runtime_error(error.detail());
-    }
-  } else if (config::beyond_loopback(network.interface)) {
-    std::fprintf(stderr,
-                 "warning: without security whoever reaches the interface %s can command the robots; make keys with "
-                 "`mrroc keys` (docs/security.md)\n",
-                 network.interface.c_str());
-  }
 }
 
 /// Those of one host; "": of this machine.
@@ -127,38 +108,27 @@ void Runner::start_processes(const TraceParts& trace) {
   if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);
   hosts_ = std::make_unique<RemoteHosts>(deployment_, host_listener(trace));
   hosts_->start_agents(domain_lock_.domain(), !options_.trace.empty());
+  const Surroundings surroundings{.deployment = deployment_,
+                                  .options = options_,
+                                  .trace = trace,
+                                  .domain = domain_lock_.domain(),
+                                  .own_address = hosts_->own_address(),
+                                  .peers = hosts_->machines(),
+                                  .clock_fd = clock_.fd(),
+                                  .world_fd = world_ ? world_->fd() : -1};
   for (const PlannedProcess& process : order) {
     if (!process.host.empty()) continue;
     if (options_.shuffle_seed && !turn(static_cast<int>(random() % 300))) return;
-    process::Arguments arguments;
-    arguments.deployment = deployment_.file;
-    arguments.name = process.name;
-    arguments.clock_fd = clock_.fd();
-    arguments.world_fd = world_ ? world_->fd() : -1;
-    arguments.domain = domain_lock_.domain();
-    arguments.interface = deployment_.network.interface;
-    if (deployment_.network.security) arguments.keys = deployment_.network.keys;
-    if (arguments.interface.empty()) arguments.interface = hosts_->own_address();
-    arguments.peers = hosts_->machines();
-    arguments.trace = trace.of(process);
-    if (process.has_task) arguments.black_box = options_.black_box;
-    if (process.name == "mp") arguments.behaviours = options_.behaviours;
-    if (process.name == "sim") arguments.snapshots = options_.snapshots;
-    if (process.name == "sim") arguments.motion = options_.motion;
-    arguments.faults = options_.faults;
-    crew_.start(process, process::to_command_line(arguments));
+    crew_.start(process, process::to_command_line(arguments_for(process, surroundings)));
   }
-  // after the children: they would inherit the domain's sockets
-  links::DomainOptions options;
-  options.id = domain_lock_.domain();
-  options.interface = deployment_.network.interface;
-  if (deployment_.network.security) options.keys = deployment_.network.keys;
-  options.lease = deployment_.clock == config::ClockMode::real ? deployment_.heartbeat_timeout : 0;
-  if (options.interface.empty()) options.interface = hosts_->own_address();
-  options.hosts = hosts_->machines();
+  open_links(domain_options(surroundings));  // after the children: they would inherit the domain's sockets
+}
+
+void Runner::open_links(const links::DomainOptions& options) {
   domain_ = std::make_unique<links::Domain>(options);
   collector_ = std::make_unique<links::StatusCollector>(*domain_, deployment_.name);
   mp_ = std::make_unique<links::TaskSuperior>(*domain_, *operator_clock_, deployment_.name + "/mp", "mp");
+  commands_ = std::make_unique<TaskCommands>(*mp_);
   desk_ = std::make_unique<OperatorDesk>(deployment_, *domain_, *operator_clock_, input_,
                                          [this](const std::string& line) { progress_.message(line); });
 }
@@ -175,7 +145,7 @@ void Runner::pass_barrier() {
     }
   }
   if (!connect_to_mp(deadline)) return;
-  schedule_commands();
+  commands_->schedule(clock_, deployment_, *desk_);
   faults_.schedule();
   const double now = operator_clock_->wall_seconds();
   heartbeats_.expect(names_of(plan_), now);
@@ -215,25 +185,6 @@ bool Runner::connect_to_mp(double deadline) {
       if (error.code() != ErrorCode::link_lost || operator_clock_->wall_seconds() > deadline) throw;
     }
     if (!turn(0)) return false;
-  }
-}
-
-void Runner::schedule_commands() {
-  clock_.at_tick(0, [this] { command(links::TaskCommandKind::start); });
-  for (const config::Event& event : deployment_.events) {
-    if (event.command == "answer") {
-      clock_.at_tick(event.tick, [this, &event] { desk_->answer(event); });
-      continue;
-    }
-    if (event.command == "estop" || event.command == "reset") {
-      clock_.at_tick(event.tick, [this, &event] { desk_->emergency(event.command); });
-      continue;
-    }
-    links::TaskCommandKind kind = links::TaskCommandKind::trigger;
-    if (event.command == "pause") kind = links::TaskCommandKind::pause;
-    if (event.command == "resume") kind = links::TaskCommandKind::resume;
-    if (event.command == "stop") kind = links::TaskCommandKind::stop;
-    clock_.at_tick(event.tick, [this, kind] { command(kind); });
   }
 }
 
@@ -277,12 +228,7 @@ void Runner::interrupt_by_operator() {
     return;
   }
   progress_.message("stopping (once more to end at once)");
-  command(links::TaskCommandKind::stop);
-}
-
-void Runner::command(links::TaskCommandKind kind) {
-  const std::lock_guard lock(command_mutex_);
-  mp_->send(kind);
+  commands_->send(links::TaskCommandKind::stop);
 }
 
 void Runner::read_statuses() {

@@ -4,9 +4,6 @@
 #include <fstream>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -19,6 +16,8 @@
 #include "cli/process_plan.hpp"
 #include "cli/progress.hpp"
 #include "cli/remote_hosts.hpp"
+#include "cli/run_options.hpp"
+#include "cli/task_commands.hpp"
 #include "cli/trace_parts.hpp"
 #include "cli/typed_lines.hpp"
 #include "clock/host.hpp"
@@ -30,19 +29,6 @@
 #include "sim/mapped_world.hpp"
 
 namespace mrroc::cli {
-
-struct RunOptions {
-  std::filesystem::path trace;      ///< empty: none
-  std::filesystem::path black_box;  ///< folder for the black boxes of tasks that fail; empty: none
-  std::filesystem::path snapshots;  ///< folder for world snapshots; empty: none
-  std::filesystem::path motion;     ///< file for the motion of the simulated world's robots; empty: none
-  std::vector<std::string> faults;  ///< to be injected: faults::parse_fault
-  std::string behaviours;           ///< what the ECP programs have, for a state machine (config::ProgramsByRobot)
-  bool quiet = false;
-  /// Starts the processes in a random order with random delays (0 to 0.3 s) drawn from this seed: a test of the
-  /// barrier.
-  std::optional<std::uint64_t> shuffle_seed;
-};
 
 /// How a run ended.
 struct RunResult {
@@ -68,10 +54,8 @@ class Runner {
   void pass_barrier();
   /// Shakes hands with the MP, and sees meanwhile who dies and what the operator wants; false when all is to end.
   bool connect_to_mp(double deadline);
-  /// The start at tick 0, and the deployment's events, at their ticks.
-  void schedule_commands();
-  /// To the MP. Main thread, or the clock's when a command has its tick.
-  void command(links::TaskCommandKind kind);
+  /// This process's own part in the deployment's communication.
+  void open_links(const links::DomainOptions& options);
   void supervise();
   void end_processes();
 
@@ -116,7 +100,7 @@ class Runner {
   std::unique_ptr<links::TaskSuperior> mp_;
   TypedLines input_;
   std::unique_ptr<OperatorDesk> desk_;
-  std::mutex command_mutex_;
+  std::unique_ptr<TaskCommands> commands_;
 
   Heartbeats heartbeats_;
   int interrupts_ = 0;

@@ -1,0 +1,68 @@
+#include "cli/launch.hpp"
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "config/network_entry.hpp"
+#include "links/security.hpp"
+#include "mrroc/errors.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+std::string interface_of(const Surroundings& surroundings) {
+  const std::string& named = surroundings.deployment.network.interface;
+  return named.empty() ? surroundings.own_address : named;
+}
+
+}  // namespace
+
+process::Arguments arguments_for(const PlannedProcess& process, const Surroundings& surroundings) {
+  const RunOptions& options = surroundings.options;
+  const config::NetworkEntry& network = surroundings.deployment.network;
+  process::Arguments arguments;
+  arguments.deployment = surroundings.deployment.file;
+  arguments.name = process.name;
+  arguments.clock_fd = surroundings.clock_fd;
+  arguments.world_fd = surroundings.world_fd;
+  arguments.domain = surroundings.domain;
+  arguments.interface = interface_of(surroundings);
+  if (network.security) arguments.keys = network.keys;
+  arguments.peers = surroundings.peers;
+  arguments.trace = surroundings.trace.of(process);
+  if (process.has_task) arguments.black_box = options.black_box;
+  if (process.name == "mp") arguments.behaviours = options.behaviours;
+  if (process.name == "sim") arguments.snapshots = options.snapshots;
+  if (process.name == "sim") arguments.motion = options.motion;
+  arguments.faults = options.faults;
+  return arguments;
+}
+
+links::DomainOptions domain_options(const Surroundings& surroundings) {
+  const config::Deployment& deployment = surroundings.deployment;
+  links::DomainOptions options;
+  options.id = surroundings.domain;
+  options.interface = interface_of(surroundings);
+  if (deployment.network.security) options.keys = deployment.network.keys;
+  options.lease = deployment.clock == config::ClockMode::real ? deployment.heartbeat_timeout : 0;
+  options.hosts = surroundings.peers;
+  return options;
+}
+
+void check_network(const config::NetworkEntry& network) {
+  if (network.security) {
+    try {
+      links::check_keys(network.keys);
+    } catch (const SystemError& error) {
+      throw std::runtime_error(error.detail());
+    }
+  } else if (config::beyond_loopback(network.interface)) {
+    std::fprintf(stderr,
+                 "warning: without security whoever reaches the interface %s can command the robots; make keys with "
+                 "`mrroc keys` (docs/security.md)\n",
+                 network.interface.c_str());
+  }
+}
+
+}  // namespace mrroc::cli
