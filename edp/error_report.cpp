@@ -59,6 +59,9 @@ ErrorReport make_report(const Fault& fault, const RobotParameters& parameters) n
   if (fault.code == ErrorCode::drive_fault || fault.code == ErrorCode::drive_not_ready)
     return make_drive_report(fault, name);
   if (fault.code == ErrorCode::drive_restarted) return make_restart_report(fault, name);
+  if (fault.code == ErrorCode::following_error && fault.limit == 0)
+    return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: told by its drive", fault.axis + 1,
+                       name, tick);
   return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: %.6g, limit %.6g", fault.axis + 1,
                      name, tick, fault.value, fault.limit);
 }

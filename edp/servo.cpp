@@ -68,20 +68,22 @@ bool Servo::tick(Tick tick) noexcept {
       advance(tick);
       model_->joints_to_motors(desired_.position, desired_motors_);
     }
-    regulate();
+    if (enabled_) regulate();
     if (stopping_ && !running_) drives_off();
   } else {
     refuse_foreign();
     desired_ = DesiredState::resting_at(joints_);
     desired_motors_ = previous_motors_ = measured_motors_;
   }
-  hardware_.set_points(desired_motors_, (desired_motors_ - previous_motors_) / period_);
+  hardware_.set_points(desired_motors_,
+                       (desired_motors_ - previous_motors_) / (period_ * static_cast<double>(elapsed_)));
   hardware_.write(tick, current_);
   return publish(tick);
 }
 
 void Servo::leave() noexcept {
   leaving_ = true;
+  give_up_power();
   if (enabled_ && !stopping_) stop_and_switch_off();
 }
 
@@ -93,10 +95,13 @@ void Servo::obey_order() noexcept {
   DriveOrder order = hand_over_.order.load(std::memory_order_acquire);
   if (order == DriveOrder::none) return;
   if (order == DriveOrder::disable) {
+    give_up_power();
+    reset_ = false;
     if (enabled_ && !stopping_) stop_and_switch_off();
   } else {
     if (stopping_ || leaving_) return;  // first comes the end of the stop; the order waits
     if (order == DriveOrder::recover && !enabled_ && !reset_) {
+      give_up_power();
       hardware_.reset_fault();
       reset_ = true;
       return;  // the next reading tells whether the fault has gone
@@ -109,17 +114,22 @@ void Servo::obey_order() noexcept {
   hand_over_.order.compare_exchange_strong(order, DriveOrder::none, std::memory_order_acq_rel);
 }
 
+/// Drives that are on their way to being on go off again.
+void Servo::give_up_power() noexcept {
+  if (powering_) hardware_.enable(false);
+  powering_ = false;
+}
+
 /// False: not yet, the order waits.
 bool Servo::switch_on() noexcept {
-  if (hardware_.busy()) return false;
-  if (hardware_.homes() && input_.synchronised != (model_index_ != ModelSet::kShafts)) {
-    use(input_.synchronised ? 0 : ModelSet::kShafts);
-    return false;  // the next reading is seen as joints of that model
-  }
+  const bool refused = found_.code != ErrorCode::none;
+  if (hardware_.busy() && !(powering_ && refused)) return false;
+  // the next reading is seen as joints of the other model; positions that are none of it are as good as unknown
+  const bool other_model = input_.synchronised != (model_index_ != ModelSet::kShafts);
+  if (hardware_.homes() && other_model && use(input_.synchronised ? 0 : ModelSet::kShafts)) return false;
   fault_ = {};
-  if (found_.code != ErrorCode::none) {  // `watch` latches it
-    if (powering_) hardware_.enable(false);
-    powering_ = false;
+  if (refused) {  // `watch` latches it
+    give_up_power();
     return true;
   }
   if (!powering_) hardware_.enable(true);
@@ -161,7 +171,7 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.velocity = velocity_;
   snapshot_.motors = measured_motors_;
   snapshot_.current = input_.current;
-  snapshot_.synchronised = input_.synchronised;
+  snapshot_.synchronised = input_.synchronised && model_index_ != ModelSet::kShafts;
   snapshot_.drives_home = hardware_.homes();
   snapshot_.enabled = enabled_ && !stopping_;
   snapshot_.fault = fault_;

@@ -95,6 +95,7 @@ class Servo {
   void look_at_encoders() noexcept;
   void find_fault(const Fault& fault) noexcept;
   bool switch_on() noexcept;
+  void give_up_power() noexcept;
   void obey_order() noexcept;
   void watch(Tick tick) noexcept;
   Fault find_in_motion() noexcept;

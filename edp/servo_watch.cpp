@@ -73,9 +73,9 @@ void Servo::look_at_encoders() noexcept {
   }
 }
 
-/// What the readings show stops the robot as if the drives had reported it; theirs come first.
+/// What the readings show stops the robot as if the drives had reported it; of two the graver one counts.
 void Servo::find_fault(const Fault& fault) noexcept {
-  if (found_.code == ErrorCode::none) found_ = fault;
+  if (graver(fault.code, found_.code)) found_ = fault;
 }
 
 void Servo::watch(Tick tick) noexcept {

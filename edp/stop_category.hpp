@@ -50,4 +50,10 @@ constexpr StopCategory stop_category(ErrorCode reason) noexcept {
   }
 }
 
+/// Whether a fault stops the robot more sharply than another that has been found already; `none` is no fault.
+constexpr bool graver(ErrorCode fault, ErrorCode found) noexcept {
+  if (fault == ErrorCode::none) return false;
+  return found == ErrorCode::none || stop_category(fault) < stop_category(found);
+}
+
 }  // namespace mrroc::edp

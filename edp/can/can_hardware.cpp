@@ -5,6 +5,7 @@
 
 #include "canopen/sdo_client.hpp"
 #include "clock/monotonic.hpp"
+#include "edp/stop_category.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::edp {
@@ -41,13 +42,14 @@ CanHardware::CanHardware(config::DriveTable table, const RobotParameters& robot,
   bus_->filter(filters_for(drives_));
 }
 
-/// The drives need not wait for our heartbeat to fail.
+/// The drives need not wait for our heartbeat to fail. A command that they take at the next SYNC needs one.
 CanHardware::~CanHardware() {
   for (Drive& drive : drives_) {
     drive.enable(false, tick_);
     send(drive.command({}));
-    send(nmt_frame(NmtCommand::enter_pre_operational, drive.node()));
   }
+  send(sync_frame());
+  for (Drive& drive : drives_) send(nmt_frame(NmtCommand::enter_pre_operational, drive.node()));
 }
 
 void CanHardware::fail(ErrorCode code, std::size_t axis, const std::string& what) const {
@@ -63,6 +65,7 @@ void CanHardware::open() {
     drive.begin(0);
   }
   await_answers();
+  bus_error_ = BusError::none;  // resets that nobody acknowledged, of drives without power yet
 }
 
 /// Every drive begins as if its power had just come on, whatever an earlier run has left.
@@ -109,6 +112,8 @@ void CanHardware::set_up(std::size_t axis) {
     if (!bus_->receive(frame, deadline) || clock::monotonic_ns() > deadline)
       fail(ErrorCode::hardware_silent, axis, "no answer to writing " + drive.setup().setting().name);
     drive.setup().take(frame, next);
+    const bool boots = frame.id == kHeartbeat + drive.node() && frame.size == 1 && frame.data[0] == 0;
+    if (boots) next = drive.setup().start();  // a second reset has reached it late
   }
   if (drive.setup().status() == DriveSetup::Status::refused)
     fail(ErrorCode::configuration, axis,
@@ -133,12 +138,16 @@ void CanHardware::send(const can::Frame& frame) noexcept {
     case can::Sent::yes:
       return;
     case can::Sent::full:
-      bus_error_ = BusError::queue_full;
-      return;
+      return find(BusError::queue_full);
     case can::Sent::down:
-      if (bus_error_ != BusError::bus_off) bus_error_ = BusError::down;
-      return;
+      return find(BusError::down);
   }
+}
+
+/// Until it is reset; whether the bus still carries frames matters most.
+void CanHardware::find(BusError error) noexcept {
+  const bool off = bus_error_ == BusError::bus_off || bus_error_ == BusError::down;
+  if (!off) bus_error_ = error;
 }
 
 void CanHardware::dispatch(const can::Frame& frame) noexcept {
@@ -146,7 +155,7 @@ void CanHardware::dispatch(const can::Frame& frame) noexcept {
     const BusError error = can::bus_error_of(frame);
     const bool grave = error == BusError::bus_off || error == BusError::passive || error == BusError::overflow ||
                        error == BusError::no_acknowledge || error == BusError::transceiver;
-    if (grave && bus_error_ != BusError::bus_off) bus_error_ = error;
+    if (grave) find(error);
     return;
   }
   can::Frame next;
@@ -162,7 +171,8 @@ bool CanHardware::await_all(std::int64_t deadline) noexcept {
   const auto waited_for = [](const Drive& drive) { return drive.awaited(); };
   can::Frame frame;
   while (std::any_of(drives_.begin(), drives_.end(), waited_for)) {
-    if (!bus_->receive(frame, deadline)) return false;
+    // a babbling node must not hold the tick up
+    if (!bus_->receive(frame, deadline) || clock::monotonic_ns() > deadline) return false;
     dispatch(frame);
   }
   return true;
@@ -174,7 +184,7 @@ void CanHardware::synchronise(Tick tick) noexcept {
   const std::int64_t begin = clock::monotonic_ns();
   const std::int64_t deadline = begin + ns(timing_.patience);
   can::Frame frame;
-  // what came since the last cycle; a babbling node must not hold the tick up
+  // what came since the last cycle
   while (bus_->receive(frame, 0) && clock::monotonic_ns() < deadline) dispatch(frame);
   if (heartbeat_ticks_ != 0 && (tick >= last_heartbeat_ + heartbeat_ticks_ || tick == 0)) {
     send(heartbeat_frame(table_.master, NmtState::operational));
@@ -208,7 +218,7 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
     input.switches[static_cast<std::size_t>(i)] = drive.switches();
     if (!drive.knows_position() && !table_.absolute_encoders) synchronised_ = false;
     const Drive::Finding finding = drive.finding(tick);
-    if (finding.code == ErrorCode::none || input.fault != ErrorCode::none) continue;
+    if (!graver(finding.code, input.fault)) continue;
     input.fault = finding.code;
     input.fault_axis = static_cast<int>(i);
     input.fault_value = finding.value;
@@ -224,15 +234,20 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
 
 void CanHardware::enable(bool on) noexcept {
   homing_ = -1;
+  powering_ = on;
   for (Drive& drive : drives_) drive.enable(on, tick_);
 }
 
 void CanHardware::reset_fault() noexcept {
   homing_ = -1;
+  powering_ = false;
   bus_error_ = BusError::none;
   for (Drive& drive : drives_) {
     can::Frame next;
     drive.reset(tick_, next);
+    if (next.size == 0) continue;
+    // CiA 301: PDOs are mapped in pre-operational
+    send(nmt_frame(NmtCommand::enter_pre_operational, drive.node()));
     send(next);
   }
 }
@@ -246,10 +261,18 @@ void CanHardware::set_points(const JointVector& position, const JointVector& vel
   velocity_ = velocity;
 }
 
+/// Drives take different times to be on: none lets go of its axis before all could, and those that are on first hold
+/// theirs until the servo has all of them.
 void CanHardware::write(Tick, const JointVector& current) noexcept {
+  const auto is_on = [](const Drive& drive) { return drive.state() == DriveState::operation_enabled; };
+  const bool all = std::all_of(drives_.begin(), drives_.end(), [](const Drive& drive) { return drive.may_operate(); });
+  powering_ = powering_ && !std::all_of(drives_.begin(), drives_.end(), is_on);
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    send(drives_[i].command({current[k], position_[k], velocity_[k]}));
+    if (powering_)
+      send(drives_[i].hold(all));
+    else
+      send(drives_[i].command({current[k], position_[k], velocity_[k]}));
   }
 }
 

@@ -56,6 +56,7 @@ class CanHardware : public Hardware {
   void set_up(std::size_t axis);
   void await_answers();
   void send(const can::Frame& frame) noexcept;
+  void find(can::BusError error) noexcept;
   void dispatch(const can::Frame& frame) noexcept;
   bool await_all(std::int64_t deadline) noexcept;
   void synchronise(Tick tick) noexcept;
@@ -73,7 +74,8 @@ class CanHardware : public Hardware {
   double late_ = 0;                     ///< of this cycle's SYNC, servo periods; the drives measure when it comes
   Tick heartbeat_ticks_ = 0;
   Tick last_heartbeat_ = 0;
-  int homing_ = -1;  ///< axis
+  bool powering_ = false;  ///< `enable(true)` was asked for, and not all drives are on yet
+  int homing_ = -1;        ///< axis
   JointVector position_, velocity_;
 };
 

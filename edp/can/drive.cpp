@@ -35,8 +35,13 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
       rad_per_unit_(2 * std::numbers::pi / entry.units_per_turn),
       rated_current_(entry.rated_current),
       position_gain_(entry.position_gain),
+      absolute_(table.absolute_encoders),
       heartbeat_ticks_(ticks(kMissedHeartbeats * table.heartbeat, period)),
       switch_on_ticks_(ticks(kSwitchOnTime, period)),
+      select_ticks_(ticks(kSelectTime, period)),
+      stale_ticks_(select_ticks_ + std::max<Tick>(3, ticks(kStaleTime, period))),
+      instant_ticks_(select_ticks_ + ticks(kInstantTime, period)),
+      homing_ticks_max_(ticks(kLongestHoming, period)),
       missed_max_(table.missed_max),
       reversed_(entry.units_per_turn < 0),
       jump_(std::llround((6 * std::max(entry.homing.speed_switch, entry.homing.speed_zero) * period + 0.1) /
@@ -56,7 +61,13 @@ bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept 
     if (pdos_.status.read(frame, kDigitalInputs, false, value)) inputs_ = static_cast<std::uint32_t>(value);
   } else if (frame.id == kHeartbeat + node_) {
     heard_ = tick;
-    if (running_ && frame.size >= 1) judge(static_cast<NmtState>(frame.data[0] & 0x7f), tick);
+    if (frame.size < 1) return true;
+    const auto state = static_cast<NmtState>(frame.data[0] & 0x7f);
+    if (state == NmtState::boot_up) {  // in service or not: it counts anew, and has forgotten what it was told
+      position_lost_ = true;
+      if (setup_.status() == DriveSetup::Status::writing) next = setup_.start();
+    }
+    if (running_) judge(state, tick);
   } else if (const auto emergency = emergency_of(frame); emergency && emergency->node == node_) {
     if (emergency->code != 0) emergency_ = emergency->code;
   } else if (frame.id == kSdoResponse + node_) {
@@ -78,7 +89,6 @@ void Drive::judge(NmtState state, Tick tick) noexcept {
   if (state == NmtState::operational || stale) return;
   restarted_ = true;
   running_ = was_enabled_ = false;
-  position_lost_ = position_lost_ || state == NmtState::boot_up;
 }
 
 /// An axis that turns for hours passes the ends of 32 bits, by a small step; what jumps is taken as it is said.
@@ -100,8 +110,22 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
       !pdos_.feedback.read(frame, kTorqueActual, true, torque))
     return;  // too short: as if it had not come
   statusword_ = static_cast<std::uint16_t>(status);
-  if (!known_) wraps_ = 0;
-  raw = known_ ? unwrapped(raw) : raw;
+  take_position(raw);
+  if (state() != DriveState::operation_enabled) held_ = raw_;
+  current_ = static_cast<double>(torque) / kPerMille * rated_current_ * (reversed_ ? -1 : 1);
+  answered_ = known_ = true;
+  missed_ = 0;
+  follow_homing();
+}
+
+void Drive::take_position(std::int64_t raw) noexcept {
+  if (!known_ && position_lost_) {
+    wraps_ = 0;
+    // it counts from where its power came on: until it is synchronised its axis is where it was
+    if (!absolute_) offset_ += static_cast<double>(raw_ - raw) * rad_per_unit_;
+    position_lost_ = !absolute_;
+  }
+  raw = unwrapped(raw);
   increment_ = known_ ? raw - raw_ : 0;
   if (homing_ == Homing::running && std::abs(increment_) > jump_) {
     // it counts from its home position now: what it has moved meanwhile is too little to matter
@@ -109,10 +133,6 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
     increment_ = 0;
   }
   raw_ = raw;
-  current_ = static_cast<double>(torque) / kPerMille * rated_current_ * (reversed_ ? -1 : 1);
-  answered_ = known_ = true;
-  missed_ = 0;
-  follow_homing();
 }
 
 void Drive::close_cycle() noexcept {
@@ -144,10 +164,13 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
   const DriveState now = state();
   if (emergency_ != 0 || now == DriveState::fault || now == DriveState::fault_reaction_active)
     return {ErrorCode::drive_fault, static_cast<double>(emergency_ != 0 ? emergency_ : 0x1000)};
-  if (wanted_ && now != DriveState::operation_enabled && (was_enabled_ || tick > since_ + switch_on_ticks_))
-    return {ErrorCode::drive_not_ready, static_cast<double>(statusword_)};
-  if (mode_ == DriveMode::cyclic_position && homing_ == Homing::none && now == DriveState::operation_enabled &&
-      (statusword_ & kFollowingError) != 0)
+  const bool powered = now == DriveState::operation_enabled || now == DriveState::quick_stop_active;
+  const bool late = tick > since_ + switch_on_ticks_;
+  const bool never_on = wanted_ && now != DriveState::operation_enabled && !waiting_ && (was_enabled_ || late);
+  const bool never_off = !wanted_ && powered && late;
+  if (never_on || never_off) return {ErrorCode::drive_not_ready, static_cast<double>(statusword_)};
+  if (mode_ == DriveMode::cyclic_position && (homing_ == Homing::none || homing_ == Homing::attained) &&
+      now == DriveState::operation_enabled && (statusword_ & kFollowingError) != 0)
     return {ErrorCode::following_error};
   return {};
 }
@@ -156,12 +179,14 @@ void Drive::begin(Tick tick) noexcept {
   running_ = true;
   restarted_ = false;
   missed_ = 0;
+  answered_ = true;  // the SYNC of this cycle came before
   heard_ = begun_ = tick;
 }
 
 void Drive::enable(bool on, Tick tick) noexcept {
   wanted_ = on;
-  was_enabled_ = false;
+  was_enabled_ = waiting_ = false;
+  stop_ticks_ = 0;
   since_ = tick;
   homing_ = Homing::none;
 }
@@ -169,7 +194,7 @@ void Drive::enable(bool on, Tick tick) noexcept {
 void Drive::reset(Tick tick, can::Frame& next) noexcept {
   next = {};
   emergency_ = 0;
-  wanted_ = was_enabled_ = pulse_ = false;
+  wanted_ = was_enabled_ = waiting_ = pulse_ = false;
   resetting_ = true;
   since_ = tick;
   homing_ = Homing::none;
@@ -177,9 +202,13 @@ void Drive::reset(Tick tick, can::Frame& next) noexcept {
     heard_ = tick;
     return;
   }
-  running_ = false;
-  known_ = false;
+  running_ = known_ = false;
+  statusword_ = 0;  // what it said before says nothing
   next = setup_.start();
+}
+
+bool Drive::still_resetting() const noexcept {
+  return !running_ || !known_ || state() == DriveState::fault || state() == DriveState::fault_reaction_active;
 }
 
 bool Drive::busy(Tick tick) const noexcept {
@@ -187,7 +216,7 @@ bool Drive::busy(Tick tick) const noexcept {
   if (!wanted_ && !resetting_)
     return running_ && missed_ <= missed_max_ &&
            (state() == DriveState::operation_enabled || state() == DriveState::quick_stop_active);
-  if (resetting_) return !running_ || !known_ || state() == DriveState::fault;
+  if (resetting_) return still_resetting();
   return wanted_ && state() != DriveState::operation_enabled && finding(tick).code == ErrorCode::none;
 }
 
@@ -199,44 +228,64 @@ void Drive::home() noexcept {
 
 void Drive::follow_homing() noexcept {
   if (homing_ != Homing::running) return;
+  if (++homing_ticks_ <= stale_ticks_) return;
   const bool attained = (statusword_ & kHomingAttained) != 0;
   if (!attained) homing_seen_ = true;
-  if (++homing_ticks_ <= kSelectTicks) return;
-  if ((statusword_ & kHomingError) != 0 && homing_seen_)
+  if ((statusword_ & kHomingError) != 0 || homing_ticks_ > homing_ticks_max_)
     homing_ = Homing::failed;
-  else if (attained && homing_seen_ && (statusword_ & kTargetReached) != 0)
+  else if (attained && (statusword_ & kTargetReached) != 0 && (homing_seen_ || homing_ticks_ > instant_ticks_))
     homing_ = Homing::attained;
 }
 
-std::uint16_t Drive::controlword() noexcept {
+bool Drive::may_operate() const noexcept {
+  return state() == DriveState::switched_on || state() == DriveState::operation_enabled;
+}
+
+std::uint16_t Drive::controlword(bool release) noexcept {
   const DriveState now = state();
   if (resetting_) {
-    resetting_ = now == DriveState::fault || !running_;
+    resetting_ = still_resetting();
     pulse_ = now == DriveState::fault && !pulse_;
     return pulse_ ? kFaultReset : kDisableVoltage;
   }
-  if (!wanted_)
-    return now == DriveState::operation_enabled || now == DriveState::quick_stop_active ? kQuickStop : kDisableVoltage;
-  const bool starts = homing_ == Homing::running && homing_ticks_ >= kSelectTicks;
+  if (!wanted_) {
+    // one that does not come to rest loses its power all the same
+    const bool stops = now == DriveState::operation_enabled || now == DriveState::quick_stop_active;
+    return stops && ++stop_ticks_ <= switch_on_ticks_ ? kQuickStop : kDisableVoltage;
+  }
+  waiting_ = now == DriveState::switched_on && !release;
+  if (waiting_) return kSwitchOn;
+  const bool starts = homing_ == Homing::running && homing_ticks_ >= select_ticks_;
   return static_cast<std::uint16_t>(towards_operation(now) |
                                     (starts && now == DriveState::operation_enabled ? kStartHoming : 0));
 }
 
-can::Frame Drive::command(const Target& target) noexcept {
+/// Position and velocity in the drive's units, torque in per mille.
+can::Frame Drive::command_frame(std::uint16_t controlword, double position, double velocity,
+                                double torque) const noexcept {
   can::Frame frame{kReceivePdo1 + node_, {}};
-  const bool on = state() == DriveState::operation_enabled && homing_ != Homing::running;
-  const double sign = reversed_ ? -1 : 1;
-  const double error = target.position - position();
-  const double position = on ? (target.position - offset_) / rad_per_unit_ : static_cast<double>(raw_);
-  const double velocity = on ? (target.velocity + position_gain_ * error) / rad_per_unit_ : 0.0;
-  const double torque = on ? sign * target.current / rated_current_ * kPerMille : 0.0;
   const DriveMode mode = homing_ == Homing::running ? DriveMode::homing : mode_;
-  pdos_.command.write(frame, kControlword, controlword());
+  pdos_.command.write(frame, kControlword, controlword);
   pdos_.command.write(frame, kTargetPosition, whole<std::int64_t>(position));  // its low 32 bits
   pdos_.command.write(frame, kTargetVelocity, whole<std::int32_t>(velocity));
   pdos_.command.write(frame, kTargetTorque, whole<std::int16_t>(torque));
   pdos_.command.write(frame, kMode, static_cast<std::int8_t>(mode));
   return frame;
+}
+
+can::Frame Drive::command(const Target& target) noexcept {
+  const std::uint16_t word = controlword(true);
+  const bool on = state() == DriveState::operation_enabled && homing_ != Homing::running;
+  if (!on) return command_frame(word, static_cast<double>(raw_), 0, 0);
+  const double error = target.position - position();
+  return command_frame(word, (target.position - offset_) / rad_per_unit_,
+                       (target.velocity + position_gain_ * error) / rad_per_unit_,
+                       (reversed_ ? -1 : 1) * target.current / rated_current_ * kPerMille);
+}
+
+can::Frame Drive::hold(bool release) noexcept {
+  const std::uint16_t word = controlword(release);
+  return command_frame(word, static_cast<double>(held_), position_gain_ * static_cast<double>(held_ - raw_), 0);
 }
 
 }  // namespace mrroc::edp

@@ -70,24 +70,38 @@ class Drive {
   void position_known() noexcept { position_lost_ = false; }
   /// The PDO of this tick.
   can::Frame command(const Target& target) noexcept;
+  /// That of a tick in which the robot is being switched on: it holds where it has become on; only with `release` it
+  /// goes the last step, in which it lets go of its brake.
+  can::Frame hold(bool release) noexcept;
+  /// Whether `hold` could be with `release`: only that last step is left.
+  bool may_operate() const noexcept;
 
   DriveSetup& setup() noexcept { return setup_; }
 
-  static constexpr double kSwitchOnTime = 2.0;  ///< s that it gets to become operation enabled, or to be reset
-  static constexpr int kSelectTicks = 4;        ///< between the mode's change and the start of homing
+  static constexpr double kSwitchOnTime = 2.0;  ///< s that it gets to become operation enabled, or to be reset, or off
+  // of homing, s
+  static constexpr double kSelectTime = 0.05;    ///< between the mode's change and the start
+  static constexpr double kStaleTime = 0.02;     ///< after the start, in which it may still say what was before
+  static constexpr double kInstantTime = 0.5;    ///< one that says all that time that it has attained has
+  static constexpr double kLongestHoming = 300;  ///< then it has failed
 
  private:
   void judge(canopen::NmtState state, Tick tick) noexcept;
   std::int64_t unwrapped(std::int64_t raw) noexcept;
   void take_feedback(const can::Frame& frame) noexcept;
+  void take_position(std::int64_t raw) noexcept;
   void follow_homing() noexcept;
-  std::uint16_t controlword() noexcept;
+  bool still_resetting() const noexcept;
+  std::uint16_t controlword(bool release) noexcept;
+  can::Frame command_frame(std::uint16_t controlword, double position, double velocity, double torque) const noexcept;
 
   // from the table
   canopen::NodeId node_;
   canopen::DriveMode mode_;
   double rad_per_unit_, rated_current_, position_gain_;
+  bool absolute_;
   Tick heartbeat_ticks_, switch_on_ticks_;
+  Tick select_ticks_, stale_ticks_, instant_ticks_, homing_ticks_max_;
   int missed_max_;
   bool reversed_;
   std::int64_t jump_;  ///< units that homing does not move it in a tick
@@ -99,6 +113,7 @@ class Drive {
   std::uint16_t statusword_ = 0;
   std::int64_t raw_ = 0, increment_ = 0;
   std::int64_t wraps_ = 0;  ///< of its 32 bits
+  std::int64_t held_ = 0;   ///< where it has become on
   double offset_ = 0, velocity_ = 0, current_ = 0;
   std::uint32_t inputs_ = 0;
   std::uint16_t emergency_ = 0;
@@ -109,9 +124,11 @@ class Drive {
 
   // told
   bool wanted_ = false, was_enabled_ = false, resetting_ = false, pulse_ = false;
-  Tick since_ = 0;  ///< of `enable` or `reset`
+  bool waiting_ = false;  ///< for the other drives, before its last step
+  Tick since_ = 0;        ///< of `enable` or `reset`
+  Tick stop_ticks_ = 0;   ///< that it has been told to stop and still has power
   Homing homing_ = Homing::none;
-  int homing_ticks_ = 0;
+  Tick homing_ticks_ = 0;     ///< since its mode was selected
   bool homing_seen_ = false;  ///< it has said that it has not attained yet
 };
 

@@ -29,6 +29,7 @@ DriveNode::DriveNode(const config::DriveTable& table, const config::DriveEntry& 
       units_per_rad_(entry.units_per_turn / (2 * std::numbers::pi)),
       rated_current_(entry.rated_current),
       reversed_(entry.units_per_turn < 0),
+      absolute_(table.absolute_encoders),
       send_(std::move(send)),
       store_(table.eds, entry.node),
       sdo_(entry.node, store_),
@@ -47,9 +48,16 @@ void DriveNode::send(const can::Frame& frame) {
 }
 
 void DriveNode::boot(std::int64_t now) {
+  if (!absolute_) raw_offset_ -= units(position_);
+  restart(now);
+}
+
+/// All but the encoder begins anew.
+void DriveNode::restart(std::int64_t now) {
   store_.reset();
   state_ = DriveState::switch_on_disabled;
   nmt_ = NmtState::pre_operational;
+  store_.lock_mappings(false);
   command_.reset();
   feedback_.reset();
   status_.reset();
@@ -65,16 +73,18 @@ void DriveNode::nmt(NmtCommand command, std::int64_t now) {
     case NmtCommand::start:
       use_pdos();
       nmt_ = NmtState::operational;
+      store_.lock_mappings(true);
       syncs_ = 0;
       return;
     case NmtCommand::stop:
     case NmtCommand::enter_pre_operational:
       nmt_ = command == NmtCommand::stop ? NmtState::stopped : NmtState::pre_operational;
-      if (powered()) state_ = DriveState::fault_reaction_active;
+      store_.lock_mappings(false);
+      if (powered() && command == NmtCommand::stop) state_ = DriveState::fault_reaction_active;
       return;
     case NmtCommand::reset_node:
     case NmtCommand::reset_communication:
-      boot(now);
+      restart(now);
       return;
   }
 }
@@ -141,7 +151,8 @@ void DriveNode::obey() {
   const auto before = controlword_;
   controlword_ = static_cast<std::uint16_t>(store_.number(kControlword));
   store_.set(kModeDisplay, store_.number(kMode));
-  const DriveState wanted = commanded_state(state_, controlword_, before);
+  DriveState wanted = commanded_state(state_, controlword_, before);
+  if (held_back_ && wanted == DriveState::switched_on) wanted = state_;
   if (state_ == DriveState::fault && wanted != DriveState::fault) {
     store_.set(kErrorRegister, 0);
     store_.set(kErrorCode, 0);

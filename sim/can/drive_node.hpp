@@ -26,7 +26,8 @@ class DriveNode {
   DriveNode(const config::DriveTable& table, const config::DriveEntry& entry, const AxisParameters& axis, double period,
             Send send);
 
-  /// The power comes on: boot-up message, all values as its maker has set them.
+  /// The power comes on: boot-up message, all values as its maker has set them. Without an absolute encoder it counts
+  /// from where its shaft is.
   void boot(std::int64_t now);
   /// Any frame of the bus but SYNC.
   void take(const can::Frame& frame, std::int64_t now);
@@ -58,11 +59,14 @@ class DriveNode {
   void cut(bool on) noexcept { cut_ = on; }
   /// It sends no heartbeats.
   void hush(bool on) noexcept { hushed_ = on; }
+  /// It does not come further than ready to switch on.
+  void hold_back(bool on) noexcept { held_back_ = on; }
   /// It says the same again and again, whatever it does.
   void freeze(bool on) noexcept { frozen_ = on; }
 
  private:
   void send(const can::Frame& frame);
+  void restart(std::int64_t now);
   void nmt(canopen::NmtCommand command, std::int64_t now);
   void take_command(const can::Frame& frame);
   void obey();
@@ -82,7 +86,7 @@ class DriveNode {
 
   canopen::NodeId node_;
   double units_per_rad_, rated_current_;
-  bool reversed_;
+  bool reversed_, absolute_;
   Send send_;
   ObjectStore store_;
   SdoServer sdo_;
@@ -99,7 +103,7 @@ class DriveNode {
   std::int64_t sent_ = 0, heard_ = 0;  ///< heartbeats, ns; 0: none heard yet
   edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
   bool homed_ = false, homing_failed_ = false;
-  bool cut_ = false, hushed_ = false, frozen_ = false;
+  bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false;
   can::Frame said_;  ///< its last feedback
 };
 

@@ -9,6 +9,16 @@ namespace mrroc::sim {
 
 using namespace canopen;
 
+namespace {
+
+bool is_mapping(std::uint16_t index) noexcept {
+  constexpr std::uint16_t kMappings = 0x200;  // of 512 PDOs in each direction
+  return (index >= kReceivePdoMapping && index < kReceivePdoMapping + kMappings) ||
+         (index >= kTransmitPdoMapping && index < kTransmitPdoMapping + kMappings);
+}
+
+}  // namespace
+
 ObjectStore::ObjectStore(const EdsFile& eds, NodeId node) : eds_(eds), node_(node) { reset(); }
 
 std::vector<std::uint8_t> ObjectStore::default_of(const ObjectEntry& entry) const {
@@ -50,6 +60,7 @@ SdoAbort ObjectStore::write(Object object, std::span<const std::uint8_t> value) 
   const auto found = values_.find(object);
   if (found == values_.end()) return read(object, before);
   if (!found->second.entry->writable()) return SdoAbort::read_only;
+  if (mappings_locked_ && is_mapping(object.index)) return SdoAbort::wrong_state;
   if (found->second.bytes.size() != value.size()) return SdoAbort::wrong_length;
   found->second.bytes.assign(value.begin(), value.end());
   return SdoAbort::none;

@@ -21,6 +21,9 @@ class ObjectStore {
   /// All default values again: the power has been off.
   void reset();
 
+  /// Whether PDOs may not be mapped now: the node is operational.
+  void lock_mappings(bool locked) noexcept { mappings_locked_ = locked; }
+
   // as the bus does it
   canopen::SdoAbort read(canopen::Object object, std::vector<std::uint8_t>& value) const;
   canopen::SdoAbort write(canopen::Object object, std::span<const std::uint8_t> value);
@@ -41,6 +44,7 @@ class ObjectStore {
   canopen::EdsFile eds_;
   canopen::NodeId node_;
   std::map<canopen::Object, Value> values_;
+  bool mappings_locked_ = false;
 };
 
 }  // namespace mrroc::sim

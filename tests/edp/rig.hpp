@@ -43,6 +43,8 @@ class FaultyHardware : public LoopbackHardware {
     if (positions_lost) input.synchronised = false;
     if (input.fault == ErrorCode::none) input.fault = fault;
   }
+  void set_points(const JointVector&, const JointVector& velocity) noexcept override { velocity_target = velocity; }
+  JointVector velocity_target;  ///< of the shafts, rad/s
   bool powered = false;
   bool jam = false;                            ///< the shafts tremble where they are
   bool stuck = false;                          ///< jammed, they do not even that: so reads an encoder that has died

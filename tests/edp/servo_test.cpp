@@ -119,6 +119,17 @@ TEST(Servo, CountsMissedTicksAndKeepsTheGrid) {
 }
 
 /// The last guard: a macrostep that no planner has seen.
+TEST(Servo, AfterMissedTicksTheSetPointIsFartherOnAndNoFaster) {
+  Rig<Slide> rig;
+  ASSERT_FALSE(rig.send(joint_command(one(0.75), 1500, 1500)));
+  rig.run(750);
+  const double before = rig.hardware.velocity_target[0];
+  ASSERT_GT(before, 1);
+  rig.now += 4;
+  rig.tick();
+  EXPECT_NEAR(rig.hardware.velocity_target[0], before, 0.01 * before);
+}
+
 TEST(Servo, ASetPointBeyondALimitStopsTheRobot) {
   Rig<Slide> rig;
   Macrostep wild;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "can_rig.hpp"
 
 namespace mrroc::edp {
@@ -55,6 +58,32 @@ INSTANTIATE_TEST_SUITE_P(Can, EveryMode,
                                                                                          : "Torque");
                          });
 
+TEST(CanHardware, AnEmergencyStopEndsTheSwitchingOn) {
+  CanRig<Gantry> rig(DriveMode::cyclic_position);
+  rig.servo.use_emergency_stop(rig.operators);
+  RobotCommand recover;
+  recover.kind = CommandKind::recover;
+  rig.operators.press();
+  rig.run(200);
+  rig.operators.reset();
+  rig.rack.with([](auto& nodes) { nodes[2].hold_back(true); });
+  ASSERT_FALSE(rig.send(recover));
+  rig.run(50);
+  rig.rack.with([](auto& nodes) { EXPECT_EQ(nodes[0].state(), DriveState::switched_on); });
+  rig.operators.press();
+  rig.run(10);
+  rig.rack.with([](auto& nodes) {
+    for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::switch_on_disabled);
+    nodes[2].hold_back(false);
+  });
+  ASSERT_EQ(rig.replies.size(), 1u);
+  EXPECT_EQ(rig.replies[0].state.error.code, ErrorCode::emergency_stop);
+  rig.operators.reset();
+  ASSERT_FALSE(rig.send(recover));
+  rig.run(100);
+  EXPECT_TRUE(rig.seen().enabled);
+}
+
 TEST(CanHardware, ADriveThatCountsBackwardsAndInUnitsOfItsOwnIsNoOther) {
   config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   table.drives[1].units_per_turn = -4000;
@@ -67,6 +96,49 @@ TEST(CanHardware, ADriveThatCountsBackwardsAndInUnitsOfItsOwnIsNoOther) {
   rig.run(500);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none) << describe(rig.seen().fault.code);
   EXPECT_LT((rig.seen().joints - begin - way).cwiseAbs().maxCoeff() * GearedModel::kGear, 60 * kIncrement);
+}
+
+TEST_P(EveryMode, NoAxisIsLetGoBeforeAllDrivesAreReady) {
+  const Gantry model;
+  const config::DriveTable table = table_for(model.parameters(), GetParam());
+  const TestBus bus;
+  Rack rack(table, model, bus, true);
+  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
+  hardware.open();
+  rack.with([](auto& nodes) { nodes[2].hold_back(true); });
+  hardware.enable(true);
+  Tick tick = 0;
+  HardwareInput input;
+  const auto run = [&](Tick ticks) {
+    for (const Tick end = tick + ticks; tick < end; ++tick) {
+      hardware.read(tick, input);
+      hardware.set_points(input.motors, JointVector::Zero(4));
+      hardware.write(tick, JointVector::Zero(4));
+      rack.with([](auto& nodes) {
+        if (nodes[2].state() != DriveState::ready_to_switch_on) return;
+        for (const sim::DriveNode& node : nodes) EXPECT_FALSE(node.powered());
+      });
+    }
+  };
+  run(100);
+  EXPECT_TRUE(hardware.busy());
+  rack.with([](auto& nodes) {
+    EXPECT_EQ(nodes[0].state(), DriveState::switched_on);
+    nodes[2].hold_back(false);
+  });
+  run(20);
+  EXPECT_FALSE(hardware.busy());
+  rack.with([](auto& nodes) {
+    for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::operation_enabled);
+    nodes[2].hold_back(true);
+  });
+  // and who is not ready in time is named, not those that wait for him
+  hardware.enable(false);
+  run(100);
+  hardware.enable(true);
+  run(1100);
+  EXPECT_EQ(input.fault, ErrorCode::drive_not_ready);
+  EXPECT_EQ(input.fault_axis, 2);
 }
 
 TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
@@ -87,6 +159,15 @@ TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
     }
     EXPECT_FALSE(hardware.busy()) << "they are on";
   }
+  const auto powered = [&rack] {
+    bool any = false;
+    rack.with([&any](auto& nodes) {
+      for (const sim::DriveNode& node : nodes) any = any || node.powered();
+    });
+    return any;
+  };
+  for (int i = 0; i < 5000 && powered(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_FALSE(powered());
   // a second master finds them, whatever the first has left
   CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
   hardware.open();

@@ -36,6 +36,7 @@ TEST(DriveSetup, APdoIsSwitchedOffWhileItIsChanged) {
   EXPECT_EQ(last(all, {0x1600, 3}), 0x60600008);
   EXPECT_EQ(last(all, {0x1a00, 0}), 3);
   EXPECT_EQ(last(all, {0x1801, 2}), 4);
+  EXPECT_EQ(last(all, {0x1800, 1}), 0x40000181) << "nobody asks for it";
 }
 
 TEST(DriveSetup, TheModeDecidesWhatIsTransmitted) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <numbers>
+
 #include "can_rig.hpp"
 #include "canopen/emergency.hpp"
 #include "edp/error_report.hpp"
@@ -27,6 +30,7 @@ class DriveTest : public testing::Test {
     drive.expect();
     can::Frame next;
     EXPECT_TRUE(drive.take(frame, ++tick, next));
+    if (beats) drive.take(heartbeat_frame(1, NmtState::operational), tick, next);
     drive.close_cycle();
   }
   void say_nothing() {
@@ -43,6 +47,7 @@ class DriveTest : public testing::Test {
   config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
   Drive drive;
   Tick tick = 0;
+  bool beats = false;  ///< it says that it lives whenever it says something
 };
 
 TEST_F(DriveTest, IsLedStepByStepToOperationEnabled) {
@@ -168,6 +173,114 @@ TEST_F(DriveTest, ABootUpInServiceIsARestart) {
   EXPECT_FALSE(drive.knows_position());
   drive.reset(tick, next);
   EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
+}
+
+TEST_F(DriveTest, WhoeverBootsWhileNobodyServesHimHasLostHisPosition) {
+  switch_on();
+  for (int i = 0; i < 5; ++i) say_nothing();
+  ASSERT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
+  can::Frame next;
+  drive.reset(tick, next);  // nobody answers
+  drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+  EXPECT_FALSE(drive.knows_position());
+  EXPECT_EQ(next.id, 0x601u) << "what it was told so far is forgotten: from the start";
+  EXPECT_EQ(can::get(next.bytes(), 1, 2), 0x1400u);
+}
+
+TEST_F(DriveTest, AnAxisStaysWhereItWasWhenItsDriveCountsAnew) {
+  switch_on();
+  say(status_bits(DriveState::operation_enabled), 1'000'000);
+  const double there = drive.position();
+  can::Frame next;
+  drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+  drive.reset(tick, next);
+  say(status_bits(DriveState::switch_on_disabled), 12);
+  EXPECT_NEAR(drive.position(), there, 1e-9);
+  EXPECT_FALSE(drive.knows_position());
+  say(status_bits(DriveState::switch_on_disabled), 4012);
+  EXPECT_NEAR(drive.position() - there, 2 * std::numbers::pi, 1e-9) << "and turns on from there";
+}
+
+TEST_F(DriveTest, AnAxisThatWasOnlySilentIsWhereItsDriveSays) {
+  switch_on();
+  constexpr std::int32_t kEnd = std::numeric_limits<std::int32_t>::max();
+  say(status_bits(DriveState::operation_enabled), kEnd - 5);
+  say(status_bits(DriveState::operation_enabled), -kEnd);  // past the end of 32 bits
+  const double before = drive.position();
+  for (int i = 0; i < 5; ++i) say_nothing();
+  can::Frame next;
+  drive.reset(tick, next);
+  say(status_bits(DriveState::switch_on_disabled), -kEnd + 2);
+  EXPECT_NEAR(drive.position() - before, 2 * 2 * std::numbers::pi / 4000, 1e-6);
+}
+
+TEST_F(DriveTest, TheLastStepToOperationIsTakenWhenItMay) {
+  beats = true;
+  drive.enable(true, tick);
+  const auto held = [this](bool release) { return can::get(drive.hold(release).bytes(), 0, 2); };
+  say(status_bits(DriveState::ready_to_switch_on), 100);
+  EXPECT_EQ(held(true), kSwitchOn);
+  EXPECT_FALSE(drive.may_operate());
+  say(status_bits(DriveState::switched_on), 100);
+  EXPECT_TRUE(drive.may_operate());
+  EXPECT_EQ(held(false), kSwitchOn);
+  for (int i = 0; i < 2000; ++i) say(status_bits(DriveState::switched_on), 100);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << "it is another one that is not ready";
+  EXPECT_EQ(held(true), kEnableOperation);
+  say(status_bits(DriveState::operation_enabled), 103);
+  say(status_bits(DriveState::operation_enabled), 110);
+  EXPECT_EQ(static_cast<std::int32_t>(can::get(drive.hold(true).bytes(), 2, 4)), 100) << "it holds where it became on";
+}
+
+TEST_F(DriveTest, AStopThatDoesNotEndLosesThePower) {
+  beats = true;
+  switch_on();
+  drive.enable(false, tick);
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_EQ(controlword(), kQuickStop);
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+    say(status_bits(DriveState::quick_stop_active));
+  }
+  say(status_bits(DriveState::quick_stop_active));
+  EXPECT_EQ(controlword(), kDisableVoltage);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+}
+
+TEST_F(DriveTest, HomingBelievesWhatItsDriveSaysAfterTheStart) {
+  beats = true;
+  constexpr auto kOn = DriveState::operation_enabled;
+  const auto homing = [](std::uint16_t more) { return static_cast<std::uint16_t>(status_bits(kOn) | more); };
+  const auto start = [&] {
+    drive.home();
+    while ((controlword() & kStartHoming) == 0) say(homing(kHomingError | kHomingAttained | kTargetReached));
+  };
+  switch_on();
+  start();
+  EXPECT_GT(tick, 20u) << "the mode has had its time";
+  // what it said of the last attempt is not of this one
+  for (int i = 0; i < 5; ++i) say(homing(kHomingError | kHomingAttained | kTargetReached));
+  EXPECT_EQ(drive.homing(), Homing::running);
+  for (int i = 0; i < 50; ++i) say(homing(0));
+  EXPECT_EQ(drive.homing(), Homing::running);
+  say(homing(kHomingAttained | kTargetReached));
+  EXPECT_EQ(drive.homing(), Homing::attained);
+  // one that is there at once never says anything else
+  start();
+  for (int i = 0; i < 200; ++i) say(homing(kHomingAttained | kTargetReached));
+  EXPECT_EQ(drive.homing(), Homing::running);
+  for (int i = 0; i < 60; ++i) say(homing(kHomingAttained | kTargetReached));
+  EXPECT_EQ(drive.homing(), Homing::attained);
+  say(homing(kFollowingError));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::following_error) << "it regulates again";
+}
+
+TEST_F(DriveTest, AHomingThatDoesNotEndHasFailed) {
+  beats = true;
+  switch_on();
+  drive.home();
+  const auto ticks = static_cast<Tick>(Drive::kLongestHoming / kCanPeriod);
+  for (Tick i = 0; i <= ticks; ++i) say(status_bits(DriveState::operation_enabled));
+  EXPECT_EQ(drive.homing(), Homing::failed);
 }
 
 TEST_F(DriveTest, ADriveThatRefusesToBeSetUpAnewSaysWhatAndWhy) {

@@ -2,6 +2,7 @@
 
 #include "can_rig.hpp"
 #include "edp/drive_homing.hpp"
+#include "edp/error_report.hpp"
 #include "edp/switched_gantry.hpp"
 
 namespace mrroc::edp {
@@ -69,7 +70,8 @@ TEST(DriveHoming, AMethodThatTheDriveDoesNotHaveEndsTheSynchronisation) {
   CanRig<Beside> rig(table, false);
   ASSERT_FALSE(rig.send(synchronise()));
   while (rig.seen().fault.code == ErrorCode::none && rig.now < 60'000) rig.tick();
-  EXPECT_EQ(rig.seen().fault.code, ErrorCode::synchronisation_failed);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::synchronisation_failed)
+      << make_report(rig.seen().fault, rig.model.parameters()).detail.view();
   EXPECT_EQ(rig.seen().fault.axis, 2);
   EXPECT_FALSE(rig.seen().synchronised);
 }
