@@ -83,7 +83,10 @@ Simulation::Simulation(const config::Deployment& deployment, WorldMemory& memory
   world_.start();
 }
 
-void Simulation::publish_initial() { publish(0); }
+void Simulation::publish_initial() {
+  publish(0);
+  memory_.measured.open();
+}
 
 void Simulation::step(Tick tick) {
   for (Slot& slot : robots_)

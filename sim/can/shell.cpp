@@ -9,6 +9,7 @@
 
 #include "can/bus.hpp"
 #include "can/hub.hpp"
+#include "clock/monotonic.hpp"
 #include "config/drive_table.hpp"
 #include "edp/mujoco_hardware.hpp"
 #include "mrroc/stopped.hpp"
@@ -95,7 +96,9 @@ class Drives {
   void await_world() {
     sim::JointMeasurement measurement;
     const auto there = [&] { return world_->measurements[place_.index].load(measurement); };
-    while (!there() && !process_.clock().stopping()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    constexpr std::int64_t kSlice = clock::kSecond / 10;  // between two looks at whether all is over
+    while (!process_.clock().stopping() && !world_->measured.wait(there, kSlice)) {
+    }
   }
 
   sim::DriveRack::Newest newest(Tick last, bool wait, std::int64_t now) {
