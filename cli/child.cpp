@@ -23,7 +23,8 @@ namespace {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  setpgid(0, 0);  // Ctrl-C is the runner's to forward
+  signal(SIGPIPE, SIG_DFL);  // ignored by the runner, and that would be handed down
+  setpgid(0, 0);             // Ctrl-C is the runner's to forward
   dup2(channel >= 0 ? channel : output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
   const int input = channel >= 0 ? channel : open("/dev/null", O_RDONLY);

@@ -12,6 +12,7 @@
 #include "cli/clock_options.hpp"
 #include "cli/launch.hpp"
 #include "cli/orderly_end.hpp"
+#include "cli/report.hpp"
 #include "clock/realtime.hpp"
 #include "config/resources.hpp"
 #include "mrroc/errors.hpp"
@@ -43,8 +44,10 @@ std::vector<PlannedProcess> processes_on(const std::string& host, const std::vec
 int open_signals() {
   sigset_t set;
   sigemptyset(&set);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCHLD}) sigaddset(&set, number);
+  // SIGTTOU: a terminal may be set to stop those who write to it from the background
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGTTOU, SIGCHLD}) sigaddset(&set, number);
   sigprocmask(SIG_BLOCK, &set, nullptr);
+  signal(SIGPIPE, SIG_IGN);  // nobody has to read what the runner says
   return signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
 }
 
@@ -75,7 +78,7 @@ Runner::~Runner() {
   if (signals_ >= 0) close(signals_);
 }
 
-RunResult Runner::run() {
+process::ExitCode Runner::run() {
   check_somebody_answers(deployment_, input_.attended());
   check_network(deployment_.network);
   // before anything is started: a run whose trace is lost would be in vain
@@ -97,7 +100,8 @@ RunResult Runner::run() {
   } catch (const std::exception& error) {
     fail(process::ExitCode::system, error.what());  // a success is none without its trace
   }
-  return result_;
+  if (!options_.quiet) progress_.message(report_of(deployment_, result_));
+  return result_.code;
 }
 
 void Runner::start_processes(const TraceParts& trace) {

@@ -17,6 +17,7 @@
 #include "cli/progress.hpp"
 #include "cli/remote_hosts.hpp"
 #include "cli/run_options.hpp"
+#include "cli/run_result.hpp"
 #include "cli/task_commands.hpp"
 #include "cli/trace_parts.hpp"
 #include "cli/typed_lines.hpp"
@@ -30,16 +31,6 @@
 
 namespace mrroc::cli {
 
-/// How a run ended.
-struct RunResult {
-  process::ExitCode code = process::ExitCode::success;
-  std::string reason;                                    ///< one line, told on stderr at once; empty on success
-  Tick ticks = 0;                                        ///< simulated length
-  double wall_seconds = 0;                               ///< from the start of the task to its end
-  std::map<std::string, links::ProcessStatus> statuses;  ///< last word of each process
-  std::vector<std::string> hosts;                        ///< a line about each other host
-};
-
 /// `mrroc run`: starts every process of a deployment, opens the clock when all are ready, starts the MP, shows
 /// progress, forwards Ctrl-C and the operator's answers, notices a process that dies or is silent, and ends every
 /// process whatever happens. Main thread.
@@ -47,7 +38,8 @@ class Runner {
  public:
   Runner(const config::Deployment& deployment, RunOptions options);
   ~Runner();
-  RunResult run();
+  /// The outcome of the task, whatever becomes of what is said about it.
+  process::ExitCode run();
 
  private:
   void start_processes(const TraceParts& trace);
