@@ -86,13 +86,11 @@ process::ExitCode Runner::run() {
   if (!options_.snapshots.empty()) std::filesystem::create_directories(options_.snapshots);
   // lockstep is serial by nature: one CPU for all is several times faster than two
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
-  try {
+  guard([&] {
     start_processes(trace);
     if (!stopping_) pass_barrier();
     if (!stopping_) supervise();
-  } catch (const std::exception& error) {
-    fail(process::exit_code(process::report_of(error).error_class), error.what());
-  }
+  });
   end_processes();
   result_.statuses = heartbeats_.statuses();
   try {
@@ -102,6 +100,14 @@ process::ExitCode Runner::run() {
   }
   if (!options_.quiet) progress_.message(report_of(deployment_, result_));
   return result_.code;
+}
+
+void Runner::guard(const std::function<void()>& step) {
+  try {
+    step();
+  } catch (const std::exception& error) {
+    fail(process::exit_code(process::report_of(error).error_class), error.what());
+  }
 }
 
 void Runner::start_processes(const TraceParts& trace) {
@@ -326,13 +332,17 @@ void Runner::fail(process::ExitCode code, std::string reason) {
   progress_.error("mrroc: " + deployment_.name + ": " + result_.reason);
 }
 
+void Runner::turn_at_the_end() {
+  guard([this] { turn(kTurn); });
+}
+
 void Runner::end_hosts() {
   const double deadline = operator_clock_->wall_seconds() + kPatienceWithHosts;
-  while (!hosts_->all_ended() && operator_clock_->wall_seconds() < deadline) turn(kTurn);
+  while (!hosts_->all_ended() && operator_clock_->wall_seconds() < deadline) turn_at_the_end();
   for (const std::string& name : hosts_->kill_rest())
     progress_.message("host " + name + ": its agent does not end, killing the command that started it");
-  while (!hosts_->all_ended()) turn(kTurn);
-  turn(0);  // what they wrote last
+  while (!hosts_->all_ended()) turn_at_the_end();
+  turn_at_the_end();  // what they wrote last
   remote_traces_.clear();
   result_.hosts = hosts_->summaries();
 }
@@ -342,13 +352,13 @@ void Runner::end_processes() {
   const double now = operator_clock_->wall_seconds();
   result_.wall_seconds = task_started_ ? now - start : 0;
   if (result_.ticks == 0 && task_started_) result_.ticks = clock_.tick();
-  if (hosts_) hosts_->stop();
+  if (hosts_) guard([this] { hosts_->stop(); });
   end_in_order(crew_, clock_, task_started_,
-               {.turn = [this] { turn(kTurn); },
+               {.turn = [this] { turn_at_the_end(); },
                 .message = [this](const std::string& line) { progress_.message(line); },
                 .failed = [this](const std::string& reason) { fail(process::ExitCode::system, reason); }});
-  if (hosts_) end_hosts();
-  turn(0);
+  if (hosts_) guard([this] { end_hosts(); });
+  guard([this] { turn(0); });
   if (task_started_) faults_.tell_left();
   progress_.finish();
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -42,6 +43,8 @@ class Runner {
   process::ExitCode run();
 
  private:
+  /// Takes a step; what it throws is why the run fails.
+  void guard(const std::function<void()>& step);
   void start_processes(const TraceParts& trace);
   void pass_barrier();
   /// Shakes hands with the MP, and sees meanwhile who dies and what the operator wants; false when all is to end.
@@ -53,6 +56,8 @@ class Runner {
 
   /// One turn of the supervisor: waits at most `milliseconds` for signals and output; true when all is well.
   bool turn(int milliseconds);
+  /// The same while processes end, from which nothing may keep them.
+  void turn_at_the_end();
   void read_signals();
   void read_statuses();
   void read_task_status();
