@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kTurn = 20;                   // ms between looks at the mail
 constexpr double kHandShake = 0.1;          // s of one try to reach the MP
-constexpr double kPatienceWithCause = 0.5;  // s from a task's word of a death to its cause
+constexpr double kPatienceWithCause = 0.5;  // s from a task's word of a loss to its cause
 constexpr double kPatienceWithHosts = 10;   // s; longer than that of their agents, with the traces
 
 std::string joined(const std::vector<std::string>& names) {
@@ -40,6 +40,9 @@ std::vector<PlannedProcess> processes_on(const std::string& host, const std::vec
     if (process.host == host) found.push_back(process);
   return found;
 }
+
+/// Between machines a process that has died and a cut link look alike to its peers.
+bool tells_of_a_loss(ErrorCode code) { return code == ErrorCode::process_died || code == ErrorCode::link_lost; }
 
 int open_signals() {
   sigset_t set;
@@ -254,6 +257,7 @@ void Runner::await_cause() {
     read_signals();
     check_children();
     if (hosts_) hosts_->look();
+    if (task_started_ && !stopping_) look_at_desk();  // an emergency stop may not wait for it
   }
 }
 
@@ -263,8 +267,7 @@ void Runner::read_task_status() {
   while (mp_->take(status, last_command)) {
     check_children();  // a death may be why the task ends
     if (faults_.ends_run()) continue;
-    if (!stopping_ && status.state == links::TaskState::failed && status.error.code == ErrorCode::process_died)
-      await_cause();
+    if (!stopping_ && status.state == links::TaskState::failed && tells_of_a_loss(status.error.code)) await_cause();
     if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
     result_.ticks = status.tick;
     if (status.state == links::TaskState::failed) {

@@ -61,7 +61,7 @@ class Runner {
   void read_signals();
   void read_statuses();
   void read_task_status();
-  /// The task says that a process has died: looks for a moment which one, and why.
+  /// The task says that a process has died or is cut off: looks for a moment which one, and why.
   void await_cause();
   void check_children();
   /// `exit_code` -1: a signal has ended it.
