@@ -2,6 +2,7 @@
 
 #include <signal.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -76,8 +77,9 @@ class RemoteHost {
   bool greeted_ = false;
   bool told_missing_ = false;
   std::string missing_;
-  bool stopped_ = false;     // it has been told to go
-  bool said_ended_ = false;  // it goes in order
+  bool stopped_ = false;         // it has been told to go
+  bool said_ended_ = false;      // it goes in order
+  std::int64_t gone_since_ = 0;  // CLOCK_MONOTONIC, ns; 0: it is there
   bool told_gone_ = false;
 };
 
