@@ -272,11 +272,14 @@ void Agent::send_traces() {
 }
 
 void Agent::drain() {
-  const std::int64_t deadline = clock::monotonic_ns() + kPatienceWithRunner;
-  while (runner_.waiting() > 0 && !runner_.closed() && clock::monotonic_ns() < deadline) {
+  std::size_t waiting = runner_.waiting();
+  for (std::int64_t progress = clock::monotonic_ns();
+       waiting > 0 && !runner_.closed() && clock::monotonic_ns() < progress + kPatienceWithRunner;) {
     poll(nullptr, 0, 1);
     runner_.read();
     runner_.flush();
+    if (runner_.waiting() < waiting) progress = clock::monotonic_ns();
+    waiting = runner_.waiting();
   }
 }
 

@@ -122,6 +122,7 @@ void RemoteHost::hear(const std::string& line) {
   } else if (word == "line") {
     listener_.message(name + " | " + rest);
   } else if (word == "trace") {
+    traced_at_ = clock::monotonic_ns();
     listener_.trace(name, rest);
   } else if (word == "lost") {
     const auto [code, how] = split_word(rest);

@@ -13,6 +13,7 @@
 #include "cli/launch.hpp"
 #include "cli/orderly_end.hpp"
 #include "cli/report.hpp"
+#include "clock/monotonic.hpp"
 #include "clock/realtime.hpp"
 #include "config/resources.hpp"
 #include "mrroc/errors.hpp"
@@ -22,10 +23,10 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr int kTurn = 20;                   // ms between looks at the mail
-constexpr double kHandShake = 0.1;          // s of one try to reach the MP
-constexpr double kPatienceWithCause = 0.5;  // s from a task's word of a loss to its cause
-constexpr double kPatienceWithHosts = 10;   // s; longer than that of their agents, with the traces
+constexpr int kTurn = 20;                                         // ms between looks at the mail
+constexpr double kHandShake = 0.1;                                // s of one try to reach the MP
+constexpr double kPatienceWithCause = 0.5;                        // s from a task's word of a loss to its cause
+constexpr std::int64_t kPatienceWithHosts = 10 * clock::kSecond;  // longer than that of their agents
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -340,8 +341,12 @@ void Runner::turn_at_the_end() {
 }
 
 void Runner::end_hosts() {
-  const double deadline = operator_clock_->wall_seconds() + kPatienceWithHosts;
-  while (!hosts_->all_ended() && operator_clock_->wall_seconds() < deadline) turn_at_the_end();
+  const std::int64_t begin = clock::monotonic_ns();
+  // a trace takes as long as it takes
+  const auto patient = [&] {
+    return clock::monotonic_ns() < std::max(begin, hosts_->traced_at()) + kPatienceWithHosts;
+  };
+  while (!hosts_->all_ended() && patient()) turn_at_the_end();
   for (const std::string& name : hosts_->kill_rest())
     progress_.message("host " + name + ": its agent does not end, killing the command that started it");
   while (!hosts_->all_ended()) turn_at_the_end();
