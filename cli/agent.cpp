@@ -26,8 +26,10 @@ namespace mrroc::cli {
 namespace {
 
 constexpr int kTurn = 20;                                             // ms
-constexpr std::int64_t kPatienceWithRunner = 5 * clock::kSecond / 2;  // to take what waits for it
-constexpr std::size_t kMostWaiting = 4 << 20;                         // bytes that the runner has not taken
+constexpr std::int64_t kPatienceWithRunner = 5 * clock::kSecond / 2;  // to take more of what waits for it
+constexpr std::int64_t kPatienceWithOrder = 30 * clock::kSecond;
+constexpr double kPatienceWithStart = 10;      // s beyond the deployment's `start_timeout`, which is the runner's
+constexpr std::size_t kMostWaiting = 4 << 20;  // bytes that the runner has not taken
 
 int open_signals() {
   sigset_t set;
@@ -81,9 +83,11 @@ process::ExitCode Agent::run() {
   runner_.write(std::string{kAgentGreeting});
   try {
     if (!take_order()) return process::ExitCode::usage;
-    prepare();
-    start_processes();
-    supervise();
+    if (!stopping_) {
+      prepare();
+      start_processes();
+      supervise();
+    }
   } catch (const std::exception& error) {
     const bool wrong_file = dynamic_cast<const config::ConfigurationError*>(&error) != nullptr;
     fail(wrong_file ? process::ExitCode::usage : process::exit_code(process::report_of(error).error_class),
@@ -97,10 +101,12 @@ process::ExitCode Agent::run() {
 }
 
 bool Agent::take_order() {
+  const std::int64_t deadline = clock::monotonic_ns() + kPatienceWithOrder;
   std::vector<std::string> lines;
-  while (!runner_.closed()) {
-    pollfd channel{runner_.fd(), POLLIN, 0};
-    poll(&channel, 1, -1);
+  while (!runner_.closed() && clock::monotonic_ns() < deadline) {
+    crew_.wait(kTurn, wake_);
+    read_signals();
+    if (stopping_) return true;
     for (const std::string& line : runner_.read()) {
       if (line == "go") {
         order_ = order_of_lines(lines);
@@ -109,6 +115,7 @@ bool Agent::take_order() {
       lines.push_back(line);
     }
   }
+  if (!runner_.closed()) throw std::runtime_error("no order within 30 s");
   return false;
 }
 
@@ -160,7 +167,15 @@ void Agent::start_processes() {
 }
 
 void Agent::supervise() {
-  while (!stopping_) turn(kTurn);
+  const double patience = deployment_.start_timeout + kPatienceWithStart;
+  const std::int64_t deadline = clock::monotonic_ns() + static_cast<std::int64_t>(patience * 1e9);
+  while (!stopping_) {
+    turn(kTurn);
+    // until the start the runner's silence does not count, and it may have vanished
+    if (!started_ && clock::monotonic_ns() > deadline)
+      fail(process::ExitCode::system,
+           "not started in time: the runner has not said so for " + std::to_string(patience) + " s");
+  }
 }
 
 void Agent::turn(int milliseconds) {
@@ -257,11 +272,14 @@ void Agent::send_traces() {
 }
 
 void Agent::drain() {
-  const std::int64_t deadline = clock::monotonic_ns() + kPatienceWithRunner;
-  while (runner_.waiting() > 0 && !runner_.closed() && clock::monotonic_ns() < deadline) {
+  std::size_t waiting = runner_.waiting();
+  for (std::int64_t progress = clock::monotonic_ns();
+       waiting > 0 && !runner_.closed() && clock::monotonic_ns() < progress + kPatienceWithRunner;) {
     poll(nullptr, 0, 1);
     runner_.read();
     runner_.flush();
+    if (runner_.waiting() < waiting) progress = clock::monotonic_ns();
+    waiting = runner_.waiting();
   }
 }
 

@@ -21,7 +21,8 @@ namespace mrroc::cli {
 /// `mrroc agent`: what `mrroc run` starts on every other host of a deployment, with a control channel on stdin and
 /// stdout (agent_protocol.hpp). It starts the processes that belong there under a clock of their own, whose tick 0 is
 /// the runner's, hands on what they say, and stops them, robots first, when it is told to, when one of them dies, when
-/// the channel closes and when the runner's beats stay away: no robot goes on without its runner. Main thread.
+/// the channel closes, when the runner's beats stay away and when it never says "start": no robot goes on without its
+/// runner. Main thread.
 class Agent {
  public:
   /// Takes both descriptors.
@@ -30,7 +31,8 @@ class Agent {
   process::ExitCode run();
 
  private:
-  /// False: the runner has gone before it has said what to do.
+  /// False: the runner has gone before it has said what to do. Throws std::runtime_error when it does not say so in
+  /// time.
   bool take_order();
   void prepare();
   void start_processes();

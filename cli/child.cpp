@@ -16,6 +16,8 @@ namespace mrroc::cli {
 
 namespace {
 
+constexpr std::size_t kLongestLine = 65536;  // what is longer comes in pieces, or it would fill the memory
+
 [[noreturn]] void execute(const std::string& program, char** words, int output, int channel, pid_t parent) {
   // between fork and exec: async-signal-safe calls only
   prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -23,7 +25,8 @@ namespace {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  setpgid(0, 0);  // Ctrl-C is the runner's to forward
+  signal(SIGPIPE, SIG_DFL);  // ignored by the runner, and that would be handed down
+  setpgid(0, 0);             // Ctrl-C is the runner's to forward
   dup2(channel >= 0 ? channel : output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
   const int input = channel >= 0 ? channel : open("/dev/null", O_RDONLY);
@@ -132,7 +135,7 @@ std::vector<std::string> Child::read_lines() {
     lines.push_back(unfinished_.substr(0, end));
     unfinished_.erase(0, end + 1);
   }
-  if (ended_ && !unfinished_.empty()) {
+  if (!unfinished_.empty() && (ended_ || unfinished_.size() > kLongestLine)) {
     lines.push_back(unfinished_);
     unfinished_.clear();
   }

@@ -38,7 +38,8 @@ class Child {
   const std::string& last_line() const noexcept { return last_line_; }
   /// Any thread; never to another process that has got its number since it ended.
   void signal(int number) const noexcept;
-  /// Whole lines that it has written since the last call; at its end also an unfinished one. Never waits.
+  /// Whole lines that it has written since the last call; at its end also an unfinished one, and
+  /// one of more than 64 KB in pieces. Never waits.
   std::vector<std::string> read_lines();
   /// Waits until it has ended; every line that it has written.
   std::string wait_for_output();

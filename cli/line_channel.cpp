@@ -55,18 +55,20 @@ void LineChannel::write(const std::string& line) {
 }
 
 void LineChannel::flush() {
-  while (!outgoing_.empty() && out_ >= 0) {
+  while (waiting() > 0 && out_ >= 0) {
+    const char* const text = outgoing_.data() + sent_;
     // without the signal that a peer who is gone would cost; a pipe's owner ignores that
-    ssize_t size = ::send(out_, outgoing_.data(), outgoing_.size(), MSG_NOSIGNAL);
-    if (size < 0 && errno == ENOTSOCK) size = ::write(out_, outgoing_.data(), outgoing_.size());
+    ssize_t size = ::send(out_, text, waiting(), MSG_NOSIGNAL);
+    if (size < 0 && errno == ENOTSOCK) size = ::write(out_, text, waiting());
     if (size < 0 && errno == EINTR) continue;
-    if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return;
-    if (size <= 0) {
-      outgoing_.clear();  // nobody is left to read it; `read` sees the end
-      return;
-    }
-    outgoing_.erase(0, static_cast<std::size_t>(size));
+    if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) break;
+    // nobody is left to read it; `read` sees the end
+    sent_ = size <= 0 ? outgoing_.size() : sent_ + static_cast<std::size_t>(size);
   }
+  // seldom, for it moves what is left
+  if (sent_ < outgoing_.size() && sent_ < outgoing_.size() / 2) return;
+  outgoing_.erase(0, sent_);
+  sent_ = 0;
 }
 
 void LineChannel::finish() noexcept {

@@ -23,7 +23,7 @@ class LineChannel {
   void write(const std::string& line);
   void flush();
   /// How much waits to be taken, bytes.
-  std::size_t waiting() const noexcept { return outgoing_.size(); }
+  std::size_t waiting() const noexcept { return outgoing_.size() - sent_; }
   /// Says the peer that no more comes; reading goes on.
   void finish() noexcept;
 
@@ -35,6 +35,7 @@ class LineChannel {
   bool closed_ = false;
   std::string incoming_;
   std::string outgoing_;
+  std::size_t sent_ = 0;  // of `outgoing_`
 };
 
 }  // namespace mrroc::cli

@@ -3,12 +3,15 @@
 #include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cstdio>
+#include <utility>
+
+#include "clock/monotonic.hpp"
 
 namespace mrroc::cli {
 
 namespace {
+
+constexpr std::int64_t kPatienceWithReader = 2 * clock::kSecond;  // at the end
 
 const char* text_of(links::ProcessState state) {
   switch (state) {
@@ -34,12 +37,18 @@ std::string activity_of(const links::ProcessStatus& status) {
 }  // namespace
 
 Progress::Progress(std::vector<std::string> processes, double servo_period, bool quiet)
-    : names_(std::move(processes)),
+    : out_(STDOUT_FILENO),
+      err_(STDERR_FILENO),
+      names_(std::move(processes)),
       servo_period_(servo_period),
       quiet_(quiet),
       live_(!quiet && isatty(STDOUT_FILENO) != 0) {}
 
-Progress::~Progress() { finish(); }
+Progress::~Progress() {
+  const std::int64_t deadline = clock::monotonic_ns() + kPatienceWithReader;
+  err_.drain(deadline);
+  out_.drain(deadline);
+}
 
 void Progress::update(const links::ProcessStatus& status) {
   links::ProcessStatus& known = statuses_[std::string{status.process.view()}];
@@ -50,54 +59,53 @@ void Progress::update(const links::ProcessStatus& status) {
 
 void Progress::print_change(const links::ProcessStatus& before, const links::ProcessStatus& now) {
   const bool first = before.process.empty();
-  if (first || before.state != now.state) fmt::print("{:<12} {}\n", now.process.view(), text_of(now.state));
+  if (first || before.state != now.state)
+    out_.write(fmt::format("{:<12} {}\n", now.process.view(), text_of(now.state)));
   // both may have changed since the last status: a process that starts is soon at its first instruction
   if (before.instruction != now.instruction) {
-    fmt::print("{:<12} {:8.3f} s  {}\n", now.process.view(), static_cast<double>(now.tick) * servo_period_,
-               activity_of(now));
+    out_.write(fmt::format("{:<12} {:8.3f} s  {}\n", now.process.view(), static_cast<double>(now.tick) * servo_period_,
+                           activity_of(now)));
   }
-  std::fflush(stdout);
 }
 
 void Progress::message(const std::string& text) {
-  erase();
-  fmt::print("{}\n", text);
-  std::fflush(stdout);
+  out_.write(erasure() + text + "\n");
   draw();
 }
 
 void Progress::error(const std::string& text) {
-  erase();
-  std::fflush(stdout);
-  fmt::print(stderr, "{}\n", text);
+  out_.write(erasure());
+  err_.write(text + "\n");
   draw();
 }
 
 void Progress::draw() {
-  if (!live_ || paused_) return;
-  erase();
+  err_.flush();
+  out_.flush();
+  // who does not read what is old is shown nothing new
+  if (!live_ || paused_ || !out_.empty()) return;
+  std::string lines = erasure();
   for (const std::string& name : names_) {
     const auto found = statuses_.find(name);
     if (found == statuses_.end()) {
-      fmt::print("{:<12} -\n", name);
+      lines += fmt::format("{:<12} -\n", name);
     } else {
       const links::ProcessStatus& status = found->second;
-      fmt::print("{:<12} {:<8} {:9.3f} s  {}\n", name, text_of(status.state),
-                 static_cast<double>(status.tick) * servo_period_, activity_of(status));
+      lines += fmt::format("{:<12} {:<8} {:9.3f} s  {}\n", name, text_of(status.state),
+                           static_cast<double>(status.tick) * servo_period_, activity_of(status));
     }
   }
   drawn_lines_ = names_.size();
-  std::fflush(stdout);
+  out_.write(lines);
 }
 
-void Progress::erase() {
-  if (drawn_lines_ == 0) return;
-  fmt::print("\x1b[{}A\x1b[J", drawn_lines_);
-  drawn_lines_ = 0;
+std::string Progress::erasure() {
+  if (drawn_lines_ == 0) return "";
+  return fmt::format("\x1b[{}A\x1b[J", std::exchange(drawn_lines_, 0));
 }
 
 void Progress::pause(bool paused) {
-  if (paused) erase();
+  if (paused) out_.write(erasure());
   paused_ = paused;
 }
 

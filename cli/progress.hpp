@@ -4,24 +4,29 @@
 #include <string>
 #include <vector>
 
+#include "cli/output.hpp"
 #include "links/process_status.hpp"
 
 namespace mrroc::cli {
 
 /// What the operator sees while a deployment runs: on a terminal one live line per process, redrawn in place; otherwise
-/// one plain line for each change of a process's state or instruction. Main thread.
+/// one plain line for each change of a process's state or instruction. It never waits for who reads, and an output that
+/// fails is no failure of the run. Main thread.
 class Progress {
  public:
   /// `quiet`: shows nothing but messages.
   Progress(std::vector<std::string> processes, double servo_period, bool quiet);
+  /// Waits up to 2 s for what is not written yet.
   ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
   void update(const links::ProcessStatus& status);
   /// A line of text above the live lines: output of a process, a notice. Shown even when quiet.
   void message(const std::string& text);
   /// A line on stderr, with the live lines out of its way.
   void error(const std::string& text);
-  /// Redraws the live lines; call it a few times per second.
+  /// Redraws the live lines and writes what could not be written before; call it a few times per second.
   void draw();
   /// While paused there are no live lines: what the operator types is not overwritten.
   void pause(bool paused);
@@ -29,9 +34,12 @@ class Progress {
   void finish();
 
  private:
-  void erase();
+  /// What takes the live lines away.
+  std::string erasure();
   void print_change(const links::ProcessStatus& before, const links::ProcessStatus& now);
 
+  Output out_;
+  Output err_;
   std::vector<std::string> names_;
   double servo_period_;
   bool quiet_;

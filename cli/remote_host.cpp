@@ -11,11 +11,15 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "clock/monotonic.hpp"
+
 namespace mrroc::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::int64_t kPatienceWithKernel = clock::kSecond / 10;  // from the end of a channel to that of its process
 
 /// As a POSIX shell reads it back.
 std::string in_shell_quotes(const std::string& word) {
@@ -96,7 +100,7 @@ void RemoteHost::look() {
   for (const std::string& line : agent_.read_lines()) listener_.message("host " + name_ + " | " + line);
   channel_->flush();
   if (!said_ended_) look_at_agent();
-  if (!stopped_) look_at_link();
+  if (!stopped_ && gone_since_ == 0) look_at_link();  // the silence of one that is gone is but a consequence
 }
 
 void RemoteHost::hear(const std::string& line) {
@@ -118,6 +122,7 @@ void RemoteHost::hear(const std::string& line) {
   } else if (word == "line") {
     listener_.message(name + " | " + rest);
   } else if (word == "trace") {
+    traced_at_ = clock::monotonic_ns();
     listener_.trace(name, rest);
   } else if (word == "lost") {
     const auto [code, how] = split_word(rest);
@@ -132,10 +137,12 @@ void RemoteHost::hear(const std::string& line) {
 
 void RemoteHost::look_at_agent() {
   if (told_gone_ || (!agent_.ended() && !channel_->closed())) return;
+  // its channel closes a moment before the kernel knows how it ended
+  const std::int64_t now = clock::monotonic_ns();
+  if (gone_since_ == 0) gone_since_ = now;
+  if (!agent_.ended() && now - gone_since_ < kPatienceWithKernel) return;
   told_gone_ = true;
   std::string reason = greeted_ ? "its agent is gone" : "no agent could be started";
-  // a moment later the kernel knows how it ended
-  for (int look = 0; look < 50 && !agent_.ended(); ++look) usleep(2000);
   for (const std::string& line : agent_.read_lines()) listener_.message("host " + name_ + " | " + line);
   if (agent_.ended()) reason += ": " + agent_.how_it_ended();
   if (!agent_.last_line().empty()) reason += ": " + agent_.last_line();

@@ -2,6 +2,7 @@
 
 #include <signal.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -55,6 +56,8 @@ class RemoteHost {
   void kill() noexcept { agent_.signal(SIGKILL); }
 
   const std::string& name() const noexcept { return name_; }
+  /// When the last line of a trace has come, CLOCK_MONOTONIC, ns; 0: none has.
+  std::int64_t traced_at() const noexcept { return traced_at_; }
   /// How far off its clock may be, ns; 0 as long as it is not known.
   std::int64_t clock_error_ns() const;
   /// One line about link and clock, for the report.
@@ -78,6 +81,8 @@ class RemoteHost {
   std::string missing_;
   bool stopped_ = false;     // it has been told to go
   bool said_ended_ = false;  // it goes in order
+  std::int64_t traced_at_ = 0;
+  std::int64_t gone_since_ = 0;  // CLOCK_MONOTONIC, ns; 0: it is there
   bool told_gone_ = false;
 };
 

@@ -107,6 +107,12 @@ bool RemoteHosts::all_ended() noexcept {
   return std::all_of(hosts_.begin(), hosts_.end(), [](RemoteHost& host) { return host.ended(); });
 }
 
+std::int64_t RemoteHosts::traced_at() const noexcept {
+  std::int64_t latest = 0;
+  for (const RemoteHost& host : hosts_) latest = std::max(latest, host.traced_at());
+  return latest;
+}
+
 std::vector<std::string> RemoteHosts::kill_rest() noexcept {
   std::vector<std::string> names;
   for (RemoteHost& host : hosts_) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <string>
@@ -35,6 +36,8 @@ class RemoteHosts {
   std::int64_t start();
   void stop();
   bool all_ended() noexcept;
+  /// When the last line of a trace has come from any of them, CLOCK_MONOTONIC, ns; 0: none has.
+  std::int64_t traced_at() const noexcept;
   /// Kills the commands that still live; gives the names of their hosts.
   std::vector<std::string> kill_rest() noexcept;
   /// A line for each, for the report.

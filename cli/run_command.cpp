@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "cli/ask_programs.hpp"
-#include "cli/report.hpp"
 #include "cli/runner.hpp"
 #include "config/description.hpp"
 #include "config/state_machine.hpp"
@@ -65,9 +64,7 @@ int run(const RunArguments& arguments) {
     fmt::print("{}\n", config::describe(deployment));
     return 0;
   }
-  const RunResult result = Runner(deployment, options).run();
-  if (!arguments.options.quiet) print_report(deployment, result);
-  return static_cast<int>(result.code);
+  return static_cast<int>(Runner(deployment, options).run());
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include "cli/clock_options.hpp"
 #include "cli/launch.hpp"
 #include "cli/orderly_end.hpp"
+#include "cli/report.hpp"
+#include "clock/monotonic.hpp"
 #include "clock/realtime.hpp"
 #include "config/resources.hpp"
 #include "mrroc/errors.hpp"
@@ -21,10 +23,10 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr int kTurn = 20;                   // ms between looks at the mail
-constexpr double kHandShake = 0.1;          // s of one try to reach the MP
-constexpr double kPatienceWithCause = 0.5;  // s from a task's word of a death to its cause
-constexpr double kPatienceWithHosts = 10;   // s; longer than that of their agents, with the traces
+constexpr int kTurn = 20;                                         // ms between looks at the mail
+constexpr double kHandShake = 0.1;                                // s of one try to reach the MP
+constexpr double kPatienceWithCause = 0.5;                        // s from a task's word of a loss to its cause
+constexpr std::int64_t kPatienceWithHosts = 10 * clock::kSecond;  // longer than that of their agents
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -40,11 +42,16 @@ std::vector<PlannedProcess> processes_on(const std::string& host, const std::vec
   return found;
 }
 
+/// Between machines a process that has died and a cut link look alike to its peers.
+bool tells_of_a_loss(ErrorCode code) { return code == ErrorCode::process_died || code == ErrorCode::link_lost; }
+
 int open_signals() {
   sigset_t set;
   sigemptyset(&set);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCHLD}) sigaddset(&set, number);
+  // SIGTTOU: a terminal may be set to stop those who write to it from the background
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGTTOU, SIGCHLD}) sigaddset(&set, number);
   sigprocmask(SIG_BLOCK, &set, nullptr);
+  signal(SIGPIPE, SIG_IGN);  // nobody has to read what the runner says
   return signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
 }
 
@@ -75,7 +82,7 @@ Runner::~Runner() {
   if (signals_ >= 0) close(signals_);
 }
 
-RunResult Runner::run() {
+process::ExitCode Runner::run() {
   check_somebody_answers(deployment_, input_.attended());
   check_network(deployment_.network);
   // before anything is started: a run whose trace is lost would be in vain
@@ -83,13 +90,11 @@ RunResult Runner::run() {
   if (!options_.snapshots.empty()) std::filesystem::create_directories(options_.snapshots);
   // lockstep is serial by nature: one CPU for all is several times faster than two
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
-  try {
+  guard([&] {
     start_processes(trace);
     if (!stopping_) pass_barrier();
     if (!stopping_) supervise();
-  } catch (const std::exception& error) {
-    fail(process::exit_code(process::report_of(error).error_class), error.what());
-  }
+  });
   end_processes();
   result_.statuses = heartbeats_.statuses();
   try {
@@ -97,7 +102,16 @@ RunResult Runner::run() {
   } catch (const std::exception& error) {
     fail(process::ExitCode::system, error.what());  // a success is none without its trace
   }
-  return result_;
+  if (!options_.quiet) progress_.message(report_of(deployment_, result_));
+  return result_.code;
+}
+
+void Runner::guard(const std::function<void()>& step) {
+  try {
+    step();
+  } catch (const std::exception& error) {
+    fail(process::exit_code(process::report_of(error).error_class), error.what());
+  }
 }
 
 void Runner::start_processes(const TraceParts& trace) {
@@ -244,6 +258,7 @@ void Runner::await_cause() {
     read_signals();
     check_children();
     if (hosts_) hosts_->look();
+    if (task_started_ && !stopping_) look_at_desk();  // an emergency stop may not wait for it
   }
 }
 
@@ -253,8 +268,7 @@ void Runner::read_task_status() {
   while (mp_->take(status, last_command)) {
     check_children();  // a death may be why the task ends
     if (faults_.ends_run()) continue;
-    if (!stopping_ && status.state == links::TaskState::failed && status.error.code == ErrorCode::process_died)
-      await_cause();
+    if (!stopping_ && status.state == links::TaskState::failed && tells_of_a_loss(status.error.code)) await_cause();
     if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
     result_.ticks = status.tick;
     if (status.state == links::TaskState::failed) {
@@ -322,13 +336,21 @@ void Runner::fail(process::ExitCode code, std::string reason) {
   progress_.error("mrroc: " + deployment_.name + ": " + result_.reason);
 }
 
+void Runner::turn_at_the_end() {
+  guard([this] { turn(kTurn); });
+}
+
 void Runner::end_hosts() {
-  const double deadline = operator_clock_->wall_seconds() + kPatienceWithHosts;
-  while (!hosts_->all_ended() && operator_clock_->wall_seconds() < deadline) turn(kTurn);
+  const std::int64_t begin = clock::monotonic_ns();
+  // a trace takes as long as it takes
+  const auto patient = [&] {
+    return clock::monotonic_ns() < std::max(begin, hosts_->traced_at()) + kPatienceWithHosts;
+  };
+  while (!hosts_->all_ended() && patient()) turn_at_the_end();
   for (const std::string& name : hosts_->kill_rest())
     progress_.message("host " + name + ": its agent does not end, killing the command that started it");
-  while (!hosts_->all_ended()) turn(kTurn);
-  turn(0);  // what they wrote last
+  while (!hosts_->all_ended()) turn_at_the_end();
+  turn_at_the_end();  // what they wrote last
   remote_traces_.clear();
   result_.hosts = hosts_->summaries();
 }
@@ -338,13 +360,13 @@ void Runner::end_processes() {
   const double now = operator_clock_->wall_seconds();
   result_.wall_seconds = task_started_ ? now - start : 0;
   if (result_.ticks == 0 && task_started_) result_.ticks = clock_.tick();
-  if (hosts_) hosts_->stop();
+  if (hosts_) guard([this] { hosts_->stop(); });
   end_in_order(crew_, clock_, task_started_,
-               {.turn = [this] { turn(kTurn); },
+               {.turn = [this] { turn_at_the_end(); },
                 .message = [this](const std::string& line) { progress_.message(line); },
                 .failed = [this](const std::string& reason) { fail(process::ExitCode::system, reason); }});
-  if (hosts_) end_hosts();
-  turn(0);
+  if (hosts_) guard([this] { end_hosts(); });
+  guard([this] { turn(0); });
   if (task_started_) faults_.tell_left();
   progress_.finish();
 }

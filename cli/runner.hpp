@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -17,6 +18,7 @@
 #include "cli/progress.hpp"
 #include "cli/remote_hosts.hpp"
 #include "cli/run_options.hpp"
+#include "cli/run_result.hpp"
 #include "cli/task_commands.hpp"
 #include "cli/trace_parts.hpp"
 #include "cli/typed_lines.hpp"
@@ -30,16 +32,6 @@
 
 namespace mrroc::cli {
 
-/// How a run ended.
-struct RunResult {
-  process::ExitCode code = process::ExitCode::success;
-  std::string reason;                                    ///< one line, told on stderr at once; empty on success
-  Tick ticks = 0;                                        ///< simulated length
-  double wall_seconds = 0;                               ///< from the start of the task to its end
-  std::map<std::string, links::ProcessStatus> statuses;  ///< last word of each process
-  std::vector<std::string> hosts;                        ///< a line about each other host
-};
-
 /// `mrroc run`: starts every process of a deployment, opens the clock when all are ready, starts the MP, shows
 /// progress, forwards Ctrl-C and the operator's answers, notices a process that dies or is silent, and ends every
 /// process whatever happens. Main thread.
@@ -47,9 +39,12 @@ class Runner {
  public:
   Runner(const config::Deployment& deployment, RunOptions options);
   ~Runner();
-  RunResult run();
+  /// The outcome of the task, whatever becomes of what is said about it.
+  process::ExitCode run();
 
  private:
+  /// Takes a step; what it throws is why the run fails.
+  void guard(const std::function<void()>& step);
   void start_processes(const TraceParts& trace);
   void pass_barrier();
   /// Shakes hands with the MP, and sees meanwhile who dies and what the operator wants; false when all is to end.
@@ -61,10 +56,12 @@ class Runner {
 
   /// One turn of the supervisor: waits at most `milliseconds` for signals and output; true when all is well.
   bool turn(int milliseconds);
+  /// The same while processes end, from which nothing may keep them.
+  void turn_at_the_end();
   void read_signals();
   void read_statuses();
   void read_task_status();
-  /// The task says that a process has died: looks for a moment which one, and why.
+  /// The task says that a process has died or is cut off: looks for a moment which one, and why.
   void await_cause();
   void check_children();
   /// `exit_code` -1: a signal has ended it.

@@ -66,6 +66,13 @@ void ParticipantClock::leave() noexcept {
   if (slot().membership.compare_exchange_strong(alive, Membership::left)) memory().host.open();
 }
 
+void ParticipantClock::look_for_host() noexcept {
+  const std::int64_t now = monotonic_ns();
+  if (now < next_look_ns_) return;
+  next_look_ns_ = now + kSecond;
+  if (!host_alive()) slot().gate.interrupt();
+}
+
 bool ParticipantClock::host_alive() const noexcept {
   pollfd host{host_process_, POLLIN, 0};
   return ::poll(&host, 1, 0) == 0;

@@ -37,13 +37,17 @@ class ParticipantClock : public Clock {
   /// host has died; the process has left.
   bool sleep(std::uint32_t seen, std::int64_t deadline_ns) noexcept;
   void leave() noexcept;
+  /// Under a clock of wall time, at every wait: interrupts when the host has died, at most a second after it has.
+  /// Messages that flow on keep `sleep` from asking.
+  void look_for_host() noexcept;
 
  private:
   bool host_alive() const noexcept;
 
   MappedClock memory_;
   std::uint32_t index_;
-  int host_process_;  // pidfd
+  int host_process_;               // pidfd
+  std::int64_t next_look_ns_ = 0;  // for the host; the participant's thread
 };
 
 }  // namespace mrroc::clock

@@ -14,6 +14,7 @@ bool RealClock::start() {
 Tick RealClock::tick() const noexcept { return wall_tick(memory()); }
 
 Wake RealClock::wait(Tick wake_tick) {
+  look_for_host();
   const std::int64_t deadline = begin_of(memory(), wake_tick);
   std::uint32_t word = slot().gate.word();
   if (slot().gate.interrupted()) {

@@ -37,7 +37,7 @@ class StatusBoard {
     std::uint64_t step = 0;
     char text[64]{};
   };
-  void publish();
+  void publish() noexcept;
   void run();
 
   links::StatusPublisher& publisher_;

@@ -26,6 +26,25 @@ TEST(Child, GivesItsOutputByLinesAndItsExitCode) {
   EXPECT_EQ(child.last_line(), "three");
 }
 
+TEST(Child, ALineWithoutEndComesInPieces) {
+  constexpr std::size_t kBytes = 1'000'000;
+  Child child("talker", "/bin/sh", {"-c", "head -c 1000000 /dev/zero | tr '\\0' x"});
+  std::size_t total = 0;
+  for (bool ended = false; !ended;) {
+    ended = child.ended();
+    for (const std::string& line : child.read_lines()) {
+      EXPECT_LE(line.size(), 2U * 65536U);
+      total += line.size();
+    }
+    pollfd descriptor{child.output_fd(), POLLIN, 0};
+    poll(&descriptor, 1, 20);
+  }
+  // what its pipe holds at its end
+  for (std::vector<std::string> lines; !(lines = child.read_lines()).empty();)
+    for (const std::string& line : lines) total += line.size();
+  EXPECT_EQ(total, kBytes);
+}
+
 TEST(Child, TellsTheSignalThatEndedIt) {
   Child child("sleeper", "/bin/sleep", {"60"});
   child.signal(SIGKILL);

@@ -49,6 +49,22 @@ TEST(LineChannel, APeerThatDoesNotReadHoldsNobody) {
   for (const std::string& each : read) ASSERT_EQ(each, line);
 }
 
+TEST(LineChannel, WhatWaitsKeepsItsOrderWhileMoreComes) {
+  Pair pair;
+  std::size_t written = 0;
+  std::size_t read = 0;
+  const auto line = [](std::size_t number) { return std::to_string(number) + std::string(number % 3000, 'x'); };
+  for (int round = 0; round < 200; ++round) {
+    for (int i = 0; i < 20; ++i) pair.a->write(line(written++));
+    for (const std::string& each : pair.b->read()) ASSERT_EQ(each, line(read++));
+  }
+  while (read < written) {
+    pair.a->flush();
+    for (const std::string& each : pair.b->read()) ASSERT_EQ(each, line(read++));
+  }
+  EXPECT_EQ(pair.a->waiting(), 0U);
+}
+
 TEST(LineChannel, ALineBreakWithinALineIsNone) {
   Pair pair;
   pair.a->write("one\ntwo");

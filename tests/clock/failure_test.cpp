@@ -171,6 +171,32 @@ TEST(ClockFailure, AParticipantDoesNotOutwaitAKilledHost) {
   EXPECT_EQ(answer, 'y');
 }
 
+TEST(ClockFailure, NorDoesOneThatGetsMailAllTheTime) {
+  int pipe_ends[2];
+  ASSERT_EQ(::pipe(pipe_ends), 0);
+  Child owner([&pipe_ends] {
+    HostOptions options;
+    options.mode = Mode::real;
+    options.participants = {"a"};
+    ClockHost host(options);
+    Child participant([&] {
+      const auto clock = attach_clock(host.fd(), "a");
+      (void)!::write(pipe_ends[1], clock->start() ? "r" : "n", 1);
+      do clock->notify();
+      while (clock->wait(kNever) == Wake::mail);
+      (void)!::write(pipe_ends[1], "y", 1);
+    });
+    if (!host.wait_ready(60).empty()) ::_exit(1);
+    host.run();
+  });
+  char answer = 0;
+  ASSERT_EQ(::read(pipe_ends[0], &answer, 1), 1);
+  ASSERT_EQ(answer, 'r');
+  owner.kill();
+  ASSERT_EQ(::read(pipe_ends[0], &answer, 1), 1);
+  EXPECT_EQ(answer, 'y');
+}
+
 TEST(ClockFailure, ASignalHandlerMayInterrupt) {
   HostOptions options;
   options.participants = {"a"};

@@ -95,7 +95,7 @@ pid_t parent_of(pid_t pid) {
   return state == 'Z' ? -1 : parent;
 }
 
-MrrocRun::MrrocRun(const std::vector<std::string>& arguments, int place) {
+MrrocRun::MrrocRun(const std::vector<std::string>& arguments, int place, const std::filesystem::path& output) {
   const std::string program = std::string{MRROC_BINARY_DIR} + "/bin/mrroc";
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -105,8 +105,8 @@ MrrocRun::MrrocRun(const std::vector<std::string>& arguments, int place) {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  const std::string out = folder_.path() / "out";
-  const std::string err = folder_.path() / "err";
+  const std::string out = output.empty() ? folder_.path() / "out" : output;
+  const std::string err = output.empty() ? folder_.path() / "err" : output;
   pid_ = fork();
   if (pid_ == 0) {
     end_with_test();

@@ -17,8 +17,9 @@ using task_test::ScratchFolder;
 class MrrocRun {
  public:
   /// `place` above 0: beside others, each on a CPU of its own as far as there are so many. A run in lockstep keeps to
-  /// the CPU that it finds itself on, and two might to one.
-  explicit MrrocRun(const std::vector<std::string>& arguments, int place = 0);
+  /// the CPU that it finds itself on, and two might to one. `output`: a file or device that takes what it says instead
+  /// of `out` and `err`.
+  explicit MrrocRun(const std::vector<std::string>& arguments, int place = 0, const std::filesystem::path& output = {});
   /// Kills it when it is still there.
   ~MrrocRun();
   MrrocRun(const MrrocRun&) = delete;
