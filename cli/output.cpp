@@ -40,42 +40,43 @@ void Output::write(std::string text) {
   kept_.push_back(std::move(text));
   flush();
   if (kept_.size() <= kMostKept) return;
-  kept_.erase(kept_.begin() + (written_ > 0 ? 1 : 0));  // one that is half written is written to its end
+  kept_.pop_front();
   ++dropped_;
 }
 
 void Output::flush() {
   const int fd = own_ >= 0 ? own_ : fd_;
-  while (!kept_.empty()) {
-    tell_dropped();
-    const std::string& text = kept_.front();
+  while (!empty()) {
     pollfd look{fd, POLLOUT, 0};
     if (poll(&look, 1, 0) <= 0) return;
+    if (written_ == text_.size()) take_next();
     // no more than a pipe takes at once when it takes anything
-    const ssize_t size = ::write(fd, text.data() + written_, std::min<std::size_t>(text.size() - written_, PIPE_BUF));
+    const ssize_t size = ::write(fd, text_.data() + written_, std::min<std::size_t>(text_.size() - written_, PIPE_BUF));
     if (size < 0 && (errno == EAGAIN || errno == EINTR)) return;
     if (size <= 0) {
       failed_ = true;
       kept_.clear();
+      written_ = text_.size();
       return;
     }
     written_ += static_cast<std::size_t>(size);
-    if (written_ < text.size()) continue;
-    written_ = 0;
-    kept_.pop_front();
   }
 }
 
-void Output::tell_dropped() {
-  if (dropped_ == 0 || written_ > 0) return;
-  kept_.push_front(fmt::format("({} lines are lost: the output did not take them)\n", dropped_));
-  dropped_ = 0;
+void Output::take_next() {
+  written_ = 0;
+  if (dropped_ > 0) {
+    text_ = fmt::format("({} lines are lost: the output did not take them)\n", std::exchange(dropped_, 0));
+    return;
+  }
+  text_ = std::move(kept_.front());
+  kept_.pop_front();
 }
 
 void Output::drain(std::int64_t deadline_ns) {
   constexpr int kPause = 10;  // ms
   flush();
-  while (!kept_.empty() && clock::monotonic_ns() < deadline_ns) {
+  while (!empty() && clock::monotonic_ns() < deadline_ns) {
     pollfd look{own_ >= 0 ? own_ : fd_, POLLOUT, 0};
     poll(&look, 1, kPause);
     flush();

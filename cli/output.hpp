@@ -25,16 +25,18 @@ class Output {
   /// The same, waiting up to `deadline_ns` of CLOCK_MONOTONIC.
   void drain(std::int64_t deadline_ns);
   /// Nothing is kept.
-  bool empty() const noexcept { return kept_.empty(); }
+  bool empty() const noexcept { return kept_.empty() && written_ == text_.size(); }
 
  private:
-  void tell_dropped();
+  /// The next text to be written: what is kept, behind the number of what was dropped before it.
+  void take_next();
 
   int fd_;
   int own_;  // -1: the descriptor could not be opened anew
   bool failed_ = false;
+  std::string text_;         // being written
+  std::size_t written_ = 0;  // of it
   std::deque<std::string> kept_;
-  std::size_t written_ = 0;  // of the first
   std::size_t dropped_ = 0;
 };
 
