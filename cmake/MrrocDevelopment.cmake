@@ -45,3 +45,17 @@ function(mrroc_test name)
     set_tests_properties(${name} PROPERTIES RUN_SERIAL ON)
   endif()
 endfunction()
+
+# mrroc_socket_test(NAME TIMEOUT s COMMAND ... [VARIABLES N=V ...] [LABELS ...] [ENVIRONMENT ...]): one ctest entry whose command, with these variables
+# of its environment, has the CAN interfaces can0 and can1: in a guest where this kernel has none. Not with a sanitizer, for whose shadow memory a
+# guest's processes have no room.
+function(mrroc_socket_test name)
+  if(MRROC_SANITIZE)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "TIMEOUT" "COMMAND;VARIABLES;LABELS;ENVIRONMENT" ${ARGN})
+  list(TRANSFORM ARG_VARIABLES PREPEND "--env;")
+  math(EXPR longest "${ARG_TIMEOUT} + 60")
+  add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/tests/can/with_can --timeout ${ARG_TIMEOUT} ${ARG_VARIABLES} -- ${ARG_COMMAND})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${longest} RUN_SERIAL ON LABELS "${ARG_LABELS}" ENVIRONMENT "${ARG_ENVIRONMENT}")
+endfunction()
