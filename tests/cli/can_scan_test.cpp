@@ -21,7 +21,7 @@ class CanScan : public testing::Test {
   can::Hub hub_{folder_ / "bus"};
 
   Child program(std::vector<std::string> arguments) {
-    return {"mrroc", std::string(MRROC_BINARY_DIR) + "/bin/mrroc", std::move(arguments)};
+    return {"mrroc", MRROC_BINARY_DIR "/bin/mrroc", std::move(arguments)};
   }
 };
 

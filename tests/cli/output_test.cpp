@@ -116,7 +116,7 @@ TEST_F(OutputTest, ATerminalThatStandsStillHoldsNobody) {
   ASSERT_EQ(tcflow(terminal, TCOOFF), 0);  // what Ctrl-S does
   {
     Output output(terminal);
-    for (int i = 0; i < 100; ++i) output.write(std::string(1000, 'x') + "\n");
+    for (int i = 0; i < 100; ++i) output.write(std::string(1000, 'x').append("\n"));
     EXPECT_FALSE(output.empty());
     EXPECT_EQ(fcntl(terminal, F_GETFL) & O_NONBLOCK, 0) << "others share the descriptor";
     ASSERT_EQ(tcflow(terminal, TCOON), 0);
