@@ -23,7 +23,7 @@ enum class Homing : std::uint8_t { none, running, attained, failed };
 /// What the drives report in one tick.
 struct HardwareInput {
   Tick tick = 0;                      ///< when it was measured: that of `read`, where the drives say nothing else
-  double late = 0;                    ///< and how long after it, servo periods; may be negative
+  double late = 0;                    ///< and how long after it at most, servo periods: on a bus, until it was answered
   JointVector motors;                 ///< shaft positions, rad, as the encoders resolve them
   JointVector current;                ///< measured currents, A
   bool synchronised = false;          ///< positions are absolute; else they count from where the power came on
@@ -35,9 +35,6 @@ struct HardwareInput {
   Signals inputs;                ///< of the controller's terminals
   Homing homing = Homing::none;  ///< of the axis given to `home`
   double homing_shift = 0;       ///< when it has attained: what to add to its positions, rad
-
-  /// When it was measured, servo periods.
-  double time() const noexcept { return static_cast<double>(tick) + late; }
 };
 
 /// The drives of one robot: CAN drives, the simulated world, or a plant model. `read` and `write` run in the servo

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace mrroc::edp {
 
 namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// rad/s of a free drive that had `speed` a period before, pushed by `current` all that time.
 double next_speed(const AxisParameters& axis, double speed, double current, double period) noexcept {
@@ -17,19 +20,19 @@ double next_speed(const AxisParameters& axis, double speed, double current, doub
 
 }  // namespace
 
-Fault MotionWatch::look(const RobotModel& model, const Seen& seen, double now, bool moves) noexcept {
+Fault MotionWatch::look(const RobotModel& model, const Seen& seen, Taken taken, bool moves) noexcept {
   if (readings_ == 0) {
-    begin(model, seen, now);
+    begin(model, seen, taken);
     return {};
   }
-  const Fault fast = look_at_speed(model.parameters().axes, seen.joints, now);
+  const Fault fast = look_at_speed(model.parameters().axes, seen.joints, taken);
   const Fault stuck = look_at_shafts(model, seen);
   if (fast.code != ErrorCode::none || !moves) return fast;
   return stuck;
 }
 
-void MotionWatch::begin(const RobotModel& model, const Seen& seen, double now) noexcept {
-  ring_[0] = {now, seen.joints};
+void MotionWatch::begin(const RobotModel& model, const Seen& seen, Taken taken) noexcept {
+  ring_[0] = {taken, seen.joints};
   readings_ = 1;
   speed_ = seen.velocity;
   motors_ = seen.motors;
@@ -44,22 +47,28 @@ void MotionWatch::begin(const RobotModel& model, const Seen& seen, double now) n
 }
 
 Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints,
-                                 double now) noexcept {
-  if (now < ring_[(readings_ - 1) % kReadings].time + kShortest) return {};  // as good as the same again
+                                 Taken taken) noexcept {
+  if (taken.tick <= ring_[(readings_ - 1) % kReadings].taken.tick) return {};  // the same reading again
   const Reading last = ring_[(readings_ - 1) % kReadings], oldest = ring_[readings_ % kReadings];
   const bool full = readings_ >= kReadings;
-  ring_[readings_++ % kReadings] = {now, joints};
-  const double time = period_ * (now - last.time);
-  const double whole_time = period_ * (now - oldest.time);
+  ring_[readings_++ % kReadings] = {taken, joints};
+  const auto periods = static_cast<double>(taken.tick - last.taken.tick);
+  const double longest = period_ * (periods + taken.late);
+  const double shortest = period_ * (periods - last.taken.late);
+  const double whole_time = period_ * (static_cast<double>(taken.tick - oldest.taken.tick) + taken.late);
+  const bool exact = longest == shortest;
   Fault fault;
   for (Eigen::Index i = joints.size(); i-- > 0;) {
-    const double latest = (joints[i] - last.joints[i]) / time;
-    const double next = std::abs(2 * latest - speed_[i]) - tremble_[i] / time;
+    const double latest = (joints[i] - last.joints[i]) / longest;
+    const double change = latest - speed_[i];
+    // where the times are in doubt, so is a change that would turn the motion round
+    const double ahead = exact ? std::abs(latest + change) : std::abs(latest) + std::copysign(1, latest) * change;
+    const double next = ahead - tremble_[i] / longest;
     const double over_all = full ? std::abs(joints[i] - oldest.joints[i]) / whole_time : 0.0;
     const double speed = std::max(over_all, next);
     const double limit = kOverspeed * axes[static_cast<std::size_t>(i)].velocity_max;
     if (!(speed <= limit)) fault = {ErrorCode::overspeed, static_cast<int>(i), speed, limit};
-    speed_[i] = latest;
+    speed_[i] = shortest > 0 ? (joints[i] - last.joints[i]) / shortest : kUnknown;
   }
   return fault;
 }

@@ -25,8 +25,6 @@ class MotionWatch {
   /// A single difference trembles by an increment of the encoder, and by what the regulator does about it.
   static constexpr std::size_t kReadings = 4;
   static constexpr double kTremble = 4;
-  /// Readings closer than that, in servo periods, show no speed: a bus is read when the servo comes to it.
-  static constexpr double kShortest = 0.5;
   /// A wrist that holds one end of a bar, whose other end is held too, is pushed to 0.9 and stands.
   static constexpr double kPushed = 1.3;
 
@@ -42,24 +40,30 @@ class MotionWatch {
     const JointVector& desired_motors;  ///< their set-points
     const JointVector& current;         ///< that the drives were given last, A
   };
-  /// Once per servo tick; the readings are those of time `now`, servo periods. The first axis that is too fast, else
-  /// one that is stuck (`moves`: it is commanded, not stopping); code none: all is well.
-  Fault look(const RobotModel& model, const Seen& seen, double now, bool moves) noexcept;
+  /// When a reading was taken: at its tick or up to `late` servo periods after it. Drives on a bus measure when they
+  /// are asked or keep time by themselves, so a servo that wakes late does not know which. In doubt a motion is slow.
+  struct Taken {
+    Tick tick = 0;
+    double late = 0;
+  };
+  /// Once per servo tick. The first axis that is too fast, else one that is stuck (`moves`: it is commanded, not
+  /// stopping); code none: all is well.
+  Fault look(const RobotModel& model, const Seen& seen, Taken taken, bool moves) noexcept;
 
  private:
-  void begin(const RobotModel& model, const Seen& seen, double now) noexcept;
-  Fault look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, double now) noexcept;
+  void begin(const RobotModel& model, const Seen& seen, Taken taken) noexcept;
+  Fault look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken) noexcept;
   Fault look_at_shafts(const RobotModel& model, const Seen& seen) noexcept;
   Fault look_at_push(const RobotModel& model, const JointVector& joints) const noexcept;
 
   double period_;
   struct Reading {
-    double time = 0;  ///< servo periods
+    Taken taken;
     JointVector joints;
   };
   std::array<Reading, kReadings> ring_;
   std::size_t readings_ = 0;   ///< so far; number n is in place n % kReadings
-  JointVector speed_;          ///< of the joints between the last two readings, rad/s or m/s
+  JointVector speed_;          ///< of the joints between the last two readings at most, rad/s or m/s
   JointVector tremble_;        ///< of a joint, rad or m, that kTremble increments of all shafts make
   JointVector motors_;         ///< where each shaft came to last
   JointVector desired_there_;  ///< its set-point when it came there

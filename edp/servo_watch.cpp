@@ -23,7 +23,7 @@ void Servo::widen_limits() noexcept {
 
 void Servo::measure(Tick tick) noexcept {
   elapsed_ = ticked_ ? tick - last_ : 1;
-  const double last_time = input_.time();
+  const Tick last_read = input_.tick;
   input_.tick = tick;
   input_.late = 0;
   input_.motors.setConstant(kNothing);
@@ -48,8 +48,8 @@ void Servo::measure(Tick tick) noexcept {
   if (emergency_.look(input_.inputs)) find_fault({ErrorCode::emergency_stop});
   if (ticked_) {
     measured_increment_ = input_.motors - measured_motors_;
-    const double time = input_.time() - last_time;
-    if (time >= MotionWatch::kShortest) velocity_ = (joints - joints_) / (period_ * time);
+    if (input_.tick > last_read)  // else it is the same reading again
+      velocity_ = (joints - joints_) / (period_ * static_cast<double>(input_.tick - last_read));
   }
   measured_motors_ = input_.motors;
   joints_ = joints;
@@ -83,8 +83,8 @@ void Servo::watch(Tick tick) noexcept {
   const Fault in_motion = find_in_motion();
   if (moves) find_fault(in_motion);
   if (enabled_)
-    find_fault(
-        motion_.look(*model_, {joints_, velocity_, measured_motors_, desired_motors_, current_}, input_.time(), moves));
+    find_fault(motion_.look(*model_, {joints_, velocity_, measured_motors_, desired_motors_, current_},
+                            {input_.tick, input_.late}, moves));
   if (found_.code != ErrorCode::none) latch(found_.code, found_.axis, found_.value, found_.limit, tick);
   if (enabled_ && fault_.code != ErrorCode::none)
     stop(stop_category(found_.code != ErrorCode::none ? found_.code : fault_.code));

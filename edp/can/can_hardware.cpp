@@ -191,11 +191,11 @@ void CanHardware::synchronise(Tick tick) noexcept {
     last_heartbeat_ = tick;
   }
   for (Drive& drive : drives_) drive.expect();
-  const std::int64_t synced = clock::monotonic_ns();
-  if (!origin_) origin_ = synced - static_cast<std::int64_t>(tick) * ns(period_);
-  late_ = static_cast<double>(synced - *origin_) / (period_ * 1e9) - static_cast<double>(tick);
+  const std::int64_t tick_begin = static_cast<std::int64_t>(tick) * ns(period_);
+  origin_ = std::min(origin_, clock::monotonic_ns() - tick_begin);
   send(sync_frame());
   await_all(deadline);
+  late_ = static_cast<double>(clock::monotonic_ns() - origin_ - tick_begin) / (period_ * 1e9);
   for (Drive& drive : drives_) drive.close_cycle();
 }
 

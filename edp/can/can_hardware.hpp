@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +27,7 @@ class CanHardware : public Hardware {
  public:
   struct Timing {
     double patience;    ///< s of wall time that the drives get to answer a SYNC
-    bool real = false;  ///< a tick is when its SYNC is sent, on time or late; else it is a tick, however long it takes
+    bool real = false;  ///< ticks are those of the wall, and what was measured later than its tick is told as late
   };
 
   /// `period` in s. `synchronised`: positions are right from the start.
@@ -70,8 +70,8 @@ class CanHardware : public Hardware {
   std::vector<Drive> drives_;
   can::BusError bus_error_ = can::BusError::none;
   Tick tick_ = 0;
-  std::optional<std::int64_t> origin_;  ///< ns of the wall: tick 0, as the first SYNC shows it
-  double late_ = 0;                     ///< of this cycle's SYNC, servo periods; the drives measure when it comes
+  std::int64_t origin_ = INT64_MAX;  ///< ns of the wall: tick 0, as the promptest SYNC shows it
+  double late_ = 0;                  ///< of this cycle's last answer, servo periods after its tick
   Tick heartbeat_ticks_ = 0;
   Tick last_heartbeat_ = 0;
   bool powering_ = false;  ///< `enable(true)` was asked for, and not all drives are on yet
