@@ -22,7 +22,7 @@ Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver
   const int count = model_->joint_count();
   for (const AxisParameters& axis : models.parameters().axes) regulators_.emplace_back(axis);
   const JointVector zero = JointVector::Zero(count);
-  joints_ = velocity_ = measured_motors_ = measured_increment_ = current_ = zero;
+  joints_ = read_joints_ = velocity_ = measured_motors_ = measured_increment_ = current_ = zero;
   desired_motors_ = previous_position_ = previous_motors_ = position_min_ = position_max_ = zero;
   input_.motors = input_.current = zero;
   desired_ = DesiredState::resting_at(zero);
@@ -41,7 +41,7 @@ bool Servo::use(std::uint8_t index) noexcept {
   model_index_ = index;
   stop_.use(model.parameters());
   force_motion_.use(model);
-  joints_ = joints;
+  joints_ = read_joints_ = joints;
   velocity_.setZero();
   desired_ = DesiredState::resting_at(desired);
   previous_position_ = desired;

@@ -140,6 +140,7 @@ class Servo {
   Tick elapsed_ = 1;     ///< since then
   HardwareInput input_;
   JointVector joints_, velocity_, measured_motors_, measured_increment_;
+  JointVector read_joints_;  ///< those of the last new reading
 
   // what may stop the robot
   Fault found_;  ///< by the readings of this tick, whatever the robot does

@@ -49,8 +49,9 @@ void Servo::measure(Tick tick) noexcept {
   if (ticked_) {
     measured_increment_ = input_.motors - measured_motors_;
     if (input_.tick > last_read)  // else it is the same reading again
-      velocity_ = (joints - joints_) / (period_ * static_cast<double>(input_.tick - last_read));
+      velocity_ = (joints - read_joints_) / (period_ * static_cast<double>(input_.tick - last_read));
   }
+  if (!ticked_ || input_.tick > last_read) read_joints_ = joints;
   measured_motors_ = input_.motors;
   joints_ = joints;
   ++counters_.ticks;

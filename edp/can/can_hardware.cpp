@@ -196,6 +196,11 @@ void CanHardware::synchronise(Tick tick) noexcept {
   send(sync_frame());
   await_all(deadline);
   late_ = static_cast<double>(clock::monotonic_ns() - origin_ - tick_begin) / (period_ * 1e9);
+  const bool answered =
+      std::all_of(drives_.begin(), drives_.end(), [](const Drive& drive) { return drive.answered(); });
+  // after a SYNC without an answer the next one may be that one's, come late
+  if (answered && answered_) measured_ = tick;
+  answered_ = answered;
   for (Drive& drive : drives_) drive.close_cycle();
 }
 
@@ -205,6 +210,7 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
   input.motors.resize(count);
   input.current.resize(count);
   input.fault = ErrorCode::none;
+  input.tick = measured_;
   if (timing_.real) input.late = late_;
   if (bus_error_ != BusError::none) {
     input.fault =

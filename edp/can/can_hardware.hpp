@@ -71,6 +71,8 @@ class CanHardware : public Hardware {
   can::BusError bus_error_ = can::BusError::none;
   Tick tick_ = 0;
   std::int64_t origin_ = INT64_MAX;  ///< ns of the wall: tick 0, as the promptest SYNC shows it
+  bool answered_ = true;             ///< by all drives, the last SYNC
+  Tick measured_ = 0;                ///< the last tick whose positions are neither guessed nor perhaps those of another
   double late_ = 0;                  ///< of this cycle's last answer, servo periods after its tick
   Tick heartbeat_ticks_ = 0;
   Tick last_heartbeat_ = 0;

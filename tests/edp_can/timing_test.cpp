@@ -43,6 +43,10 @@ class TurningRig {
     hardware_.write(tick, JointVector::Zero(4));
     return input;
   }
+  /// The first drive's wire.
+  void cut(bool on) {
+    rack_.with([on](auto& nodes) { nodes[0].cut(on); });
+  }
   std::atomic<double> age{0};
 
  private:
@@ -76,6 +80,16 @@ TEST(Timing, AReadingIsAsLateAsItsAnswer) {
 TEST(Timing, InLockstepNothingIsLate) {
   TurningRig rig(false);
   for (Tick tick = 7; tick < 12; ++tick) EXPECT_EQ(rig.read(tick).late, 0);
+}
+
+TEST(Timing, WhatIsGuessedOrMayBeOlderIsOfNoNewTick) {
+  TurningRig rig(false);
+  for (Tick tick = 1; tick < 5; ++tick) EXPECT_EQ(rig.read(tick).tick, tick);
+  rig.cut(true);
+  EXPECT_EQ(rig.read(5).tick, 4u) << "guessed";
+  rig.cut(false);
+  EXPECT_EQ(rig.read(6).tick, 4u) << "it may be the answer to the SYNC before";
+  EXPECT_EQ(rig.read(7).tick, 7u);
 }
 
 TEST(Timing, SimulatedDrivesMeasureWhenTheSyncComes) {
