@@ -171,8 +171,8 @@ bool CanHardware::await_all(std::int64_t deadline) noexcept {
   const auto waited_for = [](const Drive& drive) { return drive.awaited(); };
   can::Frame frame;
   while (std::any_of(drives_.begin(), drives_.end(), waited_for)) {
-    // a babbling node must not hold the tick up
-    if (!bus_->receive(frame, deadline) || clock::monotonic_ns() > deadline) return false;
+    // a babbling node must not hold the tick up; what has come is not lost
+    if (clock::monotonic_ns() > deadline || !bus_->receive(frame, deadline)) return false;
     dispatch(frame);
   }
   return true;
@@ -185,7 +185,7 @@ void CanHardware::synchronise(Tick tick) noexcept {
   const std::int64_t deadline = begin + ns(timing_.patience);
   can::Frame frame;
   // what came since the last cycle
-  while (bus_->receive(frame, 0) && clock::monotonic_ns() < deadline) dispatch(frame);
+  while (clock::monotonic_ns() < deadline && bus_->receive(frame, 0)) dispatch(frame);
   if (heartbeat_ticks_ != 0 && (tick >= last_heartbeat_ + heartbeat_ticks_ || tick == 0)) {
     send(heartbeat_frame(table_.master, NmtState::operational));
     last_heartbeat_ = tick;
