@@ -22,7 +22,8 @@ enum class Homing : std::uint8_t { none, running, attained, failed };
 
 /// What the drives report in one tick.
 struct HardwareInput {
-  /// When it was measured: that of `read`, where the drives say nothing else. Not a new one: it may be guessed.
+  /// When it was measured: the tick of `read`, where the drives say nothing else. That of the reading before: positions
+  /// are repeated, guessed, or it is not sure whether they are new.
   Tick tick = 0;
   double late = 0;                    ///< and how long after it at most, servo periods: on a bus, until it was answered
   JointVector motors;                 ///< shaft positions, rad, as the encoders resolve them

@@ -92,7 +92,7 @@ class Servo {
   bool use(std::uint8_t model) noexcept;
   void widen_limits() noexcept;
   void measure(Tick tick) noexcept;
-  void look_at_encoders() noexcept;
+  void look_at_encoders(Tick tick) noexcept;
   void find_fault(const Fault& fault) noexcept;
   bool switch_on() noexcept;
   void give_up_power() noexcept;

@@ -32,7 +32,7 @@ void Servo::measure(Tick tick) noexcept {
   input_.fault_value = input_.fault_limit = 0;
   hardware_.read(tick, input_);
   found_ = {input_.fault, input_.fault_axis, input_.fault_value, input_.fault_limit};
-  look_at_encoders();
+  look_at_encoders(tick);
   if (!ticked_) {
     last_ = tick == 0 ? 0 : tick - 1;
     measured_motors_ = desired_motors_ = input_.motors;
@@ -59,9 +59,10 @@ void Servo::measure(Tick tick) noexcept {
 }
 
 /// Positions and currents that cannot be true are as if they had not changed.
-void Servo::look_at_encoders() noexcept {
+void Servo::look_at_encoders(Tick tick) noexcept {
   if (found_.code != ErrorCode::hardware_silent || !input_.motors.allFinite()) {
-    const EncoderWatch::Finding finding = encoders_.look(input_.motors, input_.tick);
+    // after a silence the first reading need not be of a new tick, but the axis has had all that time
+    const EncoderWatch::Finding finding = encoders_.look(input_.motors, std::max(input_.tick, tick));
     if (finding.axis >= 0) {
       find_fault({ErrorCode::encoder_fault, finding.axis, finding.value, finding.limit});
       input_.motors = measured_motors_;

@@ -97,14 +97,19 @@ TEST(Encoder, AReadingThatComesBackIsBelievedAgainOneThatStaysAwayNever) {
 }
 
 TEST(Encoder, AfterASilenceTheAxisMayBeElsewhere) {
-  Rig<Slide> rig;
-  rig.hardware.fault = ErrorCode::hardware_silent;
-  rig.run(500);
-  rig.hardware.spoil = [](HardwareInput& input) { input.motors[0] += 50; };  // moved by hand, in a second
-  rig.hardware.fault = ErrorCode::none;
-  EXPECT_EQ(recover(rig), ErrorCode::none);
-  EXPECT_NEAR(rig.seen().joints[0], 0.75, 1e-3);
-  EXPECT_NEAR(rig.seen().desired.position[0], 0.75, 1e-3) << "and it stays there";
+  for (const bool sure : {true, false}) {  // that the first readings after it are new ones
+    Rig<Slide> rig;
+    rig.hardware.fault = ErrorCode::hardware_silent;
+    rig.run(500);
+    rig.hardware.spoil = [sure](HardwareInput& input) {
+      input.motors[0] += 50;  // moved by hand, in a second
+      if (!sure) input.tick = 0;
+    };
+    rig.hardware.fault = ErrorCode::none;
+    EXPECT_EQ(recover(rig), ErrorCode::none);
+    EXPECT_NEAR(rig.seen().joints[0], 0.75, 1e-3);
+    EXPECT_NEAR(rig.seen().desired.position[0], 0.75, 1e-3) << "and it stays there";
+  }
 }
 
 /// It meets no switch, however far it goes.
