@@ -147,6 +147,16 @@ TEST(ClockFailure, WhatAKilledProcessHeldIsRevoked) {
   EXPECT_EQ(host.state(), State::running) << host.error();
 }
 
+/// A participant writes 'r' when it runs and 'y' when it has noticed that the owner of its clock is dead.
+void expect_end_with(Child& owner, int pipe_end) {
+  char answer = 0;
+  ASSERT_EQ(::read(pipe_end, &answer, 1), 1);
+  ASSERT_EQ(answer, 'r');
+  owner.kill();
+  ASSERT_EQ(::read(pipe_end, &answer, 1), 1);
+  EXPECT_EQ(answer, 'y');
+}
+
 TEST(ClockFailure, AParticipantDoesNotOutwaitAKilledHost) {
   int pipe_ends[2];
   ASSERT_EQ(::pipe(pipe_ends), 0);
@@ -163,12 +173,7 @@ TEST(ClockFailure, AParticipantDoesNotOutwaitAKilledHost) {
     host.at_tick(kNever - 1, [] {});  // so that waiting for mail is no dead end
     host.run();
   });
-  char answer = 0;
-  ASSERT_EQ(::read(pipe_ends[0], &answer, 1), 1);
-  ASSERT_EQ(answer, 'r');
-  owner.kill();
-  ASSERT_EQ(::read(pipe_ends[0], &answer, 1), 1);
-  EXPECT_EQ(answer, 'y');
+  expect_end_with(owner, pipe_ends[0]);
 }
 
 TEST(ClockFailure, NorDoesOneThatGetsMailAllTheTime) {
@@ -189,12 +194,7 @@ TEST(ClockFailure, NorDoesOneThatGetsMailAllTheTime) {
     if (!host.wait_ready(60).empty()) ::_exit(1);
     host.run();
   });
-  char answer = 0;
-  ASSERT_EQ(::read(pipe_ends[0], &answer, 1), 1);
-  ASSERT_EQ(answer, 'r');
-  owner.kill();
-  ASSERT_EQ(::read(pipe_ends[0], &answer, 1), 1);
-  EXPECT_EQ(answer, 'y');
+  expect_end_with(owner, pipe_ends[0]);
 }
 
 TEST(ClockFailure, ASignalHandlerMayInterrupt) {

@@ -22,15 +22,20 @@ RobotCommand synchronise() {
   return command;
 }
 
-TEST(DriveHoming, EveryAxisFindsItsZeroPulseByItself) {
-  CanRig<Beside> rig(DriveMode::cyclic_position, false);
-  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
-  EXPECT_FALSE(rig.seen().synchronised);
+template <class Model>
+void expect_synchronisation(CanRig<Model>& rig) {
   ASSERT_FALSE(rig.send(synchronise())) << rig.answer.state.error.detail.view();
   while (rig.replies.empty() && rig.now < 60'000) rig.tick();
   ASSERT_EQ(rig.replies.size(), 1u);
   EXPECT_EQ(rig.replies[0].state.error.error_class, ErrorClass::none) << rig.replies[0].state.error.detail.view();
   EXPECT_TRUE(rig.seen().synchronised);
+}
+
+TEST(DriveHoming, EveryAxisFindsItsZeroPulseByItself) {
+  CanRig<Beside> rig(DriveMode::cyclic_position, false);
+  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  EXPECT_FALSE(rig.seen().synchronised);
+  ASSERT_NO_FATAL_FAILURE(expect_synchronisation(rig));
   // at its zero pulse or past it by what the shaft needs to stop at the fine speed
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(rig.seen().motors[i], -15.9, 0.3) << i;
 
@@ -56,11 +61,7 @@ TEST(DriveHoming, AnAxisWithoutASwitchIsWhereItsDriveSays) {
   for (config::DriveEntry& drive : table.drives) drive.homing.method = 37;
   CanRig<Unswitched> rig(table, false);
   ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
-  ASSERT_FALSE(rig.send(synchronise())) << rig.answer.state.error.detail.view();
-  while (rig.replies.empty() && rig.now < 60'000) rig.tick();
-  ASSERT_EQ(rig.replies.size(), 1u);
-  EXPECT_EQ(rig.replies[0].state.error.error_class, ErrorClass::none) << rig.replies[0].state.error.detail.view();
-  EXPECT_TRUE(rig.seen().synchronised);
+  ASSERT_NO_FATAL_FAILURE(expect_synchronisation(rig));
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(rig.seen().motors[i], -15.9, 0.01) << i;
 }
 
