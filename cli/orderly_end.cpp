@@ -32,7 +32,8 @@ void stop_robots(Crew& crew, clock::ClockHost& clock, const EndListener& listene
   look_for_failures(crew, clock, listener);
   if (clock.state() == clock::State::failed) listener.failed("clock lost: " + clock.error());
   if (!all_stand() && clock.state() == clock::State::running)
-    listener.failed("not every robot has stopped within " + std::to_string(kPatienceToStop / clock::kSecond) + " s");
+    listener.failed("not every robot has stopped within " + std::to_string(kPatienceToStop / clock::kSecond) +
+                    " s; clock " + clock.describe());
 }
 
 }  // namespace

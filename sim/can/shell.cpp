@@ -22,7 +22,7 @@ namespace mrroc::edp {
 namespace {
 
 constexpr std::string_view kHub = "unix:";
-constexpr Tick kGlanceTicks = 10;  // between two looks at whether all is over
+constexpr Tick kGlanceTicks = 10;  // without a SYNC, and the master has gone
 
 struct Place {
   std::size_t index;
@@ -78,9 +78,11 @@ class Drives {
       links::Counters counters;
       counters.ticks = now;
       process_.status().counters(counters);
+      // the master goes first: it awaits that its drives say they are off
+      const bool alone = now == std::exchange(cycles, now);
       // in simulated time drives without a master stand still: its ticks are their time
-      const bool left = now == std::exchange(cycles, now);
-      if (process_.clock().stopping() && (left || !rack_.powered())) break;
+      const bool done = alone && (process_.clock().simulated() || !rack_.powered());
+      if (process_.clock().stopping() && done) break;
     }
     if (failure) std::rethrow_exception(failure);
     throw Stopped{};
