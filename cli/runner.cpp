@@ -71,7 +71,8 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
               [this](const std::string& line) { progress_.message(line); }),
       operator_clock_(clock_.operator_clock()),
       input_(STDIN_FILENO),
-      heartbeats_(deployment_.heartbeat_timeout) {
+      heartbeats_(deployment_.heartbeat_timeout),
+      stall_(clock_) {
   if (deployment_.sim && deployment_.sim->host.empty())
     world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
 }
@@ -203,7 +204,10 @@ bool Runner::connect_to_mp(double deadline) {
 }
 
 void Runner::supervise() {
-  while (turn(kTurn)) check_heartbeats();
+  while (turn(kTurn)) {
+    check_heartbeats();
+    if (const std::string line = stall_.look(operator_clock_->wall_seconds()); !line.empty()) progress_.message(line);
+  }
 }
 
 bool Runner::turn(int milliseconds) {

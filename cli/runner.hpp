@@ -19,6 +19,7 @@
 #include "cli/remote_hosts.hpp"
 #include "cli/run_options.hpp"
 #include "cli/run_result.hpp"
+#include "cli/stall_watch.hpp"
 #include "cli/task_commands.hpp"
 #include "cli/trace_parts.hpp"
 #include "cli/typed_lines.hpp"
@@ -100,6 +101,7 @@ class Runner {
   std::unique_ptr<TaskCommands> commands_;
 
   Heartbeats heartbeats_;
+  StallWatch stall_;
   int interrupts_ = 0;
   bool stopping_ = false;  // the task has ended or failed: processes may go
   bool task_started_ = false;

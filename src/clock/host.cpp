@@ -134,6 +134,10 @@ std::string ClockHost::error() const {
   return state() == State::failed ? std::string(memory_->error.view()) : std::string();
 }
 
+bool ClockHost::waits_for_somebody() const noexcept {
+  return memory_->mode != Mode::real && state() == State::running && !quiescent(*memory_);
+}
+
 Tick ClockHost::tick() const noexcept {
   return memory_->mode == Mode::real ? wall_tick(*memory_) : memory_->tick.load();
 }

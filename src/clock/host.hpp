@@ -75,6 +75,8 @@ class ClockHost {
   std::string error() const;
   /// One line: tick, delta, who is at work and what is in flight. What to print when time stands still.
   std::string describe() const { return clock::describe(*memory_); }
+  /// Simulated time: somebody is at work or a message is on its way, and time stands until then. Real: false.
+  bool waits_for_somebody() const noexcept;
   /// The newest tick that participants may see.
   Tick tick() const noexcept;
   /// Number of the open delta; it grows as long as anything happens. Lockstep and paced.

@@ -12,6 +12,7 @@ namespace {
 using namespace std::string_literals;
 
 constexpr int kSystem = 4;
+constexpr int kStopped = 5;
 
 /// Clock and process.
 class Silence : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
@@ -37,6 +38,20 @@ INSTANTIATE_TEST_SUITE_P(Clocks, Silence,
                          [](const auto& test) {
                            return std::string{std::get<0>(test.param)} + "_" + std::get<1>(test.param);
                          });
+
+/// It lives and beats, and simulated time stands still.
+TEST(Endless, WhoComputesWithoutEndIsNamedAndTheOperatorEndsIt) {
+  const ScratchFolder folder;
+  MrrocRun run({"run", folder.write("endless.toml", faulty_deployment("endless")).string()});
+  ASSERT_TRUE(run.wait_for_output("nothing has happened for 2 s; clock running at tick")) << run.out() << run.err();
+  ASSERT_TRUE(run.wait_for_output("; at work: arm\n")) << run.out() << run.err();
+  const std::vector<pid_t> pids = run.children();
+  run.signal(SIGINT);
+  ASSERT_TRUE(run.wait_for_output("once more to end at once")) << run.out() << run.err();
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait(), kStopped) << run.out() << run.err();
+  EXPECT_TRUE(all_end(pids));
+}
 
 TEST(ZeroTimeLoop, IsAnErrorThatNamesThoseInIt) {
   const ScratchFolder folder;
