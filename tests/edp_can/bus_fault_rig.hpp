@@ -1,0 +1,159 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+
+#include "can_rig.hpp"
+#include "edp/error_report.hpp"
+#include "repetitions.hpp"
+
+namespace mrroc::edp {
+
+inline constexpr int kAxis = 2;  // z, node 3
+
+/// A bus whose transmit queue can be full, or whose interface can be down.
+class WeakBus : public can::Bus {
+ public:
+  explicit WeakBus(std::unique_ptr<can::Bus> bus) : bus_(std::move(bus)) {}
+  can::Sent send(const can::Frame& frame) noexcept override {
+    return answer == can::Sent::yes ? bus_->send(frame) : answer;
+  }
+  bool receive(can::Frame& frame, std::int64_t deadline) noexcept override { return bus_->receive(frame, deadline); }
+  void filter(std::span<const can::Filter> filters) override { bus_->filter(filters); }
+  int descriptor() const noexcept override { return bus_->descriptor(); }
+  bool carries_fd() const noexcept override { return bus_->carries_fd(); }
+  can::Sent answer = can::Sent::yes;
+
+ private:
+  std::unique_ptr<can::Bus> bus_;
+};
+
+/// As the robots' files have it: what reads the same position while it is told to go on is stuck.
+class Watched : public Gantry {
+ public:
+  Watched() {
+    for (AxisParameters& axis : parameters_.axes) {
+      axis.following_error_max = 1;
+      axis.stuck_max = 0.25;
+    }
+  }
+};
+
+inline config::DriveTable watched_table(bool absolute_encoders) {
+  config::DriveTable table = table_for(Watched{}.parameters(), canopen::DriveMode::cyclic_position);
+  table.absolute_encoders = absolute_encoders;
+  return table;
+}
+
+/// A gantry under way, with everything that may go wrong at hand.
+class Rig {
+ public:
+  explicit Rig(unsigned seed, bool absolute_encoders = true, CanHardware::Timing timing = kTestTiming)
+      : random(seed),
+        table(watched_table(absolute_encoders)),
+        bus([this](can::Frame& frame) { return !spoil || spoil(frame); }),
+        rack(table, model, bus, true) {
+    auto weak = std::make_unique<WeakBus>(bus.open());
+    weak_bus = weak.get();
+    hardware = std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, std::move(weak), timing, true);
+    hardware->open();
+    servo = std::make_unique<Servo>(models, *hardware, kCanPeriod, hand_over);
+    effector.enable(true);
+    while (!servo->snapshot().enabled && now < 3000) tick();
+    effector.accept(relative_joints(JointVector::Constant(4, 0.6), 1500), ++number, answer);
+    const Tick moment = now + 50 + random() % 1000;
+    while (now < moment) tick();
+  }
+
+  void tick() {
+    servo->tick(now++);
+    if (!servo->drives_on()) ::usleep(50);  // nobody who answers paces the ticks
+    Reply reply;
+    while (effector.poll(reply)) last = reply;
+    const Snapshot& seen = servo->snapshot();
+    for (int i = 0; i < 4; ++i) {
+      const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
+      worst_speed = std::max(worst_speed, std::abs(seen.desired.velocity[i]) / axis.velocity_max);
+    }
+    const JointVector shafts = rack.shafts();
+    if (shafts_.size() != 0) {
+      const double speed = ((shafts - shafts_) / kCanPeriod / GearedModel::kGear).cwiseAbs().maxCoeff();
+      worst_real_speed = std::max(worst_real_speed, speed / model.parameters().axes[0].velocity_max);
+    }
+    shafts_ = shafts;
+  }
+  /// Ticks until the servo has found a fault and its drives are off; then nothing may move.
+  void stop() {
+    const Tick begin = now;
+    while ((servo->snapshot().fault.code == ErrorCode::none || servo->drives_on()) && now < begin + 3000) tick();
+    stopped_after = now - begin;
+    for (int i = 0; i < 300; ++i) tick();  // the drives' own ramps and watchdogs
+    const JointVector there = rack.shafts();
+    for (int i = 0; i < 50; ++i) tick();
+    moved = (rack.shafts() - there).cwiseAbs().maxCoeff();
+  }
+  bool recover() {
+    RobotCommand command;
+    command.kind = CommandKind::recover;
+    last = {};
+    if (effector.accept(command, ++number, answer)) return false;
+    for (int i = 0; i < 4000 && last.command != number; ++i) tick();
+    return last.command == number && last.state.error.error_class == ErrorClass::none;
+  }
+  bool moves_again() {
+    if (effector.accept(relative_joints(JointVector::Constant(4, 0.02), 400), ++number, answer)) return false;
+    for (int i = 0; i < 500; ++i) tick();
+    return last.command == number && last.state.error.error_class == ErrorClass::none;
+  }
+  const Fault& fault() const { return servo->snapshot().fault; }
+  std::string text() const { return std::string(make_report(fault(), model.parameters()).detail.view()); }
+  sim::DriveNode& node(std::vector<sim::DriveNode>& nodes) const { return nodes[kAxis]; }
+
+  std::mt19937 random;
+  Watched model;
+  config::DriveTable table;
+  can::Hub::Fault spoil;  ///< set while nothing is sent
+  TestBus bus;
+  Rack rack;
+  WeakBus* weak_bus = nullptr;
+  std::unique_ptr<CanHardware> hardware;
+  HandOver hand_over;
+  ModelSet models{model};
+  std::unique_ptr<Servo> servo;
+  Effector effector{models, kCanPeriod, hand_over};
+  Tick now = 0;
+  std::uint64_t number = 0;
+  Reply answer, last;
+  double worst_speed = 0, worst_real_speed = 0, moved = 0;
+  Tick stopped_after = 0;
+
+ private:
+  JointVector shafts_;
+};
+
+/// Where the kernel carries the frames: a command of ip(8) or tc(8) about the interface, "DEV" in it. Root.
+inline void interface(const Rig& rig, std::string command) {
+  command.replace(command.find("DEV"), 3, rig.bus.name());
+  command.insert(0, "PATH=$PATH:/usr/sbin:/sbin ");
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+}
+
+/// And what it does with each of them from now on (tc-netem(8)): where a program's own loop-back passes the queue.
+inline void disturb(const Rig& rig, const std::string& netem) {
+  interface(rig, "tc qdisc replace dev DEV root netem " + netem);
+}
+
+inline void leave_in_peace(const Rig& rig) { interface(rig, "tc qdisc del dev DEV root"); }
+
+/// Random moments that each fault is tried at: MRROC_TEST_SEEDS, else 20.
+inline unsigned seeds() {
+  const char* const given = std::getenv("MRROC_TEST_SEEDS");
+  return given != nullptr ? static_cast<unsigned>(std::atoi(given)) : test::repetitions(20u);
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,71 @@
+// A bus that loses, changes or delays frames at random, of every node: the robot goes on or stops, in either case
+// inside its limits, and `recover` works when the bus is in order again.
+#include <gtest/gtest.h>
+
+#include "bus_fault_rig.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+constexpr CanHardware::Timing kTiming{0.01};  // what is lost is not waited for long
+
+/// One way to disturb, in per cent of all frames.
+struct Disturbance {
+  std::string name;
+  unsigned lost = 0, changed = 0;
+  std::string netem;   ///< the same where the kernel carries the frames
+  bool stops = false;  ///< no robot can go on so
+};
+
+void begin(Rig& rig, const Disturbance& disturbance) {
+  if (!rig.bus.is_hub()) return disturb(rig, disturbance.netem);
+  rig.spoil = [&rig, disturbance](can::Frame& frame) {
+    if (rig.random() % 100 < disturbance.lost) return false;
+    if (rig.random() % 100 < disturbance.changed && frame.size != 0)
+      frame.data[rig.random() % frame.size] ^= static_cast<std::uint8_t>(1u << rig.random() % 8);
+    return true;
+  };
+}
+
+void end(Rig& rig) {
+  rig.spoil = {};
+  if (!rig.bus.is_hub()) leave_in_peace(rig);
+}
+
+class DisturbedBus : public testing::TestWithParam<Disturbance> {};
+
+TEST_P(DisturbedBus, MakesNoRobotUnsafe) {
+  for (unsigned seed = 1; seed <= seeds(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rig rig(seed, true, kTiming);
+    begin(rig, GetParam());
+    for (int i = 0; i < 300 && rig.fault().code == ErrorCode::none; ++i) rig.tick();
+    if (rig.fault().code != ErrorCode::none) rig.stop();
+    end(rig);
+    if (GetParam().stops) {
+      EXPECT_NE(rig.fault().code, ErrorCode::none);
+    }
+    EXPECT_LE(rig.worst_speed, 1 + 1e-6);
+    EXPECT_LE(rig.worst_real_speed, 1.5) << rig.text();
+    EXPECT_LT(rig.moved, 0.01) << rig.text();
+    for (int i = 0; i < 20; ++i) rig.tick();
+    if (rig.fault().code == ErrorCode::none) continue;
+    EXPECT_TRUE(rig.recover()) << rig.text() << " " << rig.last.state.error.detail.view();
+    EXPECT_TRUE(rig.moves_again()) << rig.text() << " " << rig.last.state.error.detail.view();
+  }
+}
+
+std::vector<Disturbance> disturbances() {
+  std::vector<Disturbance> all{{"LosesOneInFifty", 2, 0, "loss 2%"},
+                               {"LosesOneInThree", 33, 0, "loss 33%", true},
+                               {"ChangesOneInFifty", 0, 2, "corrupt 2%"}};
+  // a hub has no time of its own
+  if (std::getenv("MRROC_TEST_BUS") != nullptr) all.push_back({"DelaysAndOvertakes", 0, 0, "delay 2ms 2ms"});
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Can, DisturbedBus, testing::ValuesIn(disturbances()),
+                         [](const auto& each) { return each.param.name; });
+
+}  // namespace
+}  // namespace mrroc::edp
