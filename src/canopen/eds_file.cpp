@@ -121,6 +121,16 @@ class Parser {
     return entry;
   }
 
+  /// How many sub-values a section describes at once (CompactSubObj); 0: it is of one value, or each has its own.
+  std::uint32_t parts(const Section& section) const {
+    const Line* const line = section.find("compactsubobj");
+    if (line == nullptr) return 0;
+    const auto count = number_of(line->value);
+    if (!count || *count > 0xfe)
+      fail(line->number, section.name + ": CompactSubObj", in_quotes(line->value), "a number up to 254");
+    return *count;
+  }
+
  private:
   [[noreturn]] void fail(int line, const std::string& where, const std::string& problem,
                          const std::string& expected) const {
@@ -131,6 +141,17 @@ class Parser {
   std::string_view text_;
   std::string name_;
 };
+
+/// What a section says of single sub-values, by their numbers; empty: there is no such section.
+std::map<std::uint32_t, std::string> listed(const std::vector<Section>& sections, const std::string& name) {
+  std::map<std::uint32_t, std::string> found;
+  for (const Section& section : sections) {
+    if (section.name != name) continue;
+    for (const Line& line : section.lines)
+      if (const auto number = number_of(line.key)) found.emplace(*number, line.value);
+  }
+  return found;
+}
 
 }  // namespace
 
@@ -146,23 +167,44 @@ EdsFile EdsFile::parse(std::string_view text, const std::string& name) {
   const Parser parser(text, name);
   EdsFile file;
   std::map<std::uint16_t, std::string> parents;
-  for (const Section& section : parser.sections()) {
+  const std::vector<Section> sections = parser.sections();
+  for (const Section& section : sections) {
     if (section.name == "deviceinfo")
       if (const Line* const product = section.find("productname")) file.product_ = product->value;
     const auto object = object_of_section(section.name);
     if (!object) continue;
     ObjectEntry entry = parser.entry(section);
+    const std::uint32_t parts = section.name.size() == 4 ? parser.parts(section) : 0;
     const bool has_subs = section.name.size() == 4 && section.find("accesstype") == nullptr;
-    if (has_subs) {
+    if (parts > 0) {
+      file.add_parts(entry, object->index, parts, listed(sections, section.name + "name"),
+                     listed(sections, section.name + "value"));
+    } else if (has_subs) {
       parents[object->index] = entry.name;
-      continue;
+    } else {
+      file.add(*object, section.name.size() > 4 ? parents[object->index] : "", std::move(entry));
     }
-    std::string full = small(entry.name);
-    if (section.name.size() > 4) full.insert(0, small(parents[object->index]) + "/");
-    file.names_.emplace(full, *object);
-    file.entries_.emplace(*object, std::move(entry));
   }
   return file;
+}
+
+void EdsFile::add(Object object, const std::string& parent, ObjectEntry entry) {
+  names_.emplace(small(parent.empty() ? entry.name : parent + "/" + entry.name), object);
+  entries_.emplace(object, std::move(entry));
+}
+
+/// CiA 306-1: they differ in nothing but their names and default values, if in those.
+void EdsFile::add_parts(const ObjectEntry& all, std::uint16_t index, std::uint32_t count,
+                        const std::map<std::uint32_t, std::string>& names,
+                        const std::map<std::uint32_t, std::string>& values) {
+  add({index, 0}, all.name, {"NrOfObjects", DataType::unsigned8, "ro", std::to_string(count), false});
+  for (std::uint32_t i = 1; i <= count; ++i) {
+    ObjectEntry entry = all;
+    const auto name = names.find(i);
+    entry.name = name == names.end() ? all.name + std::to_string(i) : name->second;
+    if (const auto value = values.find(i); value != values.end()) entry.default_value = value->second;
+    add({index, static_cast<std::uint8_t>(i)}, all.name, std::move(entry));
+  }
 }
 
 const ObjectEntry* EdsFile::find(Object object) const noexcept {

@@ -33,11 +33,13 @@ struct ObjectEntry {
 /// A node's object dictionary from its electronic data sheet (CiA 306-1): values by address, and by name.
 ///
 /// Names are those of the file, whatever the case of their letters; a sub-value is called "<object>/<value>", like
-/// "Identity object/Vendor-ID". Where two objects have one name, the name stands for the first. Configuration time.
+/// "Identity object/Vendor-ID"; those that the file describes at once (CompactSubObj) and does not name are called
+/// "<object>/<object>1", "<object>/<object>2". Where two objects have one name, the name stands for the first.
+/// Configuration time.
 class EdsFile {
  public:
   /// Throws EdsError: unreadable, a line that is neither section nor key nor comment, a number that is none, a type or
-  /// access that the standard does not know, a section without a name.
+  /// access that the standard does not know, a section without a name, more than 254 parts.
   static EdsFile load(const std::filesystem::path& file);
   /// `name`: for messages.
   static EdsFile parse(std::string_view text, const std::string& name);
@@ -52,6 +54,10 @@ class EdsFile {
   const std::string& product() const noexcept { return product_; }
 
  private:
+  void add(Object object, const std::string& parent, ObjectEntry entry);
+  void add_parts(const ObjectEntry& all, std::uint16_t index, std::uint32_t count,
+                 const std::map<std::uint32_t, std::string>& names, const std::map<std::uint32_t, std::string>& values);
+
   std::map<Object, ObjectEntry> entries_;
   std::map<std::string, Object> names_;  ///< in small letters
   std::string product_;

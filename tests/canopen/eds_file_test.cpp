@@ -64,6 +64,36 @@ TEST(EdsFile, TheFrameworksOwnIsRead) {
   EXPECT_FALSE(file.find(kStatusword)->writable());
 }
 
+TEST(EdsFile, PartsThatAreDescribedAtOnce) {
+  const EdsFile file = parse(R"([1003]
+ParameterName=Errors
+ObjectType=0x8
+DataType=0x0007
+AccessType=ro
+DefaultValue=5
+CompactSubObj=3
+
+[1003Name]
+NrOfEntries=1
+2=Older
+
+[1003Value]
+NrOfEntries=1
+3=0x7
+)");
+  EXPECT_EQ(file.entries().size(), 4u);
+  EXPECT_EQ(file.find({0x1003, 0})->default_value, "3");
+  EXPECT_EQ(file.find({0x1003, 0})->type, DataType::unsigned8);
+  EXPECT_EQ(file.object("errors/errors1"), (Object{0x1003, 1}));
+  EXPECT_EQ(file.object("errors/older"), (Object{0x1003, 2}));
+  EXPECT_EQ(file.find({0x1003, 1})->default_value, "5");
+  EXPECT_EQ(file.find({0x1003, 3})->default_value, "0x7");
+  EXPECT_EQ(file.find({0x1003, 3})->type, DataType::unsigned32);
+  EXPECT_NE(mistake("[1003]\nParameterName=E\nCompactSubObj=255\n")
+                .find("drive.eds:3: 1003: CompactSubObj: '255', expected a number up to 254"),
+            std::string::npos);
+}
+
 TEST(EdsFile, ObjectsByNameAndByAddress) {
   const EdsFile file = parse(kSmall);
   EXPECT_EQ(file.product(), "Servo");
