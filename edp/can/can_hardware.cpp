@@ -90,6 +90,19 @@ void CanHardware::await_boot() {
   }
 }
 
+/// One that a drive does not have it may take all the same, and stay in another.
+void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
+  if (table_.eds.find(kSupportedModes) == nullptr) return;
+  const std::uint64_t supported = can::get(client.upload(drives_[axis].node(), kSupportedModes), 0, 4);
+  const bool homes = table_.drives[axis].homing.method != 0;
+  for (const DriveMode mode : {table_.mode, homes ? DriveMode::homing : table_.mode})
+    if ((supported >> (static_cast<int>(mode) - 1) & 1) == 0)
+      fail(ErrorCode::configuration, axis,
+           "has no mode " + std::string(describe(mode)) + ", expected bit " +
+               std::to_string(static_cast<int>(mode) - 1) + " in its supported modes, 6502h, which are " +
+               std::to_string(supported));
+}
+
 void CanHardware::set_up(std::size_t axis) {
   Drive& drive = drives_[axis];
   SdoClient client(*bus_, kPatienceWithSdo);
@@ -98,6 +111,7 @@ void CanHardware::set_up(std::size_t axis) {
     if (can::get(type, 0, 2) != kProfile402)
       fail(ErrorCode::configuration, axis,
            "profile " + std::to_string(can::get(type, 0, 2)) + " in its device type, expected 402, a drive");
+    check_modes(axis, client);
   } catch (const SdoError& error) {
     fail(ErrorCode::hardware_silent, axis, error.what());
   }

@@ -7,6 +7,7 @@
 
 #include "can/bus.hpp"
 #include "can/bus_error.hpp"
+#include "canopen/sdo_client.hpp"
 #include "edp/can/drive.hpp"
 #include "mrroc/robot_parameters.hpp"
 
@@ -53,6 +54,7 @@ class CanHardware : public Hardware {
 
  private:
   void await_boot();
+  void check_modes(std::size_t axis, canopen::SdoClient& client) const;
   void set_up(std::size_t axis);
   void await_answers();
   void send(const can::Frame& frame) noexcept;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
 #include "can_rig.hpp"
@@ -202,6 +204,18 @@ TEST(CanHardware, WhatIsWrongWithADriveIsSaidByNameBeforeAnythingMoves) {
   table.drives[3].node = 9;
   const std::string absent = refusal(table, good);
   EXPECT_NE(absent.find("node 9: no boot-up message within"), std::string::npos) << absent;
+  table = good;
+  std::ifstream file(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia402.eds");
+  std::string eds{std::istreambuf_iterator<char>(file), {}};
+  const std::string modes = "DefaultValue=0x000003A0";
+  ASSERT_NE(eds.find(modes), std::string::npos);
+  table.eds = canopen::EdsFile::parse(eds.replace(eds.find(modes), modes.size(), "DefaultValue=0x20"), "homes alone");
+  const std::string mode = refusal(good, table);
+  EXPECT_NE(
+      mode.find("drive x, node 1: has no mode cyclic synchronous position, expected bit 7 in its supported modes, "
+                "6502h, which are 32"),
+      std::string::npos)
+      << mode;
 }
 
 }  // namespace
