@@ -7,7 +7,7 @@
 namespace mrroc::edp {
 namespace {
 
-constexpr CanHardware::Timing kTiming{0.01};  // what is lost is not waited for long
+constexpr CanHardware::Timing kTiming{0.004};  // what is lost is not waited for long
 
 /// One way to disturb, in per cent of all frames.
 struct Disturbance {
