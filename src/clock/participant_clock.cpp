@@ -73,9 +73,12 @@ void ParticipantClock::look_for_host() noexcept {
   if (!host_alive()) slot().gate.interrupt();
 }
 
+/// One that is stopped dies of nothing, and whoever has started it may not be able to kill it, over ssh.
 bool ParticipantClock::host_alive() const noexcept {
   pollfd host{host_process_, POLLIN, 0};
-  return ::poll(&host, 1, 0) == 0;
+  if (::poll(&host, 1, 0) != 0) return false;
+  const std::int64_t beat = memory_->host_beat_ns.load();
+  return beat == 0 || monotonic_ns() - beat < kPatienceWithHost;
 }
 
 }  // namespace mrroc::clock

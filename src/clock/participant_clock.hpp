@@ -34,10 +34,10 @@ class ParticipantClock : public Clock {
   /// Sleeps until the host has started the clock. False: interrupted; the process has left.
   bool await_start() noexcept;
   /// Sleeps until the slot's gate differs from `seen` or the deadline comes. False: interrupted, failed, ended, or the
-  /// host has died; the process has left.
+  /// host has died or, under a clock of wall time, shown no life for kPatienceWithHost; the process has left.
   bool sleep(std::uint32_t seen, std::int64_t deadline_ns) noexcept;
   void leave() noexcept;
-  /// Under a clock of wall time, at every wait: interrupts when the host has died, at most a second after it has.
+  /// Under a clock of wall time, at every wait: interrupts when the host has died or is silent, at most a second after.
   /// Messages that flow on keep `sleep` from asking.
   void look_for_host() noexcept;
 

@@ -147,12 +147,12 @@ TEST(ClockFailure, WhatAKilledProcessHeldIsRevoked) {
   EXPECT_EQ(host.state(), State::running) << host.error();
 }
 
-/// A participant writes 'r' when it runs and 'y' when it has noticed that the owner of its clock is dead.
-void expect_end_with(Child& owner, int pipe_end) {
+/// A participant writes 'r' when it runs and 'y' when it has noticed that the owner of its clock is gone.
+void expect_end_with(Child& owner, int pipe_end, void (Child::*strike)() = &Child::kill) {
   char answer = 0;
   ASSERT_EQ(::read(pipe_end, &answer, 1), 1);
   ASSERT_EQ(answer, 'r');
-  owner.kill();
+  (owner.*strike)();
   ASSERT_EQ(::read(pipe_end, &answer, 1), 1);
   EXPECT_EQ(answer, 'y');
 }
@@ -195,6 +195,26 @@ TEST(ClockFailure, NorDoesOneThatGetsMailAllTheTime) {
     host.run();
   });
   expect_end_with(owner, pipe_ends[0]);
+}
+
+/// Whoever started it may be unable to kill it: an agent behind ssh. Robots must not go on without anybody who watches.
+TEST(ClockFailure, NorAStoppedHostUnderTheRealClock) {
+  int pipe_ends[2];
+  ASSERT_EQ(::pipe(pipe_ends), 0);
+  Child owner([&pipe_ends] {
+    HostOptions options;
+    options.mode = Mode::real;
+    options.participants = {"a"};
+    ClockHost host(options);
+    Child participant([&] {
+      const auto clock = attach_clock(host.fd(), "a");
+      (void)!::write(pipe_ends[1], clock->start() ? "r" : "n", 1);
+      (void)!::write(pipe_ends[1], clock->wait(kNever) == Wake::interrupted ? "y" : "n", 1);
+    });
+    if (!host.wait_ready(60).empty()) ::_exit(1);
+    host.run();
+  });
+  expect_end_with(owner, pipe_ends[0], &Child::stop);
 }
 
 TEST(ClockFailure, ASignalHandlerMayInterrupt) {

@@ -67,6 +67,12 @@ class SshServer {
   pid_t pid_ = -1;
 };
 
+bool is_agent(pid_t pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/cmdline", std::ios::binary);
+  const std::string line{std::istreambuf_iterator<char>(file), {}};
+  return line.ends_with(std::string("mrroc\0agent\0", 12));
+}
+
 /// The default of `command`: ssh.
 class TwoHostsOverSsh : public testing::Test {
  protected:
@@ -156,6 +162,23 @@ TEST_F(TwoHostsOverSsh, LeaveNothingWhenTheRunnerIsKilled) {
   run.signal(SIGKILL);
   EXPECT_EQ(run.wait(), -SIGKILL);
   EXPECT_TRUE(all_end(pids)) << output();
+}
+
+/// Which the runner cannot kill: sshd hands no signal on.
+TEST_F(TwoHostsOverSsh, LeaveNoRobotToAStoppedAgent) {
+  MrrocRun& run = start(Cable::kAddressOfB);
+  ASSERT_TRUE(run.wait_for_output("never")) << output();
+  std::vector<pid_t> pids = processes();
+  const auto agent = std::find_if(pids.begin(), pids.end(), [](pid_t pid) { return is_agent(pid); });
+  ASSERT_NE(agent, pids.end());
+  const pid_t stopped = *agent;
+  pids.erase(agent);
+  ASSERT_EQ(kill(stopped, SIGSTOP), 0);
+  EXPECT_EQ(run.wait(), kSystem) << output();
+  EXPECT_NE(run.err().find("host cell: link lost: nothing heard for 0.05 s"), std::string::npos) << output();
+  EXPECT_TRUE(all_end(pids)) << output();
+  EXPECT_GE(parent_of(stopped), 0) << "still there: they have ended by themselves";
+  kill(stopped, SIGKILL);
 }
 
 TEST_F(TwoHostsOverSsh, SayWhenNobodyAnswers) {
