@@ -14,6 +14,13 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r";
 constexpr std::size_t kTyped = 65536;  // a pipe may hold more than anybody types
 
+char small(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; }
+
+bool same_word(std::string_view typed, std::string_view word) {
+  return std::equal(typed.begin(), typed.end(), word.begin(), word.end(),
+                    [](char a, char b) { return small(a) == small(b); });
+}
+
 }  // namespace
 
 bool TypedLines::attended() const noexcept {
@@ -43,7 +50,7 @@ std::optional<std::string> TypedLines::next_of(std::initializer_list<std::string
     std::string_view line = std::string_view{unread_}.substr(begin, end - begin);
     line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
     line = line.substr(0, line.find_last_not_of(kBlanks) + 1);
-    const auto word = std::find(words.begin(), words.end(), line);
+    const auto word = std::find_if(words.begin(), words.end(), [line](auto each) { return same_word(line, each); });
     if (word == words.end()) continue;
     unread_.erase(begin, end + 1 - begin);
     return std::string{*word};
@@ -51,16 +58,30 @@ std::optional<std::string> TypedLines::next_of(std::initializer_list<std::string
   return std::nullopt;
 }
 
-/// All that has come, but for what nobody types.
+/// Lines that nobody has asked for must not keep an emergency stop behind them from being read.
+void TypedLines::forget_oldest() {
+  const std::size_t end = unread_.find('\n', unread_.size() - kTyped);
+  unread_.erase(0, end == std::string::npos ? end : end + 1);
+}
+
+/// What has come; of what nobody types, a part.
 void TypedLines::read_more() {
   // reading a terminal from the background would stop this process, and the deployment with it
   if (isatty(fd_) != 0 && tcgetpgrp(fd_) != getpgrp()) return;
+  struct stat status {};
+  const bool is_file = fstat(fd_, &status) == 0 && S_ISREG(status.st_mode);
+  if (is_file && unread_.size() >= kTyped) return;  // nobody types into it, and it does not run away
   std::array<char, 256> buffer;
-  for (pollfd look{fd_, POLLIN, 0}; !ended_ && unread_.size() < kTyped && poll(&look, 1, 0) > 0;) {
+  std::size_t taken = 0;
+  for (pollfd look{fd_, POLLIN, 0}; !ended_ && taken < kTyped && poll(&look, 1, 0) > 0;) {
     const ssize_t count = read(fd_, buffer.data(), buffer.size());
-    if (count > 0) unread_.append(buffer.data(), static_cast<std::size_t>(count));
+    if (count == 0 && isatty(fd_) != 0) break;  // Ctrl-D ends a line there, not the typing
     ended_ = count <= 0;
+    if (count <= 0) break;
+    unread_.append(buffer.data(), static_cast<std::size_t>(count));
+    taken += static_cast<std::size_t>(count);
   }
+  if (unread_.size() > kTyped) forget_oldest();
 }
 
 }  // namespace mrroc::cli

@@ -7,7 +7,8 @@
 
 namespace mrroc::cli {
 
-/// Lines that somebody types at a terminal or writes into a pipe: `mrroc run`'s standard input. One thread.
+/// Lines that somebody types at a terminal or writes into a pipe: `mrroc run`'s standard input. Of those that nobody
+/// takes the newest 64 KiB are kept, of a file all. One thread.
 class TypedLines {
  public:
   /// `fd`: not owned.
@@ -19,12 +20,13 @@ class TypedLines {
   /// The next whole line, without its end; the last one may lack it. Never waits, and leaves a terminal alone while
   /// this process is in its background.
   std::optional<std::string> next();
-  /// The first of the whole lines that have come and are one of `words`, taken out from among the others, which stay:
-  /// what may not wait behind lines that nobody has asked for yet. Never waits.
+  /// The first of the whole lines that have come and are one of `words`, whatever the case of its letters, taken out
+  /// from among the others, which stay: what may not wait behind lines that nobody has asked for yet. Never waits.
   std::optional<std::string> next_of(std::initializer_list<std::string_view> words);
 
  private:
   void read_more();
+  void forget_oldest();
 
   int fd_;
   bool ended_ = false;

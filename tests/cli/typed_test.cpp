@@ -1,10 +1,13 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <charconv>
+#include <cstdlib>
 
 #include "cli/typed_lines.hpp"
 #include "process/answer_text.hpp"
@@ -71,6 +74,49 @@ TEST(TypedLines, AWordIsTakenOutFromAmongTheLinesThatWait) {
   EXPECT_EQ(lines.next(), "two");
   EXPECT_EQ(lines.next(), "stopped");
   EXPECT_FALSE(lines.next());
+}
+
+TEST(TypedLines, AWordIsHeardWhateverItsCaseAndBehindLinesThatNobodyTakes) {
+  Pipe pipe;
+  TypedLines lines(pipe.fd());
+  for (int i = 0; i < 8; ++i) {
+    for (int j = 0; j < 400; ++j) pipe.write("a line that no question has asked for\n");
+    EXPECT_FALSE(lines.next_of({"estop"}));
+  }
+  pipe.write("EStop\n");
+  EXPECT_EQ(lines.next_of({"estop"}), "estop");
+  EXPECT_EQ(lines.next(), "a line that no question has asked for") << "whole ones are kept";
+}
+
+TEST(TypedLines, TheEndOfALineAtATerminalIsNotTheEndOfTyping) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_EQ(grantpt(terminal), 0);
+  ASSERT_EQ(unlockpt(terminal), 0);
+  const int slave = open(ptsname(terminal), O_RDONLY | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(slave, 0);
+  // of another process: a terminal is read from its foreground only
+  const pid_t typist = fork();
+  if (typist == 0) {
+    setsid();
+    ioctl(slave, TIOCSCTTY, 0);
+    tcsetpgrp(slave, getpgrp());
+    TypedLines lines(slave);
+    constexpr char kControlD[] = "\x04";
+    if (write(terminal, kControlD, 1) != 1) _exit(2);
+    for (int i = 0; i < 50; ++i) {
+      if (lines.next() || !lines.attended()) _exit(3);
+      usleep(1000);
+    }
+    if (write(terminal, "estop\n", 6) != 6) _exit(4);
+    for (int i = 0; i < 5000; ++i, usleep(1000))
+      if (lines.next_of({"estop"})) _exit(0);
+    _exit(5);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(typist, &status, 0), typist);
+  EXPECT_EQ(status, 0);
+  close(slave);
+  close(terminal);
 }
 
 TEST(TypedLines, NobodyIsAtTheNullDeviceNorAtAClosedDescriptor) {
