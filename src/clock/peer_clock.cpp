@@ -12,13 +12,16 @@ void PeerClock::add(const RoundTrip& trip) noexcept {
   const std::int64_t half = on_the_way / 2;
   const ClockOffset offset{trip.peer - (trip.received - half), on_the_way - half};
   if (in_window_ == 0 || offset.error_ns < best_.error_ns) best_ = offset;
-  if (++in_window_ == kWindow) close_window();
+  if (++in_window_ == kWindow) close_window(trip.received);
 }
 
-void PeerClock::close_window() noexcept {
+void PeerClock::close_window(std::int64_t now) noexcept {
   in_window_ = 0;
   if (!kept_ || !first_) {
-    if (!first_ || best_.error_ns < first_->error_ns) first_ = best_;
+    const auto may_have_moved = static_cast<std::int64_t>(kUnsteered * static_cast<double>(now - first_at_));
+    if (first_ && best_.error_ns >= first_->error_ns + may_have_moved) return;
+    first_ = best_;
+    first_at_ = now;
     return;
   }
   const std::int64_t change = std::abs(best_.ns - first_->ns);

@@ -22,11 +22,14 @@ struct ClockOffset {
 };
 
 /// The clock of another machine, learnt from round trips: of each window of `kWindow` of them the one that was on the
-/// way for the shortest time counts, for what makes the others longer is queues. The first offset is kept; what later
-/// windows say of the drift since is compared with it. One thread; it allocates nothing.
+/// way for the shortest time counts, for what makes the others longer is queues. The best offset is kept, but an
+/// old one gives way to a newer: clocks drift apart. What windows after `keep()` say of the drift is compared with it.
+/// One thread; it allocates nothing.
 class PeerClock {
  public:
   static constexpr int kWindow = 128;
+  /// By how much of the time two clocks drift apart when nobody steers them.
+  static constexpr double kUnsteered = 1e-4;
 
   /// Takes in one round trip; one that cannot be (shorter on the way than nothing) is left out.
   void add(const RoundTrip& trip) noexcept;
@@ -44,10 +47,11 @@ class PeerClock {
   std::int64_t worst_trip_ns() const noexcept { return worst_trip_; }
 
  private:
-  void close_window() noexcept;
+  void close_window(std::int64_t now) noexcept;
 
   std::optional<ClockOffset> first_;
-  ClockOffset best_;  // of the window
+  std::int64_t first_at_ = 0;  // on this machine's clock
+  ClockOffset best_;           // of the window
   int in_window_ = 0;
   bool kept_ = false;
   std::int64_t worst_drift_ = 0;

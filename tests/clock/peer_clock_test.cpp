@@ -59,6 +59,23 @@ TEST(PeerClock, ALaterWindowMayOnlyImproveTheOffset) {
   EXPECT_EQ(clock.offset()->ns, 10);
 }
 
+/// Processes that take 15 s to be ready: the offset that was known at first is that of another time.
+TEST(PeerClock, AnOldOffsetGivesWayToANewer) {
+  PeerClock clock;
+  const auto window = [&clock](std::int64_t at, std::int64_t offset, std::int64_t way) {
+    for (int i = 0; i < PeerClock::kWindow; ++i) clock.add(trip(at, offset, way, 0, way));
+  };
+  window(0, 0, 50'000);
+  window(1'000'000'000, 50'000, 200'000);  // it may have moved by 100 us, and is better known for all that
+  EXPECT_EQ(clock.offset()->error_ns, 50'000);
+  window(15'000'000'000, 1'500'000, 200'000);
+  EXPECT_EQ(clock.offset()->ns, 1'500'000);
+  EXPECT_EQ(clock.offset()->error_ns, 200'000);
+  clock.keep();
+  window(16'000'000'000, 1'500'000, 200'000);
+  EXPECT_EQ(clock.worst_drift_ns(), 0);
+}
+
 TEST(PeerClock, DriftIsCertainBeyondBothErrorsOnly) {
   PeerClock clock;
   const auto window = [&clock](std::int64_t offset, std::int64_t way) {
