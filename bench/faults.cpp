@@ -99,7 +99,7 @@ struct Row {
   std::vector<Tick> detected;  ///< ticks from the fault to the first error or the end of the run that names it
   std::vector<Tick> standing;  ///< ticks from then to the standstill of the last robot
   double fastest = 0;          ///< joint, as a part of its limit
-  std::size_t runs = 0, unaffected = 0, exceeded = 0, moving = 0, leftovers = 0;
+  std::size_t runs = 0, unseen = 0, unaffected = 0, exceeded = 0, moving = 0, leftovers = 0;
   std::set<int> exit_codes;
   std::string error;
 
@@ -150,6 +150,7 @@ void add(Row& row, const task_test::RunResult& run, const std::string& fault) {
     if (const auto detected = tick_in(told, injected->second - 1))
       row.detected.push_back(std::max(*detected, injected->second) - injected->second);
   }
+  if (run.motion.empty()) ++row.unseen;
   const Tick from = injected == run.injected.end() ? 0 : injected->second;
   Tick stands = 0;
   for (const auto& [robot, motion] : run.motion) {
@@ -174,6 +175,7 @@ Tick length_of(const std::filesystem::path& deployment) {
 bool run_campaign(const Campaign& campaign, int seeds, const std::string& beginning) {
   const std::filesystem::path deployment = std::filesystem::path(MRROC_SOURCE_DIR) / campaign.deployment;
   const Tick length = length_of(deployment);
+  if (length == 0) return false;
   std::printf("\n%s, %llu ticks without a fault; ticks are p50 / worst\n\n", campaign.name,
               static_cast<unsigned long long>(length));
   std::printf(
@@ -194,15 +196,16 @@ bool run_campaign(const Campaign& campaign, int seeds, const std::string& beginn
     }
     row.print(kind);
     const bool world_ends = kind.ends_with(" sim");  // with its robots as they moved
-    good = good && row.exceeded == 0 && (world_ends || row.moving == 0) && row.leftovers == 0;
+    good = good && row.unseen == 0 && row.exceeded == 0 && (world_ends || row.moving == 0) && row.leftovers == 0;
   }
   return good;
 }
 
-/// Under the real clock: wall time from the signal to the runner's knowing.
-void run_detection(int seeds) {
+/// Under the real clock: wall time from the signal to the runner's knowing. False: one was not noticed.
+bool run_detection(int seeds) {
   std::printf("\npress, real clock: from the signal to the runner's notice, ms, p50 / worst of %d\n\n", seeds);
   std::printf("| fault | noticed |\n|---|---|\n");
+  bool all = true;
   for (const std::string kind :
        {"kill mp", "kill ecp:arm", "kill edp:arm", "halt mp", "halt ecp:arm", "halt edp:arm"}) {
     std::vector<double> times;
@@ -219,12 +222,14 @@ void run_detection(int seeds) {
       if (place != std::string::npos) times.push_back(std::strtod(run.output.c_str() + place + 14, nullptr));
     }
     std::sort(times.begin(), times.end());
+    all = all && times.size() == static_cast<std::size_t>(seeds);
     if (times.empty())
       std::printf("| %s | - |\n", kind.c_str());
     else
       std::printf("| %s | %.2f / %.2f |\n", kind.c_str(), times[times.size() / 2], times.back());
     std::fflush(stdout);
   }
+  return all;
 }
 
 }  // namespace
@@ -232,14 +237,18 @@ void run_detection(int seeds) {
 /// faults [SEEDS [TASK [BEGINNING] | real]]: injects every kind of fault at SEEDS (20) random ticks of the tasks press
 /// and cooperative_transfer in lockstep, or those whose names have this beginning, and prints what came of it; then how
 /// long the runner takes to notice a dead or halted process under the real clock. Fails when a robot has exceeded a
-/// limit or moved to the end, or a process was left.
+/// limit or moved to the end or was not seen at all, a process was left, or a death was not noticed.
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 20;
   const std::string only = argc > 2 ? argv[2] : "";
   const std::string beginning = argc > 3 ? argv[3] : "";
-  bool good = true;
-  for (const Campaign& campaign : kCampaigns)
-    if (only.empty() || only == campaign.name) good = run_campaign(campaign, seeds, beginning) && good;
-  if (only.empty() || only == "real") run_detection(seeds);
-  return good ? 0 : 1;
+  bool good = true, any = only.empty() || only == "real";
+  for (const Campaign& campaign : kCampaigns) {
+    if (!only.empty() && only != campaign.name) continue;
+    good = run_campaign(campaign, seeds, beginning) && good;
+    any = true;
+  }
+  if (only.empty() || only == "real") good = run_detection(seeds) && good;
+  if (!any) std::fprintf(stderr, "faults: no task '%s', expected press, cooperative_transfer or real\n", only.c_str());
+  return good && any ? 0 : 1;
 }

@@ -43,7 +43,7 @@ bool launch(const Deployment& deployment, int launches) {
     leftovers += run.leftovers.size();
     const std::string steps = steps_of(run);
     if (first.empty()) first = steps;
-    const bool other = run.exit_code == 0 && steps != first;
+    const bool other = run.exit_code == 0 && (steps.empty() || steps != first);
     if (run.exit_code != 0) ++failed;
     if (other) ++different;
     if (run.exit_code != 0 || other || !run.leftovers.empty())

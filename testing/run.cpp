@@ -57,10 +57,12 @@ pid_t start(const std::vector<std::string>& words, const std::filesystem::path& 
 int wait_for(pid_t pid, int patience) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(patience);
   int status = 0;
-  while (waitpid(pid, &status, WNOHANG) == 0) {
+  pid_t ended = 0;
+  while ((ended = waitpid(pid, &status, WNOHANG)) == 0) {
     if (std::chrono::steady_clock::now() > deadline) kill(pid, SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
+  if (ended < 0) throw std::runtime_error("mrroc has ended unseen: SIGCHLD must not be ignored");
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
@@ -97,9 +99,10 @@ std::vector<std::string> kill_leftovers(const std::string& mark) {
 
 /// What follows `key=` in a line of a trace, with its quotation marks taken off.
 std::string value_of(const std::string& line, const std::string& key) {
-  const std::size_t place = line.find(" " + key + "=");
-  if (place == std::string::npos) return line.starts_with(key + "=") ? value_of(" " + line, key) : "";
-  const std::size_t begin = place + key.size() + 2;
+  // the line's own comes first, those of its robots and sensors have a word before them
+  const std::size_t place = line.starts_with(key + "=") ? 0 : line.find(" " + key + "=");
+  if (place == std::string::npos) return "";
+  const std::size_t begin = line.find('=', place) + 1;
   if (begin < line.size() && line[begin] == '"') return line.substr(begin + 1, line.find('"', begin + 1) - begin - 1);
   return line.substr(begin, line.find(' ', begin) - begin);
 }
