@@ -16,6 +16,7 @@
 #include "clock/monotonic.hpp"
 #include "clock/realtime.hpp"
 #include "config/resources.hpp"
+#include "config/table.hpp"
 #include "mrroc/errors.hpp"
 #include "process/process.hpp"
 
@@ -51,6 +52,7 @@ int open_signals() {
   // SIGTTOU: a terminal may be set to stop those who write to it from the background
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGTTOU, SIGCHLD}) sigaddset(&set, number);
   sigprocmask(SIG_BLOCK, &set, nullptr);
+  signal(SIGCHLD, SIG_DFL);  // whoever has started this may ignore it, and then nobody hears of a death
   signal(SIGPIPE, SIG_IGN);  // nobody has to read what the runner says
   return signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
 }
@@ -87,7 +89,7 @@ process::ExitCode Runner::run() {
   check_somebody_answers(deployment_, input_.attended());
   check_network(deployment_.network);
   // before anything is started: a run whose trace is lost would be in vain
-  const TraceParts trace(options_.trace);
+  const TraceParts trace(options_.trace, plan_);
   if (!options_.snapshots.empty()) std::filesystem::create_directories(options_.snapshots);
   // lockstep is serial by nature: one CPU for all is several times faster than two
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
@@ -110,6 +112,8 @@ process::ExitCode Runner::run() {
 void Runner::guard(const std::function<void()>& step) {
   try {
     step();
+  } catch (const config::ConfigurationError& error) {
+    fail(process::ExitCode::usage, error.what());
   } catch (const std::exception& error) {
     fail(process::exit_code(process::report_of(error).error_class), error.what());
   }

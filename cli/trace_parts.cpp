@@ -6,8 +6,12 @@
 
 namespace mrroc::cli {
 
-TraceParts::TraceParts(std::filesystem::path trace) : trace_(std::move(trace)) {
-  if (!trace_.empty()) create_trace(trace_);
+TraceParts::TraceParts(std::filesystem::path trace, const std::vector<PlannedProcess>& processes)
+    : trace_(std::move(trace)) {
+  if (trace_.empty()) return;
+  create_trace(trace_);
+  for (const PlannedProcess& process : processes)
+    if (const std::filesystem::path part = of(process); !part.empty()) std::filesystem::remove(part);
 }
 
 std::filesystem::path TraceParts::of(const PlannedProcess& process) const {

@@ -11,7 +11,7 @@ namespace mrroc::cli {
 class TraceParts {
  public:
   /// `trace` empty: none is written. Throws std::runtime_error when it cannot be.
-  explicit TraceParts(std::filesystem::path trace);
+  TraceParts(std::filesystem::path trace, const std::vector<PlannedProcess>& processes);
 
   /// Where a process writes its part; empty when it writes none.
   std::filesystem::path of(const PlannedProcess& process) const;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "cli/trace_parts.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::cli {
@@ -25,6 +26,14 @@ class Trace : public testing::Test {
   std::filesystem::path folder_ =
       std::filesystem::path(testing::TempDir()) / ("mrroc_trace" + std::to_string(getpid()));
 };
+
+TEST_F(Trace, WhatAKilledRunHasLeftIsNoPartOfTheNext) {
+  const auto stale = write("t.arm.part", "tick=1 process=arm step=0\n");
+  const PlannedProcess arm{.name = "arm", .program = {}, .has_task = true};
+  const TraceParts parts(folder_ / "t", {arm});
+  EXPECT_EQ(parts.of(arm), stale);
+  EXPECT_FALSE(std::filesystem::exists(stale));
+}
 
 TEST_F(Trace, PartsAreMergedByTickThenProcessThenOrder) {
   const auto b = write("t.b.part", "tick=1 process=b step=0\ntick=9 process=b step=1\ntick=9 process=b step=2\n");
