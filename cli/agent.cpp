@@ -36,6 +36,7 @@ int open_signals() {
   sigemptyset(&set);
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, number);
   sigprocmask(SIG_BLOCK, &set, nullptr);
+  signal(SIGCHLD, SIG_DFL);  // whoever has started this may ignore it, and then nobody hears of a death
   signal(SIGPIPE, SIG_IGN);  // a runner that is gone is seen when its channel is read
   return signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
 }
@@ -267,7 +268,9 @@ void Agent::send_traces() {
   if (traces_.empty()) return;
   for (const PlannedProcess& process : plan_) {
     std::ifstream file(traces_ / process.name);
-    for (std::string line; std::getline(file, line);) runner_.write("trace " + process.name + " " + line);
+    // of one that was killed the last line may be half a line
+    for (std::string line; std::getline(file, line) && !file.eof();)
+      runner_.write("trace " + process.name + " " + line);
   }
 }
 

@@ -3,7 +3,9 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "config/drive_objects.hpp"
 #include "config/file_text.hpp"
+#include "config/robot_parameters_file.hpp"
 
 namespace mrroc::cli {
 
@@ -90,6 +92,13 @@ std::vector<std::pair<std::string, std::string>> files_of(const config::Deployme
   std::vector<std::pair<std::string, std::string>> files{{"deployment", hash_of(deployment.file)}};
   if (!deployment.mp.states.empty()) files.emplace_back("mp.states", hash_of(deployment.mp.states));
   if (deployment.sim) files.emplace_back("sim.scene", hash_of(deployment.sim->scene));
+  for (const config::RobotEntry& robot : deployment.robots) {
+    const std::string key = std::string("robots.").append(robot.name);
+    files.emplace_back(key + ".type", hash_of(config::robot_file(robot.type, robot.type + ".toml")));
+    if (!robot.can) continue;
+    files.emplace_back(key + ".can.drives", hash_of(robot.can->drives));
+    files.emplace_back(key + ".can.drives: eds", hash_of(config::eds_file(config::Table::load(robot.can->drives))));
+  }
   for (const config::SensorEntry& sensor : deployment.sensors)
     if (!sensor.replay.empty()) files.emplace_back("sensors." + sensor.name + ".replay", hash_of(sensor.replay));
   return files;

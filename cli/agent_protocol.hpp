@@ -13,14 +13,15 @@
 /// What `mrroc run` and `mrroc agent`, its helper on another host, say to each other: lines of a word and its text.
 ///
 ///     runner: an order, then `start EPOCH_NS` (of the agent's clock), then `stop`
-///     agent:  `mrroc-agent 1`, `beat PORT`, `missing NAMES` (those not ready; at last none), `started`,
+///     agent:  `mrroc-agent 1 VERSION`, `beat PORT`, `missing NAMES` (those not ready; at last none), `started`,
 ///             `line PROCESS TEXT`, `lost PROCESS EXIT_CODE HOW`, `failed EXIT_CODE REASON`, `trace PROCESS LINE`,
 ///             `ended`
 ///
 /// The end of either stream is the end of its sender.
 namespace mrroc::cli {
 
-inline constexpr std::string_view kAgentGreeting = "mrroc-agent 1";
+/// The first word, and the version of what both say and of MRROC++.
+inline constexpr std::string_view kAgentGreeting = "mrroc-agent 1 " MRROC_VERSION;
 
 /// What an agent is told before it starts anything.
 struct AgentOrder {
@@ -48,7 +49,8 @@ std::pair<std::string, std::string> split_word(const std::string& line);
 std::optional<std::int64_t> whole_number(const std::string& text);
 
 /// Key and hash of every file that all machines must have alike: the deployment itself, the scene, the state machine,
-/// what replayed sensors play. Throws ConfigurationError when one cannot be read.
+/// robots' parameters and tables of drives, what replayed sensors play. Throws ConfigurationError when one cannot be
+/// read.
 std::vector<std::pair<std::string, std::string>> files_of(const config::Deployment& deployment);
 
 }  // namespace mrroc::cli

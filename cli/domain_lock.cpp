@@ -21,7 +21,8 @@ DomainLock::DomainLock(int wanted) {
   if (wanted >= 0) {
     if (!take(wanted))
       throw std::runtime_error("DDS domain " + std::to_string(wanted) +
-                               " is in use by another deployment on this host");
+                               " is in use by another deployment on this host, expected a free one: name another "
+                               "with the key deployment.domain");
     return;
   }
   for (int domain = kFirstFree; domain <= kLastFree; ++domain) {

@@ -110,6 +110,12 @@ void RemoteHost::hear(const std::string& line) {
     // a shell there may say something first
     if (line == kAgentGreeting) {
       greeted_ = true;
+    } else if (word == split_word(std::string{kAgentGreeting}).first) {
+      fail(process::ExitCode::usage, std::string("another version of MRROC++ is installed there: '")
+                                         .append(line)
+                                         .append("', expected '")
+                                         .append(kAgentGreeting)
+                                         .append("'"));
     } else {
       listener_.message("host " + name_ + " | " + line);
     }

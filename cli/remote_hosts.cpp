@@ -8,6 +8,8 @@
 
 #include "cli/addresses.hpp"
 #include "clock/monotonic.hpp"
+#include "config/table.hpp"
+#include "links/network_interface.hpp"
 
 namespace mrroc::cli {
 
@@ -35,6 +37,18 @@ RemoteHosts::~RemoteHosts() {
   if (wake_ >= 0) close(wake_);
 }
 
+/// DDS leaves by the interface that is named, everything else as the kernel routes it.
+void RemoteHosts::check_interface(in_addr own) const {
+  const std::string& named = deployment_.network.interface;
+  if (named.empty()) return;
+  const links::NetworkInterface interface = links::find_interface(named);
+  if (interface.address == to_text(own)) return;
+  throw config::ConfigurationError(
+      deployment_.file, 0, "network.interface",
+      "'" + named + "' has the address " + interface.address + ", and the way to the host begins at " + to_text(own),
+      "the interface that leads to the hosts");
+}
+
 void RemoteHosts::start_agents(int domain, bool trace) {
   const auto used = deployment_.hosts_used();
   std::vector<in_addr> there;
@@ -43,6 +57,9 @@ void RemoteHosts::start_agents(int domain, bool trace) {
       there.push_back(ipv4_of(host->address));
       if (machines_.empty()) machines_.push_back(own_address_ = to_text(own_address_towards(there.back())));
       machines_.push_back(to_text(there.back()));
+      check_interface(own_address_towards(there.back()));
+    } catch (const config::ConfigurationError&) {
+      throw;
     } catch (const std::runtime_error& error) {
       throw std::runtime_error("host " + host->name + ": " + error.what());
     }

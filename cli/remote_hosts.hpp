@@ -20,7 +20,8 @@ class RemoteHosts {
   RemoteHosts(const RemoteHosts&) = delete;
   RemoteHosts& operator=(const RemoteHosts&) = delete;
 
-  /// Starts an agent on each. Throws std::runtime_error that names the host: no address, no command.
+  /// Starts an agent on each. Throws std::runtime_error that names the host: no address, no command;
+  /// ConfigurationError: it is not reached by the interface that the deployment names.
   void start_agents(int domain, bool trace);
 
   /// This machine's address on the way to the others, and the addresses of all, this one's first; both empty when there
@@ -44,6 +45,8 @@ class RemoteHosts {
   std::vector<std::string> summaries() const;
 
  private:
+  void check_interface(in_addr own) const;
+
   const config::Deployment& deployment_;
   HostListener listener_;
   std::string own_address_;

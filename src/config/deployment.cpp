@@ -42,7 +42,7 @@ void read_general(const Table& table, Deployment& deployment) {
   deployment.domain = static_cast<int>(table.integer_or("domain", deployment.domain, 0, 230));
   const Range timeouts{0.1, 3600};
   deployment.start_timeout = table.number_or("start_timeout", deployment.start_timeout, timeouts);
-  deployment.heartbeat_timeout = table.number_or("heartbeat_timeout", deployment.heartbeat_timeout, {0.5, 3600});
+  deployment.heartbeat_timeout = table.number_or("heartbeat_timeout", deployment.heartbeat_timeout, {0.5, 60});
   deployment.link_timeout = table.number_or("link_timeout", deployment.link_timeout, {0.01, 10});
   deployment.clock_error = table.number_or("clock_error", deployment.servo_period / 2, {1e-5, 1});
   const auto deltas = static_cast<std::int64_t>(deployment.delta_limit);

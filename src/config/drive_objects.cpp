@@ -96,13 +96,19 @@ DriveSetting read_setting(const Table& table, const std::string& key, const cano
 
 }  // namespace
 
-canopen::EdsFile read_eds(const Table& table, DriveMode mode) {
+std::filesystem::path eds_file(const Table& table) {
   const std::string name = table.text("eds");
   std::filesystem::path file = beside(table.file(), name);
   for (const std::filesystem::path& share : share_directories())
     if (!std::filesystem::exists(file)) file = share / "canopen" / "standard" / name;
   if (!std::filesystem::exists(file))
     table.fail("eds", in_quotes(name) + " is not there", "an EDS file beside this one, or 'cia402.eds'");
+  return file;
+}
+
+canopen::EdsFile read_eds(const Table& table, DriveMode mode) {
+  const std::string name = table.text("eds");
+  const std::filesystem::path file = eds_file(table);
   if (const std::string problem = reading_problem(file); !problem.empty())
     table.fail("eds", in_quotes(name) + " " + problem, "an EDS file of CiA 306");
   try {

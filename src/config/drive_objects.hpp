@@ -9,8 +9,11 @@
 
 namespace mrroc::config {
 
-/// The EDS file of `eds = "NAME"`: beside the table, or the framework's in share/mrroc/canopen/standard. Throws
-/// ConfigurationError, also when it lacks an object that the cycle of `mode` needs.
+/// Where the EDS file of `eds = "NAME"` is: beside the table, or the framework's in share/mrroc/canopen/standard.
+/// Throws ConfigurationError when it is in neither.
+std::filesystem::path eds_file(const Table& table);
+
+/// What it says. Throws ConfigurationError, also when it lacks an object that the cycle of `mode` needs.
 canopen::EdsFile read_eds(const Table& table, canopen::DriveMode mode);
 
 /// Appends the table `objects` of `owner`: objects by name or address, and the values to write. Throws

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -12,6 +15,7 @@
 
 #include "repetitions.hpp"
 #include "system/cable.hpp"
+#include "system/keyboard.hpp"
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
@@ -227,6 +231,50 @@ TEST_F(TwoHosts, RefuseAClockThatIsKnownTooBadly) {
   EXPECT_TRUE(contains(run_->err(), "the clock of host cell (known to 10.")) << output();
 }
 
+TEST_F(TwoHosts, RefuseAnInterfaceThatDoesNotLeadToTheHost) {
+  {
+    const Inside inside(cable_->a());
+    ASSERT_EQ(std::system("ip link add other0 type veth peer name other1 && ip address add 10.78.0.1/24 dev other0 && "
+                          "ip link set other1 up && ip link set other0 up"),
+              0);
+  }
+  std::string text = hosts("two", "", {}, hold());
+  const std::string named = "interface = \"cable0\"";
+  start(write(text.replace(text.find(named), named.size(), "interface = \"other0\"")));
+  EXPECT_EQ(run_->wait(), kUsage) << output();
+  EXPECT_TRUE(
+      contains(run_->err(), "network.interface: 'other0' has the address 10.78.0.1, and the way to the host begins at"))
+      << output();
+}
+
+/// A table that somebody has mended on one machine only.
+TEST_F(TwoHosts, RefuseFilesThatDiffer) {
+  const ScratchFolder other;
+  const std::string text =
+      hosts("two", "", {}, "folder = \"" + other.path().string() + "\"\n") +
+      "[robots.arm]\ntype = \"irb6\"\nhardware = \"socketcan\"\nhost = \"cell\"\nprogram = \"" MRROC_BINARY_DIR
+      "/tests/faulty_ecp\"\n[robots.arm.can]\ninterface = \"can0\"\ndrives = \"arm_drives.toml\"\n";
+  std::ifstream file(MRROC_SOURCE_DIR "/robots/irb6/irb6_drives.toml");
+  const std::string table{std::istreambuf_iterator<char>(file), {}};
+  other.write("two.toml", text);
+  folder_.write("arm_drives.toml", table);
+  other.write("arm_drives.toml", table + "# mended\n");
+  start(write(text));
+  EXPECT_EQ(run_->wait(), kUsage) << output();
+  EXPECT_TRUE(
+      contains(run_->err(), "robots.arm.can.drives: the file differs from the one on the machine of the runner"))
+      << output();
+}
+
+TEST_F(TwoHosts, StopForAnEmergency) {
+  Keyboard keyboard;
+  MrrocRun& run = start(write(hosts("hold", "", {}, hold())));
+  ASSERT_TRUE(run.wait_for_output("never")) << output();
+  const std::vector<pid_t> pids = run.descendants();
+  keyboard.type("estop\n");
+  expect_end(5, "emergency stop: it ends a run with several hosts", pids);
+}
+
 struct Mistake {
   const char* name;
   std::vector<std::string> command;
@@ -253,6 +301,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"no_command", {"no_such_program"}, "", "host cell: no program 'no_such_program'", kSystem},
         Mistake{"command_fails", {"false"}, "", "host cell: no agent could be started: exit code 1", kSystem},
+        Mistake{
+            "another_version",
+            {"sh", "-c", "echo mrroc-agent 1 0.0.0"},
+            "",
+            "host cell: another version of MRROC++ is installed there: 'mrroc-agent 1 0.0.0', expected 'mrroc-agent 1 ",
+            kUsage},
         Mistake{"no_mrroc",
                 {},
                 "mrroc = \"/nowhere/mrroc\"\n",
