@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "mrroc/testing/run.hpp"
@@ -26,50 +29,72 @@ std::string steps_of(const task_test::RunResult& run) {
   return lines;
 }
 
-/// Launches `deployment` with the seeds from 1 to `launches`. Whether all went well.
-bool launch(const Deployment& deployment, int launches) {
-  std::string first;
-  std::vector<double> times;
-  int failed = 0, different = 0;
-  std::size_t leftovers = 0;
-  for (int seed = 1; seed <= launches; ++seed) {
+/// Launches of one deployment with the seeds 1, 2, ..., several at a time.
+class Launches {
+ public:
+  Launches(const Deployment& deployment, int count) : deployment_(deployment), count_(count) {}
+
+  /// Whether all went well.
+  bool run(int together) {
+    std::vector<std::thread> threads;
+    for (int i = 0; i < together; ++i)
+      threads.emplace_back([this] {
+        for (int seed = ++next_; seed <= count_; seed = ++next_) launch(seed);
+      });
+    for (std::thread& thread : threads) thread.join();
+    std::sort(times_.begin(), times_.end());
+    std::printf("| %s | %d | %d | %d | %zu | %.2f / %.2f |\n", deployment_.name, count_, failed_, different_,
+                leftovers_, times_[times_.size() / 2], times_.back());
+    std::fflush(stdout);
+    return failed_ == 0 && different_ == 0 && leftovers_ == 0;
+  }
+
+ private:
+  void launch(int seed) {
     const auto begin = std::chrono::steady_clock::now();
     const auto run = task_test::DeploymentRun(MRROC_BINARY_DIR "/bin/mrroc",
-                                              std::filesystem::path(MRROC_SOURCE_DIR) / deployment.file)
+                                              std::filesystem::path(MRROC_SOURCE_DIR) / deployment_.file)
                          .option("--shuffle-start")
                          .option(std::to_string(seed))
                          .run();
-    times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    leftovers += run.leftovers.size();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const std::string steps = steps_of(run);
-    if (first.empty()) first = steps;
-    const bool other = run.exit_code == 0 && (steps.empty() || steps != first);
-    if (run.exit_code != 0) ++failed;
-    if (other) ++different;
+    const std::lock_guard lock(mutex_);
+    times_.push_back(seconds);
+    leftovers_ += run.leftovers.size();
+    if (first_.empty()) first_ = steps;
+    const bool other = run.exit_code == 0 && (steps.empty() || steps != first_);
+    if (run.exit_code != 0) ++failed_;
+    if (other) ++different_;
     if (run.exit_code != 0 || other || !run.leftovers.empty())
-      std::fprintf(stderr, "%s, seed %d: exit code %d, %zu left%s\n%s\n", deployment.name, seed, run.exit_code,
+      std::fprintf(stderr, "%s, seed %d: exit code %d, %zu left%s\n%s\n", deployment_.name, seed, run.exit_code,
                    run.leftovers.size(), other ? ", another trace" : "", run.output.c_str());
   }
-  std::sort(times.begin(), times.end());
-  std::printf("| %s | %d | %d | %d | %zu | %.2f / %.2f |\n", deployment.name, launches, failed, different, leftovers,
-              times[times.size() / 2], times.back());
-  std::fflush(stdout);
-  return failed == 0 && different == 0 && leftovers == 0;
-}
+
+  const Deployment& deployment_;
+  const int count_;
+  std::atomic<int> next_{0};
+  std::mutex mutex_;  // of what follows
+  std::string first_;
+  std::vector<double> times_;
+  int failed_ = 0, different_ = 0;
+  std::size_t leftovers_ = 0;
+};
 
 }  // namespace
 
-/// launches [COUNT]: launches the task shuttle COUNT (1000) times and press a fifth as often, in lockstep, with the
-/// processes in a random order with random delays; the seeds are 1, 2, ... Prints how many failed, had another trace
-/// than the first, or left a process; fails when one did.
+/// launches [COUNT [TOGETHER]]: launches the task shuttle COUNT (1000) times and press a fifth as often, TOGETHER (4)
+/// at a time, in lockstep, with the processes in a random order with random delays; the seeds are 1, 2, ... Prints how
+/// many failed, had another trace than the first, or left a process; fails when one did.
 int main(int argc, char** argv) {
   const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
-  if (count < 1) return std::fprintf(stderr, "launches [COUNT], COUNT above 0\n"), 2;
+  const int together = argc > 2 ? std::atoi(argv[2]) : 4;
+  if (count < 1 || together < 1) return std::fprintf(stderr, "launches [COUNT [TOGETHER]], both above 0\n"), 2;
   std::printf(
       "| task | launches | failed | with another trace | left | s a launch, p50 / worst "
       "|\n|---|---|---|---|---|---|\n");
   bool good = true;
   for (const Deployment& deployment : kDeployments)
-    good = launch(deployment, std::max(1, count / deployment.one_of)) && good;
+    good = Launches(deployment, std::max(1, count / deployment.one_of)).run(together) && good;
   return good ? 0 : 1;
 }
