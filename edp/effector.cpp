@@ -174,9 +174,27 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   hand_over_.macrosteps.push(macrostep_);
   end_ = macrostep_.to;
   end_tick_ = macrostep_.start + macrostep_.steps;
+  entry.start = macrostep_.start;
+  entry.end = end_tick_;
   forced_ = macrostep_.kind == Macrostep::Kind::force;
   holding_ = command.kind == CommandKind::hold;
   return {};
+}
+
+/// Beside a servo with a thread of its own a resting robot begins a tick later than planned when that tick began
+/// meanwhile; and so does what follows at once.
+void Effector::begun(Outstanding& entry, Tick start) noexcept {
+  if (start <= entry.start) return;
+  const Tick delay = start - entry.start, end = entry.end;
+  entry.start += delay;
+  entry.end += delay;
+  if (end_tick_ == end) end_tick_ = entry.end;
+  for (Outstanding& next : outstanding_) {
+    if (!next.used || next.ticket <= entry.ticket || next.start != end) continue;
+    next.start += delay;
+    next.end += delay;
+    end_tick_ = next.end;
+  }
 }
 
 bool Effector::poll_recovery(Reply& reply) noexcept {
@@ -209,7 +227,10 @@ bool Effector::poll(Reply& reply) noexcept {
     } else if (entry != nullptr) {
       const Snapshot& then = report->snapshot;
       reply.command = entry->number;
-      if (outcome == Report::Outcome::reply) macrostep_start_ = report->start;
+      if (outcome == Report::Outcome::reply) {
+        macrostep_start_ = report->start;
+        if (then.epoch == epoch_) begun(*entry, report->start);
+      }
       fill(then, then.end, then.end_tick, reply.state);
       if (outcome == Report::Outcome::aborted && then.fault.code == ErrorCode::none) {
         const bool interrupted = then.interruptions != interruptions_told_;

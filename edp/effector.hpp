@@ -85,6 +85,7 @@ class Effector {
     std::uint64_t ticket = 0;
     std::uint64_t number = 0;
     RobotCommand command;
+    Tick start = 0, end = 0;  ///< of its macrostep as planned, or as the servo has told
   };
 
   void refresh() noexcept;
@@ -97,6 +98,7 @@ class Effector {
   bool poll_recovery(Reply& reply) noexcept;
   Outstanding* free_place() noexcept;
   ErrorReport hand_over(Outstanding& entry) noexcept;
+  void begun(Outstanding& entry, Tick start) noexcept;
   void fill(const Snapshot& snapshot, const DesiredState& end, Tick end_tick, RobotState& state) const noexcept;
   void fill_present(RobotState& state) const noexcept;
   void answer(std::uint64_t number, const ErrorReport& error, Reply& reply) noexcept;

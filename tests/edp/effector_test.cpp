@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "rig.hpp"
 
@@ -189,6 +191,45 @@ TEST(Effector, OneCommandRunsOneWaitsAThirdIsRefused) {
   EXPECT_EQ(rig.replies[1].state.tick, 200u);
   EXPECT_EQ(rig.replies[2].state.tick, 300u);
   EXPECT_EQ(rig.seen().desired.position[0], 0.40);
+}
+
+/// The servo's thread ticks while the other one plans.
+class Overtaken : public Slide {
+ public:
+  ErrorCode inverse(const Pose& pose, const JointVector& near, JointVector& joints) const noexcept override {
+    if (meanwhile) std::exchange(meanwhile, {})();
+    return Slide::inverse(pose, near, joints);
+  }
+  mutable std::function<void()> meanwhile;
+};
+
+TEST(Effector, WhatBeganLaterThanPlannedEndsLaterInEveryAnswer) {
+  for (const bool waiting : {false, true}) {  // a successor, before the first reply
+    Rig<Overtaken> rig;
+    rig.run(3);
+    RobotCommand command;
+    command.kind = CommandKind::pose;
+    command.pose = Pose(Eigen::Translation3d(0.26, 0, 0));
+    command.motion_steps = 100;
+    command.reply_step = 90;
+    rig.model.meanwhile = [&rig] { rig.tick(); };
+    ASSERT_FALSE(rig.send(command));
+    if (waiting) {
+      ASSERT_FALSE(rig.send(command));
+    }
+    while (rig.replies.empty()) rig.tick();
+    const RobotState first = rig.replies[0].state;
+    EXPECT_EQ(first.desired_tick, first.macrostep_start + 100);
+    EXPECT_EQ(first.macrostep_start, 4u) << "3 was planned, and 4 had begun";
+    if (!waiting) {
+      EXPECT_EQ(rig.query().desired_tick, first.desired_tick);
+      continue;
+    }
+    EXPECT_EQ(rig.query().desired_tick, first.desired_tick + 100);
+    while (rig.replies.size() < 2) rig.tick();
+    EXPECT_EQ(rig.replies[1].state.macrostep_start, first.desired_tick);
+    EXPECT_EQ(rig.query().desired_tick, rig.replies[1].state.desired_tick);
+  }
 }
 
 TEST(Effector, TheStartTickIsHonoured) {
