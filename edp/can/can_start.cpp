@@ -1,0 +1,118 @@
+// How the driver brings its drives into service, before the servo's first tick.
+#include <algorithm>
+#include <cmath>
+
+#include "canopen/sdo_client.hpp"
+#include "clock/monotonic.hpp"
+#include "edp/can/can_hardware.hpp"
+#include "mrroc/errors.hpp"
+
+namespace mrroc::edp {
+
+using namespace canopen;
+using can::BusError;
+
+namespace {
+
+constexpr std::int64_t kPatienceWithSdo = clock::kSecond / 2;
+constexpr std::int64_t kBetweenResets = clock::kSecond / 2;
+constexpr int kFirstSyncs = 50;
+constexpr std::uint32_t kProfile402 = 402;
+
+}  // namespace
+
+void CanHardware::fail(ErrorCode code, std::size_t axis, const std::string& what) const {
+  const config::DriveEntry& entry = table_.drives[axis];
+  throw HardwareError(code, "drive " + entry.axis + ", node " + std::to_string(entry.node) + ": " + what);
+}
+
+void CanHardware::open() {
+  await_boot();
+  for (std::size_t i = 0; i < drives_.size(); ++i) set_up(i);
+  for (Drive& drive : drives_) {
+    send(nmt_frame(NmtCommand::start, drive.node()));
+    drive.begin(0);
+  }
+  await_answers();
+  bus_error_ = BusError::none;  // resets that nobody acknowledged, of drives without power yet
+}
+
+/// Every drive begins as if its power had just come on, whatever an earlier run has left.
+void CanHardware::await_boot() {
+  std::vector<bool> booted(drives_.size(), false);
+  const auto missing = [&booted] { return std::find(booted.begin(), booted.end(), false); };
+  const std::int64_t end = clock::monotonic_ns() + std::llround(kPatienceWithBoot * clock::kSecond);
+  while (missing() != booted.end()) {
+    for (std::size_t i = 0; i < drives_.size(); ++i)
+      if (!booted[i]) send(nmt_frame(NmtCommand::reset_communication, drives_[i].node()));
+    const std::int64_t again = clock::monotonic_ns() + kBetweenResets;
+    can::Frame frame;
+    while (missing() != booted.end() && bus_->receive(frame, again)) {
+      for (std::size_t i = 0; i < drives_.size(); ++i)
+        if (frame.id == kHeartbeat + drives_[i].node() && frame.size == 1 && frame.data[0] == 0) booted[i] = true;
+    }
+    if (clock::monotonic_ns() > end && missing() != booted.end())
+      fail(ErrorCode::hardware_silent, static_cast<std::size_t>(missing() - booted.begin()),
+           "no boot-up message within " + std::to_string(static_cast<int>(kPatienceWithBoot)) +
+               " s of its reset: no power, another node number or bit rate, or no wire" +
+               (bus_error_ == BusError::none ? "" : std::string(" (") + can::describe(bus_error_) + ")"));
+  }
+}
+
+/// One that a drive does not have it may take all the same, and stay in another.
+void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
+  if (table_.eds.find(kSupportedModes) == nullptr) return;
+  const std::uint64_t supported = can::get(client.upload(drives_[axis].node(), kSupportedModes), 0, 4);
+  const bool homes = table_.drives[axis].homing.method != 0;
+  for (const DriveMode mode : {table_.mode, homes ? DriveMode::homing : table_.mode})
+    if ((supported >> (static_cast<int>(mode) - 1) & 1) == 0)
+      fail(ErrorCode::configuration, axis,
+           "has no mode " + std::string(describe(mode)) + ", expected bit " +
+               std::to_string(static_cast<int>(mode) - 1) + " in its supported modes, 6502h, which are " +
+               std::to_string(supported));
+}
+
+void CanHardware::set_up(std::size_t axis) {
+  Drive& drive = drives_[axis];
+  SdoClient client(*bus_, kPatienceWithSdo);
+  try {
+    const std::vector<std::uint8_t> type = client.upload(drive.node(), kDeviceType);
+    if (can::get(type, 0, 2) != kProfile402)
+      fail(ErrorCode::configuration, axis,
+           "profile " + std::to_string(can::get(type, 0, 2)) + " in its device type, expected 402, a drive");
+    check_modes(axis, client);
+  } catch (const SdoError& error) {
+    fail(ErrorCode::hardware_silent, axis, error.what());
+  }
+  can::Frame next = drive.setup().start();
+  std::int64_t deadline = 0;
+  while (drive.setup().status() == DriveSetup::Status::writing) {
+    if (next.size != 0) {
+      send(next);
+      deadline = clock::monotonic_ns() + kPatienceWithSdo;
+    }
+    can::Frame frame;
+    if (!bus_->receive(frame, deadline) || clock::monotonic_ns() > deadline)
+      fail(ErrorCode::hardware_silent, axis, "no answer to writing " + drive.setup().setting().name);
+    drive.setup().take(frame, next);
+    const bool boots = frame.id == kHeartbeat + drive.node() && frame.size == 1 && frame.data[0] == 0;
+    if (boots) next = drive.setup().start();  // a second reset has reached it late
+  }
+  if (drive.setup().status() == DriveSetup::Status::refused)
+    fail(ErrorCode::configuration, axis,
+         "refuses " + drive.setup().setting().name + " = " + std::to_string(drive.setup().setting().value) + ": " +
+             std::string(describe(drive.setup().abort())));
+  drive.setup().give_up();
+}
+
+void CanHardware::await_answers() {
+  for (int i = 0; i < kFirstSyncs; ++i) {
+    for (Drive& drive : drives_) drive.expect();
+    send(sync_frame());
+    if (await_all(clock::monotonic_ns() + kPatienceWithSdo / 10)) return;
+  }
+  for (std::size_t i = 0; i < drives_.size(); ++i)
+    if (!drives_[i].answered()) fail(ErrorCode::hardware_silent, i, "no answer to a SYNC");
+}
+
+}  // namespace mrroc::edp
