@@ -36,8 +36,9 @@ class CanHardware : public Hardware {
               Timing timing, bool synchronised);
   ~CanHardware() override;
 
-  /// Resets the drives, waits for each to boot, sets it up and starts it, until all answer a SYNC. Throws HardwareError
-  /// that names drive, node and what is wrong: no boot-up, no CiA 402 drive, a setting that is refused, no answer.
+  /// Resets the drives' communication, waits for each to boot, clears a fault that it stands in, sets it up and starts
+  /// it, until all answer a SYNC. Throws HardwareError that names drive, node and what is wrong: no boot-up, no CiA 402
+  /// drive, a fault that stays, a setting that is refused, no answer.
   void open() override;
   void enable(bool on) noexcept override;
   void reset_fault() noexcept override;
@@ -56,6 +57,7 @@ class CanHardware : public Hardware {
   void await_boot();
   void check_modes(std::size_t axis, canopen::SdoClient& client) const;
   void set_up(std::size_t axis);
+  void clear_fault(std::size_t axis, canopen::SdoClient& client);
   void await_answers();
   void send(const can::Frame& frame) noexcept;
   void find(can::BusError error) noexcept;

@@ -1,7 +1,10 @@
 // How the driver brings its drives into service, before the servo's first tick.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
+#include "canopen/emergency.hpp"
 #include "canopen/sdo_client.hpp"
 #include "clock/monotonic.hpp"
 #include "edp/can/can_hardware.hpp"
@@ -16,6 +19,7 @@ namespace {
 
 constexpr std::int64_t kPatienceWithSdo = clock::kSecond / 2;
 constexpr std::int64_t kBetweenResets = clock::kSecond / 2;
+constexpr std::int64_t kBetweenLooks = clock::kSecond / 100;
 constexpr int kFirstSyncs = 50;
 constexpr std::uint32_t kProfile402 = 402;
 
@@ -37,7 +41,8 @@ void CanHardware::open() {
   bus_error_ = BusError::none;  // resets that nobody acknowledged, of drives without power yet
 }
 
-/// Every drive begins as if its power had just come on, whatever an earlier run has left.
+/// Every drive forgets how an earlier run has set its communication up. Its profile keeps state, error and values: a
+/// reset of the node would have some take seconds, and count anew.
 void CanHardware::await_boot() {
   std::vector<bool> booted(drives_.size(), false);
   const auto missing = [&booted] { return std::find(booted.begin(), booted.end(), false); };
@@ -72,6 +77,34 @@ void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
                std::to_string(supported));
 }
 
+/// An earlier run has left it without a heartbeat: where 6007h says so, it has slowed down and stands in a fault.
+void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
+  const NodeId node = drives_[axis].node();
+  const std::int64_t end = clock::monotonic_ns() + std::llround(Drive::kSwitchOnTime * clock::kSecond);
+  for (;;) {
+    const DriveState state = drive_state(static_cast<std::uint16_t>(can::get(client.upload(node, kStatusword), 0, 2)));
+    if (state != DriveState::fault && state != DriveState::fault_reaction_active) return;
+    if (clock::monotonic_ns() > end) break;
+    if (state == DriveState::fault)
+      for (const std::uint16_t word : {kDisableVoltage, kFaultReset, kDisableVoltage})
+        client.download(node, kControlword, word, 2);
+    send(sync_frame());  // simulated drives may have no other time
+    can::Frame frame;
+    const std::int64_t next_look = clock::monotonic_ns() + kBetweenLooks;
+    while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) {
+    }
+  }
+  std::uint16_t code = 0x1000;  // generic: of a drive that keeps none
+  try {
+    code = static_cast<std::uint16_t>(can::get(client.upload(node, kErrorCode), 0, 2));
+  } catch (const SdoError&) {
+  }
+  std::array<char, 8> number{};
+  std::snprintf(number.data(), number.size(), "%04Xh", code);
+  fail(ErrorCode::drive_fault, axis,
+       std::string("stays in its fault: error code ").append(number.data()).append(", ").append(error_text(code)));
+}
+
 void CanHardware::set_up(std::size_t axis) {
   Drive& drive = drives_[axis];
   SdoClient client(*bus_, kPatienceWithSdo);
@@ -81,6 +114,7 @@ void CanHardware::set_up(std::size_t axis) {
       fail(ErrorCode::configuration, axis,
            "profile " + std::to_string(can::get(type, 0, 2)) + " in its device type, expected 402, a drive");
     check_modes(axis, client);
+    clear_fault(axis, client);
   } catch (const SdoError& error) {
     fail(ErrorCode::hardware_silent, axis, error.what());
   }

@@ -4,8 +4,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "canopen/emergency.hpp"
-
 namespace mrroc::sim {
 
 using namespace canopen;
@@ -13,12 +11,6 @@ using namespace canopen;
 namespace {
 
 constexpr std::uint32_t kNotUsed = 0x80000000;
-constexpr std::uint16_t kHeartbeatError = 0x8130;
-constexpr std::uint16_t kPositionFollowingError = 0x8611;
-constexpr std::int64_t kNoWindow = 0xffffffff;
-constexpr Object kQuickStopDeceleration{0x6085};
-constexpr double kUsualDeceleration = 2000;  // rad/s^2, where 6085h is 0
-constexpr double kPerMille = 1000;
 constexpr std::int64_t kMillisecond = 1'000'000;
 
 }  // namespace
@@ -49,20 +41,30 @@ void DriveNode::send(const can::Frame& frame) {
 
 void DriveNode::boot(std::int64_t now) {
   if (!absolute_) raw_offset_ -= units(position_);
+  store_.reset();
+  state_ = DriveState::switch_on_disabled;
+  controlword_ = 0;
+  homed_ = homing_failed_ = false;
   restart(now);
 }
 
-/// All but the encoder begins anew.
+/// CiA 301: objects 1000h to 1FFFh. The motor, its state, its error and the profile's objects stay as they are.
+void DriveNode::reset_communication(std::int64_t now) {
+  if (powered()) lose_master();
+  const std::int64_t error = store_.number(kErrorRegister);
+  store_.reset_communication();
+  store_.set(kErrorRegister, error);
+  restart(now);
+}
+
+/// The communication begins anew.
 void DriveNode::restart(std::int64_t now) {
-  store_.reset();
-  state_ = DriveState::switch_on_disabled;
   nmt_ = NmtState::pre_operational;
   store_.lock_mappings(false);
   command_.reset();
   feedback_.reset();
   status_.reset();
-  controlword_ = 0;
-  has_pending_ = commanded_ = homed_ = homing_failed_ = false;
+  has_pending_ = commanded_ = false;
   heard_ = 0;
   sent_ = now;
   send(heartbeat_frame(node_, NmtState::boot_up));
@@ -80,12 +82,12 @@ void DriveNode::nmt(NmtCommand command, std::int64_t now) {
     case NmtCommand::enter_pre_operational:
       nmt_ = command == NmtCommand::stop ? NmtState::stopped : NmtState::pre_operational;
       store_.lock_mappings(false);
-      if (powered() && command == NmtCommand::stop) state_ = DriveState::fault_reaction_active;
+      if (powered() && command == NmtCommand::stop) lose_master();
       return;
     case NmtCommand::reset_node:
+      return boot(now);
     case NmtCommand::reset_communication:
-      restart(now);
-      return;
+      return reset_communication(now);
   }
 }
 
@@ -124,8 +126,8 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
   if (cut_ || frame.error || frame.remote || frame.fd) return;
   if (frame.id == kNmt && frame.size == 2 && (frame.data[1] == 0 || frame.data[1] == node_)) {
     nmt(static_cast<NmtCommand>(frame.data[0]), now);
-  } else if (const auto answer = sdo_.answer(frame)) {
-    if (nmt_ != NmtState::stopped) send(*answer);
+  } else if (frame.id == kSdoRequest + node_) {
+    if (nmt_ != NmtState::stopped) take_request(frame);
   } else if (operational() && command_ && frame.id == command_->identifier) {
     commanded_ = true;
     if (command_->transmission > 240) return take_command(frame);
@@ -137,6 +139,13 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
   }
 }
 
+/// The statusword is that of now, and a controlword acts however it comes.
+void DriveNode::take_request(const can::Frame& frame) {
+  follow_state();
+  if (const auto answer = sdo_.answer(frame)) send(*answer);
+  if (store_.number(kControlword) != controlword_) obey();
+}
+
 void DriveNode::take_command(const can::Frame& frame) {
   if (frame.size < command_->mapping.size()) return;
   for (const MappedObject& mapped : command_->mapping.objects()) {
@@ -144,39 +153,6 @@ void DriveNode::take_command(const can::Frame& frame) {
     if (command_->mapping.read(frame, mapped.object, true, value)) store_.set(mapped.object, value);
   }
   obey();
-}
-
-/// What the controlword and the mode ask for.
-void DriveNode::obey() {
-  const auto before = controlword_;
-  controlword_ = static_cast<std::uint16_t>(store_.number(kControlword));
-  store_.set(kModeDisplay, store_.number(kMode));
-  DriveState wanted = commanded_state(state_, controlword_, before);
-  if (held_back_ && wanted == DriveState::switched_on) wanted = state_;
-  if (state_ == DriveState::fault && wanted != DriveState::fault) {
-    store_.set(kErrorRegister, 0);
-    store_.set(kErrorCode, 0);
-    send(to_frame({node_, 0, 0, {}}));
-  }
-  state_ = wanted;
-  const bool homes = store_.number(kMode) == static_cast<std::int64_t>(DriveMode::homing);
-  if (!homes) return;
-  const bool starts = (controlword_ & kStartHoming) != 0 && (before & kStartHoming) == 0;
-  if (!starts || state_ != DriveState::operation_enabled) return;
-  homed_ = homing_failed_ = false;
-  const std::int64_t method = store_.number(kHomingMethod);
-  if (method == 35 || method == 37) {
-    raw_offset_ -= store_.number(kHomeOffset) + units(position_);
-    homed_ = true;
-  } else if (method == 3 || method == 5) {
-    const double to_positive = (method == 3) == !reversed_ ? 1 : -1;
-    const double scale = std::abs(1 / units_per_rad_);
-    motor_.start_homing(to_positive, static_cast<double>(store_.number(kHomingSpeedSwitch)) * scale,
-                        static_cast<double>(store_.number(kHomingSpeedZero)) * scale);
-    homing_ = edp::Synchroniser::Status::running;
-  } else {
-    homing_failed_ = true;
-  }
 }
 
 void DriveNode::look(std::int64_t now) {
@@ -188,20 +164,8 @@ void DriveNode::look(std::int64_t now) {
   const std::int64_t watched = (store_.number(kConsumerHeartbeat) & 0xffff) * kMillisecond;
   if (watched != 0 && heard_ != 0 && now > heard_ + watched) {
     heard_ = 0;
-    fail(kHeartbeatError);
+    lose_master();
   }
-}
-
-void DriveNode::measure(double position, double current, const edp::AxisSwitches& switches) {
-  position_ = position;
-  motor_.measure(position_, switches);
-  store_.set(kPositionActual, units(position_));
-  store_.set(kVelocityActual, std::llround(motor_.velocity() * units_per_rad_));
-  store_.set(kTorqueActual, std::llround((reversed_ ? -current : current) / rated_current_ * kPerMille));
-  const bool negative = reversed_ ? switches.upper_limit : switches.lower_limit;
-  const bool positive = reversed_ ? switches.lower_limit : switches.upper_limit;
-  store_.set(kDigitalInputs, (negative ? kNegativeLimitSwitch : 0) | (positive ? kPositiveLimitSwitch : 0) |
-                                 (switches.synchro ? kHomeSwitch : 0));
 }
 
 void DriveNode::synchronise() {
@@ -231,72 +195,6 @@ void DriveNode::send_feedback() {
     feedback_->mapping.write(frame, mapped.object, store_.number(mapped.object));
   if (!frozen_) said_ = frame;
   send(said_);
-}
-
-/// The statusword.
-void DriveNode::follow_state() {
-  std::uint16_t word = status_bits(state_);
-  const auto mode = static_cast<DriveMode>(store_.number(kMode));
-  if (mode == DriveMode::homing) {
-    if (homed_) word |= kHomingAttained | kTargetReached;
-    if (homing_failed_) word |= kHomingError;
-  } else if (state_ == DriveState::operation_enabled) {
-    word |= kFollowsCommand;
-  }
-  store_.set(kStatusword, word);
-}
-
-bool DriveNode::powered() const noexcept {
-  return state_ == DriveState::operation_enabled || state_ == DriveState::quick_stop_active ||
-         state_ == DriveState::fault_reaction_active;
-}
-
-double DriveNode::home() {
-  if (homing_ != edp::Synchroniser::Status::running) return motor_.follow_velocity(0);
-  const double current = motor_.follow_homing(homing_);
-  if (homing_ == edp::Synchroniser::Status::failed) homing_failed_ = true;
-  if (homing_ == edp::Synchroniser::Status::done) {
-    raw_offset_ -= store_.number(kHomeOffset) + units(motor_.found());
-    homed_ = true;
-  }
-  return current;
-}
-
-double DriveNode::drive() {
-  if (state_ == DriveState::quick_stop_active || state_ == DriveState::fault_reaction_active) {
-    const auto ramp = static_cast<double>(store_.number(kQuickStopDeceleration)) / std::abs(units_per_rad_);
-    const double current = motor_.slow_down(ramp > 0 ? ramp : kUsualDeceleration);
-    if (motor_.stands())
-      state_ = state_ == DriveState::quick_stop_active ? DriveState::switch_on_disabled : DriveState::fault;
-    return current;
-  }
-  if (state_ != DriveState::operation_enabled) return motor_.off();
-  switch (static_cast<DriveMode>(store_.number(kMode))) {
-    case DriveMode::cyclic_position: {
-      const std::int64_t window = store_.number(kFollowingErrorWindow) & 0xffffffff;
-      const std::int64_t target = store_.number(kTargetPosition);
-      if (window != kNoWindow && window != 0 && std::abs(target - units(position_)) > window)
-        fail(kPositionFollowingError);
-      return motor_.follow_position(shaft(target));
-    }
-    case DriveMode::cyclic_velocity:
-      return motor_.follow_velocity(static_cast<double>(store_.number(kTargetVelocity)) / units_per_rad_);
-    case DriveMode::cyclic_torque:
-      return motor_.follow_current((reversed_ ? -1 : 1) * static_cast<double>(store_.number(kTargetTorque)) /
-                                   kPerMille * rated_current_);
-    case DriveMode::homing:
-      return home();
-    case DriveMode::none:
-      break;
-  }
-  return motor_.follow_velocity(0);
-}
-
-void DriveNode::fail(std::uint16_t code) {
-  store_.set(kErrorRegister, 1);
-  store_.set(kErrorCode, code);
-  send(to_frame({node_, code, 1, {}}));
-  state_ = powered() ? DriveState::fault_reaction_active : DriveState::fault;
 }
 
 }  // namespace mrroc::sim

@@ -61,12 +61,17 @@ class DriveNode {
   void hush(bool on) noexcept { hushed_ = on; }
   /// It does not come further than ready to switch on.
   void hold_back(bool on) noexcept { held_back_ = on; }
+  /// The cause of its fault stays.
+  void keep_fault(bool on) noexcept { broken_ = on; }
   /// It says the same again and again, whatever it does.
   void freeze(bool on) noexcept { frozen_ = on; }
 
  private:
   void send(const can::Frame& frame);
   void restart(std::int64_t now);
+  void reset_communication(std::int64_t now);
+  void lose_master();
+  void take_request(const can::Frame& frame);
   void nmt(canopen::NmtCommand command, std::int64_t now);
   void take_command(const can::Frame& frame);
   void obey();
@@ -103,7 +108,7 @@ class DriveNode {
   std::int64_t sent_ = 0, heard_ = 0;  ///< heartbeats, ns; 0: none heard yet
   edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
   bool homed_ = false, homing_failed_ = false;
-  bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false;
+  bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false, broken_ = false;
   can::Frame said_;  ///< its last feedback
 };
 

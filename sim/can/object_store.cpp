@@ -43,6 +43,11 @@ void ObjectStore::reset() {
   for (const auto& [object, entry] : eds_.entries()) values_[object] = {&entry, default_of(entry)};
 }
 
+void ObjectStore::reset_communication() {
+  for (auto& [object, value] : values_)
+    if (object.index >= 0x1000 && object.index < 0x2000) value.bytes = default_of(*value.entry);
+}
+
 SdoAbort ObjectStore::read(Object object, std::vector<std::uint8_t>& value) const {
   const auto found = values_.find(object);
   if (found == values_.end()) {

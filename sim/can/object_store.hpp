@@ -20,6 +20,8 @@ class ObjectStore {
 
   /// All default values again: the power has been off.
   void reset();
+  /// Those of the communication alone, 1000h to 1FFFh.
+  void reset_communication();
 
   /// Whether PDOs may not be mapped now: the node is operational.
   void lock_mappings(bool locked) noexcept { mappings_locked_ = locked; }

@@ -178,6 +178,64 @@ TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
   });
 }
 
+/// Time of the simulated drives goes by: that of so many SYNCs.
+void let_pass(const TestBus& bus, const Rack& rack, std::uint64_t syncs) {
+  const auto other = bus.open();
+  for (const std::uint64_t end = rack.cycles() + syncs; rack.cycles() < end;) {
+    const std::uint64_t before = rack.cycles();
+    other->send(canopen::sync_frame());
+    while (rack.cycles() == before) std::this_thread::yield();
+  }
+}
+
+TEST(CanHardware, ASecondRunClearsTheFaultThatTheEndOfTheFirstHasLeft) {
+  const Gantry model;
+  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
+  const TestBus bus;
+  Rack rack(table, model, bus, true);
+  for (int run = 0; run < 3; ++run) {
+    auto hardware = std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
+    hardware->open();
+    hardware->enable(true);
+    HardwareInput input;
+    for (Tick tick = 0; tick < 60; ++tick) {
+      hardware->read(tick, input);
+      hardware->set_points(input.motors, JointVector::Zero(4));
+      hardware->write(tick, JointVector::Zero(4));
+    }
+    EXPECT_EQ(input.fault, ErrorCode::none) << describe(input.fault);
+    EXPECT_FALSE(hardware->busy()) << "they are on";
+    hardware.reset();
+    let_pass(bus, rack, static_cast<std::uint64_t>(4 * table.heartbeat / kCanPeriod));
+    rack.with([](auto& nodes) {
+      for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::fault) << "no master";
+    });
+  }
+}
+
+TEST(CanHardware, AFaultThatStaysEndsTheStart) {
+  const Gantry model;
+  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
+  const TestBus bus;
+  Rack rack(table, model, bus, true);
+  CanHardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true).open();
+  rack.with([](auto& nodes) {
+    nodes[1].fail(0x7305);
+    nodes[1].keep_fault(true);
+  });
+  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
+  try {
+    hardware.open();
+    FAIL() << "it has started";
+  } catch (const HardwareError& error) {
+    EXPECT_EQ(error.code(), ErrorCode::drive_fault);
+    EXPECT_NE(std::string(error.what())
+                  .find("drive y, node 2: stays in its fault: error code 7305h, incremental sensor 1 fault"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 /// What `open` says with these drives on the bus.
 std::string refusal(const config::DriveTable& wanted, const config::DriveTable& there) {
   const Gantry model;

@@ -148,6 +148,18 @@ TEST_P(PeerTest, ASilentNodeIsLost) {
   EXPECT_EQ(seen().fault.axis, 0);
 }
 
+TEST_P(PeerTest, ASecondRunFindsThemInTheirFaultAndGoesOn) {
+  hardware.reset();
+  // Python's drives keep their own time: longer than they wait for our heartbeat
+  ::usleep(static_cast<useconds_t>(5 * table.heartbeat * 1e6));
+  const auto second =
+      std::make_unique<CanHardware>(table, model.parameters(), kPeerPeriod, bus.open(), kPeerTiming, true);
+  second->open();
+  HardwareInput input;
+  second->read(0, input);
+  EXPECT_EQ(input.fault, ErrorCode::none) << describe(input.fault);
+}
+
 INSTANTIATE_TEST_SUITE_P(Can, PeerTest, testing::Values(DriveMode::cyclic_position, DriveMode::cyclic_velocity),
                          [](const auto& each) {
                            return std::string(each.param == DriveMode::cyclic_position ? "Position" : "Velocity");
