@@ -8,6 +8,7 @@
 #include "canopen/drive_state.hpp"
 #include "canopen/emergency.hpp"
 #include "canopen/sdo.hpp"
+#include "edp/drive_silence.hpp"
 
 namespace mrroc::edp {
 
@@ -44,6 +45,15 @@ ErrorReport make_restart_report(const Fault& fault, const char* name) noexcept {
                      tick, object >> 8, object & 0xff, static_cast<int>(why.size()), why.data());
 }
 
+/// `value` of the fault is a DriveSilence, `limit` the SYNCs in a row that may be left so.
+ErrorReport make_silence_report(const Fault& fault, const char* name) noexcept {
+  const bool late = static_cast<DriveSilence>(fault.value) == DriveSilence::late;
+  return make_report(ErrorClass::hardware, fault.code,
+                     "axis %d (%s), tick %llu: %s after more than %.0f SYNCs in a row", fault.axis + 1, name,
+                     static_cast<unsigned long long>(fault.tick),
+                     late ? "its answers come later than answer_time" : "no answer", fault.limit);
+}
+
 }  // namespace
 
 ErrorReport make_report(const Fault& fault, const RobotParameters& parameters) noexcept {
@@ -58,6 +68,7 @@ ErrorReport make_report(const Fault& fault, const RobotParameters& parameters) n
                        fault.axis + 1, name, tick, fault.value);
   if (fault.code == ErrorCode::drive_fault || fault.code == ErrorCode::drive_not_ready)
     return make_drive_report(fault, name);
+  if (fault.code == ErrorCode::hardware_silent) return make_silence_report(fault, name);
   if (fault.code == ErrorCode::drive_restarted) return make_restart_report(fault, name);
   if (fault.code == ErrorCode::following_error && fault.limit == 0)
     return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: told by its drive", fault.axis + 1,

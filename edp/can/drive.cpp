@@ -114,7 +114,7 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
   if (state() != DriveState::operation_enabled) held_ = raw_;
   current_ = static_cast<double>(torque) / kPerMille * rated_current_ * (reversed_ ? -1 : 1);
   answered_ = known_ = true;
-  missed_ = 0;
+  unheard_ = 0;
   follow_homing();
 }
 
@@ -126,18 +126,27 @@ void Drive::take_position(std::int64_t raw) noexcept {
     position_lost_ = !absolute_;
   }
   raw = unwrapped(raw);
-  increment_ = known_ ? raw - raw_ : 0;
-  if (homing_ == Homing::running && std::abs(increment_) > jump_) {
+  increment_ = known_ ? (raw - real_) / std::max<std::int64_t>(1, since_real_) : 0;
+  if (homing_ == Homing::running && std::abs(raw - raw_) > jump_) {
     // it counts from its home position now: what it has moved meanwhile is too little to matter
-    offset_ -= static_cast<double>(increment_) * rad_per_unit_;
+    offset_ -= static_cast<double>(raw - raw_) * rad_per_unit_;
     increment_ = 0;
   }
-  raw_ = raw;
+  raw_ = real_ = raw;
+  since_real_ = 0;
 }
 
+void Drive::expect() noexcept {
+  answered_ = false;
+  ++since_real_;
+}
+
+/// What comes later than that shows that it lives, not that it can be regulated.
 void Drive::close_cycle() noexcept {
   if (state() == DriveState::operation_enabled) was_enabled_ = wanted_;
+  if (answered_) missed_ = 0;
   if (answered_ || !running_) return;
+  ++unheard_;
   if (++missed_ <= missed_max_) raw_ += increment_;
 }
 
@@ -157,8 +166,11 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
             static_cast<double>(setup_.abort())};
   }
   if (restarted_) return {ErrorCode::drive_restarted};
-  if (missed_ > missed_max_) return {ErrorCode::hardware_silent, static_cast<double>(missed_), 1.0 * missed_max_};
-  if (!running_) return {ErrorCode::hardware_silent};
+  const auto silent = [](DriveSilence how, int syncs) {
+    return Finding{ErrorCode::hardware_silent, static_cast<double>(how), static_cast<double>(syncs)};
+  };
+  if (missed_ > missed_max_ || !running_)
+    return silent(speaks() ? DriveSilence::late : DriveSilence::no_answer, missed_max_);
   if (heartbeat_ticks_ != 0 && tick > heard_ + heartbeat_ticks_)
     return {ErrorCode::heartbeat_lost, static_cast<double>(tick - heard_), static_cast<double>(heartbeat_ticks_)};
   const DriveState now = state();
@@ -178,7 +190,7 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
 void Drive::begin(Tick tick) noexcept {
   running_ = true;
   restarted_ = false;
-  missed_ = 0;
+  missed_ = unheard_ = 0;
   answered_ = true;  // the SYNC of this cycle came before
   heard_ = begun_ = tick;
 }
@@ -198,7 +210,7 @@ void Drive::reset(Tick tick, can::Frame& next) noexcept {
   resetting_ = true;
   since_ = tick;
   homing_ = Homing::none;
-  if (running_ && missed_ <= missed_max_) {
+  if (speaks()) {
     heard_ = tick;
     return;
   }
@@ -214,8 +226,7 @@ bool Drive::still_resetting() const noexcept {
 bool Drive::busy(Tick tick) const noexcept {
   if (tick > since_ + switch_on_ticks_) return false;
   if (!wanted_ && !resetting_)
-    return running_ && missed_ <= missed_max_ &&
-           (state() == DriveState::operation_enabled || state() == DriveState::quick_stop_active);
+    return speaks() && (state() == DriveState::operation_enabled || state() == DriveState::quick_stop_active);
   if (resetting_) return still_resetting();
   return wanted_ && state() != DriveState::operation_enabled && finding(tick).code == ErrorCode::none;
 }

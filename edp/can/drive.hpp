@@ -4,6 +4,7 @@
 
 #include "canopen/drive_state.hpp"
 #include "edp/can/drive_setup.hpp"
+#include "edp/drive_silence.hpp"
 #include "edp/hardware.hpp"
 
 namespace mrroc::edp {
@@ -13,7 +14,8 @@ namespace mrroc::edp {
 /// thread; never throws.
 class Drive {
  public:
-  /// What is wrong with it; code none: nothing. Of a drive that refuses to be set up anew (drive_restarted) the value
+  /// What is wrong with it; code none: nothing. Of a silent drive (hardware_silent) the value is a DriveSilence and the
+  /// limit the SYNCs in a row that it may leave so. Of one that refuses to be set up anew (drive_restarted) the value
   /// is the object, index and sub-index in 24 bits, and the limit its SDO abort code.
   struct Finding {
     ErrorCode code = ErrorCode::none;
@@ -36,11 +38,11 @@ class Drive {
   /// Looks at any frame of the bus; true: it was this drive's. `next` is to be sent when it has data.
   bool take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept;
   /// A SYNC is about to be sent.
-  void expect() noexcept { answered_ = false; }
+  void expect() noexcept;
   bool answered() const noexcept { return answered_; }
   /// Whether an answer to this SYNC is to be waited for.
-  bool awaited() const noexcept { return !answered_ && running_ && missed_ <= missed_max_; }
-  /// The time for answers is over: a missing position is guessed from the last two.
+  bool awaited() const noexcept { return !answered_ && speaks(); }
+  /// The time for answers is over: a missing position is guessed from the last two that have come.
   void close_cycle() noexcept;
 
   // what it has said
@@ -91,6 +93,8 @@ class Drive {
   void take_feedback(const can::Frame& frame) noexcept;
   void take_position(std::int64_t raw) noexcept;
   void follow_homing() noexcept;
+  /// It is in service and says something, if not always in time.
+  bool speaks() const noexcept { return running_ && unheard_ <= missed_max_; }
   bool still_resetting() const noexcept;
   std::uint16_t controlword(bool release) noexcept;
   can::Frame command_frame(std::uint16_t controlword, double position, double velocity, double torque) const noexcept;
@@ -111,15 +115,19 @@ class Drive {
 
   // said
   std::uint16_t statusword_ = 0;
-  std::int64_t raw_ = 0, increment_ = 0;
-  std::int64_t wraps_ = 0;  ///< of its 32 bits
-  std::int64_t held_ = 0;   ///< where it has become on
+  std::int64_t raw_ = 0;
+  std::int64_t real_ = 0;        ///< the last position that has come, raw_ where it is not guessed
+  std::int64_t since_real_ = 0;  ///< SYNCs that have been sent since
+  std::int64_t increment_ = 0;   ///< per SYNC
+  std::int64_t wraps_ = 0;       ///< of its 32 bits
+  std::int64_t held_ = 0;        ///< where it has become on
   double offset_ = 0, velocity_ = 0, current_ = 0;
   std::uint32_t inputs_ = 0;
   std::uint16_t emergency_ = 0;
   bool answered_ = false, known_ = false, running_ = false, restarted_ = false, position_lost_ = false;
-  int missed_ = 0;
-  Tick heard_ = 0;  ///< its last heartbeat
+  int missed_ = 0;   ///< SYNCs in a row that it has not answered in time
+  int unheard_ = 0;  ///< SYNCs in a row without any answer, be it a late one
+  Tick heard_ = 0;   ///< its last heartbeat
   Tick begun_ = 0;
 
   // told

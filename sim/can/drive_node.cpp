@@ -130,6 +130,8 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
     if (nmt_ != NmtState::stopped) take_request(frame);
   } else if (operational() && command_ && frame.id == command_->identifier) {
     commanded_ = true;
+    if (owes_) send(said_);
+    owes_ = false;
     if (command_->transmission > 240) return take_command(frame);
     pending_ = frame;
     has_pending_ = true;
@@ -194,7 +196,8 @@ void DriveNode::send_feedback() {
   for (const MappedObject& mapped : feedback_->mapping.objects())
     feedback_->mapping.write(frame, mapped.object, store_.number(mapped.object));
   if (!frozen_) said_ = frame;
-  send(said_);
+  owes_ = lags_;
+  if (!lags_) send(said_);
 }
 
 }  // namespace mrroc::sim

@@ -61,6 +61,8 @@ class DriveNode {
   void hush(bool on) noexcept { hushed_ = on; }
   /// It does not come further than ready to switch on.
   void hold_back(bool on) noexcept { held_back_ = on; }
+  /// Its answer to a SYNC comes only with its set-point: after whoever waits for it has given up.
+  void lag(bool on) noexcept { lags_ = on; }
   /// The cause of its fault stays.
   void keep_fault(bool on) noexcept { broken_ = on; }
   /// It says the same again and again, whatever it does.
@@ -108,7 +110,8 @@ class DriveNode {
   std::int64_t sent_ = 0, heard_ = 0;  ///< heartbeats, ns; 0: none heard yet
   edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
   bool homed_ = false, homing_failed_ = false;
-  bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false, broken_ = false;
+  bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false, broken_ = false, lags_ = false,
+       owes_ = false;
   can::Frame said_;  ///< its last feedback
 };
 

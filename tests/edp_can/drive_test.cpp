@@ -19,12 +19,15 @@ class DriveTest : public testing::Test {
  protected:
   explicit DriveTest() : drive(table, table.drives[0], kCanPeriod, 0) { drive.begin(0); }
 
-  void say(std::uint16_t statusword, std::int32_t position = 0, std::int16_t torque = 0) {
+  static can::Frame feedback(std::uint16_t statusword, std::int32_t position, std::int16_t torque = 0) {
     can::Frame frame{0x181, {0, 0, 0, 0, 0, 0, 0, 0}};
     can::put(frame.data, 0, 2, statusword);
     can::put(frame.data, 2, 4, static_cast<std::uint32_t>(position));
     can::put(frame.data, 6, 2, static_cast<std::uint16_t>(torque));
-    cycle(frame);
+    return frame;
+  }
+  void say(std::uint16_t statusword, std::int32_t position = 0, std::int16_t torque = 0) {
+    cycle(feedback(statusword, position, torque));
   }
   void cycle(const can::Frame& frame) {
     drive.expect();
@@ -37,6 +40,12 @@ class DriveTest : public testing::Test {
     drive.expect();
     ++tick;
     drive.close_cycle();
+  }
+  /// After the cycle has been closed.
+  void say_late(std::int32_t position) {
+    say_nothing();
+    can::Frame next;
+    drive.take(feedback(status_bits(DriveState::operation_enabled), position), tick, next);
   }
   std::uint16_t controlword() { return static_cast<std::uint16_t>(can::get(drive.command({}).bytes(), 0, 2)); }
   void switch_on() {
@@ -106,6 +115,43 @@ TEST_F(DriveTest, AnAnswerThatIsMissedIsGuessedTwiceThenItIsSilent) {
   say_nothing();
   EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
   EXPECT_FALSE(drive.awaited());
+}
+
+TEST_F(DriveTest, WhoAlwaysAnswersTooLateIsNotTakenForOneThatAnswers) {
+  switch_on();
+  const double unit = 2 * std::numbers::pi / 4000;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << i;
+    say_late(10 * (i + 1));
+  }
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
+  const Drive::Finding finding = drive.finding(tick);
+  const Fault fault{finding.code, 0, finding.value, finding.limit, 7};
+  EXPECT_EQ(make_report(fault, Slide{}.parameters()).detail.view(),
+            "axis 1 (x), tick 7: its answers come later than answer_time after more than 2 SYNCs in a row");
+  can::Frame next;
+  drive.reset(tick, next);
+  EXPECT_EQ(next.id, 0u) << "it is in service, and need not be set up anew";
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent) << "nothing is better yet";
+  say(status_bits(DriveState::operation_enabled), 40);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_DOUBLE_EQ(drive.position(), 40 * unit);
+}
+
+TEST_F(DriveTest, AGuessIsMadeOfPositionsThatHaveComeNotOfGuesses) {
+  switch_on();
+  const double unit = 2 * std::numbers::pi / 4000;
+  const std::uint16_t on = status_bits(DriveState::operation_enabled);
+  say(on, 10);
+  say(on, 14);
+  say_nothing();  // guessed to be at 18
+  say(on, 22);
+  say_nothing();
+  EXPECT_DOUBLE_EQ(drive.position(), 26 * unit) << "4 of each SYNC, also of the one without an answer";
+  say(on, 30);
+  say_late(34);
+  say_nothing();
+  EXPECT_DOUBLE_EQ(drive.position(), 38 * unit) << "one that comes late is as good to guess from";
 }
 
 TEST_F(DriveTest, AFrameThatIsTooShortIsNoAnswer) {

@@ -31,6 +31,7 @@ class TurningRig {
       : hardware_(table_, model_.parameters(), kCanPeriod, bus_.open(), {kTestTiming.patience, real}, true),
         thread_([this] { rack_.serve(); }) {
     hardware_.open();
+    ear_ = bus_.open();
   }
   ~TurningRig() {
     rack_.stop();
@@ -46,6 +47,15 @@ class TurningRig {
   /// The first drive's wire.
   void cut(bool on) {
     rack_.with([on](auto& nodes) { nodes[0].cut(on); });
+  }
+  /// Its answers come when nobody waits for them any more.
+  void lag(bool on) {
+    rack_.with([on](auto& nodes) { nodes[0].lag(on); });
+  }
+  /// The first drive's next one, as whoever has been on the bus before gets it.
+  void await_answer() {
+    can::Frame frame;
+    while (frame.id != canopen::kTransmitPdo1 + 1) ASSERT_TRUE(ear_->receive(frame, INT64_MAX));
   }
   std::atomic<double> age{0};
 
@@ -65,6 +75,7 @@ class TurningRig {
                        },
                        sim::DriveRack::Time::plant};
   CanHardware hardware_;
+  std::unique_ptr<can::Bus> ear_;
   std::thread thread_;
 };
 
@@ -90,6 +101,22 @@ TEST(Timing, WhatIsGuessedOrMayBeOlderIsOfNoNewTick) {
   rig.cut(false);
   EXPECT_EQ(rig.read(6).tick, 4u) << "it may be the answer to the SYNC before";
   EXPECT_EQ(rig.read(7).tick, 7u);
+}
+
+TEST(Timing, ADriveWhoseAnswersAlwaysComeTooLateIsSilent) {
+  TurningRig rig(false);
+  rig.lag(true);
+  for (Tick tick = 1; tick <= 2; ++tick) {
+    EXPECT_EQ(rig.read(tick).fault, ErrorCode::none) << tick;
+    rig.await_answer();
+  }
+  const HardwareInput input = rig.read(3);
+  EXPECT_EQ(input.fault, ErrorCode::hardware_silent);
+  EXPECT_EQ(input.fault_axis, 0);
+  EXPECT_EQ(static_cast<DriveSilence>(input.fault_value), DriveSilence::late);
+  rig.await_answer();
+  rig.lag(false);
+  EXPECT_EQ(rig.read(4).fault, ErrorCode::none);
 }
 
 TEST(Timing, SimulatedDrivesMeasureWhenTheSyncComes) {

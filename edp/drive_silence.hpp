@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+
+namespace mrroc::edp {
+
+/// How a drive on a bus is silent: `value` of the fault hardware_silent with an axis.
+enum class DriveSilence : std::uint8_t {
+  no_answer,
+  late  ///< it does answer, after the time for it
+};
+
+}  // namespace mrroc::edp
