@@ -176,10 +176,9 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
   const DriveState now = state();
   if (emergency_ != 0 || now == DriveState::fault || now == DriveState::fault_reaction_active)
     return {ErrorCode::drive_fault, static_cast<double>(emergency_ != 0 ? emergency_ : 0x1000)};
-  const bool powered = now == DriveState::operation_enabled || now == DriveState::quick_stop_active;
   const bool late = tick > since_ + switch_on_ticks_;
   const bool never_on = wanted_ && now != DriveState::operation_enabled && !waiting_ && (was_enabled_ || late);
-  const bool never_off = !wanted_ && powered && late;
+  const bool never_off = !wanted_ && has_power() && late;
   if (never_on || never_off) return {ErrorCode::drive_not_ready, static_cast<double>(statusword_)};
   if (mode_ == DriveMode::cyclic_position && (homing_ == Homing::none || homing_ == Homing::attained) &&
       now == DriveState::operation_enabled && (statusword_ & kFollowingError) != 0)
@@ -219,14 +218,18 @@ void Drive::reset(Tick tick, can::Frame& next) noexcept {
   next = setup_.start();
 }
 
+bool Drive::has_power() const noexcept {
+  return state() == DriveState::operation_enabled || state() == DriveState::quick_stop_active;
+}
+
 bool Drive::still_resetting() const noexcept {
-  return !running_ || !known_ || state() == DriveState::fault || state() == DriveState::fault_reaction_active;
+  return !running_ || !known_ || has_power() || state() == DriveState::fault ||
+         state() == DriveState::fault_reaction_active;
 }
 
 bool Drive::busy(Tick tick) const noexcept {
   if (tick > since_ + switch_on_ticks_) return false;
-  if (!wanted_ && !resetting_)
-    return speaks() && (state() == DriveState::operation_enabled || state() == DriveState::quick_stop_active);
+  if (!wanted_ && !resetting_) return speaks() && has_power();
   if (resetting_) return still_resetting();
   return wanted_ && state() != DriveState::operation_enabled && finding(tick).code == ErrorCode::none;
 }
@@ -254,16 +257,14 @@ bool Drive::may_operate() const noexcept {
 
 std::uint16_t Drive::controlword(bool release) noexcept {
   const DriveState now = state();
+  // a stop under way goes on to its end; one that does not come to rest loses its power all the same
+  if (!wanted_ && has_power() && ++stop_ticks_ <= switch_on_ticks_) return kQuickStop;
   if (resetting_) {
     resetting_ = still_resetting();
     pulse_ = now == DriveState::fault && !pulse_;
     return pulse_ ? kFaultReset : kDisableVoltage;
   }
-  if (!wanted_) {
-    // one that does not come to rest loses its power all the same
-    const bool stops = now == DriveState::operation_enabled || now == DriveState::quick_stop_active;
-    return stops && ++stop_ticks_ <= switch_on_ticks_ ? kQuickStop : kDisableVoltage;
-  }
+  if (!wanted_) return kDisableVoltage;
   waiting_ = now == DriveState::switched_on && !release;
   if (waiting_) return kSwitchOn;
   const bool starts = homing_ == Homing::running && homing_ticks_ >= select_ticks_;

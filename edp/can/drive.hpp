@@ -57,8 +57,8 @@ class Drive {
   /// It has been set up and started: from `tick` on it answers every SYNC.
   void begin(Tick tick) noexcept;
   void enable(bool on, Tick tick) noexcept;
-  /// Clears what has been found and resets its fault; a drive that has restarted is set up and started again, with
-  /// `next` as the first request.
+  /// Clears what has been found and resets its fault, after a stop that is under way; a drive that has restarted is set
+  /// up and started again, with `next` as the first request.
   void reset(Tick tick, can::Frame& next) noexcept;
   /// Neither where `enable` nor where `reset` wanted it, and there is still time.
   bool busy(Tick tick) const noexcept;
@@ -95,6 +95,7 @@ class Drive {
   void follow_homing() noexcept;
   /// It is in service and says something, if not always in time.
   bool speaks() const noexcept { return running_ && unheard_ <= missed_max_; }
+  bool has_power() const noexcept;
   bool still_resetting() const noexcept;
   std::uint16_t controlword(bool release) noexcept;
   can::Frame command_frame(std::uint16_t controlword, double position, double velocity, double torque) const noexcept;

@@ -44,18 +44,24 @@ class Watched : public Gantry {
   }
 };
 
-inline config::DriveTable watched_table(bool absolute_encoders) {
+inline config::DriveTable watched_table(bool absolute_encoders, double ramp) {
   config::DriveTable table = table_for(Watched{}.parameters(), canopen::DriveMode::cyclic_position);
   table.absolute_encoders = absolute_encoders;
+  for (config::DriveEntry& drive : table.drives) {
+    if (ramp == 0) continue;
+    const double units = ramp * drive.units_per_turn / (2 * std::numbers::pi);
+    drive.settings.push_back({{0x6085}, "Quick stop deceleration", std::lround(units), 4});
+  }
   return table;
 }
 
 /// A gantry under way, with everything that may go wrong at hand.
 class Rig {
  public:
-  explicit Rig(unsigned seed, bool absolute_encoders = true, CanHardware::Timing timing = kTestTiming)
+  /// `ramp` in rad/s^2: of the drives' stops, 0: their usual one.
+  explicit Rig(unsigned seed, bool absolute_encoders = true, CanHardware::Timing timing = kTestTiming, double ramp = 0)
       : random(seed),
-        table(watched_table(absolute_encoders)),
+        table(watched_table(absolute_encoders, ramp)),
         bus([this](can::Frame& frame) { return !spoil || spoil(frame); }),
         rack(table, model, bus, true) {
     auto weak = std::make_unique<WeakBus>(bus.open());

@@ -144,6 +144,32 @@ TEST(BusFault, ADriveThatHasRestartedWithoutAnAbsoluteEncoderIsNotSynchronised) 
   EXPECT_FALSE(rig.moves_again()) << "joints are not known";
 }
 
+TEST(BusFault, WhoRecoversAtOnceTakesNoDrivesPowerInItsStop) {
+  Rig rig(1, true, kTestTiming, 100);  // rad/s^2: a stop of a quarter of a second
+  with_node(rig, [](auto& node) { node.fail(0x7305); });
+  while (rig.fault().code == ErrorCode::none) rig.tick();
+  RobotCommand command;
+  command.kind = CommandKind::recover;
+  ASSERT_FALSE(rig.effector.accept(command, ++rig.number, rig.answer));
+  int slowing_down = 0;
+  rig.last = {};
+  for (int i = 0; i < 4000 && rig.last.command != rig.number; ++i) {
+    const JointVector before = rig.rack.shafts();
+    rig.tick();
+    const JointVector speed = (rig.rack.shafts() - before) / kCanPeriod;
+    rig.rack.with([&](auto& nodes) {
+      for (std::size_t axis = 0; axis < nodes.size(); ++axis) {
+        if (std::abs(speed[static_cast<Eigen::Index>(axis)]) < 5) continue;
+        EXPECT_TRUE(nodes[axis].powered()) << axis << ": it coasts";
+        ++slowing_down;
+      }
+    });
+  }
+  EXPECT_GT(slowing_down, 40) << "they were under way";
+  EXPECT_EQ(rig.last.state.error.error_class, ErrorClass::none) << rig.text();
+  EXPECT_TRUE(rig.moves_again());
+}
+
 TEST(BusFault, WhoeverBabblesDoesNotMakeTheRobotUnsafe) {
   for (unsigned seed = 1; seed <= seeds(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -188,6 +188,34 @@ TEST_F(DriveTest, AFaultIsResetByEdges) {
   EXPECT_FALSE(drive.busy(tick));
 }
 
+TEST_F(DriveTest, AResetLetsAStopUnderWayEnd) {
+  beats = true;
+  switch_on();
+  drive.enable(false, tick);
+  EXPECT_EQ(controlword(), kQuickStop);
+  say(status_bits(DriveState::quick_stop_active));
+  can::Frame next;
+  drive.reset(tick, next);
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_TRUE(drive.busy(tick));
+    EXPECT_EQ(controlword(), kQuickStop);
+    say(status_bits(DriveState::quick_stop_active));
+  }
+  say(status_bits(DriveState::switch_on_disabled));
+  EXPECT_FALSE(drive.busy(tick));
+  EXPECT_EQ(controlword(), kDisableVoltage);
+  // however often it is reset: a stop that does not end loses the power
+  drive.enable(true, tick);
+  say(status_bits(DriveState::operation_enabled));
+  drive.enable(false, tick);
+  for (int i = 0; i < 1000; ++i) {
+    if (i % 100 == 0) drive.reset(tick, next);
+    EXPECT_EQ(controlword(), kQuickStop);
+    say(status_bits(DriveState::quick_stop_active));
+  }
+  EXPECT_EQ(controlword(), kDisableVoltage);
+}
+
 TEST_F(DriveTest, ADriveThatSwitchesItselfOffIsNotReady) {
   switch_on();
   say(status_bits(DriveState::switch_on_disabled));
