@@ -7,7 +7,8 @@ namespace mrroc::edp {
 /// How a drive on a bus is silent: `value` of the fault hardware_silent with an axis.
 enum class DriveSilence : std::uint8_t {
   no_answer,
-  late  ///< it does answer, after the time for it
+  late,      ///< it does answer, after the time for it
+  no_status  ///< no PDO of velocity and switches
 };
 
 }  // namespace mrroc::edp

@@ -47,11 +47,13 @@ ErrorReport make_restart_report(const Fault& fault, const char* name) noexcept {
 
 /// `value` of the fault is a DriveSilence, `limit` the SYNCs in a row that may be left so.
 ErrorReport make_silence_report(const Fault& fault, const char* name) noexcept {
-  const bool late = static_cast<DriveSilence>(fault.value) == DriveSilence::late;
+  const auto silence = static_cast<DriveSilence>(fault.value);
+  const char* const how = silence == DriveSilence::late        ? "its answers come later than answer_time"
+                          : silence == DriveSilence::no_status ? "no TPDO 2, velocity and switches,"
+                                                               : "no answer";
   return make_report(ErrorClass::hardware, fault.code,
                      "axis %d (%s), tick %llu: %s after more than %.0f SYNCs in a row", fault.axis + 1, name,
-                     static_cast<unsigned long long>(fault.tick),
-                     late ? "its answers come later than answer_time" : "no answer", fault.limit);
+                     static_cast<unsigned long long>(fault.tick), how, fault.limit);
 }
 
 }  // namespace

@@ -139,14 +139,23 @@ void CanHardware::set_up(std::size_t axis) {
   drive.setup().give_up();
 }
 
+/// At the servo's rate, until each has answered and told its switches.
 void CanHardware::await_answers() {
-  for (int i = 0; i < kFirstSyncs; ++i) {
+  const auto ready = [](const Drive& drive) { return drive.answered() && drive.knows_switches(); };
+  const std::int64_t between = std::llround(period_ * clock::kSecond);
+  for (int i = 0; i < kFirstSyncs + table_.status_every; ++i) {
     for (Drive& drive : drives_) drive.expect();
+    const std::int64_t next_sync = clock::monotonic_ns() + between;
     send(sync_frame());
-    if (await_all(clock::monotonic_ns() + kPatienceWithSdo / 10)) return;
+    await_all(clock::monotonic_ns() + kPatienceWithSdo / 10);
+    if (std::all_of(drives_.begin(), drives_.end(), ready)) return;
+    can::Frame frame;
+    while (clock::monotonic_ns() < next_sync && bus_->receive(frame, next_sync)) dispatch(frame);
   }
   for (std::size_t i = 0; i < drives_.size(); ++i)
-    if (!drives_[i].answered()) fail(ErrorCode::hardware_silent, i, "no answer to a SYNC");
+    if (!ready(drives_[i]))
+      fail(ErrorCode::hardware_silent, i,
+           drives_[i].answered() ? "no TPDO 2 (velocity, switches) at any SYNC" : "no answer to a SYNC");
 }
 
 }  // namespace mrroc::edp

@@ -43,6 +43,7 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
       instant_ticks_(select_ticks_ + ticks(kInstantTime, period)),
       homing_ticks_max_(ticks(kLongestHoming, period)),
       missed_max_(table.missed_max),
+      without_status_max_(table.status_every * (table.missed_max + 1)),
       reversed_(entry.units_per_turn < 0),
       jump_(std::llround((6 * std::max(entry.homing.speed_switch, entry.homing.speed_zero) * period + 0.1) /
                          std::abs(rad_per_unit_))),
@@ -56,9 +57,7 @@ bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept 
   if (frame.id == kTransmitPdo1 + node_) {
     take_feedback(frame);
   } else if (frame.id == kTransmitPdo1 + 0x100 + node_) {
-    std::int64_t value = 0;
-    if (pdos_.status.read(frame, kVelocityActual, true, value)) velocity_ = static_cast<double>(value) * rad_per_unit_;
-    if (pdos_.status.read(frame, kDigitalInputs, false, value)) inputs_ = static_cast<std::uint32_t>(value);
+    take_status(frame);
   } else if (frame.id == kHeartbeat + node_) {
     heard_ = tick;
     if (frame.size < 1) return true;
@@ -118,6 +117,17 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
   follow_homing();
 }
 
+void Drive::take_status(const can::Frame& frame) noexcept {
+  std::int64_t velocity = 0, inputs = 0;
+  if (!pdos_.status.read(frame, kVelocityActual, true, velocity) ||
+      !pdos_.status.read(frame, kDigitalInputs, false, inputs))
+    return;  // too short
+  velocity_ = static_cast<double>(velocity) * rad_per_unit_;
+  inputs_ = static_cast<std::uint32_t>(inputs);
+  without_status_ = 0;
+  knows_switches_ = true;
+}
+
 void Drive::take_position(std::int64_t raw) noexcept {
   if (!known_ && position_lost_) {
     wraps_ = 0;
@@ -144,6 +154,7 @@ void Drive::expect() noexcept {
 /// What comes later than that shows that it lives, not that it can be regulated.
 void Drive::close_cycle() noexcept {
   if (state() == DriveState::operation_enabled) was_enabled_ = wanted_;
+  if (running_) ++without_status_;
   if (answered_) missed_ = 0;
   if (answered_ || !running_) return;
   ++unheard_;
@@ -171,6 +182,7 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
   };
   if (missed_ > missed_max_ || !running_)
     return silent(speaks() ? DriveSilence::late : DriveSilence::no_answer, missed_max_);
+  if (!tells_switches()) return silent(DriveSilence::no_status, without_status_max_);
   if (heartbeat_ticks_ != 0 && tick > heard_ + heartbeat_ticks_)
     return {ErrorCode::heartbeat_lost, static_cast<double>(tick - heard_), static_cast<double>(heartbeat_ticks_)};
   const DriveState now = state();
@@ -188,8 +200,8 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
 
 void Drive::begin(Tick tick) noexcept {
   running_ = true;
-  restarted_ = false;
-  missed_ = unheard_ = 0;
+  restarted_ = knows_switches_ = false;
+  missed_ = unheard_ = without_status_ = 0;
   answered_ = true;  // the SYNC of this cycle came before
   heard_ = begun_ = tick;
 }
@@ -209,7 +221,7 @@ void Drive::reset(Tick tick, can::Frame& next) noexcept {
   resetting_ = true;
   since_ = tick;
   homing_ = Homing::none;
-  if (speaks()) {
+  if (speaks() && tells_switches()) {
     heard_ = tick;
     return;
   }

@@ -42,6 +42,8 @@ class Drive {
   bool answered() const noexcept { return answered_; }
   /// Whether an answer to this SYNC is to be waited for.
   bool awaited() const noexcept { return !answered_ && speaks(); }
+  /// Whether its switches are known: a PDO of them has come since it is in service.
+  bool knows_switches() const noexcept { return knows_switches_; }
   /// The time for answers is over: a missing position is guessed from the last two that have come.
   void close_cycle() noexcept;
 
@@ -91,9 +93,11 @@ class Drive {
   void judge(canopen::NmtState state, Tick tick) noexcept;
   std::int64_t unwrapped(std::int64_t raw) noexcept;
   void take_feedback(const can::Frame& frame) noexcept;
+  void take_status(const can::Frame& frame) noexcept;
   void take_position(std::int64_t raw) noexcept;
   void follow_homing() noexcept;
   /// It is in service and says something, if not always in time.
+  bool tells_switches() const noexcept { return without_status_ <= without_status_max_; }
   bool speaks() const noexcept { return running_ && unheard_ <= missed_max_; }
   bool has_power() const noexcept;
   bool still_resetting() const noexcept;
@@ -108,6 +112,7 @@ class Drive {
   Tick heartbeat_ticks_, switch_on_ticks_;
   Tick select_ticks_, stale_ticks_, instant_ticks_, homing_ticks_max_;
   int missed_max_;
+  int without_status_max_;
   bool reversed_;
   std::int64_t jump_;  ///< units that homing does not move it in a tick
   DrivePdos pdos_;
@@ -126,7 +131,9 @@ class Drive {
   std::uint32_t inputs_ = 0;
   std::uint16_t emergency_ = 0;
   bool answered_ = false, known_ = false, running_ = false, restarted_ = false, position_lost_ = false;
-  int missed_ = 0;   ///< SYNCs in a row that it has not answered in time
+  int missed_ = 0;          ///< SYNCs in a row that it has not answered in time
+  int without_status_ = 0;  ///< SYNCs since the last PDO of velocity and switches
+  bool knows_switches_ = false;
   int unheard_ = 0;  ///< SYNCs in a row without any answer, be it a late one
   Tick heard_ = 0;   ///< its last heartbeat
   Tick begun_ = 0;

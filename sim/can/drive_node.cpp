@@ -180,7 +180,7 @@ void DriveNode::synchronise() {
 }
 
 void DriveNode::send_status() {
-  if (!operational() || !status_ || status_->transmission < 1 || status_->transmission > 240 ||
+  if (withholds_ || !operational() || !status_ || status_->transmission < 1 || status_->transmission > 240 ||
       syncs_ % status_->transmission != 0)
     return;
   can::Frame frame{status_->identifier, {}};

@@ -63,6 +63,8 @@ class DriveNode {
   void hold_back(bool on) noexcept { held_back_ = on; }
   /// Its answer to a SYNC comes only with its set-point: after whoever waits for it has given up.
   void lag(bool on) noexcept { lags_ = on; }
+  /// It sends no PDO of velocity and switches.
+  void withhold_status(bool on) noexcept { withholds_ = on; }
   /// The cause of its fault stays.
   void keep_fault(bool on) noexcept { broken_ = on; }
   /// It says the same again and again, whatever it does.
@@ -111,7 +113,7 @@ class DriveNode {
   edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
   bool homed_ = false, homing_failed_ = false;
   bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false, broken_ = false, lags_ = false,
-       owes_ = false;
+       owes_ = false, withholds_ = false;
   can::Frame said_;  ///< its last feedback
 };
 

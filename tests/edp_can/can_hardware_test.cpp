@@ -236,6 +236,22 @@ TEST(CanHardware, AFaultThatStaysEndsTheStart) {
   }
 }
 
+TEST(CanHardware, ADriveThatTellsNoSwitchesIsNotStarted) {
+  const Gantry model;
+  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
+  const TestBus bus;
+  Rack rack(table, model, bus, true);
+  rack.with([](auto& nodes) { nodes[3].withhold_status(true); });
+  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
+  try {
+    hardware.open();
+    FAIL() << "it has started";
+  } catch (const HardwareError& error) {
+    EXPECT_EQ(error.code(), ErrorCode::hardware_silent);
+    EXPECT_NE(std::string(error.what()).find("node 4: no TPDO 2"), std::string::npos) << error.what();
+  }
+}
+
 /// What `open` says with these drives on the bus.
 std::string refusal(const config::DriveTable& wanted, const config::DriveTable& there) {
   const Gantry model;

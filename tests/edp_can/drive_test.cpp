@@ -33,6 +33,7 @@ class DriveTest : public testing::Test {
     drive.expect();
     can::Frame next;
     EXPECT_TRUE(drive.take(frame, ++tick, next));
+    if (tells_switches) drive.take({0x281, {0, 0, 0, 0, 0, 0, 0, 0}}, tick, next);
     if (beats) drive.take(heartbeat_frame(1, NmtState::operational), tick, next);
     drive.close_cycle();
   }
@@ -56,6 +57,7 @@ class DriveTest : public testing::Test {
   config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
   Drive drive;
   Tick tick = 0;
+  bool tells_switches = true;
   bool beats = false;  ///< it says that it lives whenever it says something
 };
 
@@ -152,6 +154,23 @@ TEST_F(DriveTest, AGuessIsMadeOfPositionsThatHaveComeNotOfGuesses) {
   say_late(34);
   say_nothing();
   EXPECT_DOUBLE_EQ(drive.position(), 38 * unit) << "one that comes late is as good to guess from";
+}
+
+TEST_F(DriveTest, SwitchesThatAreNotToldAreMissed) {
+  switch_on();
+  tells_switches = false;
+  for (int i = 0; i < 12; ++i) {  // three times status_every
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << i;
+    say(status_bits(DriveState::operation_enabled));
+  }
+  say(status_bits(DriveState::operation_enabled));
+  const Drive::Finding finding = drive.finding(tick);
+  EXPECT_EQ(finding.code, ErrorCode::hardware_silent);
+  EXPECT_EQ(make_report({finding.code, 0, finding.value, finding.limit, 7}, Slide{}.parameters()).detail.view(),
+            "axis 1 (x), tick 7: no TPDO 2, velocity and switches, after more than 12 SYNCs in a row");
+  can::Frame next;
+  drive.reset(tick, next);
+  EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
 }
 
 TEST_F(DriveTest, AFrameThatIsTooShortIsNoAnswer) {
