@@ -34,7 +34,7 @@ def set_points(axes, asked):
 def load(axes, servo_rate, asked):
     """Bits per second."""
     cycle = bits(SYNC) + axes * (bits(COMMAND[asked.mode]) + bits(FEEDBACK) + bits(STATUS) / asked.status_every)
-    heartbeats = (axes + 1) * bits(HEARTBEAT) / asked.heartbeat if asked.heartbeat else 0
+    heartbeats = (axes + 1) * bits(HEARTBEAT) / asked.heartbeat
     return cycle * servo_rate + heartbeats
 
 

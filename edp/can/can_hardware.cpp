@@ -30,7 +30,7 @@ CanHardware::CanHardware(config::DriveTable table, const RobotParameters& robot,
     : table_(std::move(table)), period_(period), bus_(std::move(bus)), timing_(timing), synchronised_(synchronised) {
   for (std::size_t i = 0; i < robot.axes.size(); ++i)
     drives_.emplace_back(table_, table_.drives[i], period, robot.axes[i].motor_synchro);
-  heartbeat_ticks_ = table_.heartbeat > 0 ? std::max<Tick>(1, static_cast<Tick>(table_.heartbeat / period)) : 0;
+  heartbeat_ticks_ = std::max<Tick>(1, static_cast<Tick>(table_.heartbeat / period));
   position_ = velocity_ = JointVector::Zero(static_cast<Eigen::Index>(drives_.size()));
   bus_->filter(filters_for(drives_));
 }
@@ -99,7 +99,7 @@ void CanHardware::synchronise(Tick tick) noexcept {
   can::Frame frame;
   // what came since the last cycle
   while (clock::monotonic_ns() < deadline && bus_->receive(frame, 0)) dispatch(frame);
-  if (heartbeat_ticks_ != 0 && (tick >= last_heartbeat_ + heartbeat_ticks_ || tick == 0)) {
+  if (tick >= last_heartbeat_ + heartbeat_ticks_ || tick == 0) {
     send(heartbeat_frame(table_.master, NmtState::operational));
     last_heartbeat_ = tick;
   }

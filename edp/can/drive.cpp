@@ -183,7 +183,7 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
   if (missed_ > missed_max_ || !running_)
     return silent(speaks() ? DriveSilence::late : DriveSilence::no_answer, missed_max_);
   if (!tells_switches()) return silent(DriveSilence::no_status, without_status_max_);
-  if (heartbeat_ticks_ != 0 && tick > heard_ + heartbeat_ticks_)
+  if (tick > heard_ + heartbeat_ticks_)
     return {ErrorCode::heartbeat_lost, static_cast<double>(tick - heard_), static_cast<double>(heartbeat_ticks_)};
   const DriveState now = state();
   if (emergency_ != 0 || now == DriveState::fault || now == DriveState::fault_reaction_active)

@@ -27,12 +27,14 @@ DriveMode read_mode(const Table& table) {
   return mode == "velocity" ? DriveMode::cyclic_velocity : DriveMode::cyclic_torque;
 }
 
-/// Heartbeats are sent with the servo's ticks: none can be more frequent.
+/// Heartbeats are sent with the servo's ticks: none can be more frequent. And there must be some: nothing else stops
+/// the drives when the EDP dies.
 double read_heartbeat(const Table& table, double usual) {
   const double heartbeat = table.number_or("heartbeat", usual, {0, 10});
-  if (heartbeat != 0 && heartbeat < kLongestServoPeriod)
-    table.fail("heartbeat", number_text(heartbeat) + " s is below a servo period",
-               "0 (none) or at least " + number_text(kLongestServoPeriod) + " s");
+  const std::string range = number_text(kLongestServoPeriod) + " to 10 s";
+  if (heartbeat == 0) table.fail("heartbeat", "0, but without it drives run on when the EDP dies", range);
+  if (heartbeat < kLongestServoPeriod)
+    table.fail("heartbeat", number_text(heartbeat) + " s is below a servo period", range);
   return heartbeat;
 }
 

@@ -46,7 +46,7 @@ struct DriveTable {
   canopen::DriveMode mode = canopen::DriveMode::cyclic_position;
   bool absolute_encoders = false;  ///< positions are right from the start; else they have to be synchronised
   canopen::NodeId master = 127;    ///< whose heartbeats the drives watch: ours
-  double heartbeat = 0.1;          ///< s between two of each node; it is lost after three times that. 0: none
+  double heartbeat = 0.1;          ///< s between two of each node; it is lost after three times that
   double answer_time = 0.5;        ///< of the servo period: how long the drives may take to answer a SYNC
   int missed_max = 2;              ///< SYNCs in a row that a drive may leave unanswered
   bool target_at_sync = true;      ///< the drives take a set-point at the next SYNC, else at once

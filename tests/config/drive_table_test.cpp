@@ -137,8 +137,6 @@ TEST_F(DriveTableTest, ALoopThatTheEdpClosesGetsItsSetPointsAtOnce) {
   EXPECT_TRUE(read(table("set_points = 'at sync'\n", "", "torque")).target_at_sync);
 }
 
-TEST_F(DriveTableTest, HeartbeatsMayBeSwitchedOff) { EXPECT_EQ(read(table("heartbeat = 0\n")).heartbeat, 0); }
-
 TEST_F(DriveTableTest, SettingsAreNamedAsInTheEdsFileOrByAddress) {
   const DriveTable drives = read(table("[objects]\n'Max torque' = 1500\n'0x6065' = 4000\n",
                                        "[drives.objects]\n'homing acceleration' = 70000\n"
@@ -222,7 +220,9 @@ TEST_F(DriveTableTest, RefusesNumbersThatMakeNoSense) {
   EXPECT_EQ(message(table("heartbeat = 11\n")),
             "crane_drives.toml:3: heartbeat: 11 is out of range, expected a number from 0 to 10");
   EXPECT_EQ(message(table("heartbeat = 0.01\n")),
-            "crane_drives.toml:3: heartbeat: 0.01 s is below a servo period, expected 0 (none) or at least 0.02 s");
+            "crane_drives.toml:3: heartbeat: 0.01 s is below a servo period, expected 0.02 to 10 s");
+  EXPECT_EQ(message(table("heartbeat = 0\n")),
+            "crane_drives.toml:3: heartbeat: 0, but without it drives run on when the EDP dies, expected 0.02 to 10 s");
   EXPECT_EQ(message(table("answer_time = 1\n")),
             "crane_drives.toml:3: answer_time: 1 is out of range, expected a number from 0.05 to 0.9");
   EXPECT_EQ(message(table("missed_max = -1\n")),
