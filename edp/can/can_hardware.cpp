@@ -28,6 +28,8 @@ std::vector<can::Filter> filters_for(const std::vector<Drive>& drives) {
 CanHardware::CanHardware(config::DriveTable table, const RobotParameters& robot, double period,
                          std::unique_ptr<can::Bus> bus, Timing timing, bool synchronised)
     : table_(std::move(table)), period_(period), bus_(std::move(bus)), timing_(timing), synchronised_(synchronised) {
+  if (table_.absolute_encoders && synchronised)
+    for (config::DriveEntry& entry : table_.drives) entry.homing.method = 0;  // nobody will ask for it
   for (std::size_t i = 0; i < robot.axes.size(); ++i)
     drives_.emplace_back(table_, table_.drives[i], period, robot.axes[i].motor_synchro);
   heartbeat_ticks_ = std::max<Tick>(1, static_cast<Tick>(table_.heartbeat / period));

@@ -67,8 +67,14 @@ void CanHardware::await_boot() {
 /// One that a drive does not have it may take all the same, and stay in another.
 void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
   if (table_.eds.find(kSupportedModes) == nullptr) return;
-  const std::uint64_t supported = can::get(client.upload(drives_[axis].node(), kSupportedModes), 0, 4);
-  const bool homes = table_.drives[axis].homing.method != 0;
+  std::uint64_t supported = 0;
+  try {
+    supported = can::get(client.upload(drives_[axis].node(), kSupportedModes), 0, 4);
+  } catch (const SdoError& error) {
+    if (error.abort() == SdoAbort::no_such_object) return;  // an EDS file of a family of drives
+    throw;
+  }
+  const bool homes = table_.drives[axis].homing.method != 0 && !synchronised_;
   for (const DriveMode mode : {table_.mode, homes ? DriveMode::homing : table_.mode})
     if ((supported >> (static_cast<int>(mode) - 1) & 1) == 0)
       fail(ErrorCode::configuration, axis,
@@ -116,7 +122,8 @@ void CanHardware::set_up(std::size_t axis) {
     check_modes(axis, client);
     clear_fault(axis, client);
   } catch (const SdoError& error) {
-    fail(ErrorCode::hardware_silent, axis, error.what());
+    fail(error.abort() == SdoAbort::timeout ? ErrorCode::hardware_silent : ErrorCode::configuration, axis,
+         error.what());
   }
   can::Frame next = drive.setup().start();
   std::int64_t deadline = 0;

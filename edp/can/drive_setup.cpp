@@ -111,11 +111,13 @@ std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table
   list.add_known(kFaultReactionOption, kSlowDownAndDisable, 2);
   list.add_known(kAbortConnectionOption, kFault, 2);
   const double units = drive.units_per_turn / (2 * std::numbers::pi);
-  if (drive.homing.method != 0) list.add_known(kHomingMethod, drive.homing.method, 1);
   // makers differ in its sign: a drive counts from its home position, and we add where that is
   if (!table.absolute_encoders) list.add_known(kHomeOffset, 0, 4);
-  list.add_known(kHomingSpeedSwitch, speed(table, drive, drive.homing.speed_switch * units), 4);
-  list.add_known(kHomingSpeedZero, speed(table, drive, drive.homing.speed_zero * units), 4);
+  if (drive.homing.method != 0) {
+    list.add_known(kHomingMethod, drive.homing.method, 1);
+    list.add_known(kHomingSpeedSwitch, speed(table, drive, drive.homing.speed_switch * units), 4);
+    list.add_known(kHomingSpeedZero, speed(table, drive, drive.homing.speed_zero * units), 4);
+  }
   for (const config::DriveSetting& setting : drive.settings) list.settings_.push_back(setting);
   return list.settings_;
 }

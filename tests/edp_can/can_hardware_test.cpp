@@ -253,15 +253,15 @@ TEST(CanHardware, ADriveThatTellsNoSwitchesIsNotStarted) {
 }
 
 /// What `open` says with these drives on the bus.
-std::string refusal(const config::DriveTable& wanted, const config::DriveTable& there) {
+std::string refusal(const config::DriveTable& wanted, const config::DriveTable& there, bool synchronised = true) {
   const Gantry model;
   const TestBus bus;
   Rack rack(there, model, bus, true);
-  CanHardware hardware(wanted, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
+  CanHardware hardware(wanted, model.parameters(), kCanPeriod, bus.open(), kTestTiming, synchronised);
   try {
     hardware.open();
   } catch (const HardwareError& error) {
-    return error.what();
+    return std::string(describe(error.code())).append(": ").append(error.what());
   }
   return "";
 }
@@ -278,18 +278,37 @@ TEST(CanHardware, WhatIsWrongWithADriveIsSaidByNameBeforeAnythingMoves) {
   table.drives[3].node = 9;
   const std::string absent = refusal(table, good);
   EXPECT_NE(absent.find("node 9: no boot-up message within"), std::string::npos) << absent;
-  table = good;
+}
+
+/// The standard EDS file with `text` in place of `found`, which it has once.
+canopen::EdsFile changed_eds(const std::string& found, const std::string& text) {
   std::ifstream file(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia402.eds");
   std::string eds{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(eds.find(found), std::string::npos);
+  return canopen::EdsFile::parse(eds.replace(eds.find(found), found.size(), text), "changed");
+}
+
+TEST(CanHardware, ModesAreDemandedThatWillBeUsed) {
+  const config::DriveTable good = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   const std::string modes = "DefaultValue=0x000003A0";
-  ASSERT_NE(eds.find(modes), std::string::npos);
-  table.eds = canopen::EdsFile::parse(eds.replace(eds.find(modes), modes.size(), "DefaultValue=0x20"), "homes alone");
-  const std::string mode = refusal(good, table);
-  EXPECT_NE(
-      mode.find("drive x, node 1: has no mode cyclic synchronous position, expected bit 7 in its supported modes, "
-                "6502h, which are 32"),
-      std::string::npos)
-      << mode;
+  config::DriveTable there = good;
+  there.eds = changed_eds(modes, "DefaultValue=0x20");
+  const std::string homes_alone = refusal(good, there);
+  EXPECT_NE(homes_alone.find("drive x, node 1: has no mode cyclic synchronous position, expected bit 7 in its "
+                             "supported modes, 6502h, which are 32"),
+            std::string::npos)
+      << homes_alone;
+  there.eds = changed_eds(modes, "DefaultValue=0x80");
+  EXPECT_EQ(refusal(good, there), "") << "it is synchronised: nobody asks it to home";
+  const std::string does_not_home = refusal(good, there, false);
+  EXPECT_NE(does_not_home.find("has no mode homing"), std::string::npos) << does_not_home;
+  // 6502h may be left out, 1000h may not
+  there.eds = changed_eds("[6502]", "[6503]");
+  EXPECT_EQ(refusal(good, there), "");
+  there.eds = changed_eds("AccessType=ro", "AccessType=wo");
+  const std::string unreadable = refusal(good, there);
+  EXPECT_EQ(unreadable.find(describe(ErrorCode::configuration)), 0u) << unreadable;
+  EXPECT_NE(unreadable.find("object 1000h"), std::string::npos) << unreadable;
 }
 
 }  // namespace

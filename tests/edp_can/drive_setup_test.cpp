@@ -54,6 +54,14 @@ TEST(DriveSetup, TheServoPeriodIsWrittenAsTheProfileSaysIt) {
   EXPECT_THROW(settings(DriveMode::cyclic_position, 1.0 / 3), config::ConfigurationError);
 }
 
+TEST(DriveSetup, WhoDoesNotHomeIsToldNothingOfIt) {
+  config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
+  table.drives[0].homing.method = 0;
+  const auto all = drive_settings(table, table.drives[0], kCanPeriod);
+  for (const Object object : {kHomingMethod, kHomingSpeedSwitch, kHomingSpeedZero}) EXPECT_EQ(last(all, object), -1);
+  EXPECT_NE(last(settings(DriveMode::cyclic_position), kHomingSpeedZero), -1);
+}
+
 TEST(DriveSetup, HeartbeatsAndHomeAreThoseOfTheTable) {
   const auto all = settings(DriveMode::cyclic_position);
   EXPECT_EQ(last(all, kConsumerHeartbeat), 127 << 16 | 60);
