@@ -59,6 +59,12 @@ void CanHardware::send(const can::Frame& frame) noexcept {
   }
 }
 
+/// CiA 301: PDOs are mapped in pre-operational, and a drive may have started itself (1F80h).
+void CanHardware::begin_set_up(const Drive& drive, const can::Frame& first) noexcept {
+  send(nmt_frame(NmtCommand::enter_pre_operational, drive.node()));
+  send(first);
+}
+
 /// Until it is reset; whether the bus still carries frames matters most.
 void CanHardware::find(BusError error) noexcept {
   const bool off = bus_error_ == BusError::bus_off || bus_error_ == BusError::down;
@@ -76,8 +82,8 @@ void CanHardware::dispatch(const can::Frame& frame) noexcept {
   can::Frame next;
   for (Drive& drive : drives_) {
     if (!drive.take(frame, tick_, next)) continue;
-    send(next);
-    return;
+    const bool has_booted = frame.id == kHeartbeat + drive.node() && next.size != 0;
+    return has_booted ? begin_set_up(drive, next) : send(next);
   }
 }
 
@@ -166,10 +172,7 @@ void CanHardware::reset_fault() noexcept {
   for (Drive& drive : drives_) {
     can::Frame next;
     drive.reset(tick_, next);
-    if (next.size == 0) continue;
-    // CiA 301: PDOs are mapped in pre-operational
-    send(nmt_frame(NmtCommand::enter_pre_operational, drive.node()));
-    send(next);
+    if (next.size != 0) begin_set_up(drive, next);
   }
 }
 

@@ -59,6 +59,7 @@ class CanHardware : public Hardware {
   void set_up(std::size_t axis);
   void clear_fault(std::size_t axis, canopen::SdoClient& client);
   void await_answers();
+  void begin_set_up(const Drive& drive, const can::Frame& first) noexcept;
   void send(const can::Frame& frame) noexcept;
   void find(can::BusError error) noexcept;
   void dispatch(const can::Frame& frame) noexcept;

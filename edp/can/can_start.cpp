@@ -125,19 +125,19 @@ void CanHardware::set_up(std::size_t axis) {
     fail(error.abort() == SdoAbort::timeout ? ErrorCode::hardware_silent : ErrorCode::configuration, axis,
          error.what());
   }
-  can::Frame next = drive.setup().start();
-  std::int64_t deadline = 0;
+  begin_set_up(drive, drive.setup().start());
+  std::int64_t deadline = clock::monotonic_ns() + kPatienceWithSdo;
   while (drive.setup().status() == DriveSetup::Status::writing) {
-    if (next.size != 0) {
-      send(next);
-      deadline = clock::monotonic_ns() + kPatienceWithSdo;
-    }
-    can::Frame frame;
+    can::Frame frame, next;
     if (!bus_->receive(frame, deadline) || clock::monotonic_ns() > deadline)
       fail(ErrorCode::hardware_silent, axis, "no answer to writing " + drive.setup().setting().name);
     drive.setup().take(frame, next);
     const bool boots = frame.id == kHeartbeat + drive.node() && frame.size == 1 && frame.data[0] == 0;
-    if (boots) next = drive.setup().start();  // a second reset has reached it late
+    if (boots)
+      begin_set_up(drive, drive.setup().start());  // a second reset has reached it late
+    else
+      send(next);
+    if (boots || next.size != 0) deadline = clock::monotonic_ns() + kPatienceWithSdo;
   }
   if (drive.setup().status() == DriveSetup::Status::refused)
     fail(ErrorCode::configuration, axis,

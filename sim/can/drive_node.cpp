@@ -68,6 +68,7 @@ void DriveNode::restart(std::int64_t now) {
   heard_ = 0;
   sent_ = now;
   send(heartbeat_frame(node_, NmtState::boot_up));
+  if (starts_itself_) nmt(NmtCommand::start, now);
 }
 
 void DriveNode::nmt(NmtCommand command, std::int64_t now) {

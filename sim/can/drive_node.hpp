@@ -65,6 +65,8 @@ class DriveNode {
   void lag(bool on) noexcept { lags_ = on; }
   /// It sends no PDO of velocity and switches.
   void withhold_status(bool on) noexcept { withholds_ = on; }
+  /// It goes on to operational by itself when it has booted (1F80h).
+  void start_itself(bool on) noexcept { starts_itself_ = on; }
   /// The cause of its fault stays.
   void keep_fault(bool on) noexcept { broken_ = on; }
   /// It says the same again and again, whatever it does.
@@ -113,7 +115,7 @@ class DriveNode {
   edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
   bool homed_ = false, homing_failed_ = false;
   bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false, broken_ = false, lags_ = false,
-       owes_ = false, withholds_ = false;
+       owes_ = false, withholds_ = false, starts_itself_ = false;
   can::Frame said_;  ///< its last feedback
 };
 

@@ -236,6 +236,39 @@ TEST(CanHardware, AFaultThatStaysEndsTheStart) {
   }
 }
 
+TEST(CanHardware, DrivesThatStartThemselvesAreSetUpBeforeTheyGoOn) {
+  const Gantry model;
+  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
+  const TestBus bus;
+  Rack rack(table, model, bus, true);
+  rack.with([](auto& nodes) {
+    for (sim::DriveNode& node : nodes) node.start_itself(true);
+  });
+  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
+  hardware.open();
+  Tick tick = 0;
+  HardwareInput input;
+  const auto run = [&](Tick ticks) {
+    for (const Tick end = tick + ticks; tick < end; ++tick) {
+      hardware.read(tick, input);
+      hardware.set_points(input.motors, JointVector::Zero(4));
+      hardware.write(tick, JointVector::Zero(4));
+    }
+  };
+  run(20);
+  EXPECT_EQ(input.fault, ErrorCode::none) << describe(input.fault);
+  const auto boot = [&rack] { rack.with([](auto& nodes) { nodes[1].boot(1); }); };
+  boot();
+  run(20);
+  EXPECT_EQ(input.fault, ErrorCode::drive_restarted);
+  hardware.reset_fault();
+  run(5);
+  boot();  // again, while it is being set up
+  for (int i = 0; i < 500 && hardware.busy(); ++i) run(1);
+  run(1);
+  EXPECT_EQ(input.fault, ErrorCode::none) << describe(input.fault);
+}
+
 TEST(CanHardware, ADriveThatTellsNoSwitchesIsNotStarted) {
   const Gantry model;
   const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
