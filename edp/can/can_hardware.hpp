@@ -55,6 +55,8 @@ class CanHardware : public Hardware {
 
  private:
   void await_boot();
+  void note_boot(const can::Frame& frame);
+  void set_up_all();
   void check_modes(std::size_t axis, canopen::SdoClient& client) const;
   void set_up(std::size_t axis);
   void clear_fault(std::size_t axis, canopen::SdoClient& client);
@@ -73,6 +75,7 @@ class CanHardware : public Hardware {
   Timing timing_;
   bool synchronised_;
   std::vector<Drive> drives_;
+  std::vector<bool> set_up_;  ///< of each drive, while they are started: since its last boot-up message
   can::BusError bus_error_ = can::BusError::none;
   Tick tick_ = 0;
   std::int64_t origin_ = INT64_MAX;  ///< ns of the wall: tick 0, as the promptest SYNC shows it

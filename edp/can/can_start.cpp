@@ -20,8 +20,19 @@ namespace {
 constexpr std::int64_t kPatienceWithSdo = clock::kSecond / 2;
 constexpr std::int64_t kBetweenResets = clock::kSecond / 2;
 constexpr std::int64_t kBetweenLooks = clock::kSecond / 100;
+constexpr int kMostBoots = 5;
 constexpr int kFirstSyncs = 50;
 constexpr std::uint32_t kProfile402 = 402;
+
+/// One that boots just then does not answer.
+std::vector<std::uint8_t> upload_patiently(SdoClient& client, NodeId node, Object object) {
+  try {
+    return client.upload(node, object);
+  } catch (const SdoError& error) {
+    if (error.abort() != SdoAbort::timeout) throw;
+  }
+  return client.upload(node, object);
+}
 
 }  // namespace
 
@@ -32,13 +43,34 @@ void CanHardware::fail(ErrorCode code, std::size_t axis, const std::string& what
 
 void CanHardware::open() {
   await_boot();
-  for (std::size_t i = 0; i < drives_.size(); ++i) set_up(i);
+  set_up_all();
   for (Drive& drive : drives_) {
     send(nmt_frame(NmtCommand::start, drive.node()));
     drive.begin(0);
   }
   await_answers();
   bus_error_ = BusError::none;  // resets that nobody acknowledged, of drives without power yet
+}
+
+/// A reset may reach a drive late, after the next one has been sent: it boots twice, and forgets what it was told.
+void CanHardware::note_boot(const can::Frame& frame) {
+  for (std::size_t i = 0; i < drives_.size(); ++i)
+    if (frame == heartbeat_frame(drives_[i].node(), NmtState::boot_up)) set_up_[i] = false;
+}
+
+void CanHardware::set_up_all() {
+  set_up_.assign(drives_.size(), false);
+  std::vector<int> boots(drives_.size(), 0);
+  for (;;) {
+    can::Frame frame;
+    while (bus_->receive(frame, 0)) note_boot(frame);
+    const auto next = std::find(set_up_.begin(), set_up_.end(), false);
+    if (next == set_up_.end()) return;
+    const auto axis = static_cast<std::size_t>(next - set_up_.begin());
+    if (++boots[axis] > kMostBoots) fail(ErrorCode::drive_restarted, axis, "it boots again and again");
+    set_up_[axis] = true;
+    set_up(axis);
+  }
 }
 
 /// Every drive forgets how an earlier run has set its communication up. Its profile keeps state, error and values: a
@@ -69,7 +101,7 @@ void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
   if (table_.eds.find(kSupportedModes) == nullptr) return;
   std::uint64_t supported = 0;
   try {
-    supported = can::get(client.upload(drives_[axis].node(), kSupportedModes), 0, 4);
+    supported = can::get(upload_patiently(client, drives_[axis].node(), kSupportedModes), 0, 4);
   } catch (const SdoError& error) {
     if (error.abort() == SdoAbort::no_such_object) return;  // an EDS file of a family of drives
     throw;
@@ -88,7 +120,8 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
   const NodeId node = drives_[axis].node();
   const std::int64_t end = clock::monotonic_ns() + std::llround(Drive::kSwitchOnTime * clock::kSecond);
   for (;;) {
-    const DriveState state = drive_state(static_cast<std::uint16_t>(can::get(client.upload(node, kStatusword), 0, 2)));
+    const DriveState state =
+        drive_state(static_cast<std::uint16_t>(can::get(upload_patiently(client, node, kStatusword), 0, 2)));
     if (state != DriveState::fault && state != DriveState::fault_reaction_active) return;
     if (clock::monotonic_ns() > end) break;
     if (state == DriveState::fault)
@@ -97,8 +130,7 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
     send(sync_frame());  // simulated drives may have no other time
     can::Frame frame;
     const std::int64_t next_look = clock::monotonic_ns() + kBetweenLooks;
-    while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) {
-    }
+    while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) note_boot(frame);
   }
   std::uint16_t code = 0x1000;  // generic: of a drive that keeps none
   try {
@@ -113,15 +145,16 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
 
 void CanHardware::set_up(std::size_t axis) {
   Drive& drive = drives_[axis];
-  SdoClient client(*bus_, kPatienceWithSdo);
+  SdoClient client(*bus_, kPatienceWithSdo, [this](const can::Frame& frame) { note_boot(frame); });
   try {
-    const std::vector<std::uint8_t> type = client.upload(drive.node(), kDeviceType);
+    const std::vector<std::uint8_t> type = upload_patiently(client, drive.node(), kDeviceType);
     if (can::get(type, 0, 2) != kProfile402)
       fail(ErrorCode::configuration, axis,
            "profile " + std::to_string(can::get(type, 0, 2)) + " in its device type, expected 402, a drive");
     check_modes(axis, client);
     clear_fault(axis, client);
   } catch (const SdoError& error) {
+    if (!set_up_[axis]) return;  // it has booted meanwhile
     fail(error.abort() == SdoAbort::timeout ? ErrorCode::hardware_silent : ErrorCode::configuration, axis,
          error.what());
   }
@@ -131,13 +164,11 @@ void CanHardware::set_up(std::size_t axis) {
     can::Frame frame, next;
     if (!bus_->receive(frame, deadline) || clock::monotonic_ns() > deadline)
       fail(ErrorCode::hardware_silent, axis, "no answer to writing " + drive.setup().setting().name);
+    note_boot(frame);
+    if (!set_up_[axis]) return drive.setup().give_up();  // to begin anew
     drive.setup().take(frame, next);
-    const bool boots = frame.id == kHeartbeat + drive.node() && frame.size == 1 && frame.data[0] == 0;
-    if (boots)
-      begin_set_up(drive, drive.setup().start());  // a second reset has reached it late
-    else
-      send(next);
-    if (boots || next.size != 0) deadline = clock::monotonic_ns() + kPatienceWithSdo;
+    send(next);
+    if (next.size != 0) deadline = clock::monotonic_ns() + kPatienceWithSdo;
   }
   if (drive.setup().status() == DriveSetup::Status::refused)
     fail(ErrorCode::configuration, axis,

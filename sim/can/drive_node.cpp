@@ -144,6 +144,7 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
 
 /// The statusword is that of now, and a controlword acts however it comes.
 void DriveNode::take_request(const can::Frame& frame) {
+  if (deaf_for_ > 0 && deaf_for_-- > 0) return;
   follow_state();
   if (const auto answer = sdo_.answer(frame)) send(*answer);
   if (store_.number(kControlword) != controlword_) obey();

@@ -67,6 +67,8 @@ class DriveNode {
   void withhold_status(bool on) noexcept { withholds_ = on; }
   /// It goes on to operational by itself when it has booted (1F80h).
   void start_itself(bool on) noexcept { starts_itself_ = on; }
+  /// It hears nothing of the next SDO requests, as when it boots just then.
+  void lose_requests(int count) noexcept { deaf_for_ = count; }
   /// The cause of its fault stays.
   void keep_fault(bool on) noexcept { broken_ = on; }
   /// It says the same again and again, whatever it does.
@@ -116,7 +118,8 @@ class DriveNode {
   bool homed_ = false, homing_failed_ = false;
   bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false, broken_ = false, lags_ = false,
        owes_ = false, withholds_ = false, starts_itself_ = false;
-  can::Frame said_;  ///< its last feedback
+  int deaf_for_ = 0;  ///< SDO requests
+  can::Frame said_;   ///< its last feedback
 };
 
 }  // namespace mrroc::sim

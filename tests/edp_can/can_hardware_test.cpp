@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <iterator>
 #include <thread>
 
 #include "can_rig.hpp"
+#include "clock/monotonic.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -267,6 +269,55 @@ TEST(CanHardware, DrivesThatStartThemselvesAreSetUpBeforeTheyGoOn) {
   for (int i = 0; i < 500 && hardware.busy(); ++i) run(1);
   run(1);
   EXPECT_EQ(input.fault, ErrorCode::none) << describe(input.fault);
+}
+
+TEST(CanHardware, WhoBootsOnceMoreWhileOthersAreSetUpIsSetUpAnew) {
+  const Gantry model;
+  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
+  const TestBus bus;
+  Rack rack(table, model, bus, true);
+  rack.with([](auto& nodes) { nodes[3].lose_requests(1); });  // until it is asked again there is time
+  const auto ear = bus.open();
+  std::thread late_reset([&] {
+    can::Frame frame;
+    while (frame.id != canopen::kSdoRequest + 4) ear->receive(frame, INT64_MAX);
+    rack.with([](auto& nodes) { nodes[0].boot(1); });
+  });
+  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
+  EXPECT_NO_THROW(hardware.open());
+  late_reset.join();
+  HardwareInput input;
+  hardware.read(0, input);
+  EXPECT_EQ(input.fault, ErrorCode::none) << describe(input.fault);
+  rack.with([](auto& nodes) {
+    for (const sim::DriveNode& node : nodes) EXPECT_TRUE(node.operational());
+  });
+}
+
+TEST(CanHardware, WhoBootsAgainAndAgainIsNotStarted) {
+  const Gantry model;
+  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
+  const TestBus bus;
+  Rack rack(table, model, bus, true);
+  const auto other = bus.open();
+  std::atomic<bool> over{false};
+  std::thread restless([&] {
+    can::Frame frame;
+    while (!over.load()) {
+      if (!other->receive(frame, clock::monotonic_ns() + 1'000'000) || frame.id != canopen::kSdoRequest + 2) continue;
+      other->send(canopen::heartbeat_frame(2, canopen::NmtState::boot_up));
+    }
+  });
+  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
+  std::string problem;
+  try {
+    hardware.open();
+  } catch (const HardwareError& error) {
+    problem = error.what();
+  }
+  over.store(true);
+  restless.join();
+  EXPECT_NE(problem.find("drive y, node 2: it boots again and again"), std::string::npos) << problem;
 }
 
 TEST(CanHardware, ADriveThatTellsNoSwitchesIsNotStarted) {
