@@ -1,5 +1,6 @@
 #include "edp/can/drive_setup.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -24,13 +25,16 @@ constexpr std::int64_t kFault = 1;               // abort connection option code
 
 class Settings {
  public:
-  Settings(const config::DriveTable& table) : table_(table) {}
+  Settings(const config::DriveTable& table, const config::DriveEntry& drive) : table_(table), drive_(drive) {}
 
   void add(Object object, std::int64_t value, std::uint8_t size) {
     settings_.push_back({object, to_text(object), value, size});
   }
-  /// Where the drive has it.
+  /// Where the drive has it and its `objects` give no other value.
   void add_known(Object object, std::int64_t value, std::uint8_t size) {
+    // the table's own value may be there because the drive refuses ours
+    const auto same = [object](const config::DriveSetting& own) { return own.object == object; };
+    if (std::any_of(drive_.settings.begin(), drive_.settings.end(), same)) return;
     if (table_.eds.find(object) != nullptr) add(object, value, size);
   }
   /// One PDO: it may be changed only while it is not used (CiA 301, 7.5.2.36).
@@ -59,6 +63,7 @@ class Settings {
   }
 
   const config::DriveTable& table_;
+  const config::DriveEntry& drive_;
 };
 
 /// The servo period as 60C2h says it: a number up to 255, and an exponent of ten.
@@ -94,7 +99,7 @@ DrivePdos drive_pdos(DriveMode mode) {
 std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table, const config::DriveEntry& drive,
                                                  double period) {
   const DrivePdos pdos = drive_pdos(table.mode);
-  Settings list(table);
+  Settings list(table, drive);
   list.add_pdo(kReceivePdoParameters, kReceivePdoMapping, kReceivePdo1 + drive.node, table.target_at_sync ? 1 : kAtOnce,
                pdos.command);
   list.add_pdo(kTransmitPdoParameters, kTransmitPdoMapping, kTransmitPdo1 + drive.node, 1, pdos.feedback);

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "can_rig.hpp"
+#include "canopen/object_value.hpp"
 #include "config/table.hpp"
 
 namespace mrroc::edp {
@@ -60,6 +63,18 @@ TEST(DriveSetup, WhoDoesNotHomeIsToldNothingOfIt) {
   const auto all = drive_settings(table, table.drives[0], kCanPeriod);
   for (const Object object : {kHomingMethod, kHomingSpeedSwitch, kHomingSpeedZero}) EXPECT_EQ(last(all, object), -1);
   EXPECT_NE(last(settings(DriveMode::cyclic_position), kHomingSpeedZero), -1);
+}
+
+TEST(DriveSetup, TheTablesOwnValueIsWrittenInPlaceOfOurs) {
+  config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
+  for (const Object object : {kQuickStopOption, kFaultReactionOption, kAbortConnectionOption})
+    table.drives[0].settings.push_back({object, to_text(object), 0, 2});
+  const auto all = drive_settings(table, table.drives[0], kCanPeriod);
+  for (const Object object : {kQuickStopOption, kFaultReactionOption, kAbortConnectionOption}) {
+    const auto same = [object](const config::DriveSetting& setting) { return setting.object == object; };
+    EXPECT_EQ(std::count_if(all.begin(), all.end(), same), 1) << to_text(object);
+    EXPECT_EQ(last(all, object), 0);
+  }
 }
 
 TEST(DriveSetup, HeartbeatsAndHomeAreThoseOfTheTable) {
