@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <random>
 #include <string>
 
@@ -55,6 +56,24 @@ inline config::DriveTable watched_table(bool absolute_encoders, double ramp) {
   return table;
 }
 
+/// What becomes of the frames of a hub, whose thread asks while a test changes its mind.
+class Spoiler {
+ public:
+  /// From now on; without `how` they all pass.
+  void use(can::Hub::Fault how) {
+    const std::lock_guard lock(mutex_);
+    how_ = std::move(how);
+  }
+  bool pass(can::Frame& frame) {
+    const std::lock_guard lock(mutex_);
+    return !how_ || how_(frame);
+  }
+
+ private:
+  std::mutex mutex_;
+  can::Hub::Fault how_;
+};
+
 /// A gantry under way, with everything that may go wrong at hand.
 class Rig {
  public:
@@ -62,7 +81,7 @@ class Rig {
   explicit Rig(unsigned seed, bool absolute_encoders = true, CanHardware::Timing timing = kTestTiming, double ramp = 0)
       : random(seed),
         table(watched_table(absolute_encoders, ramp)),
-        bus([this](can::Frame& frame) { return !spoil || spoil(frame); }),
+        bus([this](can::Frame& frame) { return spoil.pass(frame); }),
         rack(table, model, bus, true) {
     auto weak = std::make_unique<WeakBus>(bus.open());
     weak_bus = weak.get();
@@ -123,7 +142,7 @@ class Rig {
   std::mt19937 random;
   Watched model;
   config::DriveTable table;
-  can::Hub::Fault spoil;  ///< set while nothing is sent
+  Spoiler spoil;
   TestBus bus;
   Rack rack;
   WeakBus* weak_bus = nullptr;

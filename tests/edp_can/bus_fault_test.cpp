@@ -95,18 +95,18 @@ std::vector<Case> cases() {
         ErrorCode::following_error, ErrorCode::axis_stuck},
        "axis 3 (z)",
        [](Rig& rig) {
-         rig.spoil = [&rig](can::Frame& frame) {
+         rig.spoil.use([&rig](can::Frame& frame) {
            if (frame.id == 0x183) frame.data[rig.random() % 6] ^= static_cast<std::uint8_t>(1 + rig.random() % 255);
            return true;
-         };
+         });
        },
-       [](Rig& rig) { rig.spoil = {}; },
+       [](Rig& rig) { rig.spoil.use({}); },
        false},
       {"FramesLost",
        {ErrorCode::hardware_silent},
        "axis 3 (z)",
-       [](Rig& rig) { rig.spoil = [](can::Frame& frame) { return frame.id != 0x183; }; },
-       [](Rig& rig) { rig.spoil = {}; },
+       [](Rig& rig) { rig.spoil.use([](can::Frame& frame) { return frame.id != 0x183; }); },
+       [](Rig& rig) { rig.spoil.use({}); },
        false},
   };
 }

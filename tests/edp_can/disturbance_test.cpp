@@ -19,16 +19,16 @@ struct Disturbance {
 
 void begin(Rig& rig, const Disturbance& disturbance) {
   if (!rig.bus.is_hub()) return disturb(rig, disturbance.netem);
-  rig.spoil = [&rig, disturbance](can::Frame& frame) {
+  rig.spoil.use([&rig, disturbance](can::Frame& frame) {
     if (rig.random() % 100 < disturbance.lost) return false;
     if (rig.random() % 100 < disturbance.changed && frame.size != 0)
       frame.data[rig.random() % frame.size] ^= static_cast<std::uint8_t>(1u << rig.random() % 8);
     return true;
-  };
+  });
 }
 
 void end(Rig& rig) {
-  rig.spoil = {};
+  rig.spoil.use({});
   if (!rig.bus.is_hub()) leave_in_peace(rig);
 }
 
