@@ -10,6 +10,7 @@
 #include <string>
 
 #include "can_rig.hpp"
+#include "clock/monotonic.hpp"
 #include "edp/error_report.hpp"
 #include "repetitions.hpp"
 
@@ -17,21 +18,39 @@ namespace mrroc::edp {
 
 inline constexpr int kAxis = 2;  // z, node 3
 
-/// A bus whose transmit queue can be full, or whose interface can be down.
+/// A bus whose transmit queue can be full, or whose interface can be down. It sees what its owner gets to know in time.
 class WeakBus : public can::Bus {
  public:
   explicit WeakBus(std::unique_ptr<can::Bus> bus) : bus_(std::move(bus)) {}
   can::Sent send(const can::Frame& frame) noexcept override {
+    if (frame.id == canopen::kSync) {
+      answers_ = 0;
+      synced_ = clock::monotonic_ns();
+    } else if (frame.id == canopen::kReceivePdo1 + 1) {  // the first set-point: nothing is waited for any more
+      ++cycles;
+      if (answers_ != kAllAnswers) ++unanswered;
+      if (clock::monotonic_ns() - synced_ > kSlow) ++slow;
+    }
     return answer == can::Sent::yes ? bus_->send(frame) : answer;
   }
-  bool receive(can::Frame& frame, std::int64_t deadline) noexcept override { return bus_->receive(frame, deadline); }
+  bool receive(can::Frame& frame, std::int64_t deadline) noexcept override {
+    if (!bus_->receive(frame, deadline)) return false;
+    if (const std::uint32_t node = frame.id - canopen::kTransmitPdo1; node >= 1 && node <= 4) answers_ |= 1u << node;
+    return true;
+  }
   void filter(std::span<const can::Filter> filters) override { bus_->filter(filters); }
   int descriptor() const noexcept override { return bus_->descriptor(); }
   bool carries_fd() const noexcept override { return bus_->carries_fd(); }
   can::Sent answer = can::Sent::yes;
+  // cycles, those in which not all drives have answered, those in which that has taken long
+  int cycles = 0, unanswered = 0, slow = 0;
 
  private:
+  static constexpr unsigned kAllAnswers = 0b11110;  // of nodes 1 to 4
+  static constexpr std::int64_t kSlow = clock::kSecond / 1000;
   std::unique_ptr<can::Bus> bus_;
+  unsigned answers_ = 0;
+  std::int64_t synced_ = 0;
 };
 
 /// As the robots' files have it: what reads the same position while it is told to go on is stuck.
