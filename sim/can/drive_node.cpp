@@ -128,7 +128,7 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
   if (frame.id == kNmt && frame.size == 2 && (frame.data[1] == 0 || frame.data[1] == node_)) {
     nmt(static_cast<NmtCommand>(frame.data[0]), now);
   } else if (frame.id == kSdoRequest + node_) {
-    if (nmt_ != NmtState::stopped) take_request(frame);
+    if (nmt_ != NmtState::stopped) take_request(frame, now);
   } else if (operational() && command_ && frame.id == command_->identifier) {
     commanded_ = true;
     if (owes_) send(said_);
@@ -143,11 +143,12 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
 }
 
 /// The statusword is that of now, and a controlword acts however it comes.
-void DriveNode::take_request(const can::Frame& frame) {
+void DriveNode::take_request(const can::Frame& frame, std::int64_t now) {
   if (deaf_for_ > 0 && deaf_for_-- > 0) return;
   follow_state();
   if (const auto answer = sdo_.answer(frame)) send(*answer);
   if (store_.number(kControlword) != controlword_) obey();
+  if (restless_) boot(now);
 }
 
 void DriveNode::take_command(const can::Frame& frame) {

@@ -69,6 +69,8 @@ class DriveNode {
   void start_itself(bool on) noexcept { starts_itself_ = on; }
   /// It hears nothing of the next SDO requests, as when it boots just then.
   void lose_requests(int count) noexcept { deaf_for_ = count; }
+  /// It boots after each SDO request that it has answered.
+  void boot_at_requests(bool on) noexcept { restless_ = on; }
   /// The cause of its fault stays.
   void keep_fault(bool on) noexcept { broken_ = on; }
   /// It says the same again and again, whatever it does.
@@ -79,7 +81,7 @@ class DriveNode {
   void restart(std::int64_t now);
   void reset_communication(std::int64_t now);
   void lose_master();
-  void take_request(const can::Frame& frame);
+  void take_request(const can::Frame& frame, std::int64_t now);
   void nmt(canopen::NmtCommand command, std::int64_t now);
   void take_command(const can::Frame& frame);
   void obey();
@@ -117,7 +119,7 @@ class DriveNode {
   edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
   bool homed_ = false, homing_failed_ = false;
   bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false, broken_ = false, lags_ = false,
-       owes_ = false, withholds_ = false, starts_itself_ = false;
+       owes_ = false, withholds_ = false, starts_itself_ = false, restless_ = false;
   int deaf_for_ = 0;  ///< SDO requests
   can::Frame said_;   ///< its last feedback
 };

@@ -2,14 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <iterator>
 #include <thread>
 
 #include "can_rig.hpp"
-#include "clock/monotonic.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -299,15 +297,7 @@ TEST(CanHardware, WhoBootsAgainAndAgainIsNotStarted) {
   const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
   const TestBus bus;
   Rack rack(table, model, bus, true);
-  const auto other = bus.open();
-  std::atomic<bool> over{false};
-  std::thread restless([&] {
-    can::Frame frame;
-    while (!over.load()) {
-      if (!other->receive(frame, clock::monotonic_ns() + 1'000'000) || frame.id != canopen::kSdoRequest + 2) continue;
-      other->send(canopen::heartbeat_frame(2, canopen::NmtState::boot_up));
-    }
-  });
+  rack.with([](auto& nodes) { nodes[1].boot_at_requests(true); });
   CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
   std::string problem;
   try {
@@ -315,8 +305,6 @@ TEST(CanHardware, WhoBootsAgainAndAgainIsNotStarted) {
   } catch (const HardwareError& error) {
     problem = error.what();
   }
-  over.store(true);
-  restless.join();
   EXPECT_NE(problem.find("drive y, node 2: it boots again and again"), std::string::npos) << problem;
 }
 
