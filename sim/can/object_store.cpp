@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "can/frame.hpp"
+#include "canopen/pdo_mapping.hpp"
 
 namespace mrroc::sim {
 
@@ -11,11 +12,17 @@ using namespace canopen;
 
 namespace {
 
-bool is_mapping(std::uint16_t index) noexcept {
-  constexpr std::uint16_t kMappings = 0x200;  // of 512 PDOs in each direction
-  return (index >= kReceivePdoMapping && index < kReceivePdoMapping + kMappings) ||
-         (index >= kTransmitPdoMapping && index < kTransmitPdoMapping + kMappings);
+constexpr std::uint16_t kPdos = 0x200;          // in each direction
+constexpr std::uint32_t kNotUsed = 0x80000000;  // of a PDO's identifier
+constexpr std::uint32_t kIdentifier = 0x3fffffff;
+constexpr int kMostBits = 64;
+
+bool is_parameter(std::uint16_t index) noexcept {
+  return (index >= kReceivePdoParameters && index < kReceivePdoParameters + kPdos) ||
+         (index >= kTransmitPdoParameters && index < kTransmitPdoParameters + kPdos);
 }
+
+bool is_mapping(std::uint16_t index) noexcept { return is_parameter(static_cast<std::uint16_t>(index - kPdos)); }
 
 }  // namespace
 
@@ -60,6 +67,36 @@ SdoAbort ObjectStore::read(Object object, std::vector<std::uint8_t>& value) cons
   return SdoAbort::none;
 }
 
+/// A PDO's identifier and mapping stay while it is used.
+SdoAbort ObjectStore::pdo_refusal(Object object, std::uint32_t value) const {
+  const auto used = [this](std::uint16_t parameters) { return (number({parameters, 1}) & kNotUsed) == 0; };
+  if (is_parameter(object.index) && object.sub == 1) {
+    const bool other = ((static_cast<std::uint32_t>(number(object)) ^ value) & kIdentifier) != 0;
+    return other && used(object.index) ? SdoAbort::invalid_value : SdoAbort::none;
+  }
+  if (!is_mapping(object.index)) return SdoAbort::none;
+  if (used(static_cast<std::uint16_t>(object.index - kPdos))) return SdoAbort::wrong_state;
+  return mapping_refusal(object, value);
+}
+
+/// Objects are mapped while sub-index 0 is 0, then it says how many.
+SdoAbort ObjectStore::mapping_refusal(Object object, std::uint32_t value) const {
+  if (object.sub == 0) {
+    std::int64_t bits = 0;
+    for (std::uint32_t i = 1; i <= value; ++i) bits += number({object.index, static_cast<std::uint8_t>(i)}) & 0xff;
+    return bits > kMostBits ? SdoAbort::mapping_too_long : SdoAbort::none;
+  }
+  if (number({object.index, 0}) != 0) return SdoAbort::unsupported_access;
+  if (value == 0) return SdoAbort::none;
+  const auto mapped = values_.find(MappedObject::of_entry(value).object);
+  if (mapped == values_.end()) return SdoAbort::not_mappable;
+  const ObjectEntry& entry = *mapped->second.entry;
+  const bool received = object.index < kTransmitPdoMapping;
+  const bool fits =
+      entry.mappable && size_of(entry.type) * 8 == (value & 0xff) && (received ? entry.writable() : entry.readable());
+  return fits ? SdoAbort::none : SdoAbort::not_mappable;
+}
+
 SdoAbort ObjectStore::write(Object object, std::span<const std::uint8_t> value) {
   std::vector<std::uint8_t> before;
   const auto found = values_.find(object);
@@ -67,6 +104,8 @@ SdoAbort ObjectStore::write(Object object, std::span<const std::uint8_t> value) 
   if (!found->second.entry->writable()) return SdoAbort::read_only;
   if (mappings_locked_ && is_mapping(object.index)) return SdoAbort::wrong_state;
   if (found->second.bytes.size() != value.size()) return SdoAbort::wrong_length;
+  const auto number = static_cast<std::uint32_t>(can::get(value, 0, std::min<std::size_t>(4, value.size())));
+  if (const SdoAbort why = pdo_refusal(object, number); why != SdoAbort::none) return why;
   found->second.bytes.assign(value.begin(), value.end());
   return SdoAbort::none;
 }

@@ -13,7 +13,7 @@
 namespace mrroc::sim {
 
 /// The values of a simulated node's object dictionary, as its EDS file describes it: types, access, default values
-/// ("$NODEID+0x180" with the node's number). One thread.
+/// ("$NODEID+0x180" with the node's number). PDOs are changed in CiA 301's order alone (7.5.2.36). One thread.
 class ObjectStore {
  public:
   ObjectStore(const canopen::EdsFile& eds, canopen::NodeId node);
@@ -41,6 +41,8 @@ class ObjectStore {
     const canopen::ObjectEntry* entry;
     std::vector<std::uint8_t> bytes;
   };
+  canopen::SdoAbort pdo_refusal(canopen::Object object, std::uint32_t value) const;
+  canopen::SdoAbort mapping_refusal(canopen::Object object, std::uint32_t value) const;
   std::vector<std::uint8_t> default_of(const canopen::ObjectEntry& entry) const;
 
   canopen::EdsFile eds_;

@@ -59,8 +59,10 @@ TEST(SdoServer, KnowsEveryObjectOfItsFile) {
 
 TEST(SdoServer, WhatIsWrittenIsRead) {
   std::vector<Object> writable;
+  const auto is_of_pdo = [](Object object) { return object.index >= 0x1400 && object.index < 0x1c00; };
   for (const auto& [object, entry] : standard_eds().entries())
-    if (entry.writable() && size_of(entry.type) != 0 && size_of(entry.type) <= 4) writable.push_back(object);
+    if (!is_of_pdo(object) && entry.writable() && size_of(entry.type) != 0 && size_of(entry.type) <= 4)
+      writable.push_back(object);
   Node node;
   EXPECT_TRUE(rc::check("a value of the object's size", [&] {
     const Object object = *rc::gen::elementOf(writable);
