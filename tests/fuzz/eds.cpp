@@ -24,9 +24,10 @@ void check(const EdsFile& file) {
     const bool read = store.read(object, value) == SdoAbort::none;
     fuzz::require(read == entry.readable(), "what may be read is read");
     fuzz::require(!read || size_of(entry.type) == 0 || value.size() == size_of(entry.type), "a value fits its type");
-    fuzz::require(
-        (store.write(object, std::vector<std::uint8_t>(store.size(object))) == SdoAbort::none) == entry.writable(),
-        "what may be written is written");
+    const bool written = store.write(object, std::vector<std::uint8_t>(store.size(object))) == SdoAbort::none;
+    fuzz::require(entry.writable() || !written, "what may only be read is not written");
+    const bool of_pdo = object.index >= kReceivePdoParameters && object.index < kTransmitPdoMapping + 0x200;
+    fuzz::require(of_pdo || written == entry.writable(), "what may be written is written, but for PDOs in use");
   }
 }
 
