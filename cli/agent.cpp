@@ -90,9 +90,7 @@ process::ExitCode Agent::run() {
       supervise();
     }
   } catch (const std::exception& error) {
-    const bool wrong_file = dynamic_cast<const config::ConfigurationError*>(&error) != nullptr;
-    fail(wrong_file ? process::ExitCode::usage : process::exit_code(process::report_of(error).error_class),
-         error.what());
+    fail(process::exit_code(error), error.what());
   }
   end_processes();
   send_traces();

@@ -16,7 +16,6 @@
 #include "clock/monotonic.hpp"
 #include "clock/realtime.hpp"
 #include "config/resources.hpp"
-#include "config/table.hpp"
 #include "mrroc/errors.hpp"
 #include "process/process.hpp"
 
@@ -112,10 +111,8 @@ process::ExitCode Runner::run() {
 void Runner::guard(const std::function<void()>& step) {
   try {
     step();
-  } catch (const config::ConfigurationError& error) {
-    fail(process::ExitCode::usage, error.what());
   } catch (const std::exception& error) {
-    fail(process::exit_code(process::report_of(error).error_class), error.what());
+    fail(process::exit_code(error), error.what());
   }
 }
 

@@ -150,6 +150,11 @@ ErrorReport report_of(const std::exception& error) noexcept {
   return report;
 }
 
+ExitCode exit_code(const std::exception& error) noexcept {
+  if (dynamic_cast<const config::ConfigurationError*>(&error) != nullptr) return ExitCode::usage;
+  return exit_code(report_of(error).error_class);
+}
+
 int run_process(int argc, char** argv, links::ProcessRole role, const std::function<void(Process&)>& body) {
   std::unique_ptr<Process> process;
   install_signal_handlers();
@@ -166,8 +171,7 @@ int run_process(int argc, char** argv, links::ProcessRole role, const std::funct
     if (asked_to_end) return static_cast<int>(ExitCode::stopped);
     std::fprintf(stderr, "%s\n", error.what());
     if (process) process->status().failed(report_of(error));
-    const bool wrong_file = dynamic_cast<const config::ConfigurationError*>(&error) != nullptr;
-    return static_cast<int>(wrong_file || !process ? ExitCode::usage : exit_code(report_of(error).error_class));
+    return static_cast<int>(process ? exit_code(error) : ExitCode::usage);
   }
 }
 

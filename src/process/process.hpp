@@ -61,4 +61,7 @@ int run_process(int argc, char** argv, links::ProcessRole role, const std::funct
 /// system) or task_failed, with its `what()`.
 ErrorReport report_of(const std::exception& error) noexcept;
 
+/// What a process says when this ends it: usage for a ConfigurationError, a file that its user can mend, else by class.
+ExitCode exit_code(const std::exception& error) noexcept;
+
 }  // namespace mrroc::process
