@@ -4,9 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "system/block_scene.hpp"
 #include "system/mrroc_run.hpp"
@@ -80,26 +78,11 @@ TEST(Can, PressSucceedsInEveryModeOfTheDrives) {
   }
 }
 
-/// A machine that is no real-time one may hold drives or servo up for three ticks at any time: the robot stops for it,
-/// and says so. Tries until that has not come first.
-std::unique_ptr<MrrocRun> run_in_real_time(const fs::path& file, const std::vector<std::string>& options = {}) {
-  constexpr int kHardware = 3;
-  std::unique_ptr<MrrocRun> run;
-  for (int i = 0; i < 4; ++i) {
-    std::vector<std::string> arguments{"run", file.string(), "--clock", "real"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    run = std::make_unique<MrrocRun>(arguments);
-    if (run->wait() != kHardware) break;
-    EXPECT_NE(run->err().find("press: hardware error: "), std::string::npos) << run->out() << run->err();
-  }
-  return run;
-}
-
 TEST(Can, PressSucceedsUnderTheRealClock) {
   const ScratchFolder folder;
-  const auto run = run_in_real_time(folder.write("press.toml", press(folder)));
-  EXPECT_EQ(run->wait(), 0) << run->out() << run->err();
-  EXPECT_NE(run->out().find("press succeeded"), std::string::npos) << run->out();
+  const auto file = folder.write("press.toml", press(folder));
+  const std::string output = run_mrroc({"run", file.string(), "--clock", "real"}, 0);
+  EXPECT_NE(output.find("press succeeded"), std::string::npos) << output;
 }
 
 TEST(Can, AnArmThatMeetsABlockStopsRecoversAndGoesHome) {
@@ -111,26 +94,19 @@ TEST(Can, AnArmThatMeetsABlockStopsRecoversAndGoesHome) {
   EXPECT_NE(output.find("| recovered"), std::string::npos) << output;
 }
 
-const std::vector<std::string> kKillEdp{"--inject", "kill edp:arm at tick 1500"};
-
-void expect_nothing_left_of_a_killed_edp(MrrocRun& run) {
+void expect_nothing_left_when_the_edp_is_killed(const std::string& clock) {
+  const ScratchFolder folder;
+  const auto file = folder.write("press.toml", press(folder));
+  MrrocRun run({"run", file.string(), "--clock", clock, "--inject", "kill edp:arm at tick 1500"});
   EXPECT_EQ(run.wait(), 4) << run.out() << run.err();
   EXPECT_NE((run.out() + run.err()).find("arm_edp"), std::string::npos) << run.out() << run.err();
   EXPECT_EQ((run.out() + run.err()).find("not every robot has stopped"), std::string::npos) << run.out() << run.err();
   EXPECT_TRUE(all_end(run.descendants()));
 }
 
-TEST(Can, AKilledEdpLeavesNoDriveRunning) {
-  const ScratchFolder folder;
-  MrrocRun run({"run", folder.write("press.toml", press(folder)).string(), kKillEdp[0], kKillEdp[1]});
-  expect_nothing_left_of_a_killed_edp(run);
-}
+TEST(Can, AKilledEdpLeavesNoDriveRunning) { expect_nothing_left_when_the_edp_is_killed("lockstep"); }
 
-TEST(Can, AKilledEdpLeavesNoDriveRunningUnderTheRealClock) {
-  const ScratchFolder folder;
-  const auto run = run_in_real_time(folder.write("press.toml", press(folder)), kKillEdp);
-  expect_nothing_left_of_a_killed_edp(*run);
-}
+TEST(Can, AKilledEdpLeavesNoDriveRunningUnderTheRealClock) { expect_nothing_left_when_the_edp_is_killed("real"); }
 
 TEST(Can, KilledDrivesStopTheRun) {
   const ScratchFolder folder;
