@@ -24,6 +24,8 @@ constexpr int kMostBoots = 5;
 constexpr int kFirstSyncs = 50;
 constexpr std::uint32_t kProfile402 = 402;
 
+bool is_boot_up(const can::Frame& frame, NodeId node) { return frame == heartbeat_frame(node, NmtState::boot_up); }
+
 /// One that boots just then does not answer.
 std::vector<std::uint8_t> upload_patiently(SdoClient& client, NodeId node, Object object) {
   try {
@@ -55,7 +57,7 @@ void CanHardware::open() {
 /// A reset may reach a drive late, after the next one has been sent: it boots twice, and forgets what it was told.
 void CanHardware::note_boot(const can::Frame& frame) {
   for (std::size_t i = 0; i < drives_.size(); ++i)
-    if (frame == heartbeat_frame(drives_[i].node(), NmtState::boot_up)) set_up_[i] = false;
+    if (is_boot_up(frame, drives_[i].node())) set_up_[i] = false;
 }
 
 void CanHardware::set_up_all() {
@@ -86,7 +88,7 @@ void CanHardware::await_boot() {
     can::Frame frame;
     while (missing() != booted.end() && bus_->receive(frame, again)) {
       for (std::size_t i = 0; i < drives_.size(); ++i)
-        if (frame.id == kHeartbeat + drives_[i].node() && frame.size == 1 && frame.data[0] == 0) booted[i] = true;
+        if (is_boot_up(frame, drives_[i].node())) booted[i] = true;
     }
     if (clock::monotonic_ns() > end && missing() != booted.end())
       fail(ErrorCode::hardware_silent, static_cast<std::size_t>(missing() - booted.begin()),

@@ -16,9 +16,7 @@ namespace {
 
 using namespace canopen;
 
-constexpr std::uint32_t kNotUsed = 0x80000000;
-constexpr std::uint32_t kNoRemote = 0x40000000;  // nobody may ask for it; bit 30
-constexpr std::uint8_t kAtOnce = 255;            // transmission type: the value is taken when it comes
+constexpr std::uint8_t kAtOnce = 255;  // transmission type: the value is taken when it comes
 constexpr int kMissedHeartbeats = 3;
 constexpr std::int64_t kSlowDownAndDisable = 2;  // quick stop and fault reaction option codes: on the quick stop ramp
 constexpr std::int64_t kFault = 1;               // abort connection option code: our heartbeat is lost
@@ -40,8 +38,8 @@ class Settings {
   /// One PDO: it may be changed only while it is not used (CiA 301, 7.5.2.36).
   void add_pdo(std::uint16_t parameters, std::uint16_t mapping, std::uint32_t identifier, std::uint8_t transmission,
                const PdoMapping& map) {
-    if (wants_bit_30({parameters, 1})) identifier |= kNoRemote;
-    add({parameters, 1}, kNotUsed | identifier, 4);
+    if (wants_bit_30({parameters, 1})) identifier |= kPdoNoRemote;
+    add({parameters, 1}, kPdoNotUsed | identifier, 4);
     add({parameters, 2}, transmission, 1);
     add({mapping, 0}, 0, 1);
     std::uint8_t place = 0;
@@ -59,7 +57,7 @@ class Settings {
     const ObjectEntry* const entry = table_.eds.find(identifier);
     const std::size_t number = entry == nullptr ? std::string::npos : entry->default_value.find("0x");
     if (number == std::string::npos) return false;
-    return (std::strtoul(entry->default_value.c_str() + number, nullptr, 16) & kNoRemote) != 0;
+    return (std::strtoul(entry->default_value.c_str() + number, nullptr, 16) & kPdoNoRemote) != 0;
   }
 
   const config::DriveTable& table_;

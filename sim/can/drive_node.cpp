@@ -10,7 +10,6 @@ using namespace canopen;
 
 namespace {
 
-constexpr std::uint32_t kNotUsed = 0x80000000;
 constexpr std::int64_t kMillisecond = 1'000'000;
 
 }  // namespace
@@ -96,7 +95,7 @@ void DriveNode::nmt(NmtCommand command, std::int64_t now) {
 std::optional<PdoMapping> DriveNode::mapping(std::uint16_t parameters, std::uint16_t mapping_index,
                                              std::uint32_t& identifier, int& transmission) const {
   const auto raw = static_cast<std::uint32_t>(store_.number({parameters, 1}));
-  if ((raw & kNotUsed) != 0 || raw == 0) return {};
+  if ((raw & kPdoNotUsed) != 0 || raw == 0) return {};
   identifier = raw & 0x7ff;
   transmission = static_cast<int>(store_.number({parameters, 2}));
   std::vector<MappedObject> objects;

@@ -12,10 +12,9 @@ using namespace canopen;
 
 namespace {
 
-constexpr std::uint16_t kPdos = 0x200;          // in each direction
-constexpr std::uint32_t kNotUsed = 0x80000000;  // of a PDO's identifier
+constexpr std::uint16_t kPdos = 0x200;  // in each direction
 constexpr std::uint32_t kIdentifier = 0x3fffffff;
-constexpr int kMostBits = 64;
+constexpr std::uint32_t kMostBits = 64;
 
 bool is_parameter(std::uint16_t index) noexcept {
   return (index >= kReceivePdoParameters && index < kReceivePdoParameters + kPdos) ||
@@ -69,7 +68,7 @@ SdoAbort ObjectStore::read(Object object, std::vector<std::uint8_t>& value) cons
 
 /// A PDO's identifier and mapping stay while it is used.
 SdoAbort ObjectStore::pdo_refusal(Object object, std::uint32_t value) const {
-  const auto used = [this](std::uint16_t parameters) { return (number({parameters, 1}) & kNotUsed) == 0; };
+  const auto used = [this](std::uint16_t parameters) { return (number({parameters, 1}) & kPdoNotUsed) == 0; };
   if (is_parameter(object.index) && object.sub == 1) {
     const bool other = ((static_cast<std::uint32_t>(number(object)) ^ value) & kIdentifier) != 0;
     return other && used(object.index) ? SdoAbort::invalid_value : SdoAbort::none;
@@ -82,6 +81,7 @@ SdoAbort ObjectStore::pdo_refusal(Object object, std::uint32_t value) const {
 /// Objects are mapped while sub-index 0 is 0, then it says how many.
 SdoAbort ObjectStore::mapping_refusal(Object object, std::uint32_t value) const {
   if (object.sub == 0) {
+    if (value > kMostBits) return SdoAbort::mapping_too_long;  // even of objects of a bit each
     std::int64_t bits = 0;
     for (std::uint32_t i = 1; i <= value; ++i) bits += number({object.index, static_cast<std::uint8_t>(i)}) & 0xff;
     return bits > kMostBits ? SdoAbort::mapping_too_long : SdoAbort::none;

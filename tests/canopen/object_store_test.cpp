@@ -43,6 +43,7 @@ TEST_F(ObjectStoreTest, ObjectsAreMappedWhileNoneAreCounted) {
   EXPECT_EQ(write({0x1600, 2}, 0x607a0020), SdoAbort::none);
   EXPECT_EQ(write({0x1600, 3}, 0x60ff0020), SdoAbort::none);
   EXPECT_EQ(write({0x1600, 0}, 3), SdoAbort::mapping_too_long) << "10 bytes";
+  EXPECT_EQ(write({0x1600, 0}, 65), SdoAbort::mapping_too_long) << "more than there are bits";
   EXPECT_EQ(write({0x1600, 0}, 2), SdoAbort::none);
 }
 
