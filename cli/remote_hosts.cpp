@@ -42,7 +42,8 @@ void RemoteHosts::check_interface(in_addr own) const {
   const std::string& named = deployment_.network.interface;
   if (named.empty()) return;
   const links::NetworkInterface interface = links::find_interface(named);
-  if (interface.address == to_text(own)) return;
+  // by the device: one may have several addresses
+  if (interface.index == links::find_interface(to_text(own)).index) return;
   throw config::ConfigurationError(
       deployment_.file, 0, "network.interface",
       "'" + named + "' has the address " + interface.address + ", and the way to the host begins at " + to_text(own),
