@@ -10,7 +10,8 @@ namespace mrroc::cli {
 /// The trace of a run while it is written: each process with a task writes a part of it, a file beside it.
 class TraceParts {
  public:
-  /// `trace` empty: none is written. Throws std::runtime_error when it cannot be.
+  /// `trace` empty: none is written. Removes the parts that an earlier run left there when it was killed. Throws
+  /// std::runtime_error when it cannot be.
   TraceParts(std::filesystem::path trace, const std::vector<PlannedProcess>& processes);
 
   /// Where a process writes its part; empty when it writes none.

@@ -1,6 +1,7 @@
 #include "cli/typed_lines.hpp"
 
 #include <poll.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,11 +15,8 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r";
 constexpr std::size_t kTyped = 65536;  // a pipe may hold more than anybody types
 
-char small(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; }
-
 bool same_word(std::string_view typed, std::string_view word) {
-  return std::equal(typed.begin(), typed.end(), word.begin(), word.end(),
-                    [](char a, char b) { return small(a) == small(b); });
+  return typed.size() == word.size() && strncasecmp(typed.data(), word.data(), word.size()) == 0;
 }
 
 }  // namespace

@@ -165,7 +165,10 @@ std::string describe(const ClockMemory& memory) {
         names(memory, [](const ParticipantSlot& slot, std::uint32_t) { return slot.ready.load() == 0; });
     return text + (missing.empty() ? ", everybody is ready" : ", not ready: " + missing);
   }
-  text += " at tick " + std::to_string(memory.tick.load()) + ", delta " + std::to_string(memory.delta.load());
+  if (memory.mode == Mode::real)
+    text += " at tick " + std::to_string(wall_tick(memory));
+  else
+    text += " at tick " + std::to_string(memory.tick.load()) + ", delta " + std::to_string(memory.delta.load());
   const std::string busy =
       names(memory, [](const ParticipantSlot& slot, std::uint32_t) { return alive(slot) && slot.running.load() != 0; });
   if (!busy.empty()) text += "; at work: " + busy;
