@@ -147,75 +147,52 @@ TEST(ClockFailure, WhatAKilledProcessHeldIsRevoked) {
   EXPECT_EQ(host.state(), State::running) << host.error();
 }
 
-/// A participant writes 'r' when it runs and 'y' when it has noticed that the owner of its clock is gone.
-void expect_end_with(Child& owner, int pipe_end, void (Child::*strike)() = &Child::kill) {
-  char answer = 0;
-  ASSERT_EQ(::read(pipe_end, &answer, 1), 1);
-  ASSERT_EQ(answer, 'r');
-  (owner.*strike)();
-  ASSERT_EQ(::read(pipe_end, &answer, 1), 1);
-  EXPECT_EQ(answer, 'y');
-}
-
-TEST(ClockFailure, AParticipantDoesNotOutwaitAKilledHost) {
+/// The owner of a clock has one participant, which writes 'r' when it runs, waits by `wait` until it is interrupted,
+/// and then writes 'y'. What happens to the owner must bring it so far.
+void expect_notice(Mode mode, void (*wait)(Clock&), void (Child::*happens)()) {
   int pipe_ends[2];
   ASSERT_EQ(::pipe(pipe_ends), 0);
-  Child owner([&pipe_ends] {
+  Child owner([&] {
     HostOptions options;
+    options.mode = mode;
     options.participants = {"a"};
     ClockHost host(options);
     Child participant([&] {
       const auto clock = attach_clock(host.fd(), "a");
       (void)!::write(pipe_ends[1], clock->start() ? "r" : "n", 1);
-      (void)!::write(pipe_ends[1], clock->wait(kNever) == Wake::interrupted ? "y" : "n", 1);
+      wait(*clock);
+      (void)!::write(pipe_ends[1], "y", 1);
     });
     if (!host.wait_ready(60).empty()) ::_exit(1);
     host.at_tick(kNever - 1, [] {});  // so that waiting for mail is no dead end
     host.run();
   });
-  expect_end_with(owner, pipe_ends[0]);
+  char answer = 0;
+  ASSERT_EQ(::read(pipe_ends[0], &answer, 1), 1);
+  ASSERT_EQ(answer, 'r');
+  (owner.*happens)();
+  ASSERT_EQ(::read(pipe_ends[0], &answer, 1), 1);
+  EXPECT_EQ(answer, 'y');
 }
 
-TEST(ClockFailure, NorDoesOneThatGetsMailAllTheTime) {
-  int pipe_ends[2];
-  ASSERT_EQ(::pipe(pipe_ends), 0);
-  Child owner([&pipe_ends] {
-    HostOptions options;
-    options.mode = Mode::real;
-    options.participants = {"a"};
-    ClockHost host(options);
-    Child participant([&] {
-      const auto clock = attach_clock(host.fd(), "a");
-      (void)!::write(pipe_ends[1], clock->start() ? "r" : "n", 1);
-      do clock->notify();
-      while (clock->wait(kNever) == Wake::mail);
-      (void)!::write(pipe_ends[1], "y", 1);
-    });
-    if (!host.wait_ready(60).empty()) ::_exit(1);
-    host.run();
-  });
-  expect_end_with(owner, pipe_ends[0]);
+void wait_for_mail(Clock& clock) {
+  while (clock.wait(kNever) != Wake::interrupted) {
+  }
 }
+
+void get_mail_all_the_time(Clock& clock) {
+  do clock.notify();
+  while (clock.wait(kNever) == Wake::mail);
+}
+
+TEST(ClockFailure, AParticipantDoesNotOutwaitAKilledHost) {
+  expect_notice(Mode::lockstep, wait_for_mail, &Child::kill);
+}
+
+TEST(ClockFailure, NorDoesOneThatGetsMailAllTheTime) { expect_notice(Mode::real, get_mail_all_the_time, &Child::kill); }
 
 /// Whoever started it may be unable to kill it: an agent behind ssh. Robots must not go on without anybody who watches.
-TEST(ClockFailure, NorAStoppedHostUnderTheRealClock) {
-  int pipe_ends[2];
-  ASSERT_EQ(::pipe(pipe_ends), 0);
-  Child owner([&pipe_ends] {
-    HostOptions options;
-    options.mode = Mode::real;
-    options.participants = {"a"};
-    ClockHost host(options);
-    Child participant([&] {
-      const auto clock = attach_clock(host.fd(), "a");
-      (void)!::write(pipe_ends[1], clock->start() ? "r" : "n", 1);
-      (void)!::write(pipe_ends[1], clock->wait(kNever) == Wake::interrupted ? "y" : "n", 1);
-    });
-    if (!host.wait_ready(60).empty()) ::_exit(1);
-    host.run();
-  });
-  expect_end_with(owner, pipe_ends[0], &Child::stop);
-}
+TEST(ClockFailure, NorAStoppedHostUnderTheRealClock) { expect_notice(Mode::real, wait_for_mail, &Child::stop); }
 
 TEST(ClockFailure, ASignalHandlerMayInterrupt) {
   HostOptions options;
