@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "can_rig.hpp"
@@ -101,69 +99,47 @@ TEST(CanHardware, ADriveThatCountsBackwardsAndInUnitsOfItsOwnIsNoOther) {
 }
 
 TEST_P(EveryMode, NoAxisIsLetGoBeforeAllDrivesAreReady) {
-  const Gantry model;
-  const config::DriveTable table = table_for(model.parameters(), GetParam());
-  const TestBus bus;
-  Rack rack(table, model, bus, true);
-  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
-  hardware.open();
-  rack.with([](auto& nodes) { nodes[2].hold_back(true); });
-  hardware.enable(true);
-  Tick tick = 0;
-  HardwareInput input;
-  const auto run = [&](Tick ticks) {
-    for (const Tick end = tick + ticks; tick < end; ++tick) {
-      hardware.read(tick, input);
-      hardware.set_points(input.motors, JointVector::Zero(4));
-      hardware.write(tick, JointVector::Zero(4));
-      rack.with([](auto& nodes) {
-        if (nodes[2].state() != DriveState::ready_to_switch_on) return;
-        for (const sim::DriveNode& node : nodes) EXPECT_FALSE(node.powered());
-      });
-    }
+  HeldGantry rig(GetParam());
+  rig.hardware->open();
+  rig.rack.with([](auto& nodes) { nodes[2].hold_back(true); });
+  rig.hardware->enable(true);
+  rig.after_tick = [&rig] {
+    rig.rack.with([](auto& nodes) {
+      if (nodes[2].state() != DriveState::ready_to_switch_on) return;
+      for (const sim::DriveNode& node : nodes) EXPECT_FALSE(node.powered());
+    });
   };
-  run(100);
-  EXPECT_TRUE(hardware.busy());
-  rack.with([](auto& nodes) {
+  rig.run(100);
+  EXPECT_TRUE(rig.hardware->busy());
+  rig.rack.with([](auto& nodes) {
     EXPECT_EQ(nodes[0].state(), DriveState::switched_on);
     nodes[2].hold_back(false);
   });
-  run(20);
-  EXPECT_FALSE(hardware.busy());
-  rack.with([](auto& nodes) {
+  rig.run(20);
+  EXPECT_FALSE(rig.hardware->busy());
+  rig.rack.with([](auto& nodes) {
     for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::operation_enabled);
     nodes[2].hold_back(true);
   });
   // and who is not ready in time is named, not those that wait for him
-  hardware.enable(false);
-  run(100);
-  hardware.enable(true);
-  run(1100);
-  EXPECT_EQ(input.fault, ErrorCode::drive_not_ready);
-  EXPECT_EQ(input.fault_axis, 2);
+  rig.hardware->enable(false);
+  rig.run(100);
+  rig.hardware->enable(true);
+  rig.run(1100);
+  EXPECT_EQ(rig.input.fault, ErrorCode::drive_not_ready);
+  EXPECT_EQ(rig.input.fault_axis, 2);
 }
 
 TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
-  const Gantry model;
-  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
-  const TestBus bus;
-  Rack rack(table, model, bus, true);
-  {
-    CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
-    hardware.open();
-    hardware.enable(true);
-    HardwareInput input;
-    input.motors = input.current = JointVector::Zero(4);
-    for (Tick tick = 0; tick < 20; ++tick) {
-      hardware.read(tick, input);
-      hardware.set_points(input.motors, JointVector::Zero(4));
-      hardware.write(tick, JointVector::Zero(4));
-    }
-    EXPECT_FALSE(hardware.busy()) << "they are on";
-  }
-  const auto powered = [&rack] {
+  HeldGantry rig;
+  rig.hardware->open();
+  rig.hardware->enable(true);
+  rig.run(20);
+  EXPECT_FALSE(rig.hardware->busy()) << "they are on";
+  rig.hardware.reset();
+  const auto powered = [&rig] {
     bool any = false;
-    rack.with([&any](auto& nodes) {
+    rig.rack.with([&any](auto& nodes) {
       for (const sim::DriveNode& node : nodes) any = any || node.powered();
     });
     return any;
@@ -171,223 +147,9 @@ TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
   for (int i = 0; i < 5000 && powered(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_FALSE(powered());
   // a second master finds them, whatever the first has left
-  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
-  hardware.open();
-  rack.with([](auto& nodes) {
-    for (const sim::DriveNode& node : nodes) EXPECT_FALSE(node.powered());
-  });
-}
-
-/// Time of the simulated drives goes by: that of so many SYNCs.
-void let_pass(const TestBus& bus, const Rack& rack, std::uint64_t syncs) {
-  const auto other = bus.open();
-  for (const std::uint64_t end = rack.cycles() + syncs; rack.cycles() < end;) {
-    const std::uint64_t before = rack.cycles();
-    other->send(canopen::sync_frame());
-    while (rack.cycles() == before) std::this_thread::yield();
-  }
-}
-
-TEST(CanHardware, ASecondRunClearsTheFaultThatTheEndOfTheFirstHasLeft) {
-  const Gantry model;
-  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
-  const TestBus bus;
-  Rack rack(table, model, bus, true);
-  for (int run = 0; run < 3; ++run) {
-    auto hardware = std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
-    hardware->open();
-    hardware->enable(true);
-    HardwareInput input;
-    for (Tick tick = 0; tick < 60; ++tick) {
-      hardware->read(tick, input);
-      hardware->set_points(input.motors, JointVector::Zero(4));
-      hardware->write(tick, JointVector::Zero(4));
-    }
-    EXPECT_EQ(input.fault, ErrorCode::none) << describe(input.fault);
-    EXPECT_FALSE(hardware->busy()) << "they are on";
-    hardware.reset();
-    let_pass(bus, rack, static_cast<std::uint64_t>(4 * table.heartbeat / kCanPeriod));
-    rack.with([](auto& nodes) {
-      for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::fault) << "no master";
-    });
-  }
-}
-
-TEST(CanHardware, AFaultThatStaysEndsTheStart) {
-  const Gantry model;
-  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
-  const TestBus bus;
-  Rack rack(table, model, bus, true);
-  CanHardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true).open();
-  rack.with([](auto& nodes) {
-    nodes[1].fail(0x7305);
-    nodes[1].keep_fault(true);
-  });
-  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
-  try {
-    hardware.open();
-    FAIL() << "it has started";
-  } catch (const HardwareError& error) {
-    EXPECT_EQ(error.code(), ErrorCode::drive_fault);
-    EXPECT_NE(std::string(error.what())
-                  .find("drive y, node 2: stays in its fault: error code 7305h, incremental sensor 1 fault"),
-              std::string::npos)
-        << error.what();
-  }
-}
-
-TEST(CanHardware, DrivesThatStartThemselvesAreSetUpBeforeTheyGoOn) {
-  const Gantry model;
-  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
-  const TestBus bus;
-  Rack rack(table, model, bus, true);
-  rack.with([](auto& nodes) {
-    for (sim::DriveNode& node : nodes) node.start_itself(true);
-  });
-  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
-  hardware.open();
-  Tick tick = 0;
-  HardwareInput input;
-  const auto run = [&](Tick ticks) {
-    for (const Tick end = tick + ticks; tick < end; ++tick) {
-      hardware.read(tick, input);
-      hardware.set_points(input.motors, JointVector::Zero(4));
-      hardware.write(tick, JointVector::Zero(4));
-    }
-  };
-  run(20);
-  EXPECT_EQ(input.fault, ErrorCode::none) << describe(input.fault);
-  const auto boot = [&rack] { rack.with([](auto& nodes) { nodes[1].boot(1); }); };
-  boot();
-  run(20);
-  EXPECT_EQ(input.fault, ErrorCode::drive_restarted);
-  hardware.reset_fault();
-  run(5);
-  boot();  // again, while it is being set up, or just after
-  const auto settle = [&] {
-    for (int i = 0; i < 500 && hardware.busy(); ++i) run(1);
-    run(1);
-  };
-  settle();
-  if (input.fault == ErrorCode::drive_restarted) {
-    hardware.reset_fault();
-    settle();
-  }
-  EXPECT_EQ(input.fault, ErrorCode::none) << describe(input.fault);
-}
-
-TEST(CanHardware, WhoBootsOnceMoreWhileOthersAreSetUpIsSetUpAnew) {
-  const Gantry model;
-  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
-  const TestBus bus;
-  Rack rack(table, model, bus, true);
-  rack.with([](auto& nodes) { nodes[3].lose_requests(1); });  // until it is asked again there is time
-  const auto ear = bus.open();
-  std::thread late_reset([&] {
-    can::Frame frame;
-    while (frame.id != canopen::kSdoRequest + 4) ear->receive(frame, INT64_MAX);
-    rack.with([](auto& nodes) { nodes[0].boot(1); });
-  });
-  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
-  EXPECT_NO_THROW(hardware.open());
-  late_reset.join();
-  HardwareInput input;
-  hardware.read(0, input);
-  EXPECT_EQ(input.fault, ErrorCode::none) << describe(input.fault);
-  rack.with([](auto& nodes) {
-    for (const sim::DriveNode& node : nodes) EXPECT_TRUE(node.operational());
-  });
-}
-
-TEST(CanHardware, WhoBootsAgainAndAgainIsNotStarted) {
-  const Gantry model;
-  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
-  const TestBus bus;
-  Rack rack(table, model, bus, true);
-  rack.with([](auto& nodes) { nodes[1].boot_at_requests(true); });
-  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
-  std::string problem;
-  try {
-    hardware.open();
-  } catch (const HardwareError& error) {
-    problem = error.what();
-  }
-  EXPECT_NE(problem.find("drive y, node 2: it boots again and again"), std::string::npos) << problem;
-}
-
-TEST(CanHardware, ADriveThatTellsNoSwitchesIsNotStarted) {
-  const Gantry model;
-  const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
-  const TestBus bus;
-  Rack rack(table, model, bus, true);
-  rack.with([](auto& nodes) { nodes[3].withhold_status(true); });
-  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, true);
-  try {
-    hardware.open();
-    FAIL() << "it has started";
-  } catch (const HardwareError& error) {
-    EXPECT_EQ(error.code(), ErrorCode::hardware_silent);
-    EXPECT_NE(std::string(error.what()).find("node 4: no TPDO 2"), std::string::npos) << error.what();
-  }
-}
-
-/// What `open` says with these drives on the bus.
-std::string refusal(const config::DriveTable& wanted, const config::DriveTable& there, bool synchronised = true) {
-  const Gantry model;
-  const TestBus bus;
-  Rack rack(there, model, bus, true);
-  CanHardware hardware(wanted, model.parameters(), kCanPeriod, bus.open(), kTestTiming, synchronised);
-  try {
-    hardware.open();
-  } catch (const HardwareError& error) {
-    return std::string(describe(error.code())).append(": ").append(error.what());
-  }
-  return "";
-}
-
-TEST(CanHardware, WhatIsWrongWithADriveIsSaidByNameBeforeAnythingMoves) {
-  const config::DriveTable good = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
-  config::DriveTable table = good;
-  table.drives[2].settings.push_back({{0x6041, 0}, "Statusword", 1, 2});
-  const std::string read_only = refusal(table, good);
-  EXPECT_NE(read_only.find("drive z, node 3: refuses Statusword = 1: attempt to write a read only object"),
-            std::string::npos)
-      << read_only;
-  table = good;
-  table.drives[3].node = 9;
-  const std::string absent = refusal(table, good);
-  EXPECT_NE(absent.find("node 9: no boot-up message within"), std::string::npos) << absent;
-}
-
-/// The standard EDS file with `text` in place of `found`, which it has once.
-canopen::EdsFile changed_eds(const std::string& found, const std::string& text) {
-  std::ifstream file(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia402.eds");
-  std::string eds{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_NE(eds.find(found), std::string::npos);
-  return canopen::EdsFile::parse(eds.replace(eds.find(found), found.size(), text), "changed");
-}
-
-TEST(CanHardware, ModesAreDemandedThatWillBeUsed) {
-  const config::DriveTable good = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
-  const std::string modes = "DefaultValue=0x000003A0";
-  config::DriveTable there = good;
-  there.eds = changed_eds(modes, "DefaultValue=0x20");
-  const std::string homes_alone = refusal(good, there);
-  EXPECT_NE(homes_alone.find("drive x, node 1: has no mode cyclic synchronous position, expected bit 7 in its "
-                             "supported modes, 6502h, which are 32"),
-            std::string::npos)
-      << homes_alone;
-  there.eds = changed_eds(modes, "DefaultValue=0x80");
-  EXPECT_EQ(refusal(good, there), "") << "it is synchronised: nobody asks it to home";
-  const std::string does_not_home = refusal(good, there, false);
-  EXPECT_NE(does_not_home.find("has no mode homing"), std::string::npos) << does_not_home;
-  // 6502h may be left out, 1000h may not
-  there.eds = changed_eds("[6502]", "[6503]");
-  EXPECT_EQ(refusal(good, there), "");
-  there.eds = changed_eds("AccessType=ro", "AccessType=wo");
-  const std::string unreadable = refusal(good, there);
-  EXPECT_EQ(unreadable.find(describe(ErrorCode::configuration)), 0u) << unreadable;
-  EXPECT_NE(unreadable.find("object 1000h"), std::string::npos) << unreadable;
+  rig.connect();
+  rig.hardware->open();
+  EXPECT_FALSE(powered());
 }
 
 }  // namespace

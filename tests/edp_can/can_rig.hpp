@@ -109,6 +109,53 @@ class Rack {
   std::thread thread_;
 };
 
+/// The driver without a servo, its drives on a bus: whatever they are told keeps them where they are.
+struct HeldGantry {
+  explicit HeldGantry(canopen::DriveMode mode = canopen::DriveMode::cyclic_position)
+      : HeldGantry(table_for(Gantry{}.parameters(), mode)) {}
+  /// The drives `there` are those on the bus.
+  explicit HeldGantry(const config::DriveTable& wanted) : HeldGantry(wanted, wanted) {}
+  HeldGantry(const config::DriveTable& wanted, const config::DriveTable& there, bool synchronised = true)
+      : table(wanted), rack(there, model, bus, true), synchronised_(synchronised) {
+    connect();
+  }
+  /// A new run: the driver of the one before has ended.
+  void connect() {
+    hardware.reset();
+    hardware =
+        std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, synchronised_);
+  }
+  void run(Tick ticks) {
+    for (const Tick end = tick + ticks; tick < end; ++tick) {
+      hardware->read(tick, input);
+      hardware->set_points(input.motors, JointVector::Zero(4));
+      hardware->write(tick, JointVector::Zero(4));
+      if (after_tick) after_tick();
+    }
+  }
+  /// What `open` says, the code's text first; empty: the drives are in service.
+  std::string refusal() {
+    try {
+      hardware->open();
+    } catch (const HardwareError& error) {
+      return std::string(describe(error.code())).append(": ").append(error.what());
+    }
+    return "";
+  }
+
+  Gantry model;
+  config::DriveTable table;
+  TestBus bus;
+  Rack rack;
+  std::unique_ptr<CanHardware> hardware;
+  std::function<void()> after_tick;
+  Tick tick = 0;
+  HardwareInput input;
+
+ private:
+  bool synchronised_;
+};
+
 /// A robot whose servo drives it over the bus.
 template <class Model>
 struct CanRig {
