@@ -17,8 +17,8 @@ using namespace canopen;
 
 constexpr std::uint32_t kFunction = 0x780, kNode = 0x7f;
 
-double radians(const config::DriveEntry& entry, std::int64_t units) {
-  return static_cast<double>(units) * 2 * std::numbers::pi / entry.units_per_turn;
+double radians(std::int64_t units, double units_per_turn) {
+  return static_cast<double>(units) * 2 * std::numbers::pi / units_per_turn;
 }
 
 double amperes(const config::DriveEntry& entry, std::int64_t per_mille) {
@@ -74,13 +74,13 @@ std::optional<std::string> FrameWords::process_data(const can::Frame& frame, Nam
           !pdos_.feedback.read(frame, kTorqueActual, true, third))
         return {};
       return fmt::format("TPDO 1: {}; {:.5f} rad, {:.3f} A",
-                         statusword_text(static_cast<std::uint16_t>(first), drive.mode), radians(entry, second),
-                         amperes(entry, third));
+                         statusword_text(static_cast<std::uint16_t>(first), drive.mode),
+                         radians(second, entry.units_per_turn), amperes(entry, third));
     case kTransmitPdo1 + 0x100:
       if (!pdos_.status.read(frame, kVelocityActual, true, first) ||
           !pdos_.status.read(frame, kDigitalInputs, false, second))
         return {};
-      return fmt::format("TPDO 2: {:.4f} rad/s; {}", radians(entry, first),
+      return fmt::format("TPDO 2: {:.4f} rad/s; {}", radians(first, entry.velocity_units_per_turn),
                          switches_text(static_cast<std::uint32_t>(second)));
     case kReceivePdo1:
       if (frame.size < pdos_.command.size()) return {};
@@ -99,9 +99,9 @@ std::string FrameWords::command(const can::Frame& frame, Named& drive) const {
   std::string text = fmt::format(
       "RPDO 1: {}; {}", controlword_text(static_cast<std::uint16_t>(controlword), drive.mode), describe(drive.mode));
   if (pdos_.command.read(frame, kTargetPosition, true, target))
-    text += fmt::format(", {:.5f} rad", radians(entry, target));
+    text += fmt::format(", {:.5f} rad", radians(target, entry.units_per_turn));
   if (pdos_.command.read(frame, kTargetVelocity, true, target))
-    text += fmt::format(", {:.4f} rad/s", radians(entry, target));
+    text += fmt::format(", {:.4f} rad/s", radians(target, entry.velocity_units_per_turn));
   if (pdos_.command.read(frame, kTargetTorque, true, target)) text += fmt::format(", {:.3f} A", amperes(entry, target));
   return text;
 }

@@ -33,6 +33,7 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
     : node_(entry.node),
       mode_(table.mode),
       rad_per_unit_(2 * std::numbers::pi / entry.units_per_turn),
+      rad_per_velocity_unit_(2 * std::numbers::pi / entry.velocity_units_per_turn),
       rated_current_(entry.rated_current),
       position_gain_(entry.position_gain),
       absolute_(table.absolute_encoders),
@@ -122,7 +123,7 @@ void Drive::take_status(const can::Frame& frame) noexcept {
   if (!pdos_.status.read(frame, kVelocityActual, true, velocity) ||
       !pdos_.status.read(frame, kDigitalInputs, false, inputs))
     return;  // too short
-  velocity_ = static_cast<double>(velocity) * rad_per_unit_;
+  velocity_ = static_cast<double>(velocity) * rad_per_velocity_unit_;
   inputs_ = static_cast<std::uint32_t>(inputs);
   without_status_ = 0;
   knows_switches_ = true;
@@ -303,13 +304,14 @@ can::Frame Drive::command(const Target& target) noexcept {
   if (!on) return command_frame(word, static_cast<double>(raw_), 0, 0);
   const double error = target.position - position();
   return command_frame(word, (target.position - offset_) / rad_per_unit_,
-                       (target.velocity + position_gain_ * error) / rad_per_unit_,
+                       (target.velocity + position_gain_ * error) / rad_per_velocity_unit_,
                        (reversed_ ? -1 : 1) * target.current / rated_current_ * kPerMille);
 }
 
 can::Frame Drive::hold(bool release) noexcept {
   const std::uint16_t word = controlword(release);
-  return command_frame(word, static_cast<double>(held_), position_gain_ * static_cast<double>(held_ - raw_), 0);
+  const double error = static_cast<double>(held_ - raw_) * rad_per_unit_;
+  return command_frame(word, static_cast<double>(held_), position_gain_ * error / rad_per_velocity_unit_, 0);
 }
 
 }  // namespace mrroc::edp

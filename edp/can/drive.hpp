@@ -107,7 +107,7 @@ class Drive {
   // from the table
   canopen::NodeId node_;
   canopen::DriveMode mode_;
-  double rad_per_unit_, rated_current_, position_gain_;
+  double rad_per_unit_, rad_per_velocity_unit_, rated_current_, position_gain_;
   bool absolute_;
   Tick heartbeat_ticks_, switch_on_ticks_;
   Tick select_ticks_, stale_ticks_, instant_ticks_, homing_ticks_max_;

@@ -75,10 +75,11 @@ std::array<int, 2> period_of(const config::DriveTable& table, double period) {
                                    "up to 255 whole units of a power of ten, as CiA 402 object 60C2h says it");
 }
 
-/// Units per s, as an object of 32 bits takes them.
-std::int64_t speed(const config::DriveTable& table, const config::DriveEntry& drive, double units) {
+/// Of a shaft, rad/s, in velocity units as an object of 32 bits takes them.
+std::int64_t speed(const config::DriveTable& table, const config::DriveEntry& drive, double shaft) {
   constexpr double kMost = 0xffffffff;
-  if (std::abs(units) <= kMost) return std::llround(std::abs(units));
+  const double units = std::abs(shaft * drive.velocity_units_per_turn / (2 * std::numbers::pi));
+  if (units <= kMost) return std::llround(units);
   throw config::ConfigurationError(table.file, 0, "drives." + drive.axis,
                                    "a homing speed of " + std::to_string(units) + " units per s", "at most 2^32 - 1");
 }
@@ -113,13 +114,12 @@ std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table
   list.add_known(kQuickStopOption, kSlowDownAndDisable, 2);
   list.add_known(kFaultReactionOption, kSlowDownAndDisable, 2);
   list.add_known(kAbortConnectionOption, kFault, 2);
-  const double units = drive.units_per_turn / (2 * std::numbers::pi);
   // makers differ in its sign: a drive counts from its home position, and we add where that is
   if (!table.absolute_encoders) list.add_known(kHomeOffset, 0, 4);
   if (drive.homing.method != 0) {
     list.add_known(kHomingMethod, drive.homing.method, 1);
-    list.add_known(kHomingSpeedSwitch, speed(table, drive, drive.homing.speed_switch * units), 4);
-    list.add_known(kHomingSpeedZero, speed(table, drive, drive.homing.speed_zero * units), 4);
+    list.add_known(kHomingSpeedSwitch, speed(table, drive, drive.homing.speed_switch), 4);
+    list.add_known(kHomingSpeedZero, speed(table, drive, drive.homing.speed_zero), 4);
   }
   for (const config::DriveSetting& setting : drive.settings) list.settings_.push_back(setting);
   return list.settings_;

@@ -18,6 +18,7 @@ DriveNode::DriveNode(const config::DriveTable& table, const config::DriveEntry& 
                      double period, Send send)
     : node_(entry.node),
       units_per_rad_(entry.units_per_turn / (2 * std::numbers::pi)),
+      velocity_units_per_rad_(entry.velocity_units_per_turn / (2 * std::numbers::pi)),
       rated_current_(entry.rated_current),
       reversed_(entry.units_per_turn < 0),
       absolute_(table.absolute_encoders),

@@ -100,7 +100,7 @@ class DriveNode {
   };
 
   canopen::NodeId node_;
-  double units_per_rad_, rated_current_;
+  double units_per_rad_, velocity_units_per_rad_, rated_current_;
   bool reversed_, absolute_;
   Send send_;
   ObjectStore store_;

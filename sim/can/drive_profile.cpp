@@ -44,7 +44,7 @@ void DriveNode::obey() {
     homed_ = true;
   } else if (method == 3 || method == 5) {
     const double to_positive = (method == 3) == !reversed_ ? 1 : -1;
-    const double scale = std::abs(1 / units_per_rad_);
+    const double scale = std::abs(1 / velocity_units_per_rad_);
     motor_.start_homing(to_positive, static_cast<double>(store_.number(kHomingSpeedSwitch)) * scale,
                         static_cast<double>(store_.number(kHomingSpeedZero)) * scale);
     homing_ = edp::Synchroniser::Status::running;
@@ -57,7 +57,7 @@ void DriveNode::measure(double position, double current, const edp::AxisSwitches
   position_ = position;
   motor_.measure(position_, switches);
   store_.set(kPositionActual, units(position_));
-  store_.set(kVelocityActual, std::llround(motor_.velocity() * units_per_rad_));
+  store_.set(kVelocityActual, std::llround(motor_.velocity() * velocity_units_per_rad_));
   store_.set(kTorqueActual, std::llround((reversed_ ? -current : current) / rated_current_ * kPerMille));
   const bool negative = reversed_ ? switches.upper_limit : switches.lower_limit;
   const bool positive = reversed_ ? switches.lower_limit : switches.upper_limit;
@@ -96,7 +96,7 @@ double DriveNode::home() {
 
 double DriveNode::drive() {
   if (state_ == DriveState::quick_stop_active || state_ == DriveState::fault_reaction_active) {
-    const auto ramp = static_cast<double>(store_.number(kQuickStopDeceleration)) / std::abs(units_per_rad_);
+    const auto ramp = static_cast<double>(store_.number(kQuickStopDeceleration)) / std::abs(velocity_units_per_rad_);
     const double current = motor_.slow_down(ramp > 0 ? ramp : kUsualDeceleration);
     if (motor_.stands())
       state_ = state_ == DriveState::quick_stop_active ? DriveState::switch_on_disabled : DriveState::fault;
@@ -112,7 +112,7 @@ double DriveNode::drive() {
       return motor_.follow_position(shaft(target));
     }
     case DriveMode::cyclic_velocity:
-      return motor_.follow_velocity(static_cast<double>(store_.number(kTargetVelocity)) / units_per_rad_);
+      return motor_.follow_velocity(static_cast<double>(store_.number(kTargetVelocity)) / velocity_units_per_rad_);
     case DriveMode::cyclic_torque:
       return motor_.follow_current((reversed_ ? -1 : 1) * static_cast<double>(store_.number(kTargetTorque)) /
                                    kPerMille * rated_current_);

@@ -70,6 +70,22 @@ double read_units(const Table& table, const AxisParameters& axis) {
   return units;
 }
 
+/// A speed that becomes 0 would keep the drive looking for its switch for ever.
+void check_homing_speed(const Table& table, const std::string& key, double speed, double units_per_turn) {
+  if (speed == 0 || speed * units_per_turn / (2 * std::numbers::pi) >= 0.5) return;
+  table.fail(
+      table.has(key) ? key : "velocity_units_per_turn",
+      (table.has(key) ? "" : key + " ") + number_text(speed) + " rad/s is less than half a velocity unit of the drive",
+      "at least " + number_text(std::ceil(1e3 * std::numbers::pi / units_per_turn) / 1e3) + " rad/s, or finer units");
+}
+
+double read_velocity_units(const Table& table, const DriveEntry& drive) {
+  const double units = table.number_or("velocity_units_per_turn", std::abs(drive.units_per_turn), {1, 1e9});
+  check_homing_speed(table, "homing_speed_switch", drive.homing.speed_switch, units);
+  check_homing_speed(table, "homing_speed_zero", drive.homing.speed_zero, units);
+  return std::copysign(units, drive.units_per_turn);
+}
+
 double read_rated_current(const Table& table, const AxisParameters& axis) {
   const double rated = table.number("rated_current", {1e-3, 1e4});
   const double least = axis.current_max / kGreatestCurrentRatio, greatest = axis.current_max / kLeastCurrentRatio;
@@ -93,6 +109,7 @@ DriveEntry read_drive(const Table& table, const AxisParameters& axis, DriveMode 
   else if (table.has("position_gain"))
     table.fail("position_gain", "a drive that gets no velocity", "mode = \"velocity\", or no such key");
   drive.homing = read_homing(table, axis);
+  drive.velocity_units_per_turn = read_velocity_units(table, drive);
   return drive;
 }
 
@@ -102,8 +119,8 @@ std::vector<const Table*> by_axis(const Table& file, const std::vector<Table>& t
   for (const AxisParameters& axis : robot.axes) names.push_back(axis.name);
   std::vector<const Table*> sorted(names.size(), nullptr);
   for (const Table& table : tables) {
-    table.only({"axis", "node", "units_per_turn", "reversed", "rated_current", "position_gain", "homing_method",
-                "homing_speed_switch", "homing_speed_zero", "objects"});
+    table.only({"axis", "node", "units_per_turn", "velocity_units_per_turn", "reversed", "rated_current",
+                "position_gain", "homing_method", "homing_speed_switch", "homing_speed_zero", "objects"});
     const std::string name = table.choice("axis", names);
     const Table*& place = sorted[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
     if (place != nullptr) table.fail("axis", in_quotes(name) + " has an earlier drive", "one drive for each axis");

@@ -33,8 +33,10 @@ struct DriveEntry {
   std::string axis;
   canopen::NodeId node = 0;
   double units_per_turn = 0;  ///< position units (6064h) per revolution of the shaft; below 0: it counts backwards
-  double rated_current = 0;   ///< A: 1000 per mille of torque (6071h, 6077h)
-  double position_gain = 0;   ///< 1/s, cyclic velocity: speed per rad of position error
+  /// Velocity units (606Ch, 60FFh, 6099h) per revolution per second, with the same sign.
+  double velocity_units_per_turn = 0;
+  double rated_current = 0;  ///< A: 1000 per mille of torque (6071h, 6077h)
+  double position_gain = 0;  ///< 1/s, cyclic velocity: speed per rad of position error
   DriveHoming homing;
   std::vector<DriveSetting> settings;  ///< in the order of the file, those of all drives first
 };

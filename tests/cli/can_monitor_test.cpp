@@ -75,6 +75,17 @@ TEST(FrameWords, OfADriveThatCountsBackwards) {
             "column TPDO 1: operation enabled, target reached, follows command; 6.28319 rad, -2.500 A");
 }
 
+TEST(FrameWords, OfADriveThatTellsRevolutionsPerMinute) {
+  Cycle cycle;
+  cycle.table.drives[0].velocity_units_per_turn = 60;
+  cycle.table.mode = DriveMode::cyclic_velocity;
+  FrameWords words(cycle.table);
+  EXPECT_EQ(words.line(pdo(0x281, cycle.pdos.status, {30, 0})), "column TPDO 2: 3.1416 rad/s; no switch");
+  const auto velocity = edp::drive_pdos(cycle.table.mode).command;
+  EXPECT_EQ(words.line(pdo(0x201, velocity, {kEnableOperation, 90, 9})),
+            "column RPDO 1: enable operation; cyclic synchronous velocity, 9.4248 rad/s");
+}
+
 TEST(FrameWords, OfOtherModes) {
   Cycle cycle;
   cycle.table.mode = DriveMode::cyclic_torque;

@@ -89,6 +89,7 @@ TEST_F(DriveTableTest, MostMayBeLeftOut) {
   EXPECT_EQ(column.axis, "column");
   EXPECT_EQ(column.node, 1);
   EXPECT_EQ(column.units_per_turn, 4000);
+  EXPECT_EQ(column.velocity_units_per_turn, 4000);
   EXPECT_EQ(column.rated_current, 10);
   EXPECT_EQ(column.position_gain, 0);
   EXPECT_TRUE(column.settings.empty());
@@ -101,7 +102,8 @@ TEST_F(DriveTableTest, ReadsEveryKey) {
       "answer_time = 0.75\nmissed_max = 5\nset_points = 'at once'\nstatus_every = 10\n" +
       drive("column", 1, gain) + drive("arm", 2, gain) +
       drive("belt", 3,
-            "units_per_turn = 65536\nreversed = true\nposition_gain = 40\nhoming_method = 17\n"
+            "units_per_turn = 65536\nvelocity_units_per_turn = 600\nreversed = true\nposition_gain = 40\nhoming_method "
+            "= 17\n"
             "homing_speed_switch = 12\nhoming_speed_zero = 1.5\n"));
   EXPECT_EQ(drives.mode, DriveMode::cyclic_velocity);
   EXPECT_TRUE(drives.absolute_encoders);
@@ -114,6 +116,7 @@ TEST_F(DriveTableTest, ReadsEveryKey) {
   EXPECT_EQ(drives.drives[0].position_gain, 30);
   const DriveEntry& belt = drives.drives[2];
   EXPECT_EQ(belt.units_per_turn, -65536);
+  EXPECT_EQ(belt.velocity_units_per_turn, -600);
   EXPECT_EQ(belt.position_gain, 40);
   EXPECT_EQ(belt.homing.method, 17);
   EXPECT_EQ(belt.homing.speed_switch, 12);
@@ -187,7 +190,8 @@ TEST_F(DriveTableTest, RefusesASlipInAKeyFirst) {
   EXPECT_EQ(
       message(table("", "homing = 3\n")),
       "crane_drives.toml:7: drives[0].homing: unknown key, expected 'axis', 'homing_method', 'homing_speed_switch', "
-      "'homing_speed_zero', 'node', 'objects', 'position_gain', 'rated_current', 'reversed' or 'units_per_turn'");
+      "'homing_speed_zero', 'node', 'objects', 'position_gain', 'rated_current', 'reversed', 'units_per_turn' or "
+      "'velocity_units_per_turn'");
 }
 
 TEST_F(DriveTableTest, RefusesWhatIsMissing) {
@@ -234,6 +238,13 @@ TEST_F(DriveTableTest, RefusesNumbersThatMakeNoSense) {
   EXPECT_EQ(message(table("", "units_per_turn = 1e8\n")),
             "crane_drives.toml:7: drives[0].units_per_turn: 1e+08 make the shaft's range longer than 32 bits, expected "
             "at most 26986075 for its motor_min and motor_max");
+  EXPECT_EQ(message(table("", "velocity_units_per_turn = 0\n")),
+            "crane_drives.toml:7: drives[0].velocity_units_per_turn: 0 is out of range, expected a number from 1 to "
+            "1e+09");
+  EXPECT_EQ(message(table("", "homing_speed_zero = 0.05\nvelocity_units_per_turn = 60\n")),
+            "crane_drives.toml:7: drives[0].homing_speed_zero: 0.05 rad/s is less than half a velocity unit "
+            "of the drive, expected at least 0.053 rad/s, or finer units");
+  EXPECT_EQ(message(table("", "velocity_units_per_turn = 60\n")), "");
   EXPECT_EQ(message(table("", "homing_method = 0\n")),
             "crane_drives.toml:7: drives[0].homing_method: 0 is none of CiA 402, expected 1 to 14, 17 to 30, 33 to 35, "
             "37, or one of the maker's own below 0");

@@ -84,11 +84,13 @@ TEST(CanHardware, AnEmergencyStopEndsTheSwitchingOn) {
   EXPECT_TRUE(rig.seen().enabled);
 }
 
-TEST(CanHardware, ADriveThatCountsBackwardsAndInUnitsOfItsOwnIsNoOther) {
-  config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
-  table.drives[1].units_per_turn = -4000;
+TEST_P(EveryMode, ADriveThatCountsBackwardsAndInUnitsOfItsOwnIsNoOther) {
+  config::DriveTable table = table_for(Gantry{}.parameters(), GetParam());
+  table.drives[1].units_per_turn = table.drives[1].velocity_units_per_turn = -4000;
   table.drives[2].units_per_turn = 65536;
+  table.drives[2].velocity_units_per_turn = 600;  // a tenth of a revolution per minute
   table.drives[3].units_per_turn = -1000;
+  table.drives[3].velocity_units_per_turn = -100000;
   CanRig<Gantry> rig(table, true);
   const JointVector begin = rig.seen().joints;
   const JointVector way = JointVector::Constant(4, 0.1);

@@ -37,7 +37,7 @@ inline config::DriveTable table_for(const RobotParameters& robot, canopen::Drive
     config::DriveEntry drive;
     drive.axis = axis.name;
     drive.node = static_cast<canopen::NodeId>(table.drives.size() + 1);
-    drive.units_per_turn = axis.encoder_increments;
+    drive.units_per_turn = drive.velocity_units_per_turn = axis.encoder_increments;
     drive.rated_current = 10;
     drive.position_gain = 20;
     drive.homing = {static_cast<std::int8_t>(axis.synchro_coarse > 0 ? 3 : 5), std::abs(axis.synchro_coarse),

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "can_rig.hpp"
 #include "canopen/object_value.hpp"
@@ -63,6 +64,15 @@ TEST(DriveSetup, WhoDoesNotHomeIsToldNothingOfIt) {
   const auto all = drive_settings(table, table.drives[0], kCanPeriod);
   for (const Object object : {kHomingMethod, kHomingSpeedSwitch, kHomingSpeedZero}) EXPECT_EQ(last(all, object), -1);
   EXPECT_NE(last(settings(DriveMode::cyclic_position), kHomingSpeedZero), -1);
+}
+
+TEST(DriveSetup, HomingSpeedsAreWrittenInVelocityUnits) {
+  config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
+  table.drives[0].velocity_units_per_turn = -60;  // revolutions per minute, backwards
+  table.drives[0].homing = {3, 2 * std::numbers::pi, 0.2 * std::numbers::pi};
+  const auto all = drive_settings(table, table.drives[0], kCanPeriod);
+  EXPECT_EQ(last(all, kHomingSpeedSwitch), 60);
+  EXPECT_EQ(last(all, kHomingSpeedZero), 6);
 }
 
 TEST(DriveSetup, TheTablesOwnValueIsWrittenInPlaceOfOurs) {

@@ -95,6 +95,35 @@ TEST_F(DriveTest, ReadsItsShaftAndItsCurrent) {
   EXPECT_DOUBLE_EQ(drive.current(), -5.0);
 }
 
+/// One that counts 65536 units a turn backwards, and its velocity in revolutions per minute.
+TEST(DriveUnits, VelocitiesMayBeOthersThanPositions) {
+  for (const DriveMode mode : {DriveMode::cyclic_position, DriveMode::cyclic_velocity}) {
+    config::DriveTable table = table_for(Slide{}.parameters(), mode);
+    config::DriveEntry& entry = table.drives[0];
+    entry.units_per_turn = -65536;
+    entry.velocity_units_per_turn = -60;
+    entry.position_gain = 2;
+    Drive drive(table, entry, kCanPeriod, 0);
+    drive.begin(0);
+    drive.enable(true, 0);
+    can::Frame next, frame{0x181, {0, 0, 0, 0, 0, 0, 0, 0}};
+    can::put(frame.data, 0, 2, status_bits(DriveState::operation_enabled));
+    ASSERT_TRUE(drive.take(frame, 1, next));
+    can::Frame status{0x281, {0, 0, 0, 0, 0, 0, 0, 0}};
+    can::put(status.data, 0, 4, static_cast<std::uint32_t>(-90));
+    ASSERT_TRUE(drive.take(status, 1, next));
+    EXPECT_DOUBLE_EQ(drive.velocity(), 3 * std::numbers::pi);
+    // half a turn away, and a turn per second: 2 of half a turn more
+    const can::Frame command = drive.command({0, std::numbers::pi, 2 * std::numbers::pi});
+    const std::int64_t target = can::sign_extended(can::get(command.bytes(), 2, 4), 4);
+    EXPECT_EQ(target, mode == DriveMode::cyclic_position ? -32768 : -120);
+    can::put(frame.data, 2, 4, 16384);  // it holds where it has come on
+    ASSERT_TRUE(drive.take(frame, 2, next));
+    const std::int64_t held = can::sign_extended(can::get(drive.hold(true).bytes(), 2, 4), 4);
+    EXPECT_EQ(held, mode == DriveMode::cyclic_position ? 0 : -30);
+  }
+}
+
 TEST_F(DriveTest, APositionGoesOnBeyond32Bits) {
   switch_on();
   say(status_bits(DriveState::operation_enabled), 0x7ffffff0);
