@@ -78,7 +78,7 @@ void FaultInjector::look(std::size_t index, Tick tick) {
     return;
   }
   const faults::Fault& fault = plan_.all()[index];
-  if (faults::target_of(fault.kind) == faults::Target::any_process) strike(fault);
+  if (faults::is_signal(fault.kind)) strike(fault);
 }
 
 /// Sends the signal and waits until it has acted, so that in simulated time no tick goes by.

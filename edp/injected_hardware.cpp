@@ -9,10 +9,7 @@ using faults::Kind;
 InjectedHardware::InjectedHardware(std::unique_ptr<Hardware> hardware, std::vector<faults::FaultSwitch> faults,
                                    const RobotParameters& parameters)
     : hardware_(std::move(hardware)), faults_(std::move(faults)), parameters_(parameters) {
-  for (const faults::FaultSwitch& each : faults_)
-    if (each.fault().axis >= parameters.axes.size())
-      throw NonFatalError(ErrorCode::invalid_argument, "the fault \"" + each.fault().text + "\": " + parameters.type +
-                                                           " has " + std::to_string(parameters.axes.size()) + " axes");
+  faults::check_axes(faults_, parameters);
 }
 
 void InjectedHardware::read(Tick tick, HardwareInput& input) noexcept {

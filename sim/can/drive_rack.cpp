@@ -18,8 +18,13 @@ constexpr std::int64_t kPatience = 100'000'000;  // ns: lockstep, for set-points
 }  // namespace
 
 DriveRack::DriveRack(const config::DriveTable& table, const RobotParameters& robot, double period, can::Bus& bus,
-                     edp::Hardware& plant, PlantTick plant_tick, Time time)
-    : bus_(bus), plant_(plant), plant_tick_(std::move(plant_tick)), time_(time), period_(std::llround(period * 1e9)) {
+                     edp::Hardware& plant, PlantTick plant_tick, Time time, AtCycle at_cycle)
+    : bus_(bus),
+      plant_(plant),
+      plant_tick_(std::move(plant_tick)),
+      time_(time),
+      at_cycle_(std::move(at_cycle)),
+      period_(std::llround(period * 1e9)) {
   nodes_.reserve(robot.axes.size());
   for (std::size_t i = 0; i < robot.axes.size(); ++i)
     nodes_.emplace_back(table, table.drives[i], robot.axes[i], period,
@@ -73,6 +78,7 @@ void DriveRack::take(const can::Frame& frame) {
 void DriveRack::begin_cycle(bool on_bus) {
   synced_ = clock::monotonic_ns();
   measure();
+  if (at_cycle_) at_cycle_(tick_, now(), nodes_);
   open_ = true;
   if (!on_bus) return drive();
   cycles_.fetch_add(1);

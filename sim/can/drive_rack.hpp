@@ -31,10 +31,12 @@ class DriveRack {
   using PlantTick = std::function<Newest(Tick last, bool wait, std::int64_t now)>;
   /// Of the drives' own time: by the wall, or by the plant's ticks where that is simulated.
   enum class Time { wall, plant };
+  /// What is to happen to the nodes at tick `tick` of the plant, before they answer its SYNC; `now`: their time, ns.
+  using AtCycle = std::function<void(Tick tick, std::int64_t now, std::vector<DriveNode>& nodes)>;
 
   /// `bus`, `plant` must outlive it. `period` in s.
   DriveRack(const config::DriveTable& table, const RobotParameters& robot, double period, can::Bus& bus,
-            edp::Hardware& plant, PlantTick plant_tick, Time time);
+            edp::Hardware& plant, PlantTick plant_tick, Time time, AtCycle at_cycle = {});
 
   /// The power comes on, then serves until `stop`. Throws what the plant throws.
   void serve();
@@ -60,6 +62,7 @@ class DriveRack {
   edp::Hardware& plant_;
   PlantTick plant_tick_;
   Time time_;
+  AtCycle at_cycle_;
   std::int64_t period_;  ///< ns
   std::vector<DriveNode> nodes_;
   edp::HardwareInput input_;

@@ -15,6 +15,7 @@
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "sim/can/drive_rack.hpp"
+#include "sim/can/injected_drives.hpp"
 #include "sim/mapped_world.hpp"
 
 namespace mrroc::edp {
@@ -47,11 +48,13 @@ class Drives {
         plant_(*models_.front(), *world_, place_.index, MujocoHardware::Timing::newest, place_.entry.synchronised),
         hub_(open_hub(place_.entry.can->interface)),
         bus_(can::open_bus(place_.entry.can->interface)),
+        faults_(process.faults().of(process.name(), process.clock()), models_.front()->parameters()),
         rack_(
             config::read_drive_table(place_.entry.can->drives, models_.front()->parameters()),
             models_.front()->parameters(), process.clock().period(), *bus_, plant_,
             [this](Tick last, bool wait, std::int64_t now) { return newest(last, wait, now); },
-            process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall) {}
+            process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall,
+            [this](Tick tick, std::int64_t now, auto& nodes) { faults_.apply(tick, now, nodes); }) {}
 
   /// The bus is served by a thread of its own; this one waits for the end, which comes when no robot is driven any
   /// more.
@@ -122,6 +125,7 @@ class Drives {
   MujocoHardware plant_;
   std::unique_ptr<can::Hub> hub_;  ///< null: the kernel has the bus
   std::unique_ptr<can::Bus> bus_;
+  sim::InjectedDrives faults_;
   sim::DriveRack rack_;
 };
 

@@ -14,16 +14,19 @@ enum class Kind : std::uint8_t {
   kill,  ///< SIGKILL
   halt,  ///< SIGSTOP: it is there and does nothing
   end,   ///< SIGTERM: it leaves early
-  // of a robot's drives; its EDP's hardware seems to do it
+  // of a robot's drives; its EDP's hardware seems to do it, or one simulated drive on a bus does
   fault,        ///< a drive reports a fault
-  silence,      ///< the drives, or a sensor's hardware, do not answer
+  silence,      ///< the drives, one drive, or a sensor's hardware, do not answer
   unreference,  ///< the drives have lost their positions
   jump,         ///< an axis's encoder, or every value of a sensor, is off by `value`
-  freeze,       ///< an axis's encoder, or a sensor, goes on giving its last value
+  freeze,       ///< an axis's encoder, all that a drive says, or a sensor, goes on giving the last value
   nan,          ///< an axis's encoder, or a sensor, gives something that is no number
   overload,     ///< an axis's measured current is `value` times its greatest one
   disconnect,   ///< an axis's motor gets no current
   runaway,      ///< an axis's motor gets its greatest current, whatever the regulator says
+  // of one simulated drive on a bus
+  restart,  ///< it boots
+  hush,     ///< its heartbeats do not come
   // of the commands that a task program sends to its robots
   lose,     ///< they do not arrive
   delay,    ///< each is sent `value` ticks later
@@ -31,9 +34,8 @@ enum class Kind : std::uint8_t {
   leap      ///< their target is `value` rad or m farther, in every joint
 };
 
-/// Which processes a kind can strike.
-enum class Target : std::uint8_t { any_process, edp, edp_or_vsp, task };
-Target target_of(Kind kind) noexcept;
+/// Whether it strikes any process, by a signal of the runner; the others are made by the process that they strike.
+bool is_signal(Kind kind) noexcept;
 
 /// One fault to be injected into a run: what, whom, when, for how long.
 struct Fault {

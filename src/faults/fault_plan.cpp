@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "clock/clock_memory.hpp"
+#include "mrroc/errors.hpp"
 
 namespace mrroc::faults {
 
@@ -16,9 +17,15 @@ FaultPlan::FaultPlan(const std::vector<std::string>& texts) {
 std::vector<FaultSwitch> FaultPlan::of(const std::string& process, const clock::Clock& clock) const {
   std::vector<FaultSwitch> switches;
   for (std::size_t i = 0; i < faults_.size(); ++i)
-    if (faults_[i].process == process && target_of(faults_[i].kind) != Target::any_process)
-      switches.emplace_back(faults_[i], i, clock);
+    if (faults_[i].process == process && !is_signal(faults_[i].kind)) switches.emplace_back(faults_[i], i, clock);
   return switches;
+}
+
+void check_axes(const std::vector<FaultSwitch>& faults, const RobotParameters& robot) {
+  for (const FaultSwitch& each : faults)
+    if (each.fault().axis >= robot.axes.size())
+      throw NonFatalError(ErrorCode::invalid_argument, "the fault \"" + each.fault().text + "\": " + robot.type +
+                                                           " has " + std::to_string(robot.axes.size()) + " axes");
 }
 
 void FaultPlan::count_step(const std::string& process, std::uint64_t step, Tick tick,

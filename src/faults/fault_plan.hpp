@@ -5,6 +5,7 @@
 
 #include "clock/clock.hpp"
 #include "faults/fault.hpp"
+#include "mrroc/robot_parameters.hpp"
 
 namespace mrroc::faults {
 
@@ -25,6 +26,9 @@ class FaultSwitch {
   std::size_t index_;
   const clock::Clock* clock_;
 };
+
+/// Throws NonFatalError (invalid_argument): one strikes an axis that the robot does not have.
+void check_axes(const std::vector<FaultSwitch>& faults, const RobotParameters& robot);
 
 /// The faults to be injected into one run, as every process of it knows them (Arguments::faults). When each is set off
 /// stands in the clock's memory: at once for a tick, by the process whose steps are counted else.

@@ -12,34 +12,65 @@ namespace mrroc::faults {
 
 namespace {
 
+// whom a fault strikes
+constexpr unsigned kMp = 1, kSim = 2, kEcp = 4, kEdp = 8, kDrives = 16, kVsp = 32;
+constexpr unsigned kTask = kMp | kEcp, kAny = kMp | kSim | kEcp | kEdp | kDrives | kVsp;
+
+struct Role {
+  unsigned bit;
+  std::string_view word;
+  std::string_view of;  ///< what its name is one of; empty: there is one such process
+};
+
+constexpr std::array<Role, 6> kRoles{{{kMp, "mp", ""},
+                                      {kSim, "sim", ""},
+                                      {kEcp, "ecp", "ROBOT"},
+                                      {kEdp, "edp", "ROBOT"},
+                                      {kDrives, "drives", "ROBOT"},
+                                      {kVsp, "vsp", "SENSOR"}}};
+
 /// A kind of fault as it is written.
 struct Row {
   std::string_view word;
   Kind kind;
-  Target target;
-  bool axis;           ///< an axis must be named, of an EDP
-  bool value;          ///< `by X` may be given
-  double usual_value;  ///< when it is not
+  unsigned targets;
+  unsigned of_axis = 0;    ///< those of them that need an axis
+  bool value = false;      ///< `by X` may be given
+  double usual_value = 0;  ///< when it is not
 };
 
-constexpr std::array<Row, 16> kRows{{
-    {"kill", Kind::kill, Target::any_process, false, false, 0},
-    {"halt", Kind::halt, Target::any_process, false, false, 0},
-    {"end", Kind::end, Target::any_process, false, false, 0},
-    {"fault", Kind::fault, Target::edp, false, false, 0},
-    {"silence", Kind::silence, Target::edp_or_vsp, false, false, 0},
-    {"unreference", Kind::unreference, Target::edp, false, false, 0},
-    {"jump", Kind::jump, Target::edp_or_vsp, true, true, 0.5},
-    {"freeze", Kind::freeze, Target::edp_or_vsp, true, false, 0},
-    {"nan", Kind::nan, Target::edp_or_vsp, true, false, 0},
-    {"overload", Kind::overload, Target::edp, true, true, 3},
-    {"disconnect", Kind::disconnect, Target::edp, true, false, 0},
-    {"runaway", Kind::runaway, Target::edp, true, false, 0},
-    {"lose", Kind::lose, Target::task, false, false, 0},
-    {"delay", Kind::delay, Target::task, false, true, 30},
-    {"corrupt", Kind::corrupt, Target::task, false, false, 0},
-    {"leap", Kind::leap, Target::task, false, true, 0.5},
+constexpr std::array<Row, 18> kRows{{
+    {"kill", Kind::kill, kAny},
+    {"halt", Kind::halt, kAny},
+    {"end", Kind::end, kAny},
+    {"fault", Kind::fault, kEdp | kDrives, kDrives},
+    {"silence", Kind::silence, kEdp | kDrives | kVsp, kDrives},
+    {"unreference", Kind::unreference, kEdp},
+    {"jump", Kind::jump, kEdp | kVsp, kEdp, true, 0.5},
+    {"freeze", Kind::freeze, kEdp | kDrives | kVsp, kEdp | kDrives},
+    {"nan", Kind::nan, kEdp | kVsp, kEdp},
+    {"overload", Kind::overload, kEdp, kEdp, true, 3},
+    {"disconnect", Kind::disconnect, kEdp, kEdp},
+    {"runaway", Kind::runaway, kEdp, kEdp},
+    {"restart", Kind::restart, kDrives, kDrives},
+    {"hush", Kind::hush, kDrives, kDrives},
+    {"lose", Kind::lose, kTask},
+    {"delay", Kind::delay, kTask, 0, true, 30},
+    {"corrupt", Kind::corrupt, kTask},
+    {"leap", Kind::leap, kTask, 0, true, 0.5},
 }};
+
+/// "edp:ROBOT, drives:ROBOT or vsp:SENSOR".
+std::string names(unsigned targets) {
+  std::vector<std::string> words;
+  for (const Role& role : kRoles)
+    if ((role.bit & targets) != 0)
+      words.push_back(std::string{role.word}.append(role.of.empty() ? "" : ":").append(role.of));
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text.append(i == 0 ? "" : i + 1 == words.size() ? " or " : ", ").append(words[i]);
+  return text;
+}
 
 class Parser {
  public:
@@ -55,8 +86,7 @@ class Parser {
     fault.kind = row.kind;
     fault.value = row.usual_value;
     target(row, fault);
-    const bool edp = role_ == "edp";
-    if (row.axis && edp) {
+    if ((row.of_axis & role_) != 0) {
       expect("axis");
       const std::uint64_t axis = whole("an axis, from 1");
       if (axis < 1 || axis > kMaxJoints)
@@ -68,7 +98,7 @@ class Parser {
       refuse(std::to_string(fault.value), "a delay of 1 to 1000000 ticks");
     expect("at");
     when(fault);
-    if (row.target != Target::any_process && accept("for")) {
+    if (!is_signal(fault.kind) && accept("for")) {
       fault.duration = whole("a number of ticks");
       if (fault.duration == 0) refuse("0", "a number of ticks, from 1");
       expect("ticks");
@@ -124,27 +154,19 @@ class Parser {
   }
 
   void target(const Row& row, Fault& fault) {
-    static constexpr std::array<const char*, 4> kExpected = {
-        "mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR", "edp:ROBOT", "edp:ROBOT or vsp:SENSOR",
-        "mp or ecp:ROBOT"};
-    const std::string expected = kExpected.at(static_cast<std::size_t>(row.target));
     const std::string word = next();
     const std::size_t colon = word.find(':');
-    role_.assign(word, 0, colon);
     const std::string name = colon == std::string::npos ? std::string{} : word.substr(colon + 1);
-    const bool alone = role_ == "mp" || role_ == "sim";
-    const bool of_something = role_ == "ecp" || role_ == "edp" || role_ == "drives" || role_ == "vsp";
-    if (!(alone && colon == std::string::npos) && !(of_something && !name.empty())) refuse(word, expected);
-    const bool fits =
-        row.target == Target::any_process || (row.target == Target::task && (role_ == "mp" || role_ == "ecp")) ||
-        (row.target != Target::task && role_ == "edp") || (row.target == Target::edp_or_vsp && role_ == "vsp");
-    if (!fits) refuse(word, expected);
-    if (alone)
-      fault.process = role_;
-    else
-      fault.process = role_ == "edp" || role_ == "drives" ? name + "_" + role_ : name;
-    if (role_ == "mp") fault.counter = "mp";
-    if (role_ == "ecp" || role_ == "edp" || role_ == "drives") fault.counter = name;
+    const std::string first = word.substr(0, colon);
+    const auto* const role = std::find_if(kRoles.begin(), kRoles.end(), [&](const Role& each) {
+      return each.word == first && (each.of.empty() ? colon == std::string::npos : !name.empty());
+    });
+    if (role == kRoles.end() || (role->bit & row.targets) == 0) refuse(word, names(row.targets));
+    role_ = role->bit;
+    fault.process = role->of.empty() ? first : name;
+    if ((role_ & (kEdp | kDrives)) != 0) fault.process.append("_").append(first);
+    if (role_ == kMp) fault.counter = "mp";
+    if ((role_ & (kEcp | kEdp | kDrives)) != 0) fault.counter = name;
   }
 
   void when(Fault& fault) {
@@ -165,16 +187,12 @@ class Parser {
   const std::string& text_;
   std::vector<std::string> words_;
   std::size_t place_ = 0;
-  std::string role_;
+  unsigned role_ = 0;  ///< of the target
 };
 
 }  // namespace
 
-Target target_of(Kind kind) noexcept {
-  for (const Row& row : kRows)
-    if (row.kind == kind) return row.target;
-  return Target::any_process;
-}
+bool is_signal(Kind kind) noexcept { return kind == Kind::kill || kind == Kind::halt || kind == Kind::end; }
 
 Fault parse_fault(const std::string& text) { return Parser(text).parse(); }
 

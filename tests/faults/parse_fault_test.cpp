@@ -36,11 +36,25 @@ TEST(ParseFault, StepsOfAnotherProcess) {
   EXPECT_EQ(parse_fault("nan vsp:wrist at step 5 of mp").process, "wrist");
 }
 
-TEST(ParseFault, EveryKindSaysWhomItStrikes) {
-  EXPECT_EQ(target_of(Kind::end), Target::any_process);
-  EXPECT_EQ(target_of(Kind::runaway), Target::edp);
-  EXPECT_EQ(target_of(Kind::freeze), Target::edp_or_vsp);
-  EXPECT_EQ(target_of(Kind::lose), Target::task);
+TEST(ParseFault, OneDriveOnABus) {
+  for (const auto& [word, kind] : {std::pair{"fault", Kind::fault},
+                                   {"silence", Kind::silence},
+                                   {"freeze", Kind::freeze},
+                                   {"restart", Kind::restart},
+                                   {"hush", Kind::hush}}) {
+    const Fault fault = parse_fault(std::string{word} + " drives:arm axis 3 at step 40 for 5 ticks");
+    EXPECT_EQ(fault.kind, kind);
+    EXPECT_EQ(fault.process, "arm_drives");
+    EXPECT_EQ(fault.axis, 2U);
+    EXPECT_EQ(fault.counter, "arm");
+    EXPECT_EQ(fault.duration, 5U);
+  }
+  EXPECT_EQ(parse_fault("fault edp:arm at tick 3").process, "arm_edp") << "of all its drives";
+}
+
+TEST(ParseFault, ThreeKindsAreSignals) {
+  for (const Kind kind : {Kind::kill, Kind::halt, Kind::end}) EXPECT_TRUE(is_signal(kind));
+  for (const Kind kind : {Kind::fault, Kind::freeze, Kind::hush, Kind::lose}) EXPECT_FALSE(is_signal(kind));
 }
 
 /// A text that is wrong, and what is said of it.
@@ -65,10 +79,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{"",
               "it ends, expected one of kill, halt, end, fault, silence, unreference, jump, freeze, nan, overload, "
-              "disconnect, runaway, lose, delay, corrupt, leap"},
+              "disconnect, runaway, restart, hush, lose, delay, corrupt, leap"},
         Wrong{"kill arm at tick 1", "'arm', expected mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR"},
         Wrong{"kill ecp: at tick 1", "'ecp:', expected mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR"},
-        Wrong{"fault ecp:arm at tick 1", "'ecp:arm', expected edp:ROBOT"},
+        Wrong{"fault ecp:arm at tick 1", "'ecp:arm', expected edp:ROBOT or drives:ROBOT"},
+        Wrong{"fault drives:arm at tick 1", "'at', expected 'axis'"},
+        Wrong{"restart edp:arm axis 1 at tick 1", "'edp:arm', expected drives:ROBOT"},
+        Wrong{"nan drives:arm axis 1 at tick 1", "'drives:arm', expected edp:ROBOT or vsp:SENSOR"},
+        Wrong{"kill mp:arm at tick 1", "'mp:arm', expected mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR"},
         Wrong{"lose edp:arm at tick 1", "'edp:arm', expected mp or ecp:ROBOT"},
         Wrong{"nan edp:arm at tick 1", "'at', expected 'axis'"},
         Wrong{"nan edp:arm axis 0 at tick 1", "'0', expected an axis from 1 to 8"},

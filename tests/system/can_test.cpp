@@ -116,6 +116,49 @@ TEST(Can, KilledDrivesStopTheRun) {
   EXPECT_NE((run.out() + run.err()).find("arm_drives"), std::string::npos) << run.out() << run.err();
 }
 
+/// A fault of one drive for some time, and what the error says of it.
+struct DriveFault {
+  const char* action;
+  const char* error;
+};
+
+class DriveFaults : public testing::TestWithParam<DriveFault> {};
+
+TEST_P(DriveFaults, StopTheArmAndAreRecoveredFrom) {
+  const ScratchFolder folder;
+  folder.write("room.xml", "<mujoco><compiler angle=\"radian\"/></mujoco>");
+  // a drive that restarts has lost its position else, and the arm would have to be synchronised
+  std::string table = text_of(kSource / "robots/irb6/irb6_drives.toml");
+  const std::string no = "absolute_encoders = false";
+  ASSERT_NE(table.find(no), std::string::npos);
+  table.replace(table.find(no), no.size(), "absolute_encoders = true");
+  const std::string more = "drives = \"" + folder.write("drives.toml", table).string() + "\"\n";
+  const auto file = folder.write("fault.toml", on_bus(arm("bus_fault_ecp", "room.xml"), folder, more));
+  const std::string fault = GetParam().action + std::string{" drives:arm axis 2 at tick 1000 for 600 ticks"};
+  const std::string output = run_mrroc({"run", file.string(), "--inject", fault}, 0);
+  const std::size_t stopped = output.find("stopped: hardware error: ");
+  ASSERT_NE(stopped, std::string::npos) << output;
+  const std::string line = output.substr(stopped, output.find('\n', stopped) - stopped);
+  EXPECT_NE(line.find(GetParam().error), std::string::npos) << line;
+  EXPECT_NE(line.find("lower_arm"), std::string::npos) << line;
+  EXPECT_NE(output.find("| recovered"), std::string::npos) << output;
+}
+
+INSTANTIATE_TEST_SUITE_P(Can, DriveFaults,
+                         testing::Values(DriveFault{"fault", "7305h"}, DriveFault{"silence", "does not answer"},
+                                         DriveFault{"freeze", "does not move"}, DriveFault{"restart", "restarted"},
+                                         DriveFault{"hush", "heartbeat"}),
+                         [](const auto& each) { return std::string{each.param.action}; });
+
+TEST(Can, AFaultOfADriveThatIsNotThereIsRefused) {
+  const ScratchFolder folder;
+  const auto file = folder.write("press.toml", press(folder));
+  MrrocRun run({"run", file.string(), "--inject", "hush drives:arm axis 7 at tick 1000"});
+  EXPECT_EQ(run.wait(), 1) << run.out() << run.err();
+  EXPECT_NE((run.out() + run.err()).find("axis 7 at tick 1000\": irb6 has 6 axes"), std::string::npos)
+      << run.out() << run.err();
+}
+
 TEST(Can, RealDrivesKeepNoOtherClock) {
   const ScratchFolder folder;
   std::string text = press(folder);

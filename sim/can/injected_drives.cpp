@@ -1,0 +1,46 @@
+#include "sim/can/injected_drives.hpp"
+
+namespace mrroc::sim {
+
+namespace {
+
+using faults::Kind;
+
+constexpr std::uint16_t kEncoderFault = 0x7305;  // CiA 402: incremental sensor 1
+
+void set(Kind kind, bool on, std::int64_t now, DriveNode& node) {
+  switch (kind) {
+    case Kind::fault:
+      node.keep_fault(on);
+      if (on) node.fail(kEncoderFault);
+      return;
+    case Kind::silence:
+      return node.cut(on);
+    case Kind::freeze:
+      return node.freeze(on);
+    case Kind::hush:
+      return node.hush(on);
+    case Kind::restart:
+      if (on) node.boot(now);
+      return;
+    default:
+      return;
+  }
+}
+
+}  // namespace
+
+InjectedDrives::InjectedDrives(const std::vector<faults::FaultSwitch>& faults, const RobotParameters& robot) {
+  faults::check_axes(faults, robot);
+  for (const faults::FaultSwitch& each : faults) faults_.push_back({each});
+}
+
+void InjectedDrives::apply(Tick tick, std::int64_t now, std::vector<DriveNode>& nodes) {
+  for (Injected& each : faults_) {
+    const bool on = each.fault.on(tick);
+    if (on != each.on) set(each.fault.fault().kind, on, now, nodes[each.fault.fault().axis]);
+    each.on = on;
+  }
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "faults/fault_plan.hpp"
+#include "sim/can/drive_node.hpp"
+
+namespace mrroc::sim {
+
+/// The faults of single simulated drives that are injected into a run. One thread.
+class InjectedDrives {
+ public:
+  /// Throws NonFatalError: an axis that the robot does not have.
+  InjectedDrives(const std::vector<faults::FaultSwitch>& faults, const RobotParameters& robot);
+
+  /// At tick `tick` of the plant, before the nodes answer: what begins or ends then. `now`: the nodes' time, ns.
+  void apply(Tick tick, std::int64_t now, std::vector<DriveNode>& nodes);
+
+ private:
+  struct Injected {
+    faults::FaultSwitch fault;
+    bool on = false;
+  };
+  std::vector<Injected> faults_;
+};
+
+}  // namespace mrroc::sim
