@@ -12,7 +12,7 @@ using namespace canopen;
 namespace {
 
 constexpr std::int64_t kGlance = 2'000'000;      // ns: between two looks at the time and at `stop`
-constexpr double kOldest = 2;                    // periods that a shaft goes on as it was
+constexpr double kOldest = 10;                   // periods that a shaft goes on as it was
 constexpr std::int64_t kPatience = 100'000'000;  // ns: lockstep, for set-points that belong to a cycle
 
 }  // namespace
