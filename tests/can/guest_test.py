@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import signal
 import socket
 import struct
 import subprocess
@@ -52,10 +53,16 @@ class GuestTest(unittest.TestCase):
     def tearDown(self):
         self.assertEqual(list((self.folder / "temporary").iterdir()), [])
 
-    def run_in_guest(self, *arguments):
+    def begin_in_guest(self, *arguments):
         environment = os.environ | {"TMPDIR": str(self.folder / "temporary")}
         command = [HERE / "with_can", "--guest", *arguments]
-        return subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, text=True, check=False)
+        return subprocess.Popen(
+            command, cwd=self.folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def run_in_guest(self, *arguments):
+        process = self.begin_in_guest(*arguments)
+        out, err = process.communicate()
+        return subprocess.CompletedProcess(process.args, process.returncode, out, err)
 
     def test_two_processes_exchange_frames(self):
         result = self.run_in_guest("--", sys.executable, __file__, "echo")
@@ -84,9 +91,19 @@ class GuestTest(unittest.TestCase):
         self.assertIn("with_can: killed after 20 s: sh -c", result.stderr)
 
     def test_dead_guest(self):
-        result = self.run_in_guest("--memory", "24", "--", "true")
-        self.assertEqual(result.returncode, 125)
-        self.assertIn("Kernel panic", result.stderr)
+        process = self.begin_in_guest("--", "sh", "-c", "echo begun; sleep 1000")
+        self.assertEqual(process.stdout.readline(), "begun\n")
+        own = f"uml_dir={self.folder}/".encode()
+        for command_line in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+            try:
+                words = command_line.read_bytes().split(b"\0")
+                if words[0] == b"linux.uml" and any(word.startswith(own) for word in words):
+                    os.kill(int(command_line.parent.name), signal.SIGKILL)
+            except (FileNotFoundError, ProcessLookupError):
+                pass
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 125, errors)
+        self.assertIn("with_can: the guest died", errors)
 
 
 if __name__ == "__main__":
