@@ -105,7 +105,7 @@ TEST_F(TwoHosts, DoATaskTogetherWithKeys) {
   run_mrroc({"keys", (folder_.path() / "keys").string()}, 0);
   network_ = "keys = \"keys\"";
   const auto trace = folder_.path() / "press.trace";
-  start(write(hosts("two", "", {}, press())), {"--trace", trace.string()});
+  start(write(hosts("two", "link_timeout = 0.5\n", {}, press())), {"--trace", trace.string()});
   EXPECT_EQ(run_->wait(), 0) << output();
   EXPECT_TRUE(contains(run_->out(), "two succeeded")) << output();
   EXPECT_TRUE(contains(run_->out(), "clock known to")) << output();
