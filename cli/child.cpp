@@ -10,7 +10,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace mrroc::cli {
 
@@ -35,6 +38,15 @@ constexpr std::size_t kLongestLine = 65536;  // what is longer comes in pieces, 
   constexpr char kReason[] = "cannot be executed\n";
   if (write(STDERR_FILENO, kReason, sizeof kReason - 1) < 0) _exit(126);
   _exit(127);
+}
+
+/// The state letter of a `stat` file of proc(5); 0: there is no such thread any more.
+char state_of(const std::filesystem::path& thread) {
+  std::ifstream file(thread / "stat");
+  std::string stat;
+  std::getline(file, stat);
+  const std::size_t name = stat.rfind(')');
+  return name == std::string::npos || name + 2 >= stat.size() ? '\0' : stat[name + 2];
 }
 
 }  // namespace
@@ -101,6 +113,16 @@ bool Child::ended() noexcept {
 bool Child::lost() noexcept {
   look();
   return ended_ || stopped_;
+}
+
+bool Child::is_at_work() const {
+  // the pidfd is readable when the last thread has gone; the first one is a zombie while others still close files
+  pollfd end{handle_, POLLIN, 0};
+  if (poll(&end, 1, 0) != 0) return false;
+  std::error_code gone;
+  for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(pid_) + "/task", gone))
+    if (std::string_view{"Tt"}.find(state_of(thread.path())) == std::string_view::npos) return true;
+  return false;
 }
 
 std::string Child::how_it_ended() const {

@@ -30,6 +30,9 @@ class Child {
   /// True when it has ended, or a signal has stopped it (SIGSTOP): it does nothing any more. The kernel tells the
   /// runner of both at once, by SIGCHLD. Never waits.
   bool lost() noexcept;
+  /// False once `lost()` gives true, and only then: when no thread of it runs any more. Any thread; what the kernel has
+  /// to tell of it stays for the main thread. Never waits.
+  bool is_at_work() const;
   /// "exit code 3", "signal 9 (Killed)" or "stopped by signal 19 (Stopped (signal))".
   std::string how_it_ended() const;
   /// Nothing when it lives or a signal has ended it.

@@ -4,9 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "clock/monotonic.hpp"
@@ -16,16 +14,6 @@ namespace mrroc::cli {
 namespace {
 
 constexpr std::int64_t kPatienceWithSignal = 2 * clock::kSecond;
-
-/// False: the process is stopped, has ended, or is no more.
-bool is_at_work(pid_t pid) {
-  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
-  std::string stat;
-  std::getline(file, stat);
-  const std::size_t name = stat.rfind(')');
-  return name != std::string::npos && name + 2 < stat.size() &&
-         std::string_view{"TtZX"}.find(stat[name + 2]) == std::string_view::npos;
-}
 
 int signal_of(faults::Kind kind) {
   if (kind == faults::Kind::halt) return SIGSTOP;
@@ -92,8 +80,7 @@ void FaultInjector::strike(const faults::Fault& fault) {
   }
   child->signal(signal_of(fault.kind));
   if (!simulated_) return;
-  // not by waitpid: who waits for it is the main thread, which then says what has happened
-  while (is_at_work(child->pid()) && clock::monotonic_ns() < now + kPatienceWithSignal) usleep(200);
+  while (child->is_at_work() && clock::monotonic_ns() < now + kPatienceWithSignal) usleep(200);
   clock_.participant_died(fault.process);
   clock_.stop();
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>
+#include <unistd.h>
 
 namespace mrroc::cli {
 namespace {
@@ -57,6 +58,45 @@ TEST(Child, AMissingProgramEndsWith127) {
   Child child("ghost", "/no/such/program", {});
   run_to_end(child);
   EXPECT_EQ(child.how_it_ended(), "exit code 127");
+}
+
+void wait_while_at_work(const Child& child) {
+  while (child.is_at_work()) usleep(200);
+}
+
+TEST(Child, IsNotAtWorkOnceItIsLost) {
+  for (const int number : {SIGKILL, SIGSTOP}) {
+    Child child("sleeper", "/bin/sleep", {"60"});
+    EXPECT_TRUE(child.is_at_work());
+    EXPECT_FALSE(child.lost());
+    child.signal(number);
+    wait_while_at_work(child);
+    EXPECT_TRUE(child.lost()) << "signal " << number;
+    EXPECT_FALSE(child.is_at_work()) << "the main thread has been told of signal " << number;
+    child.signal(SIGCONT);
+    EXPECT_EQ(child.lost(), number == SIGKILL) << "a stopped one goes on";
+  }
+}
+
+TEST(Child, IsAtWorkWhileAThreadOutlivesTheFirst) {
+  // its first thread is a zombie in /proc, and nobody can wait for it yet
+  Child child("threads", "/usr/bin/env",
+              {"python3", "-c",
+               "import ctypes, threading, time\n"
+               "def outlive():\n"
+               "  while 'State:\\tZ' not in open('/proc/self/status').read(): time.sleep(0.001)\n"
+               "  print('alone', flush=True)\n"
+               "  time.sleep(60)\n"
+               "threading.Thread(target=outlive).start()\n"
+               "ctypes.CDLL(None).pthread_exit(None)\n"});
+  std::vector<std::string> lines;
+  while ((lines = child.read_lines()).empty() && !child.ended()) usleep(200);
+  EXPECT_EQ(lines, std::vector<std::string>{"alone"});
+  EXPECT_TRUE(child.is_at_work());
+  EXPECT_FALSE(child.lost());
+  child.signal(SIGKILL);
+  wait_while_at_work(child);
+  EXPECT_TRUE(child.lost());
 }
 
 TEST(Child, IsKilledWithItsObject) {
