@@ -1,1 +1,1 @@
-mrroc_bench(move_step SOURCES move_step.cpp LINKS mrroc_language)
+mrroc_bench(move_step SOURCES move_step.cpp LINKS mrroc_language mrroc_process)

@@ -1,7 +1,7 @@
 // The language's own cost of one step of Move: the time of a Move on links that answer at once, less the time of a
 // hand-written loop that makes the same calls of the links, the generator and the condition. Both are measured in turn,
 // round by round, in processor time of this thread, so that other work of the machine does not count; the table shows
-// medians over the rounds.
+// medians over the rounds. Below it, what a process adds: each step as a line in memory that outlives it.
 #include <time.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "language/fakes.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
+#include "process/step_reporter.hpp"
 
 namespace mrroc {
 namespace {
@@ -80,8 +81,9 @@ class EchoTask : public Task {
   void sleep_until(Tick) override {}
   OperatorRequest operator_request() noexcept override { return OperatorRequest::none; }
   bool take_trigger() noexcept override { return false; }
-  StepObserver* observer() noexcept override { return nullptr; }
+  StepObserver* observer() noexcept override { return step_observer; }
 
+  StepObserver* step_observer = nullptr;
   std::shared_ptr<fakes::FakeModel> model;
   std::vector<std::unique_ptr<EchoRobotLink>> robot_links;
   std::vector<std::unique_ptr<EchoSensorLink>> sensor_links;
@@ -171,6 +173,36 @@ double median(std::vector<double> values) {
   return values[kRounds / 2];
 }
 
+/// As process::StepReporter does without a trace.
+class LastSteps : public StepObserver {
+ public:
+  void on_step(const StepRecord& record) noexcept override {
+    line_.clear();
+    process::format_step(line_, deployment_, "bench", record);
+    memory_.record(line_);
+  }
+
+ private:
+  config::Deployment deployment_;
+  process::TextLine line_;
+  process::SharedBlackBox memory_ = process::SharedBlackBox::create();
+};
+
+/// What a line of each step costs beside the step of a Move without.
+void measure_last_steps(int robots, int sensors) {
+  Bench bench(robots, sensors);
+  const auto last_steps = std::make_unique<LastSteps>();
+  std::vector<double> without, with;
+  for (int round = 0; round < kRounds; ++round) {
+    bench.task.step_observer = nullptr;
+    without.push_back(seconds_per_step([&] { bench.move(); }));
+    bench.task.step_observer = last_steps.get();
+    with.push_back(seconds_per_step([&] { bench.move(); }));
+  }
+  std::printf("a line of each step, with %d robots, %d sensors: %.2f us\n", robots, sensors,
+              1e6 * (median(with) - median(without)));
+}
+
 /// Prints one line of the table; returns the language's own cost, s per step.
 double measure(int robots, int sensors) {
   Bench bench(robots, sensors);
@@ -193,6 +225,7 @@ int main() {
   std::printf(" robots  sensors  Move, ns/step  by hand, ns  ratio  own cost, us\n");
   const double own = mrroc::measure(1, 1);
   for (const int robots : {1, 2, 5}) mrroc::measure(robots, 2);
+  for (const int robots : {1, 2}) mrroc::measure_last_steps(robots, 1);
   const bool pass = own < mrroc::kBar;
   std::printf("own cost with 1 robot, 1 sensor, 1 condition: %.3f us; bar %.1f us: %s; goal %.1f us: %s\n", 1e6 * own,
               1e6 * mrroc::kBar, pass ? "pass" : "FAIL", 1e6 * mrroc::kGoal, own < mrroc::kGoal ? "pass" : "FAIL");

@@ -1,5 +1,6 @@
 #include "cli/black_boxes.hpp"
 
+#include <stdexcept>
 #include <system_error>
 
 #include "process/black_box_file.hpp"
@@ -18,20 +19,42 @@ std::filesystem::file_time_type write_time(const std::filesystem::path& file) {
 }  // namespace
 
 BlackBoxes::BlackBoxes(const std::filesystem::path& folder, const config::Deployment& deployment,
-                       const std::vector<PlannedProcess>& processes) {
+                       const std::vector<PlannedProcess>& processes)
+    : deployment_(deployment) {
   if (folder.empty()) return;
   for (const PlannedProcess& process : processes) {
-    if (!process.has_task) continue;
+    if (!process.has_task || !process.host.empty()) continue;
     const std::filesystem::path file = process::black_box_path(folder, deployment, process.name);
-    files_[file] = write_time(file);
+    boxes_.push_back({process.name, file, write_time(file), process::SharedBlackBox::create()});
   }
+}
+
+bool BlackBoxes::is_written(const Box& box) { return write_time(box.file) != box.before; }
+
+int BlackBoxes::fd_of(const std::string& process) const noexcept {
+  for (const Box& box : boxes_)
+    if (box.process == process) return box.last_steps.fd();
+  return -1;
 }
 
 std::string BlackBoxes::told() const {
   std::string text;
-  for (const auto& [file, before] : files_)
-    if (write_time(file) != before) text += (text.empty() ? "; black box: " : ", ") + file.string();
+  for (const Box& box : boxes_)
+    if (is_written(box)) text += (text.empty() ? "; black box: " : ", ") + box.file.string();
   return text;
+}
+
+std::string BlackBoxes::save_rest() const try {
+  std::string text;
+  for (const Box& box : boxes_) {
+    const std::vector<process::TextLine> lines = box.last_steps.lines();
+    if (lines.empty() || is_written(box)) continue;
+    process::write_black_box(box.file, lines, deployment_, box.process, deployment_.clock != config::ClockMode::real);
+    text += (text.empty() ? "black box: " : ", ") + box.file.string();
+  }
+  return text;
+} catch (const std::exception& failure) {
+  return failure.what();
 }
 
 }  // namespace mrroc::cli

@@ -1,27 +1,42 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "cli/process_plan.hpp"
+#include "process/shared_black_box.hpp"
 
 namespace mrroc::cli {
 
-/// The files that the tasks of a run write when they fail. Those of an earlier run may lie in their places: a file is
-/// this run's when it has been written since this object was made. Main thread.
+/// The black boxes of a run's tasks. A task that fails writes its own; of the others the last steps are in memory of
+/// the runner's, which writes them when the run has failed for everybody. Files of an earlier run may lie in their
+/// places: a file is this run's when it has been written since this object was made. Main thread.
 class BlackBoxes {
  public:
-  /// `folder` empty: none is written.
+  /// `folder` empty: none is written. References must outlive it. Throws SystemError(resources): there is no memory.
   BlackBoxes(const std::filesystem::path& folder, const config::Deployment& deployment,
              const std::vector<PlannedProcess>& processes);
 
+  /// The descriptor that the process is to inherit; -1: it has none, or is on another host.
+  int fd_of(const std::string& process) const noexcept;
   /// Those that have been written, as words that follow what failed: "; black box: FILE"; empty when there is none.
   std::string told() const;
+  /// When all have ended: writes those of the tasks that have not written their own, but made a step. Gives a line for
+  /// the operator that names the files; empty when there is none.
+  std::string save_rest() const;
 
  private:
-  std::map<std::filesystem::path, std::filesystem::file_time_type> files_;  ///< and when they were written before
+  struct Box {
+    std::string process;
+    std::filesystem::path file;
+    std::filesystem::file_time_type before;  ///< when the file was written before
+    process::SharedBlackBox last_steps;
+  };
+  static bool is_written(const Box& box);
+
+  const config::Deployment& deployment_;
+  std::vector<Box> boxes_;
 };
 
 }  // namespace mrroc::cli

@@ -32,6 +32,7 @@ process::Arguments arguments_for(const PlannedProcess& process, const Surroundin
   arguments.peers = surroundings.peers;
   arguments.trace = surroundings.trace.of(process);
   if (process.has_task) arguments.black_box = options.black_box;
+  arguments.black_box_fd = surroundings.black_boxes.fd_of(process.name);
   if (process.name == "mp") arguments.behaviours = options.behaviours;
   if (process.name == "sim") arguments.snapshots = options.snapshots;
   if (process.name == "sim") arguments.motion = options.motion;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/black_boxes.hpp"
 #include "cli/process_plan.hpp"
 #include "cli/run_options.hpp"
 #include "cli/trace_parts.hpp"
@@ -17,6 +18,7 @@ struct Surroundings {
   const config::Deployment& deployment;
   const RunOptions& options;
   const TraceParts& trace;
+  const BlackBoxes& black_boxes;
   int domain = 0;
   std::string own_address;         ///< the interface, where the deployment names none but has several hosts
   std::vector<std::string> peers;  ///< the other machines

@@ -104,6 +104,9 @@ process::ExitCode Runner::run() {
   } catch (const std::exception& error) {
     fail(process::ExitCode::system, error.what());  // a success is none without its trace
   }
+  // a task that has failed has written its own; here are those that died, or were ended because of it
+  if (result_.code == process::ExitCode::system)
+    if (const std::string line = black_boxes_.save_rest(); !line.empty()) progress_.message(line);
   if (!options_.quiet) progress_.message(report_of(deployment_, result_));
   return result_.code;
 }
@@ -127,6 +130,7 @@ void Runner::start_processes(const TraceParts& trace) {
   const Surroundings surroundings{.deployment = deployment_,
                                   .options = options_,
                                   .trace = trace,
+                                  .black_boxes = black_boxes_,
                                   .domain = domain_lock_.domain(),
                                   .own_address = hosts_->own_address(),
                                   .peers = hosts_->machines(),

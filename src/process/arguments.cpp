@@ -17,6 +17,7 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
   if (!arguments.trace.empty()) add("--trace", arguments.trace.string());
   if (!arguments.behaviours.empty()) add("--behaviours-of-programs", arguments.behaviours);
   if (!arguments.black_box.empty()) add("--black-box", arguments.black_box.string());
+  if (arguments.black_box_fd >= 0) add("--black-box-fd", std::to_string(arguments.black_box_fd));
   if (!arguments.snapshots.empty()) add("--snapshots", arguments.snapshots.string());
   if (!arguments.motion.empty()) add("--motion", arguments.motion.string());
   for (const std::string& fault : arguments.faults) add("--inject", fault);
@@ -37,6 +38,7 @@ Arguments parse_arguments(int argc, char** argv) {
   app.add_option("--trace", arguments.trace);
   app.add_option("--behaviours-of-programs", arguments.behaviours);
   app.add_option("--black-box", arguments.black_box);
+  app.add_option("--black-box-fd", arguments.black_box_fd);
   app.add_option("--snapshots", arguments.snapshots);
   app.add_option("--motion", arguments.motion);
   app.add_option("--inject", arguments.faults)->take_all()->expected(1);

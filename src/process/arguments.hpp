@@ -17,6 +17,7 @@ struct Arguments {
   std::filesystem::path trace;      ///< this process's trace file; empty: no trace
   std::string behaviours;           ///< of every ECP program, for the MP of a state machine (config::ProgramsByRobot)
   std::filesystem::path black_box;  ///< folder for the black box of a task that fails; empty: none is written
+  int black_box_fd = -1;            ///< memory of its last steps (SharedBlackBox, inherited); -1: there is none
   std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); empty: none
   std::filesystem::path motion;     ///< file for the motion of the world's robots (sim only); empty: none
   std::vector<std::string> faults;  ///< to be injected into the run, see faults::parse_fault

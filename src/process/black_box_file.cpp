@@ -1,9 +1,9 @@
 #include "process/black_box_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <memory>
 #include <stdexcept>
 #include <system_error>
 
@@ -29,19 +29,20 @@ std::filesystem::path black_box_path(const std::filesystem::path& folder, const 
 
 void write_black_box(const std::filesystem::path& file, const BlackBox& box, const config::Deployment& deployment,
                      const std::string& process, bool simulated) {
+  std::vector<TextLine> lines(box.size());
+  for (std::size_t i = 0; i < box.size(); ++i) format_step(lines[i], deployment, process, box.at(i));
+  write_black_box(file, lines, deployment, process, simulated);
+}
+
+void write_black_box(const std::filesystem::path& file, const std::vector<TextLine>& lines,
+                     const config::Deployment& deployment, const std::string& process, bool simulated) {
   std::error_code ignored;  // the file says what is wrong with its folder
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), ignored);
   std::ofstream out(file, std::ios::binary);
   out << kTraceHeader << clock_of(deployment, simulated) << kBlackBoxMark << '\n';
-  const auto line = std::make_unique<TextLine>();
-  std::uint64_t cut = 0;
-  for (std::size_t i = 0; i < box.size(); ++i) {
-    line->clear();
-    format_step(*line, deployment, process, box.at(i));
-    cut += line->cut() ? 1 : 0;
-    out << line->view() << '\n';
-  }
-  out << "# process=" << process << " lines=" << box.size() << " dropped=0 cut=" << cut << '\n';
+  for (const TextLine& line : lines) out << line.view() << '\n';
+  const auto cut = std::count_if(lines.begin(), lines.end(), [](const TextLine& line) { return line.cut(); });
+  out << "# process=" << process << " lines=" << lines.size() << " dropped=0 cut=" << cut << '\n';
   if (!out.flush())
     throw std::runtime_error("cannot write the black box " + file.string() + ": " + std::strerror(errno));
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "config/deployment.hpp"
 #include "mrroc/black_box.hpp"
+#include "process/text_line.hpp"
 
 namespace mrroc::process {
 
@@ -16,5 +18,8 @@ std::filesystem::path black_box_path(const std::filesystem::path& folder, const 
 /// by. Throws std::runtime_error when it cannot be written.
 void write_black_box(const std::filesystem::path& file, const BlackBox& box, const config::Deployment& deployment,
                      const std::string& process, bool simulated);
+/// The same with steps that are lines of a trace already.
+void write_black_box(const std::filesystem::path& file, const std::vector<TextLine>& lines,
+                     const config::Deployment& deployment, const std::string& process, bool simulated);
 
 }  // namespace mrroc::process

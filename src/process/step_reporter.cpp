@@ -173,6 +173,7 @@ void format_step(TextLine& line, const config::Deployment& deployment, std::stri
 }
 
 StepReporter::StepReporter(Process& process) : process_(process) {
+  if (const int fd = process.arguments().black_box_fd; fd >= 0) last_steps_.emplace(SharedBlackBox::attach(fd));
   const std::filesystem::path& path = process.arguments().trace;
   if (!path.empty()) trace_ = std::make_unique<TraceFile>(path, process.name(), process.clock().simulated());
 }
@@ -185,14 +186,18 @@ void StepReporter::on_step(const StepRecord& record) noexcept {
     counters_.skew_ticks = std::max<std::uint64_t>(counters_.skew_ticks, record.skew);
     process_.status().counters(counters_);
   }
-  if (trace_ != nullptr) write_line(record);
+  if (last_steps_ || trace_ != nullptr) write_line(record);
 }
 
 void StepReporter::write_line(const StepRecord& record) noexcept {
-  TextLine* line = trace_->begin();
-  if (line == nullptr) return;
-  format_step(*line, process_.deployment(), process_.name(), record);
-  trace_->commit();
+  line_.clear();
+  format_step(line_, process_.deployment(), process_.name(), record);
+  if (last_steps_) last_steps_->record(line_);
+  if (trace_ == nullptr) return;
+  if (TextLine* const next = trace_->begin(); next != nullptr) {
+    *next = line_;
+    trace_->commit();
+  }
 }
 
 }  // namespace mrroc::process

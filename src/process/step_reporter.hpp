@@ -1,16 +1,18 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "mrroc/step_observer.hpp"
 #include "process/process.hpp"
+#include "process/shared_black_box.hpp"
 #include "process/trace_file.hpp"
 
 namespace mrroc::process {
 
-/// Tells the operator which step a task is at, and writes the trace when one is asked for: one line per step,
-/// documented in docs/trace.md. Neither allocates nor blocks (but for a trace under a simulated clock, which loses
-/// nothing).
+/// Tells the operator which step a task is at, keeps the last ones where they outlive the process, and writes the trace
+/// when one is asked for: one line per step, documented in docs/trace.md. Neither allocates nor blocks (but for a trace
+/// under a simulated clock, which loses nothing).
 class StepReporter : public StepObserver {
  public:
   explicit StepReporter(Process& process);
@@ -20,6 +22,8 @@ class StepReporter : public StepObserver {
   void write_line(const StepRecord& record) noexcept;
 
   Process& process_;
+  TextLine line_;
+  std::optional<SharedBlackBox> last_steps_;
   std::unique_ptr<TraceFile> trace_;
   links::Counters counters_;
   std::uint64_t steps_ = 0;  ///< of all instructions

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -18,7 +19,8 @@ class TextLine {
     size_ = 0;
     cut_ = false;
   }
-  std::string_view view() const noexcept { return {data_.data(), size_}; }
+  /// Also of a line in shared memory whose writer has run wild: never more than its buffer.
+  std::string_view view() const noexcept { return {data_.data(), std::min(size_, kCapacity)}; }
   bool cut() const noexcept { return cut_; }
 
   TextLine& operator<<(std::string_view text) noexcept {

@@ -22,6 +22,7 @@ TEST(Arguments, TheCommandLineReadsBack) {
                             "t.arm",
                             "left on Go x:number:8\nleft tells Here\n",
                             "boxes",
+                            5,
                             "shots",
                             "motion",
                             {"kill ecp:arm at tick 5", "kill mp at tick 6"},
@@ -37,6 +38,7 @@ TEST(Arguments, TheCommandLineReadsBack) {
   EXPECT_EQ(read.trace, arguments.trace);
   EXPECT_EQ(read.behaviours, arguments.behaviours);
   EXPECT_EQ(read.black_box, arguments.black_box);
+  EXPECT_EQ(read.black_box_fd, 5);
   EXPECT_EQ(read.snapshots, arguments.snapshots);
   EXPECT_EQ(read.motion, "motion");
   EXPECT_EQ(read.faults, arguments.faults);

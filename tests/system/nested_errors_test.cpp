@@ -2,10 +2,10 @@
 // hold each time, and the black box of who failed is on disk.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <vector>
 
 #include "system/mrroc_run.hpp"
+#include "system/trace_line.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -17,15 +17,6 @@ std::filesystem::path deployment(const ScratchFolder& folder) {
   return folder.write("nested.toml", "[deployment]\nname = \"nested\"\n[mp]\nprogram = \"" MRROC_BINARY_DIR
                                      "/tests/nested_mp\"\n[robots.left]\n" +
                                          kBelt + "[robots.right]\n" + kBelt);
-}
-
-/// Steps of a trace that contain `text`.
-std::vector<std::string> lines_with(const std::filesystem::path& trace, const std::string& text) {
-  std::vector<std::string> found;
-  std::ifstream file(trace);
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("tick=") && line.find(text) != std::string::npos) found.push_back(line);
-  return found;
 }
 
 /// What follows `word` in a line, up to the next blank or comma.
