@@ -106,7 +106,7 @@ struct Row {
   std::vector<Tick> detected;  ///< ticks from the fault to the first error or the end of the run that names it
   std::vector<Tick> standing;  ///< ticks from then to the standstill of the last robot
   double fastest = 0;          ///< joint, as a part of its limit
-  std::size_t runs = 0, unseen = 0, unaffected = 0, exceeded = 0, moving = 0, leftovers = 0;
+  std::size_t runs = 0, unseen = 0, unaffected = 0, early = 0, exceeded = 0, moving = 0, leftovers = 0;
   std::set<int> exit_codes;
   std::string error;
 
@@ -147,6 +147,10 @@ void add(Row& row, const task_test::RunResult& run, const std::string& fault) {
   const auto injected = run.injected.find(fault);
   if (injected == run.injected.end() || run.exit_code == 0) {
     ++row.unaffected;  // it ended before, or went on in spite of it
+    if (run.exit_code != 0) {
+      ++row.early;
+      std::fprintf(stderr, "%s: ended before it: %s\n", fault.c_str(), run.output.c_str());
+    }
   } else {
     row.error = class_of(run);
     std::string told = run.output;  // without the line that says when it was injected
@@ -203,7 +207,8 @@ bool run_campaign(const Campaign& campaign, int seeds, const std::string& beginn
     }
     row.print(kind);
     const bool world_ends = kind.ends_with(" sim");  // with its robots as they moved
-    good = good && row.unseen == 0 && row.exceeded == 0 && (world_ends || row.moving == 0) && row.leftovers == 0;
+    good = good && row.unseen == 0 && row.early == 0 && row.exceeded == 0 && (world_ends || row.moving == 0) &&
+           row.leftovers == 0;
   }
   return good;
 }
