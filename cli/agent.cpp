@@ -155,7 +155,7 @@ void Agent::start_processes() {
     arguments.peers = order_.machines;
     if (deployment_.network.security) arguments.keys = deployment_.network.keys;
     if (process.has_task && !traces_.empty()) arguments.trace = traces_ / process.name;
-    crew_.start(process, process::to_command_line(arguments));
+    crew_.start(process, process::to_command_line(arguments), arguments.descriptors());
   }
   // after the children, who must not inherit the priority of its thread's memory nor its socket
   link_ = std::make_unique<HostLink>(own_address_towards(ipv4_of(order_.machines.front())), order_.domain, order_.key,

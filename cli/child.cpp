@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::size_t kLongestLine = 65536;  // what is longer comes in pieces, or it would fill the memory
 
-[[noreturn]] void execute(const std::string& program, char** words, int output, int channel, pid_t parent) {
+[[noreturn]] void execute(const std::string& program, char** words, int output, int channel,
+                          const std::vector<int>& handed, pid_t parent) {
   // between fork and exec: async-signal-safe calls only
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(127);
@@ -34,6 +35,7 @@ constexpr std::size_t kLongestLine = 65536;  // what is longer comes in pieces, 
   dup2(output, STDERR_FILENO);
   const int input = channel >= 0 ? channel : open("/dev/null", O_RDONLY);
   if (input >= 0) dup2(input, STDIN_FILENO);
+  for (const int fd : handed) fcntl(fd, F_SETFD, 0);
   execv(program.c_str(), words);
   constexpr char kReason[] = "cannot be executed\n";
   if (write(STDERR_FILENO, kReason, sizeof kReason - 1) < 0) _exit(126);
@@ -51,7 +53,8 @@ char state_of(const std::filesystem::path& thread) {
 
 }  // namespace
 
-Child::Child(std::string name, const std::string& program, const std::vector<std::string>& arguments, int channel)
+Child::Child(std::string name, const std::string& program, const std::vector<std::string>& arguments, int channel,
+             const std::vector<int>& handed)
     : name_(std::move(name)) {
   std::vector<char*> words;
   words.push_back(const_cast<char*>(program.c_str()));
@@ -62,7 +65,7 @@ Child::Child(std::string name, const std::string& program, const std::vector<std
   fcntl(ends[0], F_SETFL, O_NONBLOCK);
   const pid_t parent = getpid();
   pid_ = fork();
-  if (pid_ == 0) execute(program, words.data(), ends[1], channel, parent);
+  if (pid_ == 0) execute(program, words.data(), ends[1], channel, handed, parent);
   close(ends[1]);
   output_ = ends[0];
   handle_ = pid_ < 0 ? -1 : static_cast<int>(syscall(SYS_pidfd_open, pid_, 0));  // closes on exec

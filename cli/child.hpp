@@ -13,8 +13,10 @@ namespace mrroc::cli {
 class Child {
  public:
   /// Starts `program`; its stdout and stderr come through `output_fd()`. `channel`: a descriptor that becomes its stdin
-  /// and stdout, so that only its stderr comes through; -1: none. Throws std::runtime_error when it cannot be started.
-  Child(std::string name, const std::string& program, const std::vector<std::string>& arguments, int channel = -1);
+  /// and stdout, so that only its stderr comes through; -1: none. `handed`: descriptors that it gets although they
+  /// close on exec, under the same numbers. Throws std::runtime_error when it cannot be started.
+  Child(std::string name, const std::string& program, const std::vector<std::string>& arguments, int channel = -1,
+        const std::vector<int>& handed = {});
   ~Child();
   Child(Child&& other) noexcept;
   Child(const Child&) = delete;

@@ -7,8 +7,9 @@
 
 namespace mrroc::cli {
 
-void Crew::start(const PlannedProcess& process, const std::vector<std::string>& arguments) {
-  members_.push_back({Child(process.name, process.program.string(), arguments), process.part});
+void Crew::start(const PlannedProcess& process, const std::vector<std::string>& arguments,
+                 const std::vector<int>& handed) {
+  members_.push_back({Child(process.name, process.program.string(), arguments, -1, handed), process.part});
 }
 
 const Child* Crew::find(const std::string& name) const noexcept {

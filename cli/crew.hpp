@@ -17,8 +17,9 @@ class Crew {
   using Listener = std::function<void(const std::string& name, const std::string& line)>;
   explicit Crew(Listener listener) : listener_(std::move(listener)) {}
 
-  /// Throws std::runtime_error when it cannot be started.
-  void start(const PlannedProcess& process, const std::vector<std::string>& arguments);
+  /// `handed`: descriptors for it (see Child). Throws std::runtime_error when it cannot be started.
+  void start(const PlannedProcess& process, const std::vector<std::string>& arguments,
+             const std::vector<int>& handed = {});
   /// Null: there is none of that name. Any thread, when all have been started.
   const Child* find(const std::string& name) const noexcept;
   /// Waits until a process writes or ends, `also` becomes readable, or the time is over; hands the lines on.

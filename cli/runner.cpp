@@ -139,7 +139,8 @@ void Runner::start_processes(const TraceParts& trace) {
   for (const PlannedProcess& process : order) {
     if (!process.host.empty()) continue;
     if (options_.shuffle_seed && !turn(static_cast<int>(random() % 300))) return;
-    crew_.start(process, process::to_command_line(arguments_for(process, surroundings)));
+    const process::Arguments arguments = arguments_for(process, surroundings);
+    crew_.start(process, process::to_command_line(arguments), arguments.descriptors());
   }
   open_links(domain_options(surroundings));  // after the children: they would inherit the domain's sockets
 }

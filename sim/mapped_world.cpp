@@ -26,7 +26,7 @@ WorldMemory* map(int fd) {
 }  // namespace
 
 MappedWorld MappedWorld::create() {
-  const int fd = memfd_create("mrroc-world", 0);  // no close-on-exec: the children inherit it
+  const int fd = memfd_create("mrroc-world", MFD_CLOEXEC);
   if (fd < 0) refuse(std::strerror(errno));
   WorldMemory* memory = ftruncate(fd, sizeof(WorldMemory)) == 0 ? map(fd) : nullptr;
   if (memory == nullptr) {

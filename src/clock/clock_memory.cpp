@@ -69,7 +69,7 @@ MappedClock MappedClock::create(Mode mode, double period, const std::vector<std:
     for (std::size_t j = 0; j < i; ++j)
       if (participants[i] == participants[j]) refuse("participant '" + participants[i] + "' is named twice");
   }
-  const int fd = ::memfd_create("mrroc-clock", 0);
+  const int fd = ::memfd_create("mrroc-clock", MFD_CLOEXEC);
   if (fd < 0) out_of("cannot create the clock's memory");
   if (::ftruncate(fd, sizeof(ClockMemory)) != 0) {
     ::close(fd);

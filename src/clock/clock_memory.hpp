@@ -97,7 +97,7 @@ struct ClockMemory {
 /// The memory mapped into this process.
 class MappedClock {
  public:
-  /// Creates the memfd (inherited through exec) and its mapping. `period` in s, a positive whole number of ns. Throws
+  /// Creates the memfd (closes on exec) and its mapping. `period` in s, a positive whole number of ns. Throws
   /// SystemError: names that are empty, too long, repeated or too many; a bad period; no memory.
   static MappedClock create(Mode mode, double period, const std::vector<std::string>& participants);
   /// Maps the memory behind `fd`, which stays the caller's. Throws SystemError when it is not a clock's.

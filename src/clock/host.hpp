@@ -34,7 +34,7 @@ class ClockHost {
   /// Ends the clock and joins its thread.
   ~ClockHost();
 
-  /// Descriptor of the clock's memory, for `attach_clock` in the children; it is inherited through exec.
+  /// Descriptor of the clock's memory, for `attach_clock` in the children; it closes on exec unless it is handed down.
   int fd() const noexcept { return memory_.fd(); }
 
   /// Waits until every participant is ready, but not longer than `timeout` s of wall time and not when the clock has

@@ -27,6 +27,13 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
   return words;
 }
 
+std::vector<int> Arguments::descriptors() const {
+  std::vector<int> handed;
+  for (const int fd : {clock_fd, world_fd, black_box_fd})
+    if (fd >= 0) handed.push_back(fd);
+  return handed;
+}
+
 Arguments parse_arguments(int argc, char** argv) {
   Arguments arguments;
   CLI::App app{"A process of an MRROC++ deployment. It is started by `mrroc run FILE`, not by hand."};

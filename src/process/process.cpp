@@ -93,9 +93,7 @@ clock::Part part_of(links::ProcessRole role) {
 }
 
 /// What the runner has handed down is for this process: what a task starts shall hold neither clock nor world.
-void keep_from_children(int fd) {
-  if (fd >= 0) fcntl(fd, F_SETFD, FD_CLOEXEC);
-}
+void keep_from_children(int fd) { fcntl(fd, F_SETFD, FD_CLOEXEC); }
 
 bool serves(links::ProcessRole role) {
   return role == links::ProcessRole::edp || role == links::ProcessRole::vsp || role == links::ProcessRole::sim;
@@ -105,7 +103,7 @@ bool serves(links::ProcessRole role) {
 
 Process::Process(const Arguments& arguments, links::ProcessRole role)
     : arguments_(arguments), deployment_(config::load_deployment(arguments.deployment)), faults_(arguments.faults) {
-  for (const int fd : {arguments.clock_fd, arguments.world_fd}) keep_from_children(fd);
+  for (const int fd : arguments.descriptors()) keep_from_children(fd);
   clock_ = clock::attach_clock(arguments.clock_fd, arguments.name, part_of(role));
   if (role == links::ProcessRole::mp) {
     auto strands = std::make_unique<StrandClock>(std::move(clock_));

@@ -38,7 +38,7 @@ SharedBlackBox::Memory* SharedBlackBox::map(int fd) noexcept {
 }
 
 SharedBlackBox SharedBlackBox::create() {
-  const int fd = memfd_create("mrroc-black-box", 0);  // no close-on-exec: the children inherit it
+  const int fd = memfd_create("mrroc-black-box", MFD_CLOEXEC);
   if (fd < 0) refuse(std::strerror(errno));
   Memory* memory = ftruncate(fd, sizeof(Memory)) == 0 ? map(fd) : nullptr;
   if (memory == nullptr) {

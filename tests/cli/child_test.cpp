@@ -1,5 +1,6 @@
 #include "cli/child.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>
@@ -97,6 +98,17 @@ TEST(Child, IsAtWorkWhileAThreadOutlivesTheFirst) {
   child.signal(SIGKILL);
   wait_while_at_work(child);
   EXPECT_TRUE(child.lost());
+}
+
+TEST(Child, GetsTheDescriptorsThatAreHandedToItAndNoOthers) {
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  const std::vector<std::string> test{"-c", "for fd do test -e /proc/self/fd/$fd && echo open || echo closed; done",
+                                      "sh", std::to_string(ends[0]), std::to_string(ends[1])};
+  EXPECT_EQ(Child("heir", "/bin/sh", test, -1, {ends[1]}).wait_for_output(), "closed\nopen\n");
+  EXPECT_EQ(fcntl(ends[1], F_GETFD), FD_CLOEXEC) << "here it goes on closing";
+  close(ends[0]);
+  close(ends[1]);
 }
 
 TEST(Child, IsKilledWithItsObject) {

@@ -45,6 +45,7 @@ TEST(Arguments, TheCommandLineReadsBack) {
   EXPECT_EQ(read.interface, "eth1");
   EXPECT_EQ(read.peers, arguments.peers);
   EXPECT_EQ(read.keys, arguments.keys);
+  EXPECT_EQ(read.descriptors(), (std::vector<int>{3, 4, 5}));
 }
 
 TEST(Arguments, WithoutTheRunnerTheProgramSaysHowItIsStarted) {

@@ -96,30 +96,50 @@ TEST(Network, WithoutSecurityADeploymentBeyondLoopbackWarns) {
   EXPECT_EQ(loopback.find("without security"), std::string::npos) << loopback;
 }
 
-/// Descriptors of process `pid` on anonymous memory that what it starts would inherit, too.
-int inheritable_memory(pid_t pid) {
-  int found = 0;
+/// Descriptors of a process on the deployment's anonymous memory.
+struct Memory {
+  int black_boxes = 0;
+  int clocks = 0;
+  int inheritable = 0;  ///< what the process starts would get them, too
+};
+
+Memory memory_of(pid_t pid) {
+  Memory found;
   const fs::path process = "/proc/" + std::to_string(pid);
   for (const auto& entry : fs::directory_iterator(process / "fd")) {
-    if (fs::read_symlink(entry).string().find("memfd:mrroc") == std::string::npos) continue;
+    const std::string file = fs::read_symlink(entry).string();
+    if (file.find("memfd:mrroc") == std::string::npos) continue;
+    if (file.find("memfd:mrroc-black-box") != std::string::npos) ++found.black_boxes;
+    if (file.find("memfd:mrroc-clock") != std::string::npos) ++found.clocks;
     std::ifstream info(process / "fdinfo" / entry.path().filename());
     std::string key, flags;
     while (info >> key && key != "flags:") {
     }
     info >> flags;
-    if ((std::stoul(flags, nullptr, 8) & O_CLOEXEC) == 0) ++found;
+    if ((std::stoul(flags, nullptr, 8) & O_CLOEXEC) == 0) ++found.inheritable;
   }
   return found;
 }
 
-TEST(Memory, OfTheClockGoesToTheProcessesOfTheDeploymentOnly) {
+TEST(AnonymousMemory, GoesToTheProcessesThatItIsFor) {
   const ScratchFolder folder;
   MrrocRun run({"run", folder.write("hold.toml", faulty_deployment("hold")).string()});
   ASSERT_TRUE(run.wait_for_output("never")) << run.out() << run.err();
-  EXPECT_GT(inheritable_memory(run.pid()), 0) << "its children have to inherit it";
+  const Memory of_runner = memory_of(run.pid());
+  EXPECT_EQ(of_runner.clocks, 1);
+  EXPECT_EQ(of_runner.black_boxes, 2) << "of mp and arm";
+  EXPECT_EQ(of_runner.inheritable, 0);
   const std::vector<pid_t> processes = run.children();
   EXPECT_GE(processes.size(), 3U);
-  for (const pid_t pid : processes) EXPECT_EQ(inheritable_memory(pid), 0);
+  int black_boxes = 0;
+  for (const pid_t pid : processes) {
+    const Memory memory = memory_of(pid);
+    EXPECT_EQ(memory.clocks, 1);
+    EXPECT_LE(memory.black_boxes, 1) << "it has that of another";
+    EXPECT_EQ(memory.inheritable, 0);
+    black_boxes += memory.black_boxes;
+  }
+  EXPECT_EQ(black_boxes, 2);
   run.signal(SIGINT);
   EXPECT_EQ(run.wait(), kStopped) << run.out() << run.err();
 }
