@@ -66,11 +66,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bus", required=True, help="a network interface, or unix:PATH of a hub")
     parser.add_argument("--eds", required=True)
+    parser.add_argument("--cycle", type=float, metavar="S", help="motors turn by S at each SYNC; in real time unless told")
     parser.add_argument("nodes", type=int, nargs="+", help="node numbers")
     asked = parser.parse_args()
 
     network = canopen.Network(open_bus(asked.bus))
-    peers = [PeerNode(network, number, asked.eds) for number in asked.nodes]
+    peers = [PeerNode(network, number, asked.eds, asked.cycle) for number in asked.nodes]
     network.listeners += [peer.on_frame for peer in peers]
     network.connect()
     print("ready", flush=True)

@@ -21,8 +21,9 @@ def wrapped(value):
 
 
 class PeerNode:
-    def __init__(self, network, number, eds):
-        self.network, self.lock, self.silent = network, threading.RLock(), False
+    def __init__(self, network, number, eds, cycle=None):
+        """`cycle`: s that pass for an operational drive's motor at each SYNC; None: it turns in real time."""
+        self.network, self.lock, self.silent, self.cycle = network, threading.RLock(), False, cycle
         self.node = network.create_node(number, canopen.import_od(eds, number))
         for identifier, handler in ((0, self.node.nmt.on_command), (self.node.sdo.rx_cobid, self.node.sdo.on_request)):
             network.unsubscribe(identifier, handler)  # they come through on_frame, which knows when there is no answer
@@ -118,22 +119,23 @@ class PeerNode:
                 self.heard[identifier - 0x700] = time.monotonic()
             elif identifier == self.number(0x1005) & 0x7FF and state == OPERATIONAL:
                 self.data.sync_in()
-                self.step()
+                self.motor.step(self.cycle if self.cycle else self.passed())
                 self.data.sync_out()
             elif state == OPERATIONAL:
                 self.data.take(identifier, data)
 
-    def step(self):
-        now = time.monotonic()
-        if now > self.stepped:
-            self.motor.step(now - self.stepped)
-        self.stepped = now
+    def passed(self):
+        """s since the last call."""
+        before, self.stepped = self.stepped, time.monotonic()
+        return self.stepped - before
 
     def tick(self):
         with self.lock:
-            self.step()
+            passed, operational = self.passed(), self.node.nmt._state == OPERATIONAL
+            if not self.cycle or not operational:  # without SYNC there are no cycles
+                self.motor.step(passed)
             self.watch_producers(time.monotonic())
-            if self.node.nmt._state == OPERATIONAL:
+            if operational:
                 self.data.events()
 
     def send(self, identifier, data):

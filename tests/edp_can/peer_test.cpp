@@ -1,12 +1,11 @@
 // The driver against drives that are not ours: CiA 402 nodes of python-canopen (tests/can/peer_drive.py), with an
-// object dictionary from an EDS file. Their motors turn in real time, so the servo's ticks come at its period.
+// object dictionary from an EDS file. Their motors turn by one period at each SYNC: Python may pause.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
 #include "can_rig.hpp"
-#include "clock/monotonic.hpp"
 #include "edp/error_report.hpp"
 
 namespace mrroc::edp {
@@ -14,8 +13,9 @@ namespace {
 
 using canopen::DriveMode;
 
-constexpr double kPeerPeriod = 0.01;  // what Python keeps up with
-constexpr CanHardware::Timing kPeerTiming{0.9 * kPeerPeriod};
+constexpr double kPeerPeriod = 0.01;             // what Python keeps up with
+constexpr CanHardware::Timing kPeerTiming{0.5};  // longer than it pauses
+constexpr double kHeartbeat = 1;                 // s; three are longer than the SYNCs until a silent node is lost
 
 /// Two slides that synchronise to the positive side.
 class TwoSlides : public Gantry {
@@ -44,7 +44,7 @@ class Peer {
     const std::string source = MRROC_SOURCE_DIR;
     const std::string command = "PYTHONPATH=" + source + "/.deps/python exec python3 " + source +
                                 "/tests/can/peer_drive.py --bus " + bus + " --eds " + source +
-                                "/src/canopen/cia402.eds 1 2 > /dev/null";
+                                "/src/canopen/cia402.eds --cycle " + std::to_string(kPeerPeriod) + " 1 2 > /dev/null";
     input_ = ::popen(command.c_str(), "w");
   }
   ~Peer() {
@@ -60,25 +60,24 @@ class Peer {
   std::FILE* input_;
 };
 
+/// A tick takes a period at least: the nodes' heartbeats keep their own time.
+void pause() { ::usleep(static_cast<useconds_t>(kPeerPeriod * 1e6)); }
+
 class PeerTest : public testing::TestWithParam<DriveMode> {
  protected:
   void SetUp() override {
     table = table_for(model.parameters(), GetParam());
-    table.heartbeat = 0.2;
-    table.missed_max = 40;  // Python pauses
+    table.heartbeat = kHeartbeat;
     table.absolute_encoders = true;
     hardware = std::make_unique<CanHardware>(table, model.parameters(), kPeerPeriod, bus.open(), kPeerTiming, true);
     hardware->open();
     servo = std::make_unique<Servo>(models, *hardware, kPeerPeriod, hand_over);
-    next = clock::monotonic_ns();
     effector.enable(true);
     while (!seen().enabled && seen().fault.code == ErrorCode::none && now < 500) tick();
     ASSERT_TRUE(seen().enabled) << text();
   }
   void tick() {
-    next += std::llround(kPeerPeriod * 1e9);
-    const timespec time = clock::to_timespec(next);
-    ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr);
+    pause();
     servo->tick(now++);
     Reply reply;
     while (effector.poll(reply)) last = reply;
@@ -107,7 +106,6 @@ class PeerTest : public testing::TestWithParam<DriveMode> {
   ModelSet models{model};
   std::unique_ptr<Servo> servo;
   Effector effector{models, kPeerPeriod, hand_over};
-  std::int64_t next = 0;
   Tick now = 0;
   std::uint64_t number = 0;
   Reply last;
@@ -151,7 +149,7 @@ TEST_P(PeerTest, ASilentNodeIsLost) {
 TEST_P(PeerTest, ASecondRunFindsThemInTheirFaultAndGoesOn) {
   hardware.reset();
   // Python's drives keep their own time: longer than they wait for our heartbeat
-  ::usleep(static_cast<useconds_t>(5 * table.heartbeat * 1e6));
+  ::usleep(static_cast<useconds_t>(3.5 * kHeartbeat * 1e6));
   const auto second =
       std::make_unique<CanHardware>(table, model.parameters(), kPeerPeriod, bus.open(), kPeerTiming, true);
   second->open();
@@ -169,8 +167,7 @@ INSTANTIATE_TEST_SUITE_P(Can, PeerTest, testing::Values(DriveMode::cyclic_positi
 TEST(Peer, HomesByItself) {
   const TwoSlides model;
   config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
-  table.heartbeat = 0.2;
-  table.missed_max = 40;  // Python pauses
+  table.heartbeat = kHeartbeat;
   for (config::DriveEntry& drive : table.drives) drive.homing.method = 37;
   const TestBus bus;
   const Peer peer(bus.name());
@@ -186,11 +183,8 @@ TEST(Peer, HomesByItself) {
   Reply reply;
   Tick now = 0;
   bool sent = false;
-  std::int64_t next = clock::monotonic_ns();
   while (!servo.snapshot().synchronised && now < 1500) {
-    next += std::llround(kPeerPeriod * 1e9);
-    const timespec time = clock::to_timespec(next);
-    ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr);
+    pause();
     servo.tick(now++);
     while (effector.poll(reply)) {
     }
