@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t kGlance = 2'000'000;      // ns: between two looks at the time and at `stop`
 constexpr double kOldest = 10;                   // periods that a shaft goes on as it was
-constexpr std::int64_t kPatience = 100'000'000;  // ns: lockstep, for set-points that belong to a cycle
+constexpr std::int64_t kPatience = 500'000'000;  // ns: lockstep, for set-points that belong to a cycle
 
 }  // namespace
 

@@ -98,14 +98,14 @@ class Spoiler {
 class Rig {
  public:
   /// `ramp` in rad/s^2: of the drives' stops, 0: their usual one.
-  explicit Rig(unsigned seed, bool absolute_encoders = true, double ramp = 0)
+  explicit Rig(unsigned seed, bool absolute_encoders = true, double ramp = 0, CanHardware::Timing timing = kTestTiming)
       : random(seed),
         table(watched_table(absolute_encoders, ramp)),
         bus([this](can::Frame& frame) { return spoil.pass(frame); }),
         rack(table, model, bus, true) {
     auto weak = std::make_unique<WeakBus>(bus.open());
     weak_bus = weak.get();
-    hardware = std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, std::move(weak), kTestTiming, true);
+    hardware = std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, std::move(weak), timing, true);
     hardware->open();
     servo = std::make_unique<Servo>(models, *hardware, kCanPeriod, hand_over);
     effector.enable(true);
@@ -116,8 +116,9 @@ class Rig {
   }
 
   void tick() {
+    const std::uint64_t cycles = rack.cycles();
     servo->tick(now++);
-    if (!servo->drives_on()) ::usleep(50);  // nobody who answers paces the ticks
+    if (!servo->drives_on()) await_cycle_after(cycles);  // nobody who answers paces the ticks
     Reply reply;
     while (effector.poll(reply)) last = reply;
     const Snapshot& seen = servo->snapshot();
@@ -152,7 +153,9 @@ class Rig {
     command.kind = CommandKind::recover;
     last = {};
     if (effector.accept(command, ++number, answer)) return false;
+    recovering_ = true;
     for (int i = 0; i < 4000 && last.command != number; ++i) tick();
+    recovering_ = false;
     return last.command == number && last.state.error.error_class == ErrorClass::none;
   }
   bool moves_again() {
@@ -184,9 +187,17 @@ class Rig {
   Tick stopped_after = 0;
 
  private:
+  /// Drives whose answers nobody waits for have got the SYNC, or the bus has had the time for it. What the driver
+  /// counts in ticks, as its patience with a restarted drive, must not pass while their thread has no processor.
+  void await_cycle_after(std::uint64_t cycles) {
+    const int glances = recovering_ ? 4000 : 1;
+    for (int i = 0; i < glances && rack.cycles() == cycles; ++i) ::usleep(50);
+  }
+
   static constexpr std::size_t kWindow = 10;
   JointVector shafts_;
   std::deque<JointVector> past_;
+  bool recovering_ = false;
 };
 
 /// Where the kernel carries the frames: a command of ip(8) or tc(8) about the interface, "DEV" in it. Root.

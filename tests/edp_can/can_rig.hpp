@@ -23,7 +23,7 @@ namespace mrroc::edp {
 
 inline constexpr double kCanPeriod = 0.002;
 /// Ticks as fast as the bus carries them; a busy machine makes no node silent.
-inline constexpr CanHardware::Timing kTestTiming{0.05};
+inline constexpr CanHardware::Timing kTestTiming{0.2};
 
 /// A table of drives for any robot: nodes 1, 2, ...
 inline config::DriveTable table_for(const RobotParameters& robot, canopen::DriveMode mode) {

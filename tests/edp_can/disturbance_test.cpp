@@ -7,7 +7,8 @@
 namespace mrroc::edp {
 namespace {
 
-constexpr int kTicks = 150;  // few: each that loses a frame waits for it
+constexpr int kTicks = 150;
+constexpr CanHardware::Timing kLossy{0.05};  // each tick that loses a frame waits as long
 
 /// One way to disturb, in per cent of all frames.
 struct Disturbance {
@@ -47,7 +48,7 @@ class DisturbedBus : public testing::TestWithParam<Disturbance> {};
 TEST_P(DisturbedBus, MakesNoRobotUnsafe) {
   for (unsigned seed = 1; seed <= seeds(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Rig rig(seed);
+    Rig rig(seed, true, 0, GetParam().slows ? kTestTiming : kLossy);
     rig.weak_bus->cycles = rig.weak_bus->unanswered = rig.weak_bus->slow = 0;
     begin(rig, GetParam());
     for (int i = 0; i < kTicks && rig.servo->drives_on(); ++i) rig.tick();
