@@ -1,0 +1,46 @@
+"""noisy_host takes processors away, hands the command's exit code on and leaves nobody behind."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+TOOL = str(pathlib.Path(__file__).with_name("noisy_host"))
+# takes a second of a processor, and prints how often it was taken away
+SPIN = "import resource, time\nwhile time.process_time() < 1: pass\nprint(resource.getrusage(resource.RUSAGE_SELF).ru_nivcsw)"
+
+
+def run(*words):
+    return subprocess.run([TOOL, *words], capture_output=True, text=True)
+
+
+def may_take():
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(99))
+        os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+    except PermissionError:
+        return False
+    return True
+
+
+@unittest.skipUnless(may_take(), "the kernel gives nobody but root a real-time priority")
+class NoisyHost(unittest.TestCase):
+    def test_takes_the_processors(self):
+        done = run("--fraction", "0.3", "--longest", "0.01", "--", sys.executable, "-c", SPIN)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertGreater(int(done.stdout), 20)
+
+    def test_hands_the_exit_code_on_and_leaves_nobody(self):
+        self.assertEqual(run("--", "sh", "-c", "exit 3").returncode, 3)
+        self.assertEqual(run("--", "sh", "-c", "kill -9 $$").returncode, 137)
+        self.assertNotEqual(subprocess.run(["pgrep", "-f", TOOL]).returncode, 0)
+
+    def test_says_what_is_wrong(self):
+        done = run("--fraction", "1.5", "--", "true")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--fraction 1.5", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
