@@ -19,7 +19,8 @@ namespace mrroc::edp {
 
 inline constexpr int kAxis = 2;  // z, node 3
 
-/// A bus whose transmit queue can be full, or whose interface can be down. It sees what its owner gets to know in time.
+/// A bus whose transmit queue can be full, whose interface can be down, and where SYNCs can get lost. It sees what its
+/// owner gets to know in time.
 class WeakBus : public can::Bus {
  public:
   explicit WeakBus(std::unique_ptr<can::Bus> bus) : bus_(std::move(bus)) {}
@@ -27,6 +28,7 @@ class WeakBus : public can::Bus {
     if (frame.id == canopen::kSync) {
       answers_ = 0;
       synced_ = clock::monotonic_ns();
+      if (loses_syncs) return can::Sent::yes;
     } else if (frame.id == canopen::kReceivePdo1 + 1) {  // the first set-point: nothing is waited for any more
       ++cycles;
       if (answers_ != kAllAnswers) ++unanswered;
@@ -43,6 +45,7 @@ class WeakBus : public can::Bus {
   int descriptor() const noexcept override { return bus_->descriptor(); }
   bool carries_fd() const noexcept override { return bus_->carries_fd(); }
   can::Sent answer = can::Sent::yes;
+  bool loses_syncs = false;
   // cycles, those in which not all drives have answered, those in which that has taken long
   int cycles = 0, unanswered = 0, slow = 0;
 

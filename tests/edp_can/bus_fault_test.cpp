@@ -85,6 +85,11 @@ std::vector<Case> cases() {
          rig.weak_bus->answer = can::Sent::yes;
          if (!rig.bus.is_hub()) interface(rig, "ip link set DEV up");
        }},
+      {"SyncLost",
+       {ErrorCode::hardware_silent},
+       "axis 1 (x)",
+       [](Rig& rig) { rig.weak_bus->loses_syncs = true; },
+       [](Rig& rig) { rig.weak_bus->loses_syncs = false; }},
       {"PositionStuck",
        {ErrorCode::axis_stuck, ErrorCode::following_error, ErrorCode::overspeed, ErrorCode::encoder_fault},
        "axis 3 (z)",

@@ -20,6 +20,7 @@ using Trace = std::vector<std::pair<Tick, Tick>>;
 Trace run(clock::Mode mode, int exchanges) {
   clock::ClockHost host({.mode = mode, .period = 0.002, .participants = {"ecp", "edp"}, .live_operator = true});
   FreeDomain number;
+  ::fcntl(host.fd(), F_SETFD, 0);  // for the peer, under the same number
   // children first: they would inherit the domain's sockets
   PeerProcess edp("lockstep", number.id(), "t/arm", 20, std::to_string(host.fd()));
   Domain domain({.id = number.id(), .lease = 20});
