@@ -151,14 +151,20 @@ class Rig {
     for (int i = 0; i < 50; ++i) tick();
     moved = (rack.shafts() - there).cwiseAbs().maxCoeff();
   }
+  /// The bus carries what was sent in the fault, which nobody paced, and what comes in order again.
+  void settle() {
+    paced_ = true;
+    for (int i = 0; i < 20; ++i) tick();
+    paced_ = false;
+  }
   bool recover() {
     RobotCommand command;
     command.kind = CommandKind::recover;
     last = {};
     if (effector.accept(command, ++number, answer)) return false;
-    recovering_ = true;
+    paced_ = true;
     for (int i = 0; i < 4000 && last.command != number; ++i) tick();
-    recovering_ = false;
+    paced_ = false;
     return last.command == number && last.state.error.error_class == ErrorClass::none;
   }
   bool moves_again() {
@@ -193,14 +199,14 @@ class Rig {
   /// Drives whose answers nobody waits for have got the SYNC, or the bus has had the time for it. What the driver
   /// counts in ticks, as its patience with a restarted drive, must not pass while their thread has no processor.
   void await_cycle_after(std::uint64_t cycles) {
-    const int glances = recovering_ ? 4000 : 1;
+    const int glances = paced_ ? 4000 : 1;
     for (int i = 0; i < glances && rack.cycles() == cycles; ++i) ::usleep(50);
   }
 
   static constexpr std::size_t kWindow = 10;
   JointVector shafts_;
   std::deque<JointVector> past_;
-  bool recovering_ = false;
+  bool paced_ = false;
 };
 
 /// Where the kernel carries the frames: a command of ip(8) or tc(8) about the interface, "DEV" in it. Root.

@@ -135,7 +135,7 @@ TEST_P(BusFault, StopsTheRobotAndCanBeRecovered) {
     EXPECT_LE(rig.worst_real_speed, 1.5);
     EXPECT_LT(rig.moved, 0.01) << "rad of a shaft, after the stop";
     fault.end(rig);
-    for (int i = 0; i < 20; ++i) rig.tick();
+    rig.settle();
     ASSERT_TRUE(rig.recover()) << rig.text() << " " << rig.last.state.error.detail.view();
     EXPECT_TRUE(rig.moves_again()) << rig.text() << " " << rig.last.state.error.detail.view();
   }

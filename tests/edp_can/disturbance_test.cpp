@@ -65,7 +65,7 @@ TEST_P(DisturbedBus, MakesNoRobotUnsafe) {
       EXPECT_LE(rig.worst_real_speed, 1.5) << rig.text();
     }
     EXPECT_LT(rig.moved, 0.01) << rig.text();
-    for (int i = 0; i < 20; ++i) rig.tick();
+    rig.settle();
     if (rig.fault().code == ErrorCode::none) continue;
     EXPECT_TRUE(rig.recover()) << rig.text() << " " << rig.last.state.error.detail.view();
     EXPECT_TRUE(rig.moves_again()) << rig.text() << " " << rig.last.state.error.detail.view();
