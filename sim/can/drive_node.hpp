@@ -65,6 +65,8 @@ class DriveNode {
   void lag(bool on) noexcept { lags_ = on; }
   /// It sends no PDO of velocity and switches.
   void withhold_status(bool on) noexcept { withholds_ = on; }
+  /// Its positive limit switch is pressed, wherever the axis is.
+  void press(bool on) noexcept { pressed_ = on; }
   /// It goes on to operational by itself when it has booted (1F80h).
   void start_itself(bool on) noexcept { starts_itself_ = on; }
   /// It hears nothing of the next SDO requests, as when it boots just then.
@@ -119,7 +121,7 @@ class DriveNode {
   edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
   bool homed_ = false, homing_failed_ = false;
   bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false, broken_ = false, lags_ = false,
-       owes_ = false, withholds_ = false, starts_itself_ = false, restless_ = false;
+       owes_ = false, withholds_ = false, pressed_ = false, starts_itself_ = false, restless_ = false;
   int deaf_for_ = 0;  ///< SDO requests
   can::Frame said_;   ///< its last feedback
 };

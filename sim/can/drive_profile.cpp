@@ -60,7 +60,7 @@ void DriveNode::measure(double position, double current, const edp::AxisSwitches
   store_.set(kVelocityActual, std::llround(motor_.velocity() * velocity_units_per_rad_));
   store_.set(kTorqueActual, std::llround((reversed_ ? -current : current) / rated_current_ * kPerMille));
   const bool negative = reversed_ ? switches.upper_limit : switches.lower_limit;
-  const bool positive = reversed_ ? switches.lower_limit : switches.upper_limit;
+  const bool positive = pressed_ || (reversed_ ? switches.lower_limit : switches.upper_limit);
   store_.set(kDigitalInputs, (negative ? kNegativeLimitSwitch : 0) | (positive ? kPositiveLimitSwitch : 0) |
                                  (switches.synchro ? kHomeSwitch : 0));
 }

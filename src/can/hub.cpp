@@ -3,6 +3,7 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,7 +19,8 @@ Hub::Hub(std::filesystem::path path, Fault fault) : path_(std::move(path)), faul
   const sockaddr_un address = hub_address(path_.string());
   listener_ = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   stop_ = ::eventfd(0, EFD_CLOEXEC);
-  if (listener_ < 0 || stop_ < 0 ||
+  // before `bind`, which gives the file the socket's permissions: whoever may write to it commands drives
+  if (listener_ < 0 || stop_ < 0 || ::fchmod(listener_, S_IRUSR | S_IWUSR) != 0 ||
       ::bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
       ::listen(listener_, 16) != 0) {
     const std::string why = std::strerror(errno);

@@ -35,6 +35,12 @@ class HubTest : public testing::Test {
   std::filesystem::path path_ = folder_ / "bus";
 };
 
+TEST_F(HubTest, OnlyItsUserMaySendThroughIt) {
+  const Hub hub(path_);
+  EXPECT_EQ(std::filesystem::status(path_).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
+
 TEST_F(HubTest, AllButTheSenderGetAllInOrder) {
   Hub hub(path_);
   const auto first = open_bus(hub.name()), second = open_bus(hub.name()), third = open_bus(hub.name());
@@ -123,8 +129,8 @@ TEST_F(HubTest, TakesNoMoreThanItsQueueHolds) {
   for (int i = 0; i < 1'000'000 && sent == Sent::yes; ++i) sent = bus.send({1, {}});
   EXPECT_EQ(sent, Sent::full);
   held.count_down();
-  while (bus.send({1, {}}) == Sent::full) std::this_thread::yield();
-  EXPECT_EQ(bus.send({1, {}}), Sent::yes);
+  while ((sent = bus.send({1, {}})) == Sent::full) std::this_thread::yield();
+  EXPECT_EQ(sent, Sent::yes);
 }
 
 TEST_F(HubTest, WhenItHasGoneTheBusIsDown) {

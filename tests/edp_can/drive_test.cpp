@@ -61,6 +61,24 @@ class DriveTest : public testing::Test {
   bool beats = false;  ///< it says that it lives whenever it says something
 };
 
+TEST_F(DriveTest, TellsTheSwitchesOfItsAxisAlsoWhenItCountsBackwards) {
+  config::DriveTable backwards = table;
+  backwards.drives[0].units_per_turn *= -1;
+  Drive reversed(backwards, backwards.drives[0], kCanPeriod, 0);
+  reversed.begin(0);
+  for (const std::uint32_t inputs : {0U, kNegativeLimitSwitch, kPositiveLimitSwitch, kHomeSwitch}) {
+    can::Frame status{0x281, {0, 0, 0, 0, 0, 0, 0, 0}}, next;
+    can::put(status.data, 4, 4, inputs);
+    for (Drive* each : {&drive, &reversed}) {
+      EXPECT_TRUE(each->take(status, ++tick, next));
+      const AxisSwitches switches = each->switches();
+      EXPECT_EQ(switches.lower_limit, inputs == (each == &drive ? kNegativeLimitSwitch : kPositiveLimitSwitch));
+      EXPECT_EQ(switches.upper_limit, inputs == (each == &drive ? kPositiveLimitSwitch : kNegativeLimitSwitch));
+      EXPECT_EQ(switches.synchro, inputs == kHomeSwitch);
+    }
+  }
+}
+
 TEST_F(DriveTest, IsLedStepByStepToOperationEnabled) {
   say(status_bits(DriveState::switch_on_disabled));
   EXPECT_EQ(controlword(), kDisableVoltage) << "nobody wants it on";

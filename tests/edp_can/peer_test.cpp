@@ -138,6 +138,33 @@ TEST_P(PeerTest, MovesStopsOnAnEmergencyRecoversAndMovesAgain) {
   EXPECT_NEAR(seen().joints[0] - there[0], -0.1, 0.02);
 }
 
+TEST_P(PeerTest, WhenOneFailsTheOtherIsStoppedQuicklyByItsDrive) {
+  ASSERT_FALSE(send(relative_joints(JointVector::Constant(2, 0.4), 200)));
+  run(60);
+  const auto listener = bus.open();
+  peer.say("node 2 emcy 0x7305");
+  for (int i = 0; i < 200 && seen().fault.code == ErrorCode::none; ++i) tick();
+  const double where = seen().joints[0];
+  run(80);
+  bool told = false;
+  std::vector<canopen::DriveState> states;
+  can::Frame frame;
+  while (listener->receive(frame, 0)) {
+    const auto word = static_cast<std::uint16_t>(can::get(frame.bytes(), 0, 2));
+    if (frame.id == 0x201 && word == canopen::kQuickStop) told = true;
+    if (frame.id != 0x181) continue;
+    const canopen::DriveState state = canopen::drive_state(word);
+    if (states.empty() || states.back() != state) states.push_back(state);
+  }
+  EXPECT_TRUE(told) << "its controlword";
+  using enum canopen::DriveState;
+  EXPECT_EQ(states, (std::vector{operation_enabled, quick_stop_active, switch_on_disabled}));
+  EXPECT_GT(seen().joints[0], where) << "on a ramp of its own";
+  const JointVector there = seen().joints;
+  run(30);
+  EXPECT_LT((seen().joints - there).cwiseAbs().maxCoeff(), 1e-3) << "it stands";
+}
+
 TEST_P(PeerTest, ASilentNodeIsLost) {
   peer.say("node 1 silence");
   for (int i = 0; i < 300 && seen().fault.code == ErrorCode::none; ++i) tick();
