@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "mrroc/testing.hpp"
+#include "system/mrroc_run.hpp"
 
 namespace mrroc::task_test {
 namespace {
@@ -44,6 +45,43 @@ TEST_F(FaultInjection, TheSameFaultGivesTheSameRun) {
     if (std::string_view{fault}.find("edp") == std::string_view::npos) expect_safe(first), expect_safe(second);
     EXPECT_TRUE(same_motion(first, second)) << fault;
   }
+}
+
+/// A system error while the robot is not at its task.
+class Halted : public FaultInjection {
+ protected:
+  /// An IRb-6 in the room of its demo, with another task; `more`: lines of its section.
+  DeploymentRun arm(const std::string& program, const std::string& more = "") {
+    const std::string scene = MRROC_SOURCE_DIR "/robots/irb6/demo.xml";
+    return deployment(folder_.write(
+        "halted.toml",
+        "[deployment]\nname = \"halted\"\nclock = \"lockstep\"\n[robots.arm]\ntype = "
+        "\"irb6\"\nhardware = \"mujoco\"\nposition = [0.0, 0.0, 0.7]\nprogram = \"" MRROC_BINARY_DIR "/tests/" +
+            program + "\"\n" + more + "[sim]\nscene = \"" + scene + "\"\n"));
+  }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(Halted, FromAFaultTheRobotStaysWhereItIs) {
+  const RunResult run =
+      arm("bus_fault_ecp").inject("fault edp:arm at tick 1500 for 100 ticks").inject("kill mp at tick 1530").run();
+  EXPECT_EQ(run.exit_code, 4) << run.output;
+  EXPECT_NE(run.error.find("process mp died: signal 9 (Killed)"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("stopped: hardware error: "), std::string::npos) << run.output;
+  EXPECT_EQ(run.output.find("recovered"), std::string::npos) << run.output;
+  expect_safe(run);
+}
+
+TEST_F(Halted, WithoutItsPositionsTheRobotStops) {
+  const std::string killed = "kill ecp:arm at tick 1800";
+  const RunResult run = arm("synchronise_ecp", "synchronised = false\n").inject(killed).run();
+  EXPECT_EQ(run.exit_code, 4) << run.output;
+  EXPECT_NE(run.error.find("process arm died: signal 9 (Killed)"), std::string::npos) << run.output;
+  expect_safe(run);
+  const Motion& arm = run.motion.at("arm");
+  EXPECT_GT(arm.velocities[run.injected.at(killed)].cwiseAbs().maxCoeff(), 1e-3) << "it was to be in motion";
+  EXPECT_GT(arm.standstill(), run.injected.at(killed));
 }
 
 TEST_F(FaultInjection, ADriveFaultIsAHardwareErrorOfThatTick) {
