@@ -20,6 +20,7 @@ namespace mrroc::cli {
 namespace {
 
 constexpr std::size_t kLongestLine = 65536;  // what is longer comes in pieces, or it would fill the memory
+constexpr int kPatienceWithKilled = 3000;    // ms; a debugger can keep a killed process
 
 [[noreturn]] void execute(const std::string& program, char** words, int output, int channel,
                           const std::vector<int>& handed, pid_t parent) {
@@ -93,7 +94,9 @@ Child::Child(Child&& other) noexcept
 Child::~Child() {
   if (pid_ > 0 && !ended()) {
     ::kill(pid_, SIGKILL);
-    waitpid(pid_, &status_, 0);
+    pollfd end{handle_, POLLIN, 0};
+    ::poll(&end, 1, kPatienceWithKilled);
+    waitpid(pid_, &status_, WNOHANG);
   }
   if (output_ >= 0) close(output_);
   if (handle_ >= 0) close(handle_);

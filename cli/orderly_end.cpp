@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;  // that robots get to stop
 constexpr std::int64_t kPatienceToEnd = 3 * clock::kSecond;   // that processes get to end by themselves
+constexpr std::int64_t kPatienceWithKilled = 3 * clock::kSecond;
 
 void look_for_failures(Crew& crew, clock::ClockHost& clock, const EndListener& listener) {
   for (const clock::Part part : {clock::Part::drives, clock::Part::world}) {
@@ -48,7 +49,10 @@ void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndLi
   const std::int64_t deadline = clock::monotonic_ns() + kPatienceToEnd;
   while (!crew.all_ended() && clock::monotonic_ns() < deadline) listener.turn();
   for (const std::string& name : crew.kill_rest()) listener.message("process " + name + " does not end, killing it");
-  while (!crew.all_ended()) listener.turn();
+  const std::int64_t last = clock::monotonic_ns() + kPatienceWithKilled;
+  while (!crew.all_ended() && clock::monotonic_ns() < last) listener.turn();
+  for (const std::string& name : crew.kill_rest())
+    listener.message("process " + name + " is killed, but a debugger or the kernel holds it: not waiting for it");
 }
 
 }  // namespace mrroc::cli

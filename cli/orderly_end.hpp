@@ -18,7 +18,8 @@ struct EndListener {
 /// Ends every process of a crew, robots first: tasks and sensors are asked to go (SIGTERM), EDPs stop their robots,
 /// switch the drives off and leave, the simulated world goes last; then the clock ends, and who is still there is
 /// killed. An EDP, world or clock that fails meanwhile is reported, and the others do not wait for it. `started`: the
-/// clock was; before that nothing moves. Returns when all have ended. Main thread.
+/// clock was; before that nothing moves. Returns when all have ended, or 3 s after they have been killed: a debugger,
+/// or a driver in the kernel, can keep a killed process. Main thread.
 void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndListener& listener);
 
 }  // namespace mrroc::cli

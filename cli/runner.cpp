@@ -279,6 +279,8 @@ void Runner::read_task_status() {
     check_children();  // a death may be why the task ends
     if (faults_.ends_run()) continue;
     if (!stopping_ && status.state == links::TaskState::failed && tells_of_a_loss(status.error.code)) await_cause();
+    // asked by somebody else, with a signal to the MP alone: its end is that of a process
+    if (!stopping_ && status.state == links::TaskState::stopped && !commands_->stop_sent()) await_cause();
     if (status.state == links::TaskState::running || status.state == links::TaskState::paused || stopping_) continue;
     result_.ticks = status.tick;
     if (status.state == links::TaskState::failed) {

@@ -14,6 +14,7 @@ links::TaskCommandKind kind_of(const std::string& command) {
 }  // namespace
 
 void TaskCommands::send(links::TaskCommandKind kind) {
+  if (kind == links::TaskCommandKind::stop) stop_sent_ = true;
   const std::lock_guard lock(mutex_);
   mp_.send(kind);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <mutex>
 
 #include "cli/operator_desk.hpp"
@@ -17,6 +18,8 @@ class TaskCommands {
   explicit TaskCommands(links::TaskSuperior& mp) : mp_(mp) {}
 
   void send(links::TaskCommandKind kind);
+  /// Whether the operator, or an event, has asked the task to stop. Any thread.
+  bool stop_sent() const noexcept { return stop_sent_.load(); }
   /// The start at tick 0, and what the deployment's events ask of the task and of the operator's `desk`. Before the
   /// clock starts; all must outlive its last tick.
   void schedule(clock::ClockHost& clock, const config::Deployment& deployment, OperatorDesk& desk);
@@ -24,6 +27,7 @@ class TaskCommands {
  private:
   links::TaskSuperior& mp_;
   std::mutex mutex_;
+  std::atomic<bool> stop_sent_ = false;
 };
 
 }  // namespace mrroc::cli

@@ -60,6 +60,17 @@ Tick Motion::standstill(double speed) const {
   return first == ticks.size() ? kNever : ticks[first];
 }
 
+Tick Motion::at_rest(Tick from, double speed) const {
+  constexpr std::size_t kLong = 10;  // ticks: a joint that turns round is not at rest
+  std::size_t slow = 0;
+  for (std::size_t k = 0; k < ticks.size(); ++k) {
+    if (ticks[k] < from) continue;
+    slow = velocities[k].cwiseAbs().maxCoeff() <= speed ? slow + 1 : 0;
+    if (slow == kLong || (slow > 0 && k + 1 == ticks.size())) return ticks[k + 1 - slow];
+  }
+  return kNever;
+}
+
 double Motion::fastest() const {
   double fastest = 0;
   for (const JointVector& velocity : velocities)

@@ -51,6 +51,7 @@ struct alignas(64) ParticipantSlot {
   std::atomic<Tick> tick{0};              // host, before it opens the gate, as the two below
   std::atomic<std::uint64_t> delta{0};    // the delta in which the participant runs
   std::atomic<Wake> reason{Wake::tick};   // why it runs
+  std::atomic<std::uint64_t> waits{0};    // participant; real: odd while it waits, 0 before the start
   Gate gate;                              // the participant sleeps on it
 };
 

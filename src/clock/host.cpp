@@ -143,6 +143,18 @@ bool ClockHost::waits_for_somebody() const noexcept {
   return memory_->mode != Mode::real && state() == State::running && !quiescent(*memory_);
 }
 
+std::vector<std::pair<std::string, std::uint64_t>> ClockHost::at_work() const {
+  std::vector<std::pair<std::string, std::uint64_t>> working;
+  if (memory_->mode != Mode::real || state() != State::running) return working;
+  for (std::uint32_t i = 0; i < memory_->participant_count; ++i) {
+    const ParticipantSlot& slot = memory_->participants[i];
+    const std::uint64_t waits = slot.waits.load();
+    if (waits > 0 && waits % 2 == 0 && slot.membership.load() == Membership::alive)
+      working.emplace_back(slot.name.view(), waits);
+  }
+  return working;
+}
+
 Tick ClockHost::tick() const noexcept {
   return memory_->mode == Mode::real ? wall_tick(*memory_) : memory_->tick.load();
 }

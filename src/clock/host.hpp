@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "clock/clock.hpp"
@@ -77,6 +78,9 @@ class ClockHost {
   std::string describe() const { return clock::describe(*memory_); }
   /// Simulated time: somebody is at work or a message is on its way, and time stands until then. Real: false.
   bool waits_for_somebody() const noexcept;
+  /// Real: which participants are between two waits, each with the number of those that it has begun and ended; who
+  /// keeps his number computes, or is blocked. Simulated time: nobody.
+  std::vector<std::pair<std::string, std::uint64_t>> at_work() const;
   /// The newest tick that participants may see.
   Tick tick() const noexcept;
   /// Number of the open delta; it grows as long as anything happens. Lockstep and paced.

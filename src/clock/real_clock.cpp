@@ -8,12 +8,20 @@ bool RealClock::start() {
   announce_ready();
   if (!await_start()) return false;
   seen_ = 1;  // the host's own opening; all others are mail
+  slot().waits.store(2);
   return true;
 }
 
 Tick RealClock::tick() const noexcept { return wall_tick(memory()); }
 
 Wake RealClock::wait(Tick wake_tick) {
+  slot().waits.fetch_add(1);
+  const Wake wake = wait_for(wake_tick);
+  slot().waits.fetch_add(1);
+  return wake;
+}
+
+Wake RealClock::wait_for(Tick wake_tick) {
   look_for_host();
   const std::int64_t deadline = begin_of(memory(), wake_tick);
   std::uint32_t word = slot().gate.word();

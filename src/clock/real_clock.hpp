@@ -25,6 +25,8 @@ class RealClock final : public ParticipantClock {
   void arrived(int) noexcept override { notify(); }
 
  private:
+  Wake wait_for(Tick wake_tick);
+
   std::uint32_t seen_ = 0;  // openings of the gate that earlier waits have reported
 };
 

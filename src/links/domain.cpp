@@ -17,6 +17,7 @@ namespace mrroc::links {
 namespace {
 
 constexpr int kLastId = 230;              // the ports of domain 231 end beyond 65535
+constexpr int kLastIndex = 60;            // of a process; each has two ports of its own
 constexpr double kSimulatedLease = 3600;  // Cyclone's longest
 
 /// What a cable loses is asked for again within a few ms; Cyclone's own pace of 100 ms would stop the robots each time.
@@ -48,7 +49,14 @@ void check_host(const std::string& host) {
 [[noreturn]] void refuse(const std::string& what, int id, dds_return_t code) {
   std::string text = what + " of DDS domain " + std::to_string(id) + ": " + dds_strretcode(code);
   const auto log = dds_log_messages();
-  if (!log.empty()) text += " (" + log.back() + ")";
+  if (!log.empty() && log.back().find("free participant index") != std::string::npos) {
+    const int first = 7400 + 250 * id + 10;  // OMG DDSI-RTPS 2.3, 9.6.1.1
+    text = "DDS domain " + std::to_string(id) + ": no free port from " + std::to_string(first) + " to " +
+           std::to_string(first + 2 * kLastIndex + 1) + ", expected two for each process; the key deployment.domain " +
+           "names another domain";
+  } else if (!log.empty()) {
+    text += " (" + log.back() + ")";
+  }
   throw SystemError(ErrorCode::resources, text);
 }
 
@@ -81,7 +89,8 @@ std::string dds_configuration(const DomainOptions& options, const NetworkInterfa
          "<SharedMemory><Enable>false</Enable></SharedMemory>"
          // without multicast an index of its own is what lets a process be found, and its number is the last index
          "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
-         "<MaxAutoParticipantIndex>60</MaxAutoParticipantIndex><LeaseDuration>" +
+         "<MaxAutoParticipantIndex>" +
+         std::to_string(kLastIndex) + "</MaxAutoParticipantIndex><LeaseDuration>" +
          std::to_string(static_cast<long>(lease * 1000)) + "ms</LeaseDuration>" + peers +
          "</Discovery>"
          // how long a writer that ends waits for readers to acknowledge: a dead peer shall not hold it for a second

@@ -156,6 +156,7 @@ ExitCode exit_code(const std::exception& error) noexcept {
 int run_process(int argc, char** argv, links::ProcessRole role, const std::function<void(Process&)>& body) {
   std::unique_ptr<Process> process;
   install_signal_handlers();
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a pipe's buffer would keep what a task prints until it ends
   try {
     process = std::make_unique<Process>(parse_arguments(argc, argv), role);
     body(*process);

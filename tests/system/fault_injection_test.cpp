@@ -84,6 +84,28 @@ TEST_F(Halted, WithoutItsPositionsTheRobotStops) {
   EXPECT_GT(arm.standstill(), run.injected.at(killed));
 }
 
+TEST_F(FaultInjection, AProcessThatLeavesTooEarlyIsNamed) {
+  for (const auto& [fault, name] : std::map<std::string, std::string>{{"end mp at tick 1500", "mp"},
+                                                                      {"end ecp:arm at tick 1500", "arm"},
+                                                                      {"end edp:arm at tick 1500", "arm_edp"},
+                                                                      {"end vsp:wrist at tick 1500", "wrist"}}) {
+    const RunResult run = press().inject(fault).run();
+    EXPECT_EQ(run.exit_code, 4) << run.output;
+    EXPECT_NE(run.error.find("process " + name + " died: exit code "), std::string::npos) << run.output;
+    expect_safe(run);
+  }
+}
+
+TEST_F(FaultInjection, ACurrentThatStaysAtItsGreatestStopsTheArm) {
+  const RunResult run = press().inject("overload edp:arm axis 2 at tick 1000").run();
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_NE(run.error.find("hardware error: a drive's current has been at its limit for too long: axis 2 (lower_arm), "
+                           "tick 2000"),
+            std::string::npos)
+      << run.output;
+  expect_safe(run);
+}
+
 TEST_F(FaultInjection, ADriveFaultIsAHardwareErrorOfThatTick) {
   const RunResult run = press().inject("fault edp:arm at tick 2500").run();
   EXPECT_EQ(run.exit_code, 3) << run.output;

@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "system/mrroc_run.hpp"
 
@@ -69,6 +73,65 @@ TEST(Supervision, ARunIsNotDisturbedByTheGhostsOfTheOneBefore) {
     run_mrroc({"run", file.string(), "--trace", trace}, 0);
     EXPECT_EQ(trace_hash(trace), hash);
   }
+}
+
+/// UDP sockets on the RTPS ports (OMG DDSI-RTPS 2.3, 9.6.1.1) of the first `processes` of a domain, as another program
+/// may have them.
+class ForeignProgram {
+ public:
+  ForeignProgram(int domain, int processes) {
+    for (int port = 7400 + 250 * domain + 10; port < 7400 + 250 * domain + 10 + 2 * processes; ++port) {
+      sockaddr_in address{};
+      address.sin_family = AF_INET;
+      address.sin_port = htons(static_cast<std::uint16_t>(port));
+      sockets_.push_back(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+      EXPECT_EQ(bind(sockets_.back(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0) << port;
+    }
+  }
+  ~ForeignProgram() {
+    for (const int each : sockets_) close(each);
+  }
+  ForeignProgram(const ForeignProgram&) = delete;
+  ForeignProgram& operator=(const ForeignProgram&) = delete;
+
+ private:
+  std::vector<int> sockets_;
+};
+
+TEST(Supervision, PortsThatAnotherProgramHasAreLeftOut) {
+  const ScratchFolder folder;
+  const std::string alone = (folder.path() / "alone").string(), beside = (folder.path() / "beside").string();
+  const auto file = press_with(folder, "domain = 79", "press.toml");
+  run_mrroc({"run", file.string(), "--trace", alone}, 0);
+  const ForeignProgram foreign(79, 5);
+  run_mrroc({"run", file.string(), "--trace", beside}, 0);
+  EXPECT_EQ(trace_hash(beside), trace_hash(alone));
+}
+
+TEST(Supervision, ADomainWithoutAFreePortIsRefused) {
+  const ScratchFolder folder;
+  const auto file = press_with(folder, "domain = 80", "press.toml");
+  const ForeignProgram foreign(80, 61);
+  const std::string output = run_mrroc({"run", file.string()}, kSystem);
+  EXPECT_NE(output.find("DDS domain 80: no free port"), std::string::npos) << output;
+}
+
+/// The runner is held up, so that it cannot take note of the death.
+TEST(Supervision, AProcessThatIsAZombieIsNamed) {
+  const ScratchFolder folder;
+  MrrocRun run({"run", folder.write("hold.toml", faulty_deployment("hold", "real")).string()});
+  ASSERT_TRUE(run.wait_for_output("never")) << run.out() << run.err();
+  const std::vector<pid_t> pids = run.children();
+  const pid_t arm = run.child("arm_edp");
+  run.signal(SIGSTOP);
+  ASSERT_EQ(kill(arm, SIGKILL), 0);
+  while (parent_of(arm) != -1) {
+  }
+  EXPECT_EQ(kill(arm, 0), 0) << "its place in the table of processes is taken";
+  run.signal(SIGCONT);
+  EXPECT_EQ(run.wait(), kSystem) << run.out() << run.err();
+  EXPECT_NE(run.err().find("process arm_edp died: signal 9 (Killed)"), std::string::npos) << run.err();
+  EXPECT_TRUE(all_end(pids));
 }
 
 class StartFailure : public testing::TestWithParam<std::pair<const char*, const char*>> {};

@@ -43,6 +43,28 @@ TEST(Motion, StandstillIsWhereTheLastMotionEnds) {
   EXPECT_EQ(motions.at("belt").standstill(), kNever);
 }
 
+TEST(Motion, RestIsWhereTheRobotStandsForAWhile) {
+  std::string text = "# limits arm -1 1 1\n";
+  const auto add = [&text](Tick from, Tick to, const char* speed) {
+    for (Tick tick = from; tick < to; ++tick) text += std::to_string(tick) + " arm 0 0 " + speed + "\n";
+  };
+  add(0, 20, "0");
+  add(20, 30, "0.5");
+  add(30, 39, "0.01");  // it turns round
+  add(39, 50, "-0.5");
+  add(50, 60, "0.02");
+  add(60, 70, "0.1");
+  add(70, 75, "0");  // to the end
+  const Motion arm = read(text).at("arm");
+  EXPECT_EQ(arm.at_rest(5), 5U);
+  EXPECT_EQ(arm.at_rest(15), 50U);
+  EXPECT_EQ(arm.at_rest(31), 50U);
+  EXPECT_EQ(arm.at_rest(51), 70U);
+  EXPECT_EQ(arm.at_rest(72), 72U);
+  EXPECT_EQ(arm.at_rest(75), kNever);
+  EXPECT_EQ(arm.at_rest(25, 0.6), 25U);
+}
+
 TEST(Motion, TellsEachPlaceBeyondALimit) {
   const auto motions = read(
       "# limits arm -1 1 0.5\n"

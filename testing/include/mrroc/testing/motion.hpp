@@ -19,6 +19,9 @@ struct Motion {
   /// The first tick from which on no joint is faster than `speed` (rad/s or m/s), to the end of the run; kNever: it
   /// moved to the end. Regulators that hold a position tremble by some 0.005 rad/s.
   Tick standstill(double speed = 0.02) const;
+  /// The first tick from `from` on at which no joint is faster than `speed`, nor at the next nine: a robot that stops
+  /// in the middle of a run and goes on later. kNever: it did not stop.
+  Tick at_rest(Tick from, double speed = 0.02) const;
   /// The greatest speed of any joint, as a part of its limit.
   double fastest() const;
   /// Every tick at which a joint was beyond its position limits by more than 0.01 rad (m), or faster than its velocity
