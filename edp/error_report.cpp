@@ -63,6 +63,11 @@ ErrorReport make_report(const Fault& fault, const RobotParameters& parameters) n
   if (fault.code == ErrorCode::bus_off || fault.code == ErrorCode::bus_error)
     return make_report(ErrorClass::hardware, fault.code, "at tick %llu: %s", tick,
                        can::describe(static_cast<can::BusError>(fault.value)));
+  if (fault.code == ErrorCode::hardware_silent && fault.value == static_cast<double>(DriveSilence::nobody))
+    return make_report(
+        ErrorClass::hardware, fault.code,
+        "at tick %llu: no drive has answered more than %.0f SYNCs in a row: they are lost, or the bus is cut", tick,
+        fault.limit);
   if (fault.axis < 0) return make_report(ErrorClass::hardware, fault.code, "at tick %llu", tick);
   const char* const name = parameters.axes[static_cast<std::size_t>(fault.axis)].name.c_str();
   if (fault.code == ErrorCode::limit_switch)
@@ -72,6 +77,10 @@ ErrorReport make_report(const Fault& fault, const RobotParameters& parameters) n
     return make_drive_report(fault, name);
   if (fault.code == ErrorCode::hardware_silent) return make_silence_report(fault, name);
   if (fault.code == ErrorCode::drive_restarted) return make_restart_report(fault, name);
+  if (fault.code == ErrorCode::encoder_fault && fault.limit == 0)
+    return make_report(ErrorClass::hardware, fault.code,
+                       "axis %d (%s), tick %llu: %.0f answers more than SYNCs: another node sends under its number",
+                       fault.axis + 1, name, tick, fault.value);
   if (fault.code == ErrorCode::following_error && fault.limit == 0)
     return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: told by its drive", fault.axis + 1,
                        name, tick);

@@ -11,7 +11,7 @@ using namespace mrroc;
 namespace {
 
 class Recovering : public ecp::Task {
-  static constexpr int kLines = 6;   // 10 s
+  static constexpr int kLines = 6;  // 10 s
   static constexpr int kTries = 20;
   Irb6 arm{*this};
 

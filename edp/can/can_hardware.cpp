@@ -111,7 +111,10 @@ void CanHardware::synchronise(Tick tick) noexcept {
     send(heartbeat_frame(table_.master, NmtState::operational));
     last_heartbeat_ = tick;
   }
-  for (Drive& drive : drives_) drive.expect();
+  for (Drive& drive : drives_) {
+    if (drive.repeats(tick, frame)) begin_set_up(drive, frame);
+    drive.expect();
+  }
   const std::int64_t tick_begin = static_cast<std::int64_t>(tick) * ns(period_);
   origin_ = std::min(origin_, clock::monotonic_ns() - tick_begin);
   send(sync_frame());
@@ -150,6 +153,14 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
     input.fault_axis = static_cast<int>(i);
     input.fault_value = finding.value;
     input.fault_limit = finding.limit;
+  }
+  const bool nobody = std::all_of(drives_.begin(), drives_.end(), [tick](const Drive& drive) {
+    const Drive::Finding finding = drive.finding(tick);
+    return finding.code == ErrorCode::hardware_silent && finding.value == static_cast<double>(DriveSilence::no_answer);
+  });
+  if (nobody && input.fault == ErrorCode::hardware_silent) {
+    input.fault_axis = -1;
+    input.fault_value = static_cast<double>(DriveSilence::nobody);
   }
   input.synchronised = synchronised_;
   input.homing = Homing::none;

@@ -15,6 +15,7 @@ using namespace canopen;
 
 constexpr double kPerMille = 1000;
 constexpr int kMissedHeartbeats = 3;
+constexpr int kMostOwed = 16;  // answers that are under way on the slowest of buses
 
 Tick ticks(double time, double period) { return static_cast<Tick>(std::ceil(time / period)); }
 
@@ -39,6 +40,7 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
       absolute_(table.absolute_encoders),
       heartbeat_ticks_(ticks(kMissedHeartbeats * table.heartbeat, period)),
       switch_on_ticks_(ticks(kSwitchOnTime, period)),
+      answer_ticks_(ticks(kAnswerTime, period)),
       select_ticks_(ticks(kSelectTime, period)),
       stale_ticks_(select_ticks_ + std::max<Tick>(3, ticks(kStaleTime, period))),
       instant_ticks_(select_ticks_ + ticks(kInstantTime, period)),
@@ -66,12 +68,14 @@ bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept 
     if (state == NmtState::boot_up) {  // in service or not: it counts anew, and has forgotten what it was told
       position_lost_ = true;
       if (setup_.status() == DriveSetup::Status::writing) next = setup_.start();
+      asked_ = tick;
     }
     if (running_) judge(state, tick);
   } else if (const auto emergency = emergency_of(frame); emergency && emergency->node == node_) {
     if (emergency->code != 0) emergency_ = emergency->code;
   } else if (frame.id == kSdoResponse + node_) {
-    if (setup_.take(frame, next) && setup_.status() == DriveSetup::Status::done) {
+    if (setup_.take(frame, next)) asked_ = tick;
+    if (setup_.status() == DriveSetup::Status::done) {
       setup_.give_up();
       begin(tick);
       next = nmt_frame(NmtCommand::start, node_);
@@ -109,6 +113,7 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
       !pdos_.feedback.read(frame, kPositionActual, true, raw) ||
       !pdos_.feedback.read(frame, kTorqueActual, true, torque))
     return;  // too short: as if it had not come
+  count_answer();
   statusword_ = static_cast<std::uint16_t>(status);
   take_position(raw);
   if (state() != DriveState::operation_enabled) held_ = raw_;
@@ -116,6 +121,15 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
   answered_ = known_ = true;
   unheard_ = 0;
   follow_homing();
+}
+
+void Drive::count_answer() noexcept {
+  if (owed_ > 0) {
+    --owed_;
+    return;
+  }
+  unasked_ = true;
+  ++surplus_;
 }
 
 void Drive::take_status(const can::Frame& frame) noexcept {
@@ -149,6 +163,7 @@ void Drive::take_position(std::int64_t raw) noexcept {
 
 void Drive::expect() noexcept {
   answered_ = false;
+  owed_ = std::min(owed_ + 1, kMostOwed);
   ++since_real_;
 }
 
@@ -156,6 +171,8 @@ void Drive::expect() noexcept {
 void Drive::close_cycle() noexcept {
   if (state() == DriveState::operation_enabled) was_enabled_ = wanted_;
   if (running_) ++without_status_;
+  if (!unasked_ && surplus_ <= missed_max_) surplus_ = 0;
+  unasked_ = false;
   if (answered_) missed_ = 0;
   if (answered_ || !running_) return;
   ++unheard_;
@@ -178,6 +195,7 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
             static_cast<double>(setup_.abort())};
   }
   if (restarted_) return {ErrorCode::drive_restarted};
+  if (surplus_ > missed_max_) return {ErrorCode::encoder_fault, static_cast<double>(surplus_)};
   const auto silent = [](DriveSilence how, int syncs) {
     return Finding{ErrorCode::hardware_silent, static_cast<double>(how), static_cast<double>(syncs)};
   };
@@ -218,6 +236,7 @@ void Drive::enable(bool on, Tick tick) noexcept {
 void Drive::reset(Tick tick, can::Frame& next) noexcept {
   next = {};
   emergency_ = 0;
+  surplus_ = 0;
   wanted_ = was_enabled_ = waiting_ = pulse_ = false;
   resetting_ = true;
   since_ = tick;
@@ -229,6 +248,14 @@ void Drive::reset(Tick tick, can::Frame& next) noexcept {
   running_ = known_ = false;
   statusword_ = 0;  // what it said before says nothing
   next = setup_.start();
+  asked_ = tick;
+}
+
+bool Drive::repeats(Tick tick, can::Frame& next) noexcept {
+  if (setup_.status() != DriveSetup::Status::writing || tick <= asked_ + answer_ticks_) return false;
+  next = setup_.again();
+  asked_ = tick;
+  return true;
 }
 
 bool Drive::has_power() const noexcept {

@@ -16,7 +16,8 @@ class Drive {
  public:
   /// What is wrong with it; code none: nothing. Of a silent drive (hardware_silent) the value is a DriveSilence and the
   /// limit the SYNCs in a row that it may leave so. Of one that refuses to be set up anew (drive_restarted) the value
-  /// is the object, index and sub-index in 24 bits, and the limit its SDO abort code.
+  /// is the object, index and sub-index in 24 bits, and the limit its SDO abort code. Of one that answers more often
+  /// than it is asked (encoder_fault) the value is how often, and the limit 0: two nodes have its number.
   struct Finding {
     ErrorCode code = ErrorCode::none;
     double value = 0;
@@ -62,6 +63,8 @@ class Drive {
   /// Clears what has been found and resets its fault, after a stop that is under way; a drive that has restarted is set
   /// up and started again, with `next` as the first request.
   void reset(Tick tick, can::Frame& next) noexcept;
+  /// True, and `next` is to be sent: its set-up goes on, and the last request has not been answered for kAnswerTime.
+  bool repeats(Tick tick, can::Frame& next) noexcept;
   /// Neither where `enable` nor where `reset` wanted it, and there is still time.
   bool busy(Tick tick) const noexcept;
   void home() noexcept;
@@ -83,6 +86,7 @@ class Drive {
   DriveSetup& setup() noexcept { return setup_; }
 
   static constexpr double kSwitchOnTime = 2.0;  ///< s that it gets to become operation enabled, or to be reset, or off
+  static constexpr double kAnswerTime = 0.1;    ///< s, to a request of its set-up; then it is sent again
   // of homing, s
   static constexpr double kSelectTime = 0.05;    ///< between the mode's change and the start
   static constexpr double kStaleTime = 0.02;     ///< after the start, in which it may still say what was before
@@ -93,6 +97,7 @@ class Drive {
   void judge(canopen::NmtState state, Tick tick) noexcept;
   std::int64_t unwrapped(std::int64_t raw) noexcept;
   void take_feedback(const can::Frame& frame) noexcept;
+  void count_answer() noexcept;
   void take_status(const can::Frame& frame) noexcept;
   void take_position(std::int64_t raw) noexcept;
   void follow_homing() noexcept;
@@ -109,7 +114,7 @@ class Drive {
   canopen::DriveMode mode_;
   double rad_per_unit_, rad_per_velocity_unit_, rated_current_, position_gain_;
   bool absolute_;
-  Tick heartbeat_ticks_, switch_on_ticks_;
+  Tick heartbeat_ticks_, switch_on_ticks_, answer_ticks_;
   Tick select_ticks_, stale_ticks_, instant_ticks_, homing_ticks_max_;
   int missed_max_;
   int without_status_max_;
@@ -134,14 +139,18 @@ class Drive {
   int missed_ = 0;          ///< SYNCs in a row that it has not answered in time
   int without_status_ = 0;  ///< SYNCs since the last PDO of velocity and switches
   bool knows_switches_ = false;
-  int unheard_ = 0;  ///< SYNCs in a row without any answer, be it a late one
-  Tick heard_ = 0;   ///< its last heartbeat
+  int owed_ = 0;          ///< answers that may still come
+  int surplus_ = 0;       ///< answers that nothing has asked for, in cycles one after the other
+  bool unasked_ = false;  ///< such a one has come in this cycle
+  int unheard_ = 0;       ///< SYNCs in a row without any answer, be it a late one
+  Tick heard_ = 0;        ///< its last heartbeat
   Tick begun_ = 0;
 
   // told
   bool wanted_ = false, was_enabled_ = false, resetting_ = false, pulse_ = false;
   bool waiting_ = false;  ///< for the other drives, before its last step
   Tick since_ = 0;        ///< of `enable` or `reset`
+  Tick asked_ = 0;        ///< the last request of its set-up
   Tick stop_ticks_ = 0;   ///< that it has been told to stop and still has power
   Homing homing_ = Homing::none;
   Tick homing_ticks_ = 0;     ///< since its mode was selected

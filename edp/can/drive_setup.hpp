@@ -35,6 +35,8 @@ class DriveSetup {
 
   /// Begins anew; gives the first request.
   can::Frame start() noexcept;
+  /// The request under way once more: it was lost, or its answer was. A value of more than four bytes begins anew.
+  can::Frame again() noexcept { return request(); }
   /// Looks at a frame. True: it was an answer; `next` is to be sent when it has an identifier.
   bool take(const can::Frame& frame, can::Frame& next) noexcept;
   /// Nothing is wanted any more.

@@ -119,6 +119,7 @@ class Rig {
   }
 
   void tick() {
+    if (before_tick) before_tick();
     const std::uint64_t cycles = rack.cycles();
     servo->tick(now++);
     if (!servo->drives_on()) await_cycle_after(cycles);  // nobody who answers paces the ticks
@@ -194,6 +195,7 @@ class Rig {
   /// Parts of the limit: of the set-points, of the shafts from tick to tick and in kWindow ticks; rad after the stop.
   double worst_speed = 0, worst_real_speed = 0, worst_mean_speed = 0, moved = 0;
   Tick stopped_after = 0;
+  std::function<void()> before_tick;  ///< what else happens on the bus
 
  private:
   /// Drives whose answers nobody waits for have got the SYNC, or the bus has had the time for it. What the driver

@@ -327,6 +327,57 @@ TEST_F(DriveTest, WhoeverBootsWhileNobodyServesHimHasLostHisPosition) {
   EXPECT_EQ(can::get(next.bytes(), 1, 2), 0x1400u);
 }
 
+TEST_F(DriveTest, WhoAnswersMoreOftenThanItIsAskedHasANamesake) {
+  switch_on();
+  const std::uint16_t on = status_bits(DriveState::operation_enabled);
+  can::Frame next;
+  const auto once_more = [&] { drive.take(feedback(on, 0), tick, next); };
+  for (int i = 0; i < 20; ++i) {
+    say(on);
+    if (i % 2 == 0) once_more();  // now and then: it is not worth a stop
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  }
+  for (int i = 0; i < 2; ++i) say_nothing();
+  say(on);
+  for (int i = 0; i < 2; ++i) once_more();  // those that were missed, late
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  for (int i = 0; i < 3; ++i) {
+    say(on);
+    once_more();
+  }
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::encoder_fault);
+  EXPECT_EQ(drive.finding(tick).value, 3);
+  say(on);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::encoder_fault) << "until it is reset";
+  drive.reset(tick, next);
+  EXPECT_NE(drive.finding(tick).code, ErrorCode::encoder_fault);
+}
+
+TEST_F(DriveTest, ARequestOfItsSetUpThatIsNotAnsweredIsSentAgain) {
+  switch_on();
+  can::Frame next, again;
+  drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+  EXPECT_FALSE(drive.repeats(tick + 1000, again)) << "it is not being set up";
+  drive.reset(tick, next);
+  ASSERT_EQ(next.id, 0x601u);
+  const auto patience = static_cast<Tick>(Drive::kAnswerTime / kCanPeriod);
+  EXPECT_FALSE(drive.repeats(tick + patience, again));
+  ASSERT_TRUE(drive.repeats(tick + patience + 1, again));
+  EXPECT_EQ(again, next);
+  EXPECT_FALSE(drive.repeats(tick + patience + 2, again)) << "once";
+
+  tick += patience + 2;
+  can::Frame answer{0x581, {0x60, 0, 0, 0, 0, 0, 0, 0}}, second;
+  std::copy_n(next.data.begin() + 1, 3, answer.data.begin() + 1);
+  ASSERT_TRUE(drive.take(answer, tick, second));
+  EXPECT_EQ(second.id, 0x601u);
+  EXPECT_FALSE(drive.repeats(tick + patience, again)) << "the next request has its own time";
+  drive.take(answer, tick, again);
+  EXPECT_EQ(again.size, 0u) << "the first one's answer, come late";
+  ASSERT_TRUE(drive.repeats(tick + patience + 1, again));
+  EXPECT_EQ(again, second);
+}
+
 TEST_F(DriveTest, AnAxisStaysWhereItWasWhenItsDriveCountsAnew) {
   switch_on();
   say(status_bits(DriveState::operation_enabled), 1'000'000);

@@ -2,10 +2,16 @@
 // or the interface of the kernel that MRROC_TEST_BUS names.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
+#include <random>
 #include <string>
+#include <thread>
 
+#include "can/bus.hpp"
 #include "system/block_scene.hpp"
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
@@ -180,6 +186,54 @@ INSTANTIATE_TEST_SUITE_P(Can, DriveFaults,
                                          DriveFault{"freeze", "does not move"}, DriveFault{"restart", "restarted"},
                                          DriveFault{"hush", "heartbeat"}),
                          [](const auto& each) { return std::string{each.param.action}; });
+
+/// A stranger on a bus, who sends positions under the number of the arm's second drive until he goes.
+class Impostor {
+ public:
+  explicit Impostor(const std::string& interface) : bus_(can::open_bus(interface)) {
+    thread_ = std::thread([this] {
+      std::mt19937 random(1);
+      while (!done_) {
+        can::Frame frame{0x182, {0, 0, 0, 0, 0, 0, 0, 0}};
+        for (std::uint8_t& byte : frame.data) byte = static_cast<std::uint8_t>(random());
+        bus_->send(frame);
+        std::this_thread::sleep_for(std::chrono::microseconds(20));
+      }
+    });
+  }
+  ~Impostor() {
+    done_ = true;
+    thread_.join();
+  }
+  Impostor(const Impostor&) = delete;
+  Impostor& operator=(const Impostor&) = delete;
+
+ private:
+  std::unique_ptr<can::Bus> bus_;
+  std::atomic<bool> done_ = false;
+  std::thread thread_;
+};
+
+TEST(Can, WhoSendsUnderADrivesNumberIsFoundAndWhenHeHasGoneTheArmRecovers) {
+  const ScratchFolder folder;
+  folder.write("room.xml", "<mujoco><compiler angle=\"radian\"/></mujoco>");
+  const std::string text = on_bus(arm("bus_fault_ecp", "room.xml"), folder);
+  const std::string key = "interface = \"";
+  const std::size_t begin = text.find(key) + key.size();
+  MrrocRun run({"run", folder.write("fault.toml", text).string()});
+  ASSERT_TRUE(run.wait_for_output("arm          running")) << run.out() << run.err();
+  {
+    const Impostor impostor(text.substr(begin, text.find('"', begin) - begin));
+    EXPECT_TRUE(run.wait_for_output("stopped: hardware error: ")) << run.out() << run.err();
+  }
+  EXPECT_EQ(run.wait(), 0) << run.out() << run.err();
+  const std::size_t stopped = run.out().find("stopped: hardware error: ");
+  ASSERT_NE(stopped, std::string::npos) << run.out();
+  const std::string line = run.out().substr(stopped, run.out().find('\n', stopped) - stopped);
+  EXPECT_NE(line.find("axis 2 (lower_arm)"), std::string::npos) << line;
+  EXPECT_NE(run.out().find("| recovered"), std::string::npos) << run.out();
+  expect_nothing_left(run);
+}
 
 TEST(Can, AFaultOfADriveThatIsNotThereIsRefused) {
   const ScratchFolder folder;
