@@ -20,12 +20,12 @@ double next_speed(const AxisParameters& axis, double speed, double current, doub
 
 }  // namespace
 
-Fault MotionWatch::look(const RobotModel& model, const Seen& seen, Taken taken, bool moves) noexcept {
+Fault MotionWatch::look(const RobotModel& model, const Seen& seen, Taken taken, bool moves, int homing) noexcept {
   if (readings_ == 0) {
     begin(model, seen, taken);
     return {};
   }
-  const Fault fast = look_at_speed(model.parameters().axes, seen.joints, taken);
+  const Fault fast = look_at_speed(model.parameters().axes, seen.joints, taken, homing);
   const Fault stuck = look_at_shafts(model, seen);
   if (fast.code != ErrorCode::none || !moves) return fast;
   return stuck;
@@ -46,8 +46,8 @@ void MotionWatch::begin(const RobotModel& model, const Seen& seen, Taken taken) 
   tremble_ = kTremble * (ratio.cwiseAbs() * increments);
 }
 
-Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints,
-                                 Taken taken) noexcept {
+Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken,
+                                 int homing) noexcept {
   if (taken.tick <= ring_[(readings_ - 1) % kReadings].taken.tick) return {};  // the same reading again
   const Reading last = ring_[(readings_ - 1) % kReadings], oldest = ring_[readings_ % kReadings];
   const bool full = readings_ >= kReadings;
@@ -65,7 +65,7 @@ Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const 
     const double ahead = exact ? std::abs(latest + change) : std::abs(latest) + std::copysign(1, latest) * change;
     const double next = ahead - tremble_[i] / longest;
     const double over_all = full ? std::abs(joints[i] - oldest.joints[i]) / whole_time : 0.0;
-    const double speed = std::max(over_all, next);
+    const double speed = i == homing ? over_all : std::max(over_all, next);
     const double limit = kOverspeed * axes[static_cast<std::size_t>(i)].velocity_max;
     if (!(speed <= limit)) fault = {ErrorCode::overspeed, static_cast<int>(i), speed, limit};
     speed_[i] = shortest > 0 ? (joints[i] - last.joints[i]) / shortest : kUnknown;

@@ -11,7 +11,7 @@ namespace mrroc::edp {
 ///
 /// - a joint faster than kOverspeed times its velocity limit, over kReadings readings, has run away: its drive no
 /// longer obeys; so has one that will be as fast at the next reading if it goes on to gain speed, even if kTremble
-/// increments of that are the encoder's;
+/// increments of that are the encoder's (not one that homes by itself: drives may come to their speed within a tick);
 /// - a shaft that reads the very same position while its set-point goes on by `stuck_max` is jammed, or its encoder has
 /// died and the regulator will push it faster and faster;
 /// - so is one that reads the very same position while its current has changed by what brings the free drive, its rotor
@@ -47,12 +47,13 @@ class MotionWatch {
     double late = 0;
   };
   /// Once per servo tick. The first axis that is too fast, else one that is stuck (`moves`: it is commanded, not
-  /// stopping); code none: all is well.
-  Fault look(const RobotModel& model, const Seen& seen, Taken taken, bool moves) noexcept;
+  /// stopping); code none: all is well. `homing`: the axis whose drive homes by itself, -1: none.
+  Fault look(const RobotModel& model, const Seen& seen, Taken taken, bool moves, int homing) noexcept;
 
  private:
   void begin(const RobotModel& model, const Seen& seen, Taken taken) noexcept;
-  Fault look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken) noexcept;
+  Fault look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken,
+                      int homing) noexcept;
   Fault look_at_shafts(const RobotModel& model, const Seen& seen) noexcept;
   Fault look_at_push(const RobotModel& model, const JointVector& joints) const noexcept;
 

@@ -107,6 +107,8 @@ class Servo {
   void follow_force(Tick tick) noexcept;
   bool synchronise(Tick tick) noexcept;
   int synchronised_axis() const noexcept;
+  /// The same, where the axis's drive finds its position by itself.
+  int homing_axis() const noexcept;
   void change_model() noexcept;
   void use_regulators() noexcept;
   void put_out(const Signals& outputs) noexcept;

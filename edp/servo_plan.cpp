@@ -94,6 +94,8 @@ int Servo::synchronised_axis() const noexcept {
   return hardware_.homes() ? homing_.axis() : synchroniser_.axis();
 }
 
+int Servo::homing_axis() const noexcept { return hardware_.homes() ? synchronised_axis() : -1; }
+
 void Servo::change_model() noexcept {
   if (!use(active_.choice)) latch(ErrorCode::motor_limit, -1, 0, 0, last_);
 }
@@ -173,7 +175,7 @@ void Servo::stop(StopCategory category) noexcept {
 }
 
 void Servo::stop_and_switch_off() noexcept {
-  if (synchronised_axis() >= 0 && hardware_.homes()) return drives_off();  // a drive that homes follows no stop of ours
+  if (homing_axis() >= 0) return drives_off();  // a drive that homes follows no stop of ours
   if (running_ && active_.ticket != 0) finished_ = active_.ticket;
   abort_pending();
   brake(last_);

@@ -86,7 +86,7 @@ void Servo::watch(Tick tick) noexcept {
   if (moves) find_fault(in_motion);
   if (enabled_)
     find_fault(motion_.look(*model_, {joints_, velocity_, measured_motors_, desired_motors_, current_},
-                            {input_.tick, input_.late}, moves));
+                            {input_.tick, input_.late}, moves, homing_axis()));
   if (found_.code != ErrorCode::none) latch(found_.code, found_.axis, found_.value, found_.limit, tick);
   if (enabled_ && fault_.code != ErrorCode::none)
     stop(stop_category(found_.code != ErrorCode::none ? found_.code : fault_.code));
@@ -134,7 +134,7 @@ bool Servo::keeps_limits(Tick tick) noexcept {
     return stopping_;
   }
   if (stopping_) return true;  // nothing better than the stop is left
-  const int homing = hardware_.homes() ? synchronised_axis() : -1;
+  const int homing = homing_axis();
   for (int i = 0; i < model_->joint_count(); ++i) {
     if (i == homing) continue;  // the set-point is where the drive has brought it
     const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];

@@ -22,13 +22,13 @@ ErrorCode recover(Rig<Slide>& rig) {
 }
 
 /// What a watch says that reads these ways of a slide's shaft, tick by tick, parts of its way at full speed in a
-/// period; each reading may have been taken as late as that.
-Fault after_ways(const std::vector<double>& ways, const std::vector<double>& late = {}) {
+/// period; each reading may have been taken as late as that. `homing`: 0 when the slide's drive homes by itself.
+Fault after_ways(const std::vector<double>& ways, const std::vector<double>& late = {}, int homing = -1) {
   const Slide model;
   MotionWatch watch(kPeriod);
   const double full = model.parameters().axes[0].velocity_max * kPeriod;
   JointVector joints = one(0), velocity = one(ways.front() * full / kPeriod);
-  Fault fault = watch.look(model, {joints, velocity, joints, joints, one(0)}, {1}, true);
+  Fault fault = watch.look(model, {joints, velocity, joints, joints, one(0)}, {1}, true, homing);
   Tick tick = 1;
   for (const double way : ways) {
     if (fault.code != ErrorCode::none) break;
@@ -36,7 +36,7 @@ Fault after_ways(const std::vector<double>& ways, const std::vector<double>& lat
     velocity[0] = way * full / kPeriod;
     const JointVector motors = GearedModel::kGear * joints;
     const double lateness = late.empty() ? 0 : late[tick - 1];
-    fault = watch.look(model, {joints, velocity, motors, motors, one(0)}, {++tick, lateness}, true);
+    fault = watch.look(model, {joints, velocity, motors, motors, one(0)}, {++tick, lateness}, true, homing);
   }
   fault.tick = tick;
   return fault;
@@ -54,6 +54,13 @@ TEST(Overspeed, IsSeenATickAheadAndNotInATremble) {
   steady.back() = 1.13;
   EXPECT_EQ(after_ways(steady).code, ErrorCode::none) << "two increments more";
   EXPECT_EQ(after_ways(std::vector<double>(10, 1.17)).code, ErrorCode::overspeed);
+}
+
+TEST(Overspeed, IsNoneWhereADriveThatHomesComesToItsSpeedAtOnce) {
+  const std::vector<double> at_once{0, 0, 0, 1, 1, 1, 1, 1, 1, 0, -1, -1, -1, -1};
+  EXPECT_EQ(after_ways(at_once, {}, 0).code, ErrorCode::none);
+  EXPECT_EQ(after_ways(at_once).code, ErrorCode::overspeed) << "it is ours to bring it there";
+  EXPECT_EQ(after_ways(std::vector<double>(10, 1.17), {}, 0).code, ErrorCode::overspeed) << "but faster it may not be";
 }
 
 TEST(Overspeed, IsNoneWhereTheServoWasLate) {
