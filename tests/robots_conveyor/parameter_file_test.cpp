@@ -17,12 +17,12 @@ std::string error_with(const std::string& from, const std::string& to) {
 TEST(ConveyorFile, MistakesNameTheirKey) {
   EXPECT_EQ(error_with("gear = 2250.0", "gear = -2250.5"), "");
   EXPECT_EQ(error_with("gear = 2250.0", "gear = 0.0"),
-            "c.toml:35: geometry.gear: 0 is no gear, expected rad of the motor per m, its sign included");
+            "c.toml:36: geometry.gear: 0 is no gear, expected rad of the motor per m, its sign included");
   EXPECT_EQ(error_with("gear = 2250.0", "gear = inf"),
-            "c.toml:35: geometry.gear: inf is not finite, expected a number");
-  EXPECT_EQ(error_with("gear = 2250.0", "geer = 2250.0"), "c.toml:34: geometry.gear: missing, expected a number");
+            "c.toml:36: geometry.gear: inf is not finite, expected a number");
+  EXPECT_EQ(error_with("gear = 2250.0", "geer = 2250.0"), "c.toml:35: geometry.gear: missing, expected a number");
   EXPECT_EQ(error_with("[geometry]", "[geometry]\nlength = 1"),
-            "c.toml:35: geometry.length: unknown key, expected 'gear'");
+            "c.toml:36: geometry.length: unknown key, expected 'gear'");
   EXPECT_EQ(error_with("velocity_max = 0.05", "velocity_max = -0.05"),
             "c.toml:15: axes[0].velocity_max: -0.05 is not positive, expected a number above 0");
 }
