@@ -10,7 +10,6 @@
 #include <fstream>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
 
 #include "system/cable.hpp"
@@ -78,12 +77,7 @@ class TwoHostsOverSsh : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(std::filesystem::exists("/usr/sbin/sshd")) << "scripts/install_dependencies has openssh-server";
-    try {
-      cable_.emplace(1);
-    } catch (const std::system_error& error) {
-      if (error.code().value() != EPERM && error.code().value() != ENOSYS) throw;
-      GTEST_SKIP() << error.what() << " (network namespaces need root)";
-    }
+    if (const std::string refusal = lay(cable_); !refusal.empty()) GTEST_SKIP() << refusal;
     server_.emplace(*cable_, folder_.path());
     const std::string path = std::getenv("PATH");
     setenv("PATH", ((folder_.path() / "bin").string() + ":" + path).c_str(), 1);

@@ -9,7 +9,6 @@
 #include <optional>
 #include <ostream>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -41,12 +40,7 @@ std::string in_toml(const std::vector<std::string>& words) {
 class TwoHosts : public testing::Test {
  protected:
   void SetUp() override {
-    try {
-      cable_.emplace(1);
-    } catch (const std::system_error& error) {
-      if (error.code().value() != EPERM && error.code().value() != ENOSYS) throw;
-      GTEST_SKIP() << error.what() << " (network namespaces need root)";
-    }
+    if (const std::string refusal = lay(cable_); !refusal.empty()) GTEST_SKIP() << refusal;
   }
 
   /// What the deployments have in common; `limits` are more lines of [deployment].
