@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "links/authentication.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::links {
@@ -76,7 +77,10 @@ std::map<std::string, std::string> security_properties(const fs::path& folder) {
     properties[prefix + "init"] = "init_" + functions;
     properties[prefix + "finalize"] = "finalize_" + functions;
   };
-  plugin("auth", "auth", "authentication");
+  const AuthenticationLibrary authentication = authentication_library(folder_of_plugins / "libdds_security_auth.so");
+  properties["dds.sec.auth.library.path"] = authentication.path;
+  properties["dds.sec.auth.library.init"] = authentication.init;
+  properties["dds.sec.auth.library.finalize"] = authentication.finalize;
   plugin("access", "ac", "access_control");
   plugin("crypto", "crypto", "crypto");
   return properties;

@@ -1,12 +1,18 @@
 #include "links/security.hpp"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <functional>
+#include <thread>
 
 #include "links/code_of.hpp"
+#include "links/dds_log.hpp"
 #include "links/domain.hpp"
+#include "links/forged_handshake.hpp"
 #include "links/forged_packets.hpp"
 #include "links/peer_process.hpp"
 #include "links/robot_requester.hpp"
@@ -147,6 +153,43 @@ TEST(Security, AForgedFarewellCutsAPlainLinkButNoneWithKeys) {
   const TestKeys keys("cell");
   EXPECT_EQ(fate({}, farewell), ErrorCode::process_died);
   EXPECT_EQ(fate(keys.folder(), farewell), ErrorCode::none);
+}
+
+TEST(Security, AForgedHandshakeEndsNoProcess) {
+  const TestKeys keys("cell");
+  FreeDomain number;
+  const auto before = open_descriptors();
+  Domain domain({.id = number.id(), .lease = 20, .keys = keys.folder()});
+  const LoopbackSender stranger(ports_since(before));
+  dds_guid_t own{};
+  ASSERT_EQ(dds_get_guid(domain.participant(), &own), DDS_RETCODE_OK);
+  Guid victim{};
+  std::copy_n(own.v, victim.size(), victim.begin());
+  for (int i = 0; i < 20; ++i) {
+    const Guid participant{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, static_cast<std::uint8_t>(i), 0, 0, 1, 0xc1};
+    stranger.send(forged_identity(participant));
+    // Cyclone gives a new participant 10 ms to be first
+    for (int milliseconds = 0; milliseconds < 10; ++milliseconds) {
+      stranger.send(forged_handshake(participant, victim));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  const auto log = dds_log_messages();
+  EXPECT_TRUE(std::any_of(log.begin(), log.end(), [](const std::string& line) {
+    return line.find("Validate remote identity failed") != std::string::npos;
+  })) << "no identity of theirs was looked at";
+  TestClock clock;
+  PeerProcess peer("respond", number.id(), "cell/arm", 20, keys.folder());
+  RobotRequester link(domain, clock, "cell/arm", "peer", 10000);
+  EXPECT_NO_THROW(link.connect(kPatience));
+}
+
+TEST(Security, CycloneSetsNoTimerForAHandshake) {
+  // after 100 s of one that nobody finishes it would block the thread of hand-shakes: too long for a test
+  void* const function = ::dlsym(RTLD_DEFAULT, "dds_security_fsm_set_timeout");
+  Dl_info found{};
+  ASSERT_NE(::dladdr(function, &found), 0);
+  EXPECT_EQ(fs::path(found.dli_fname).filename(), "links_test") << "not this program's";
 }
 
 TEST(Security, RefusesKeysThatAreNotThereOrThatOthersMayRead) {
