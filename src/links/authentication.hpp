@@ -10,8 +10,8 @@ namespace mrroc::links {
 /// by which whoever reaches a process's port, without any key, could end or block it. The hand-shake is not signed yet.
 ///
 /// - A remote identity is refused, and a hand-shake request has come early: Cyclone takes the length of the class of
-///   an authentication request token that nobody has filled in, a null pointer (the same in 11.0). Ours call the
-///   plug-in's, and fill in an empty class where an identity is refused.
+///   an authentication request token that nobody has filled in, a null pointer (by its source in 11.0, too). Ours call
+///   the plug-in's, and fill in an empty class where an identity is refused.
 /// - A hand-shake is not done after 100 s: Cyclone takes its timer out of a heap twice, and its thread of hand-shakes
 ///   runs in a circle for ever (eclipse-cyclonedds/cyclonedds#1548, mended in 0.10.3). That timer is never set here: a
 ///   peer that does not finish is given up by `start_timeout`, a stranger goes when its lease ends.

@@ -41,13 +41,33 @@ inline Guid entity_of(Guid participant, std::uint32_t number) {
 
 constexpr int kPlain = 1, kParameters = 3;  // encapsulations, little-endian
 
+constexpr int kNeither = 0, kData = 0x04, kKey = 0x08;  // what a payload is
+
 /// A DATA submessage (RTPS 2.3, 9.4.5.3) of `writer`.
-inline std::string forged_data(const Guid& writer, const Guid& reader, int encapsulation, const std::string& payload) {
+inline std::string forged_data(const Guid& writer, const Guid& reader, int encapsulation, const std::string& payload,
+                               int kind = kData) {
   Packet packet(writer);
-  packet.raw({0x15, 0x05}).half(static_cast<int>(20 + 4 + payload.size())).half(0).half(16);
+  packet.raw({0x15, 0x01 | kind}).half(static_cast<int>(20 + 4 + payload.size())).half(0).half(16);
   packet.append(reader.data() + 12, 4).append(writer.data() + 12, 4).sequence(1);
   packet.raw({0x00, encapsulation}).half(0).append(payload.data(), payload.size());
   return packet.bytes();
+}
+
+/// A part of a sample that goes from byte `begin`, a multiple of 1000, to `end` (DATA_FRAG, 9.4.5.4), of fragments of
+/// 1000.
+inline std::string forged_fragment(const Guid& writer, const Guid& reader, std::uint32_t begin, std::uint32_t end,
+                                   std::uint32_t sample_size, bool only_key = false) {
+  constexpr std::uint32_t kFragment = 1000;
+  std::string payload(end - begin, 'A');
+  if (begin == 0) payload.replace(0, 4, std::string{0, kPlain, 0, 0});
+  Packet packet(writer);
+  packet.raw({0x16, only_key ? 0x05 : 0x01}).half(0).half(0).half(28);  // the last submessage may leave out its length
+  packet.append(reader.data() + 12, 4).append(writer.data() + 12, 4).sequence(1);
+  packet.word(begin / kFragment + 1)
+      .half(static_cast<int>((end - begin) / kFragment))
+      .half(kFragment)
+      .word(sample_size);
+  return packet.append(payload.data(), payload.size()).bytes();
 }
 
 /// "I am a participant with keys", by one whose identity token is of no class that there is (DDS

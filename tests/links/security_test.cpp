@@ -7,7 +7,9 @@
 #include <chrono>
 #include <fstream>
 #include <functional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "links/code_of.hpp"
 #include "links/dds_log.hpp"
@@ -182,6 +184,48 @@ TEST(Security, AForgedHandshakeEndsNoProcess) {
   PeerProcess peer("respond", number.id(), "cell/arm", 20, keys.folder());
   RobotRequester link(domain, clock, "cell/arm", "peer", 10000);
   EXPECT_NO_THROW(link.connect(kPatience));
+}
+
+/// A participant with keys bears what a stranger, who has none, sends it as the writer of hand-shakes, and then talks.
+void bears(const std::function<std::vector<std::string>(const Guid& writer, const Guid& reader)>& packets) {
+  const TestKeys keys("cell");
+  FreeDomain number;
+  const auto before = open_descriptors();
+  Domain domain({.id = number.id(), .lease = 20, .keys = keys.folder()});
+  const LoopbackSender stranger(ports_since(before));
+  for (int i = 0; i < 20; ++i) {
+    const Guid participant{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, static_cast<std::uint8_t>(i), 0, 0, 1, 0xc1};
+    stranger.send(forged_identity(participant));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (const std::string& packet : packets(entity_of(participant, 0x000201c3), entity_of({}, 0x000201c4)))
+      stranger.send(packet);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  TestClock clock;
+  PeerProcess peer("respond", number.id(), "cell/arm", 20, keys.folder());
+  RobotRequester link(domain, clock, "cell/arm", "peer", 10000);
+  EXPECT_NO_THROW(link.connect(kPatience));
+}
+
+TEST(Security, ForgedFragmentsWriteBehindNoMemory) {
+  bears([](const Guid& writer, const Guid& reader) {
+    return std::vector{forged_fragment(writer, reader, 0, 1000, 2000),
+                       forged_fragment(writer, reader, 1000, 60000, 60000)};
+  });
+}
+
+TEST(Security, AHandshakeThatSaysItIsOnlyAKeyEndsNoProcess) {
+  bears([](const Guid& writer, const Guid& reader) {
+    return std::vector{forged_data(writer, reader, kPlain, std::string(16, '\0'), kKey),
+                       forged_data(writer, reader, kPlain, std::string(16, '\0'), kNeither)};
+  });
+}
+
+TEST(Security, AHandshakeOfFragmentsThatSayTheyAreAKeyEndsNoProcess) {
+  bears([](const Guid& writer, const Guid& reader) {
+    return std::vector{forged_fragment(writer, reader, 0, 1000, 2000, true),
+                       forged_fragment(writer, reader, 1000, 2000, 2000, true)};
+  });
 }
 
 TEST(Security, CycloneSetsNoTimerForAHandshake) {
