@@ -34,7 +34,7 @@ constexpr int kPatienceWithKilled = 3000;    // ms; a debugger can keep a killed
   setpgid(0, 0);             // Ctrl-C is the runner's to forward
   dup2(channel >= 0 ? channel : output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
-  const int input = channel >= 0 ? channel : open("/dev/null", O_RDONLY);
+  const int input = channel >= 0 ? channel : ::open("/dev/null", O_RDONLY);
   if (input >= 0) dup2(input, STDIN_FILENO);
   for (const int fd : handed) fcntl(fd, F_SETFD, 0);
   execv(program.c_str(), words);

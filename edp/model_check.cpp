@@ -12,8 +12,8 @@ namespace {
 
 using config::number_text;
 
-constexpr std::uint64_t kSeed = 1;
-constexpr int kPostures = 200;
+constexpr std::uint64_t kModelSeed = 1;
+constexpr int kModelPostures = 200;
 constexpr int kSteps = 32;              // of a motor over its range
 constexpr int kTriesForALimit = 20000;  // random postures until a joint limit counts as out of reach
 constexpr double kReturn = 1e-6;        // of a position there and back, relative to it where it is above 1
@@ -58,7 +58,7 @@ class ModelCheck {
   }
 
   void check_postures() const {
-    for (const JointVector& joints : postures(model_, kPostures, kSeed)) {
+    for (const JointVector& joints : postures(model_, kModelPostures, kModelSeed)) {
       JointVector motors, back;
       if (model_.joints_to_motors(joints, motors) != ErrorCode::none) continue;  // home of another model
       check_transmission(joints);
@@ -127,7 +127,7 @@ class ModelCheck {
 
   void check_reached(std::size_t i, std::string_view key, double limit) const {
     if (!std::isfinite(limit)) return;
-    std::mt19937_64 random(kSeed);
+    std::mt19937_64 random(kModelSeed);
     for (int tries = 0; tries < kTriesForALimit; ++tries) {
       JointVector joints = tries == 0 ? model_.parameters().home : random_joints(model_, random);
       // where motors turn with several joints, a limit may be within reach in a corner only

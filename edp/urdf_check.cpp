@@ -14,8 +14,8 @@ using config::ConfigurationError;
 using config::in_quotes;
 using config::number_text;
 
-constexpr std::uint64_t kSeed = 1;
-constexpr int kPostures = 16;
+constexpr std::uint64_t kUrdfSeed = 1;
+constexpr int kUrdfPostures = 16;
 constexpr double kApart = 1e-6;   // m, and rad
 constexpr double kLimit = 1e-9;   // of a limit, relative where it is above 1
 constexpr double kEndless = 1e6;  // m
@@ -133,7 +133,7 @@ class UrdfCheck {
 void check_urdf(const RobotModel& model, const std::filesystem::path& file) {
   const UrdfCheck check(model, file);
   check.check_axes();
-  for (const JointVector& joints : postures(model, kPostures, kSeed)) check.check_posture(joints);
+  for (const JointVector& joints : postures(model, kUrdfPostures, kUrdfSeed)) check.check_posture(joints);
 }
 
 }  // namespace mrroc::edp

@@ -14,7 +14,6 @@ namespace {
 using namespace canopen;
 
 constexpr double kPerMille = 1000;
-constexpr int kMissedHeartbeats = 3;
 constexpr int kMostOwed = 16;  // answers that are under way on the slowest of buses
 
 Tick ticks(double time, double period) { return static_cast<Tick>(std::ceil(time / period)); }

@@ -16,8 +16,7 @@ namespace {
 
 using namespace canopen;
 
-constexpr std::uint8_t kAtOnce = 255;  // transmission type: the value is taken when it comes
-constexpr int kMissedHeartbeats = 3;
+constexpr std::uint8_t kAtOnce = 255;            // transmission type: the value is taken when it comes
 constexpr std::int64_t kSlowDownAndDisable = 2;  // quick stop and fault reaction option codes: on the quick stop ramp
 constexpr std::int64_t kFault = 1;               // abort connection option code: our heartbeat is lost
 

@@ -8,6 +8,9 @@
 
 namespace mrroc::edp {
 
+/// A node is lost when its heartbeat has been missing for so many of its periods: theirs to us, and ours to them.
+inline constexpr int kMissedHeartbeats = 3;
+
 /// What the PDOs of every drive carry. RPDO 1 goes to a drive in each servo tick, TPDO 1 comes at each SYNC, TPDO 2 at
 /// each `status_every`-th one.
 struct DrivePdos {

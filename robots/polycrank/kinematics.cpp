@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr double kSingular = 1e-10;  // |sin g|
+constexpr double kAligned = 1e-10;  // |sin g|
 
 // Directions of the elbow group, turned by `f` about the first axis.
 struct GroupAxes {
@@ -75,7 +75,7 @@ ErrorCode Kinematics::inverse(const Pose& flange, const JointVector& near, Joint
   const JointVector result = q + (near - within_turn);
   if (!result.allFinite()) return ErrorCode::out_of_workspace;
   joints = result;
-  const bool rolls_aligned = sine_of_wrist(flange) < kSingular;
+  const bool rolls_aligned = sine_of_wrist(flange) < kAligned;
   return rolls_aligned || elbow_.folds_onto(elbow_.end(q[3], q[4])) ? ErrorCode::singular : ErrorCode::none;
 }
 
@@ -87,7 +87,7 @@ bool Kinematics::closed_form(const Pose& flange, const JointVector& near, JointV
 
   double least = std::numeric_limits<double>::infinity();
   for (const double sign : {1.0, -1.0}) {
-    const double f = sine < kSingular ? near[0] + near[1] + near[2] : std::atan2(sign * axis.z(), sign * axis.y());
+    const double f = sine < kAligned ? near[0] + near[1] + near[2] : std::atan2(sign * axis.z(), sign * axis.y());
     const double g = std::atan2(sign * sine, -axis.x());
     const GroupAxes group(f);
     // what both pairs reach together

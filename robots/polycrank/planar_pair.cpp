@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSingular = 1e-10;  // m
+constexpr double kShortest = 1e-10;  // m
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -28,7 +28,7 @@ Vector2d PlanarPair::angles(const Vector2d& point, double bend, double free_angl
 }
 
 bool PlanarPair::folds_onto(const Vector2d& point) const noexcept {
-  return shortest_reach() < kSingular && point.norm() < kSingular;
+  return shortest_reach() < kShortest && point.norm() < kShortest;
 }
 
 double PlanarPair::longest_reach() const noexcept { return std::abs(first_) + std::abs(second_); }

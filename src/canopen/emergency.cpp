@@ -6,13 +6,13 @@ namespace mrroc::canopen {
 
 namespace {
 
-struct Text {
+struct EmergencyText {
   std::uint16_t code;
   std::string_view text;
 };
 
 // CiA 301 table 26 and CiA 402-2 5.3; a group ends with zeros
-constexpr Text kTexts[] = {
+constexpr EmergencyText kEmergencyTexts[] = {
     {0x0000, "no error"},
     {0x1000, "generic error"},
     {0x2000, "current"},
@@ -87,9 +87,10 @@ constexpr Text kTexts[] = {
 };
 
 std::string_view exact(std::uint16_t code) noexcept {
-  const auto* const found = std::lower_bound(std::begin(kTexts), std::end(kTexts), code,
-                                             [](const Text& text, std::uint16_t wanted) { return text.code < wanted; });
-  return found != std::end(kTexts) && found->code == code ? found->text : std::string_view{};
+  const auto* const found =
+      std::lower_bound(std::begin(kEmergencyTexts), std::end(kEmergencyTexts), code,
+                       [](const EmergencyText& text, std::uint16_t wanted) { return text.code < wanted; });
+  return found != std::end(kEmergencyTexts) && found->code == code ? found->text : std::string_view{};
 }
 
 }  // namespace

@@ -13,13 +13,13 @@ constexpr std::uint8_t kAnsweredUploadSegment = 0x00, kAnsweredDownloadSegment =
 constexpr std::uint8_t kSpecifier = 0xe0, kToggle = 0x10, kExpedited = 0x02, kSizeTold = 0x01, kLast = 0x01;
 constexpr std::size_t kInSegment = 7;
 
-struct Text {
+struct AbortText {
   std::uint32_t code;
   std::string_view text;
 };
 
 // CiA 301, table 22
-constexpr Text kTexts[] = {
+constexpr AbortText kAbortTexts[] = {
     {0x05030000, "toggle bit not alternated"},
     {0x05040000, "SDO protocol timed out"},
     {0x05040001, "command specifier not valid or unknown"},
@@ -58,9 +58,9 @@ constexpr Text kTexts[] = {
 std::string_view describe(SdoAbort abort) noexcept {
   if (abort == SdoAbort::none) return "no abort";
   const auto code = static_cast<std::uint32_t>(abort);
-  const auto* const found =
-      std::find_if(std::begin(kTexts), std::end(kTexts), [code](const Text& text) { return text.code == code; });
-  return found != std::end(kTexts) ? found->text : "unknown abort code";
+  const auto* const found = std::find_if(std::begin(kAbortTexts), std::end(kAbortTexts),
+                                         [code](const AbortText& text) { return text.code == code; });
+  return found != std::end(kAbortTexts) ? found->text : "unknown abort code";
 }
 
 can::Frame SdoTransfer::request(std::uint8_t command) const noexcept {

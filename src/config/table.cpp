@@ -21,15 +21,15 @@
 
 namespace mrroc::config {
 
-namespace {
-
-/// Longer lines are no configuration; the bound also keeps the depth of dotted keys, and so of the parser's recursion.
-constexpr std::size_t kLineLength = 10000;
-
 struct Document {
   std::filesystem::path file;
   toml::table root;
 };
+
+namespace {
+
+/// Longer lines are no configuration; the bound also keeps the depth of dotted keys, and so of the parser's recursion.
+constexpr std::size_t kLineLength = 10000;
 
 int line_of(const toml::source_region& place) { return static_cast<int>(place.begin.line); }
 

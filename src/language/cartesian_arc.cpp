@@ -11,11 +11,11 @@ namespace mrroc {
 
 namespace {
 
-constexpr const char* kName = "CartesianArc";
+constexpr const char* kArcName = "CartesianArc";
 constexpr double kStraight = 1e-6;  // sine of the angle between two chords: they make no circle
 
 [[noreturn]] void refuse(const char* what) {
-  throw NonFatalError(ErrorCode::invalid_argument, std::string{kName} + ": " + what);
+  throw NonFatalError(ErrorCode::invalid_argument, std::string{kArcName} + ": " + what);
 }
 
 /// The turn about the axis of the circle through three places, from the first to the last by way of the second.
@@ -37,14 +37,18 @@ Circle circle_through(const Eigen::Vector3d& from, const Eigen::Vector3d& via, c
 }  // namespace
 
 CartesianArc::CartesianArc(Robot& robot, const Eigen::Vector3d& via, const Pose& target, const PathLimits& limits)
-    : PathGenerator(robot, kName), through_(true), via_(via), target_(checked_pose(target, kName)), limits_(limits) {
-  check_limits(limits, kName);
+    : PathGenerator(robot, kArcName),
+      through_(true),
+      via_(via),
+      target_(checked_pose(target, kArcName)),
+      limits_(limits) {
+  check_limits(limits, kArcName);
   if (!via.allFinite()) refuse("a coordinate of via that is not finite");
 }
 
 CartesianArc::CartesianArc(Robot& robot, const Circle& circle, const PathLimits& limits)
-    : PathGenerator(robot, kName), through_(false), circle_(circle), limits_(limits) {
-  check_limits(limits, kName);
+    : PathGenerator(robot, kArcName), through_(false), circle_(circle), limits_(limits) {
+  check_limits(limits, kArcName);
   if (!circle.centre.allFinite() || !circle.axis.allFinite() || !std::isfinite(circle.angle))
     refuse("a number of the circle that is not finite");
   if (!(circle.axis.norm() > 0)) refuse("an axis of length 0");

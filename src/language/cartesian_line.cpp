@@ -6,13 +6,13 @@ namespace mrroc {
 
 namespace {
 
-constexpr const char* kName = "CartesianLine";
+constexpr const char* kLineName = "CartesianLine";
 
 }  // namespace
 
 CartesianLine::CartesianLine(Robot& robot, const Pose& target, const PathLimits& limits)
-    : PathGenerator(robot, kName), target_(checked_pose(target, kName)), limits_(limits) {
-  check_limits(limits, kName);
+    : PathGenerator(robot, kLineName), target_(checked_pose(target, kLineName)), limits_(limits) {
+  check_limits(limits, kLineName);
 }
 
 std::unique_ptr<RobotPath> CartesianLine::path_from(const JointVector& joints) {

@@ -13,11 +13,11 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kDifference = 1e-4;  // s, for the derivatives of the poses
-constexpr double kReturn = 1.0;       // s, to the path after a pause
-constexpr double kRestSpeed = 1e-5;   // m/s: slower the arms may stop within one macrostep
-constexpr double kRestRate = 1e-3;    // m/s^2
-constexpr double kRounding = 1e-9;    // s
+constexpr double kPlanDifference = 1e-4;  // s, for the derivatives of the poses
+constexpr double kReturn = 1.0;           // s, to the path after a pause
+constexpr double kRestSpeed = 1e-5;       // m/s: slower the arms may stop within one macrostep
+constexpr double kRestRate = 1e-3;        // m/s^2
+constexpr double kPlanRounding = 1e-9;    // s
 
 /// The pose in the middle of several that are near to each other.
 Pose middle_of(const std::vector<Pose>& poses) {
@@ -118,7 +118,7 @@ void CooperativePlan::brake() {
 }
 
 bool CooperativePlan::over(double t) const {
-  return (braking_ || poses_.size() > 1) && time_ + t >= path_.duration() - kRounding &&
+  return (braking_ || poses_.size() > 1) && time_ + t >= path_.duration() - kPlanRounding &&
          (clock_ + t >= kReturn || off_.isZero(0));
 }
 
@@ -185,7 +185,7 @@ void CooperativePlan::give_way() {
 }
 
 void CooperativePlan::command(std::size_t i) const {
-  const double h = kDifference;
+  const double h = kPlanDifference;
   const Pose before = tool_at(i, step_ - h), there = tool_at(i, step_), after = tool_at(i, step_ + h);
   RobotCommand& command = arms_[i].robot->command();
   command.kind = CommandKind::pose;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kSame = 1e-9;       // s at full speed
 constexpr double kMostSlope = 1.25;  // of a calmed joint
 constexpr int kHalvings = 6;         // of a piece, to see how far it swings
-constexpr double kRounding = 1e-12;
+constexpr double kSplineRounding = 1e-12;
 
 double full_speed_time(const RobotParameters& parameters, const JointVector& from, const JointVector& to) {
   double longest = 0;
@@ -119,8 +119,8 @@ bool JointSpline::calm(const RobotParameters& parameters) {
       const auto row = static_cast<Eigen::Index>(k);
       const auto [low, high] = std::minmax(knots_[i].value[row], knots_[i + 1].value[row]);
       const double room = std::pow(axis.acceleration_max, 3) / std::pow(axis.jerk_max, 2);
-      const double lowest = std::min(low, axis.position_min + room) - kRounding;
-      const double highest = std::max(high, axis.position_max - room) + kRounding;
+      const double lowest = std::min(low, axis.position_min + room) - kSplineRounding;
+      const double highest = std::max(high, axis.position_max - room) + kSplineRounding;
       const double h = pieces_[i].length();
       if (stays_within(bernstein(knots_[i], knots_[i + 1], row, h), lowest, highest, kHalvings)) continue;
       changed = calm_at(i, row) || changed;

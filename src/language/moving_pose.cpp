@@ -6,7 +6,7 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kDifference = 1e-3;  // s
+constexpr double kPoseDifference = 1e-3;  // s
 
 bool is_zero(const JointVector& joints) noexcept { return (joints.array() == 0.0).all(); }
 
@@ -35,7 +35,7 @@ MovingPose tool_motion(const ToolKinematics& kinematics, const JointVector& posi
 MovingPose desired_motion(const Robot& robot) noexcept {
   const RobotState& state = robot.state();
   MovingPose tool = tool_motion(robot.kinematics(), state.desired_joints, state.desired_velocity,
-                                state.desired_acceleration, kDifference);
+                                state.desired_acceleration, kPoseDifference);
   tool.pose = state.desired_pose;
   return tool;
 }

@@ -11,12 +11,12 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kJerkRate = 10;      // 1/s: jerk per acceleration
-constexpr double kMostTurn = 3;       // rad: at pi the rotation vector is not unique
-constexpr double kEqual = 1e-9;       // m, rad
-constexpr int kSamples = 64;          // between two knots, to find the largest derivatives
-constexpr double kMargin = 0.98;      // what lies between the samples
-constexpr double kDifference = 1e-4;  // s of the parameter
+constexpr double kObjectJerkRate = 10;         // 1/s: jerk per acceleration
+constexpr double kMostTurn = 3;                // rad: at pi the rotation vector is not unique
+constexpr double kEqual = 1e-9;                // m, rad
+constexpr int kKnotSamples = 64;               // between two knots, to find the largest derivatives
+constexpr double kMargin = 0.98;               // what lies between the samples
+constexpr double kParameterDifference = 1e-4;  // s of the parameter
 
 [[noreturn]] void refuse(const std::string& what) {
   throw NonFatalError(ErrorCode::invalid_argument, "path of an object: " + what);
@@ -94,10 +94,10 @@ Pose ObjectPath::pose(double u) const noexcept {
 void ObjectPath::choose_speed(const CooperativeLimits& limits) {
   // the largest first and second derivatives by u: of the position, of the rotation
   double way = 0, bend = 0, turn = 0, twist = 0;
-  const double h = kDifference;
+  const double h = kParameterDifference;
   for (std::size_t i = 1; i < knots_.size(); ++i) {
-    for (int sample = 0; sample <= kSamples; ++sample) {
-      const double u = knots_[i - 1] + (knots_[i] - knots_[i - 1]) * sample / kSamples;
+    for (int sample = 0; sample <= kKnotSamples; ++sample) {
+      const double u = knots_[i - 1] + (knots_[i] - knots_[i - 1]) * sample / kKnotSamples;
       const Pose before = pose(u - h), there = pose(u), after = pose(u + h);
       way = std::max(way, (after.translation() - before.translation()).norm() / (2 * h));
       bend = std::max(bend, (after.translation() - 2 * there.translation() + before.translation()).norm() / (h * h));
@@ -114,7 +114,7 @@ void ObjectPath::choose_speed(const CooperativeLimits& limits) {
   input_.max_velocity[0] = speed;
   input_.max_acceleration[0] = kMargin * std::min((limits.acceleration - bend * speed * speed) / way,
                                                   (limits.angular_acceleration - twist * speed * speed) / turn);
-  input_.max_jerk[0] = kJerkRate * input_.max_acceleration[0];
+  input_.max_jerk[0] = kObjectJerkRate * input_.max_acceleration[0];
 }
 
 void ObjectPath::plan(double from) {
@@ -148,8 +148,8 @@ Pose ObjectPath::restart(double t, const Pose& pose, double ahead) {
   if (knots_.size() == 1) return this->pose(0);
   const double from = parameter(t), to = std::min(from + ahead * input_.max_velocity[0], knots_.back());
   double best = from, least = INFINITY;
-  for (int sample = 0; sample <= kSamples; ++sample) {
-    const double u = from + (to - from) * sample / kSamples;
+  for (int sample = 0; sample <= kKnotSamples; ++sample) {
+    const double u = from + (to - from) * sample / kKnotSamples;
     const Pose off = this->pose(u).inverse() * pose;
     const double distance = off.translation().squaredNorm() + rotation_vector(off.linear()).squaredNorm();
     if (distance < least) best = u, least = distance;

@@ -8,11 +8,11 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kGentler = 0.8;     // each try
-constexpr int kTries = 24;           // down to a 200th
-constexpr double kBeyond = 1.002;    // of the limits, as PathTiming
-constexpr double kBeyondEnd = 1e-9;  // of s
-constexpr double kRounding = 1e-9;   // s
+constexpr double kGentler = 0.8;         // each try
+constexpr int kTries = 24;               // down to a 200th
+constexpr double kBrakeBeyond = 1.002;   // of the limits, as PathTiming
+constexpr double kBeyondEnd = 1e-9;      // of s
+constexpr double kBrakeRounding = 1e-9;  // s
 
 /// The greatest acceleration and jerk of s alone that the limits allow at a place.
 struct Reserve {
@@ -59,7 +59,7 @@ std::optional<PathBrake> PathBrake::find(const RobotPath& path, const PathTiming
 PathTiming::Point PathBrake::at(double t) const noexcept {
   PathTiming::Point point;
   motion_.at_time(std::min(t, duration()), point.position, point.speed, point.acceleration);
-  if (t >= duration() - kRounding) point.speed = point.acceleration = 0;
+  if (t >= duration() - kBrakeRounding) point.speed = point.acceleration = 0;
   return point;
 }
 
@@ -69,7 +69,7 @@ bool PathBrake::keeps_limits(const RobotPath& path, double sample) const noexcep
   for (int k = 1; k <= looks; ++k) {
     const PathTiming::Point now = at(k * sample);
     const double jerk = (now.acceleration - before.acceleration) / sample;
-    if (excess_of(path, now.position, now.speed, now.acceleration, jerk).factor > kBeyond) return false;
+    if (excess_of(path, now.position, now.speed, now.acceleration, jerk).factor > kBrakeBeyond) return false;
     before = now;
   }
   return true;

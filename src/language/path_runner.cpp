@@ -10,18 +10,18 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kRounding = 1e-9;    // s: sums of step durations are not exact
-constexpr double kSame = 1e-9;        // s at full speed: no way to go
-constexpr double kReturnSpeed = 0.5;  // back to the path, of the robot's limits
-constexpr double kFarthest = 2;       // the nearest point is sought so many times as far along the path as beside it
-constexpr double kSoon = 2;           // s: what is nearer its stop than it can brake rests there
-constexpr int kLooks = 64;            // of the search for it, each way
+constexpr double kTimeRounding = 1e-9;  // s: sums of step durations are not exact
+constexpr double kSame = 1e-9;          // s at full speed: no way to go
+constexpr double kReturnSpeed = 0.5;    // back to the path, of the robot's limits
+constexpr double kFarthest = 2;         // the nearest point is sought so many times as far along the path as beside it
+constexpr double kSoon = 2;             // s: what is nearer its stop than it can brake rests there
+constexpr int kLooks = 64;              // of the search for it, each way
 constexpr int kHalvings = 40;
 
 }  // namespace
 
 double PathRunner::whole_steps(double duration) const noexcept {
-  return std::ceil(duration / robot_->step_duration() - kRounding) * robot_->step_duration();
+  return std::ceil(duration / robot_->step_duration() - kTimeRounding) * robot_->step_duration();
 }
 
 void PathRunner::lead_to(const JointVector& joints, double speed) {
@@ -177,7 +177,7 @@ void PathRunner::step() {
   if (brake_) return step_of_brake();
   const PathTiming& timing = timings_[next_];
   time_ += robot_->step_duration();
-  if (time_ < timing.duration() - kRounding) {
+  if (time_ < timing.duration() - kTimeRounding) {
     const PathTiming::Point point = timing.at(time_);
     place_ = point.position;
     path_->command(place_, point.speed, point.acceleration, robot_->command());

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kWindows[] = {1, 0.6, 0.36, 0.22};  // of the longest ramp: a short one suits a short path
 constexpr int kRounds = 30;
-constexpr double kLargestChange = 1.5;  // of the grid's stretch, in a round
-constexpr double kBeyond = 1.002;       // healed a little more than needed: else the rounds never end
-constexpr double kRounding = 1e-9;      // of the excess
+constexpr double kLargestChange = 1.5;    // of the grid's stretch, in a round
+constexpr double kHealedBeyond = 1.002;   // healed a little more than needed: else the rounds never end
+constexpr double kExcessRounding = 1e-9;  // of the excess
 constexpr double kLooksPerWindow = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -34,7 +34,7 @@ PathTiming::PathTiming(const RobotPath& path, double begin, double end, double s
   lead(grid, window);
   for (int round = 0; round < kRounds && slow_down(path, grid, sample); ++round) lead(grid, window);
   const double worst = worst_excess(path, 0.5 * sample);
-  if (worst > 1 + kRounding) stretch_ = worst;
+  if (worst > 1 + kExcessRounding) stretch_ = worst;
   duration_ = stretch_ * unstretched_duration();
 }
 
@@ -81,7 +81,7 @@ bool PathTiming::slow_down(const RobotPath& path, PathGrid& grid, double sample)
     const double t = whole * k / looks;
     const Point point = at(t);
     const double factor = excess_of(path, point.position, point.speed, point.acceleration, point.jerk).factor;
-    if (factor <= 1 + kRounding) continue;
+    if (factor <= 1 + kExcessRounding) continue;
     over = true;
     // what the window sees
     const auto from = std::lower_bound(times_.begin(), times_.end(), t - window_);
@@ -89,7 +89,7 @@ bool PathTiming::slow_down(const RobotPath& path, PathGrid& grid, double sample)
     const auto first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(from - times_.begin() - 1, 0));
     const auto last = std::min(static_cast<std::size_t>(to - times_.begin()), change.size() - 1);
     for (std::size_t i = first; i <= last; ++i)
-      change[i] = std::max(change[i], std::min(kBeyond * factor, kLargestChange));
+      change[i] = std::max(change[i], std::min(kHealedBeyond * factor, kLargestChange));
   }
   for (std::size_t i = 0; i < change.size(); ++i) grid.stretch(i, change[i]);
   return over;

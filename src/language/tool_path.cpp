@@ -12,7 +12,7 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kJerkRate = 10;  // 1/s: the tool's jerk is this times its acceleration
+constexpr double kToolJerkRate = 10;  // 1/s: the tool's jerk is this times its acceleration
 // intervals of the joints' grid
 constexpr std::size_t kIntervals = 400, kFewest = 16, kMost = 96;
 
@@ -56,8 +56,8 @@ ToolPath::ToolPath(const Robot& robot, const JointVector& near, Plan plan)
     pace_ = {1, 2};  // after an interruption it is caught up with
   } else {
     const PathLimits& tool = plan.limits;
-    limits_.push_back({0, 3, tool.speed, tool.acceleration, kJerkRate * tool.acceleration});
-    limits_.push_back({3, 3, tool.angular_speed, tool.angular_acceleration, kJerkRate * tool.angular_acceleration});
+    limits_.push_back({0, 3, tool.speed, tool.acceleration, kToolJerkRate * tool.acceleration});
+    limits_.push_back({3, 3, tool.angular_speed, tool.angular_acceleration, kToolJerkRate * tool.angular_acceleration});
   }
   for (std::size_t i = 0; i < robot.parameters().axes.size(); ++i) {
     const AxisParameters& axis = robot.parameters().axes[i];

@@ -11,10 +11,10 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kJerkRate = 10;     // 1/s: the jerk of a ramp is this times its acceleration
-constexpr double kRounding = 1e-9;   // macrosteps
-constexpr double kTolerance = 1e-6;  // of the limits
-constexpr int kSamples = 64;         // of the rate along a ramp
+constexpr double kRampJerkRate = 10;     // 1/s: the jerk of a ramp is this times its acceleration
+constexpr double kStepRounding = 1e-9;   // macrosteps
+constexpr double kRampTolerance = 1e-6;  // of the limits
+constexpr int kRampSamples = 64;         // of the rate along a ramp
 
 }  // namespace
 
@@ -37,10 +37,10 @@ void ToolVelocity::start() {
   const Twist missing = target_ - start_;
   const double change = std::max(missing.head<3>().norm(), missing.tail<3>().norm());
   // from no rate: the steepest slope of u^2 (3 - 2u) is 1.5, its second derivative at the ends is 6
-  const double ramp = std::max(1.5 * change / acceleration_, std::sqrt(6 * change / (kJerkRate * acceleration_)));
+  const double ramp = std::max(1.5 * change / acceleration_, std::sqrt(6 * change / (kRampJerkRate * acceleration_)));
   // in whole macrosteps: a polynomial through a ramp's end would overshoot the velocity, which may be the limit
   const double step = robot_->step_duration();
-  double steps = std::ceil(ramp / step - kRounding);
+  double steps = std::ceil(ramp / step - kStepRounding);
   if (!rate_.isZero(0)) {
     while (!gentle(steps * step)) ++steps;
   }
@@ -51,20 +51,20 @@ void ToolVelocity::start() {
 bool ToolVelocity::gentle(double duration) const noexcept {
   const Twist missing = target_ - start_;
   const auto within = [&](const Twist& value, double bound, const Twist& allowed) {
-    return value.head<3>().norm() <= std::max(bound, allowed.head<3>().norm()) * (1 + kTolerance) &&
-           value.tail<3>().norm() <= std::max(bound, allowed.tail<3>().norm()) * (1 + kTolerance);
+    return value.head<3>().norm() <= std::max(bound, allowed.head<3>().norm()) * (1 + kRampTolerance) &&
+           value.tail<3>().norm() <= std::max(bound, allowed.tail<3>().norm()) * (1 + kRampTolerance);
   };
-  if (!(duration > 0)) return missing.isZero(0) && within(rate_, kTolerance * acceleration_, Twist::Zero());
-  for (int i = 1; i < kSamples; ++i) {
-    const double u = static_cast<double>(i) / kSamples;
+  if (!(duration > 0)) return missing.isZero(0) && within(rate_, kRampTolerance * acceleration_, Twist::Zero());
+  for (int i = 1; i < kRampSamples; ++i) {
+    const double u = static_cast<double>(i) / kRampSamples;
     const Twist rate = missing * (6 * u * (1 - u) / duration) + rate_ * (1 - u * (4 - 3 * u));
     if (!within(rate, acceleration_, rate_)) return false;
   }
   // the second derivative is linear in u: its norm is greatest at an end
   const Twist first = (6 / duration * missing - 4 * rate_) / duration;
   const Twist last = (2 * rate_ - 6 / duration * missing) / duration;
-  return within(first, kJerkRate * acceleration_, Twist::Zero()) &&
-         within(last, kJerkRate * acceleration_, Twist::Zero());
+  return within(first, kRampJerkRate * acceleration_, Twist::Zero()) &&
+         within(last, kRampJerkRate * acceleration_, Twist::Zero());
 }
 
 void ToolVelocity::next_state() {

@@ -13,11 +13,11 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kJerkRate = 10;           // 1/s: jerk per acceleration
+constexpr double kFrameJerkRate = 10;      // 1/s: jerk per acceleration
 constexpr double kCorrection = 4;          // 1/s
 constexpr double kCorrectionDelay = 0.06;  // s
 constexpr double kMostCorrection = 0.02;   // m
-constexpr double kDifference = 1e-4;       // s, for the derivatives of the path
+constexpr double kFrameDifference = 1e-4;  // s, for the derivatives of the path
 constexpr Tick kStartMargin = 2;           // of Move's common start
 
 using Coordinates = std::array<double, 6>;
@@ -126,7 +126,7 @@ TrackFrame::TrackFrame(Robot& robot, Frame frame, std::vector<FramePoint> path, 
   for (std::size_t i = 0; i < 6; ++i) {
     input.max_velocity[i] = i < 3 ? limits.speed : limits.angular_speed;
     input.max_acceleration[i] = i < 3 ? limits.acceleration : limits.angular_acceleration;
-    input.max_jerk[i] = kJerkRate * input.max_acceleration[i];
+    input.max_jerk[i] = kFrameJerkRate * input.max_acceleration[i];
   }
 }
 
@@ -171,11 +171,11 @@ void TrackFrame::resume() {
   // the way of the tool in the frame, were both to go on as they do
   const MovingPose tool = desired_motion(*robot_);
   const auto moved = [&](double t) { return plan.coordinates(frame.after(t).pose.inverse() * tool.after(t)); };
-  const Coordinates before = moved(-kDifference), at = moved(0), after = moved(kDifference);
+  const Coordinates before = moved(-kFrameDifference), at = moved(0), after = moved(kFrameDifference);
   Coordinates velocity{}, acceleration{};
   for (std::size_t i = 0; i < 6; ++i) {
-    velocity[i] = (after[i] - before[i]) / (2 * kDifference);
-    acceleration[i] = (after[i] - 2 * at[i] + before[i]) / (kDifference * kDifference);
+    velocity[i] = (after[i] - before[i]) / (2 * kFrameDifference);
+    acceleration[i] = (after[i] - 2 * at[i] + before[i]) / (kFrameDifference * kFrameDifference);
   }
   plan.plan_leg(at, velocity, acceleration);
 }
@@ -219,7 +219,7 @@ void TrackFrame::next_state() {
 
   plan.correction_jerk = (rate_at_end - plan.correction_rate) / duration;
 
-  const double h = kDifference;
+  const double h = kFrameDifference;
   const Pose before = plan.tool(duration - h), there = plan.tool(duration), after = plan.tool(duration + h);
   Twist twist, rate;
   const Eigen::Vector3d turn_before = rotation_vector(there.linear() * before.linear().transpose()) / h;

@@ -11,7 +11,7 @@
 namespace mrroc::edp {
 namespace {
 
-constexpr double kPeriod = 0.002;
+constexpr double kServoPeriod = 0.002;
 
 JointVector arm_joints() { return (JointVector(2) << number(-1, 1), number(0.5, 1.2)).finished(); }
 
@@ -26,7 +26,7 @@ void follow(const Path& path, const DesiredState& from, int steps, Look look) {
   DesiredState state = from;
   for (int k = 1; k <= steps; ++k) {
     DesiredState next;
-    RC_ASSERT(path.at(k * kPeriod, state.position, next) == ErrorCode::none);
+    RC_ASSERT(path.at(k * kServoPeriod, state.position, next) == ErrorCode::none);
     look(k, state, next);
     state = next;
   }
@@ -38,11 +38,11 @@ TEST(Path, InMotorSpaceTheShaftsFollowTheirQuintic) {
     const DesiredState from = moving(random_vector(1, 0.5), 0.2), to = moving(random_vector(1, 0.5), 0.2);
     const int steps = 200;
     Path joints, motors;
-    joints.plan_joints(from, to, steps * kPeriod);
-    RC_ASSERT(motors.plan_motors(model, from, to, steps * kPeriod, kPeriod) == ErrorCode::none);
+    joints.plan_joints(from, to, steps * kServoPeriod);
+    RC_ASSERT(motors.plan_motors(model, from, to, steps * kServoPeriod, kServoPeriod) == ErrorCode::none);
     follow(motors, from, steps, [&](int k, const DesiredState&, const DesiredState& now) {
       DesiredState same;  // the gear is constant: both spaces have the same paths
-      joints.at(k * kPeriod, now.position, same);
+      joints.at(k * kServoPeriod, now.position, same);
       RC_ASSERT((now.position - same.position).norm() < 1e-12);
       RC_ASSERT((now.velocity - same.velocity).norm() < 1e-4);
       RC_ASSERT((now.acceleration - same.acceleration).norm() < 1e-2);
@@ -61,7 +61,7 @@ TEST(Path, InTaskSpaceTheToolGoesStraightAndTurnsAboutOneAxis) {
     to.pose = kinematics.direct(from.position + random_vector(4, 0.5));
     const int steps = 300;
     Path path;
-    RC_ASSERT(path.plan_task(kinematics, from, to, steps * kPeriod, kPeriod) == ErrorCode::none);
+    RC_ASSERT(path.plan_task(kinematics, from, to, steps * kServoPeriod, kServoPeriod) == ErrorCode::none);
     const Eigen::Vector3d start = kinematics.direct(from.position).translation();
     const Eigen::Vector3d way = to.pose.translation() - start;
     RC_PRE(way.norm() > 1e-3);
@@ -81,8 +81,8 @@ TEST(Path, InTaskSpaceItContinuesTheMotionOfTheJoints) {
     const ToolKinematics kinematics(model);
     const DesiredState from = moving(arm_joints(), 0.3), to = moving(from.position + random_vector(2, 0.1), 0.3);
     Path path;
-    const MovingPose goal = tool_motion(kinematics, to, Path::kDifference * kPeriod);
-    RC_ASSERT(path.plan_task(kinematics, from, goal, 0.4, kPeriod) == ErrorCode::none);
+    const MovingPose goal = tool_motion(kinematics, to, Path::kDifference * kServoPeriod);
+    RC_ASSERT(path.plan_task(kinematics, from, goal, 0.4, kServoPeriod) == ErrorCode::none);
     for (const double t : {0.0, 0.4}) {
       const DesiredState& expected = t == 0.0 ? from : to;
       DesiredState state;
@@ -107,9 +107,9 @@ TEST(Path, AVelocityIsReachedUnderTheLimitsAndKept) {
       for (int i = 0; i < 4; ++i) {
         const auto& axis = axes[static_cast<std::size_t>(i)];
         RC_ASSERT(std::abs(now.acceleration[i]) <= axis.acceleration_max * (1 + 1e-9));
-        RC_ASSERT(std::abs(now.acceleration[i] - before.acceleration[i]) <= axis.jerk_max * kPeriod * (1 + 1e-6));
+        RC_ASSERT(std::abs(now.acceleration[i] - before.acceleration[i]) <= axis.jerk_max * kServoPeriod * (1 + 1e-6));
         const double way = now.position[i] - before.position[i];
-        RC_ASSERT(std::abs(way - 0.5 * kPeriod * (now.velocity[i] + before.velocity[i])) < 1e-5);
+        RC_ASSERT(std::abs(way - 0.5 * kServoPeriod * (now.velocity[i] + before.velocity[i])) < 1e-5);
       }
     });
     DesiredState end;
@@ -128,10 +128,10 @@ TEST(Path, AToolThatWouldTurnTooFarIsRefused) {
   target[3] = 2.9;
   to.pose = kinematics.direct(target);
   const DesiredState from = DesiredState::resting_at(JointVector::Zero(4));
-  EXPECT_EQ(path.plan_task(kinematics, from, to, 1, kPeriod), ErrorCode::none);
+  EXPECT_EQ(path.plan_task(kinematics, from, to, 1, kServoPeriod), ErrorCode::none);
   target[3] = 3.1;
   to.pose = kinematics.direct(target);
-  EXPECT_EQ(path.plan_task(kinematics, from, to, 1, kPeriod), ErrorCode::invalid_argument);
+  EXPECT_EQ(path.plan_task(kinematics, from, to, 1, kServoPeriod), ErrorCode::invalid_argument);
 }
 
 TEST(Path, ItEndsWhereTheInverseKinematicsDoes) {
@@ -143,7 +143,7 @@ TEST(Path, ItEndsWhereTheInverseKinematicsDoes) {
   to.pose = kinematics.direct(from.position);
   to.pose.translation().x() += 0.1;
   Path path;
-  ASSERT_EQ(path.plan_task(kinematics, from, to, 0.2, kPeriod), ErrorCode::none);
+  ASSERT_EQ(path.plan_task(kinematics, from, to, 0.2, kServoPeriod), ErrorCode::none);
   DesiredState state;
   EXPECT_EQ(path.at(0.1, from.position, state), ErrorCode::out_of_workspace);
 }

@@ -18,7 +18,7 @@
 namespace mrroc::edp {
 namespace {
 
-constexpr int kTerminal = 5;
+constexpr int kStopInput = 5;
 
 class WatchedGantry : public Gantry {
  public:
@@ -45,8 +45,8 @@ struct Totals {
 class Driver {
  public:
   Driver(std::uint64_t seed, Totals& totals) : random_(seed), totals_(totals) {
-    rig_.hardware.close(kTerminal);
-    rig_.servo.use_emergency_terminal(kTerminal);
+    rig_.hardware.close(kStopInput);
+    rig_.servo.use_emergency_terminal(kStopInput);
     rig_.hardware.spoil = [this](HardwareInput& input) { spoil(input); };
     rig_.run(1);
   }
@@ -78,7 +78,7 @@ class Driver {
     if (overload_) input.current[axis_] = -20;
     if (on_lower_) input.switches[k].lower_limit = true;
     if (on_upper_) input.switches[k].upper_limit = true;
-    input.inputs.set(kTerminal, !pressed_);
+    input.inputs.set(kStopInput, !pressed_);
   }
 
   /// Faults come and go; the operator presses and resets.

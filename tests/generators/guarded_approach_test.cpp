@@ -8,7 +8,7 @@ namespace mrroc::test {
 namespace {
 
 /// A range finder in the ground looks up at the tool; its eye is 0.3 m below the tool's place at home.
-constexpr const char* kScene = R"(<mujoco><compiler angle="radian"/>
+constexpr const char* kWallScene = R"(<mujoco><compiler angle="radian"/>
 <worldbody>
   <body name="gauge" pos="0.75 0 0.4"><geom type="sphere" size="0.005"/><site name="eye" zaxis="0 0 1" size="0.004"/></body>
 </worldbody>
@@ -17,7 +17,7 @@ constexpr const char* kScene = R"(<mujoco><compiler angle="radian"/>
 
 TEST(GuardedApproachInSimulation, TheArmStopsAtTheDistanceThatItsSensorSees) {
   for (const double stop : {0.15, 0.2, 0.25}) {
-    SimulatedCell cell(kScene, {"range"});
+    SimulatedCell cell(kWallScene, {"range"});
     Irb6 arm(cell);
     RawSensor range(cell, "range");
     double fastest = 0, nearest = 1;

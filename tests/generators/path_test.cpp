@@ -15,7 +15,7 @@
 namespace mrroc::test {
 namespace {
 
-constexpr const char* kScene = R"(<mujoco><compiler angle="radian"/><worldbody/></mujoco>)";
+constexpr const char* kEmptyScene = R"(<mujoco><compiler angle="radian"/><worldbody/></mujoco>)";
 
 /// A tool pose in front of the arm, turned by `turn` about the tool's x axis.
 Pose at(double y, double z, double turn = 0) {
@@ -73,7 +73,7 @@ struct Path : testing::Test {
     EXPECT_LT((arm.state().desired_pose.translation() - end.translation()).norm(), 1e-9);
   }
 
-  SimulatedCell cell{kScene};
+  SimulatedCell cell{kEmptyScene};
   Irb6 arm{cell};
   const std::vector<Pose> poses{at(-0.05, 0.08, 0.1), at(0.02, -0.02, -0.1), at(0.08, 0.06, 0.1), at(0.12, 0.0)};
   const PathLimits limits{.speed = 0.08, .acceleration = 0.4};

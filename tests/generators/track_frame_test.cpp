@@ -9,7 +9,7 @@ namespace mrroc::test {
 namespace {
 
 /// A part on a belt that runs along y in front of the arm; a motor keeps the belt's speed.
-constexpr const char* kScene = R"(<mujoco><compiler angle="radian"/>
+constexpr const char* kBeltScene = R"(<mujoco><compiler angle="radian"/>
 <worldbody>
   <body name="part" pos="0.75 -0.5 0.55">
     <joint name="belt" type="slide" axis="0 1 0"/>
@@ -24,7 +24,7 @@ struct Track : testing::TestWithParam<double> {};
 
 TEST_P(Track, TheToolStaysOnAPartThatTheBeltCarries) {
   const double speed = GetParam();
-  SimulatedCell cell(kScene, {"encoder"});
+  SimulatedCell cell(kBeltScene, {"encoder"});
   Irb6 arm(cell);
   RawSensor encoder(cell, "encoder");
   const Pose part = Irb6::tool_down(0.75, -0.5, -0.13);  // a frame on top of it, z down, at zero of the encoder

@@ -8,7 +8,7 @@
 namespace mrroc::test {
 namespace {
 
-constexpr const char* kScene = R"(<mujoco><compiler angle="radian"/></mujoco>)";
+constexpr const char* kBareScene = R"(<mujoco><compiler angle="radian"/></mujoco>)";
 
 /// A camera that the arm carries 50 mm beside its tool, and a target of four points below it. What it sees is computed
 /// from the measured tool.
@@ -32,7 +32,7 @@ struct Servoing : testing::Test {
     EXPECT_LT(rotation_vector(error.linear()).norm(), 6e-3);
   }
 
-  SimulatedCell cell{kScene};
+  SimulatedCell cell{kBareScene};
   Irb6 arm{cell};
   const Pose camera = Pose(Eigen::Translation3d(0.05, 0, -0.05));
   const Pose target = Irb6::tool_down(0.8, 0.06, -0.35) * Pose(rotation_of({0, 0, 0.2}));

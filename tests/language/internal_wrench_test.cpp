@@ -12,7 +12,7 @@ using fakes::check_property;
 using fakes::pick;
 using fakes::random_vector;
 
-constexpr int kCases = 300;
+constexpr int kWrenchCases = 300;
 
 /// Arms that hold an object somewhere.
 struct Grasps {
@@ -57,14 +57,14 @@ struct Grasps {
 };
 
 TEST(InternalWrench, DoesNothingToTheObject) {
-  check_property(kCases, [] {
+  check_property(kWrenchCases, [] {
     const Grasps grasps;
     RC_ASSERT(grasps.total(grasps.of(grasps.random_stack())).norm() < 1e-9);
   });
 }
 
 TEST(InternalWrench, WhatDoesNothingToTheObjectIsInternal) {
-  check_property(kCases, [] {
+  check_property(kWrenchCases, [] {
     const Grasps grasps;
     // any two arms against each other along the line between them, and two torques against each other
     VectorXd stack = VectorXd::Zero(grasps.size());
@@ -79,7 +79,7 @@ TEST(InternalWrench, WhatDoesNothingToTheObjectIsInternal) {
 }
 
 TEST(InternalWrench, CarryingIsNotInternal) {
-  check_property(kCases, [] {
+  check_property(kWrenchCases, [] {
     const Grasps grasps;
     const VectorXd stack = grasps.random_stack(), part = grasps.of(stack);
     // what is left makes the same wrench, and is the shortest that does: orthogonal to everything internal
@@ -89,7 +89,7 @@ TEST(InternalWrench, CarryingIsNotInternal) {
 }
 
 TEST(InternalWrench, GivingWayDoesNotMoveTheObject) {
-  check_property(kCases, [] {
+  check_property(kWrenchCases, [] {
     const Grasps grasps;
     Twist twist;
     twist << random_vector(0.01), random_vector(0.01);
@@ -100,7 +100,7 @@ TEST(InternalWrench, GivingWayDoesNotMoveTheObject) {
 }
 
 TEST(InternalWrench, OfTwoArmsAlongTheirLineItIsHalfTheDifference) {
-  check_property(kCases, [] {
+  check_property(kWrenchCases, [] {
     const Vector3d first = random_vector(0.5), second = first + random_vector(0.5) + Vector3d(0, 0, 1);
     const InternalWrench internal({first, second}, 0.2);
     const Vector3d line = (second - first).normalized(), one = random_vector(50), other = random_vector(50);
@@ -114,7 +114,7 @@ TEST(InternalWrench, OfTwoArmsAlongTheirLineItIsHalfTheDifference) {
 }
 
 TEST(InternalWrench, ASqueezeIsRecoveredFromAmongALoad) {
-  check_property(kCases, [] {
+  check_property(kWrenchCases, [] {
     const double arm = 0.01 * pick(5, 60), force = 0.1 * pick(-300, 300);
     const Vector3d middle = random_vector(1);
     const InternalWrench internal({middle + Vector3d(0, arm, 0), middle - Vector3d(0, arm, 0)}, 0.2);

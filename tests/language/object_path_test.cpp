@@ -13,8 +13,8 @@ using fakes::check_property;
 using fakes::pick;
 using fakes::random_pose;
 
-constexpr int kCases = 100;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr int kPathCases = 100;
+constexpr double kNoTime = std::numeric_limits<double>::quiet_NaN();
 
 double distance(const Pose& a, const Pose& b) {
   return (a.translation() - b.translation()).norm() + rotation_vector(a.linear().transpose() * b.linear()).norm();
@@ -43,7 +43,7 @@ Twist twist_at(const ObjectPath& path, double t, double h) {
 }
 
 TEST(ObjectPath, GoesFromTheFirstPoseToTheLastAndRestsThere) {
-  check_property(kCases, [] {
+  check_property(kPathCases, [] {
     const RandomPath random;
     const ObjectPath path(random.poses, random.limits);
     RC_ASSERT(distance(path.at(0), random.poses.front()) < 1e-9);
@@ -56,7 +56,7 @@ TEST(ObjectPath, GoesFromTheFirstPoseToTheLastAndRestsThere) {
 }
 
 TEST(ObjectPath, PassesEveryPose) {
-  check_property(kCases, [] {
+  check_property(kPathCases, [] {
     const RandomPath random;
     const ObjectPath path(random.poses, random.limits);
     const double step = path.duration() / 20000;
@@ -72,7 +72,7 @@ TEST(ObjectPath, PassesEveryPose) {
 }
 
 TEST(ObjectPath, KeepsItsLimits) {
-  check_property(kCases, [] {
+  check_property(kPathCases, [] {
     const RandomPath random;
     const CooperativeLimits& limits = random.limits;
     const ObjectPath path(random.poses, limits);
@@ -93,7 +93,7 @@ TEST(ObjectPath, KeepsItsLimits) {
 }
 
 TEST(ObjectPath, OfTwoPosesIsStraightAndAboutOneAxis) {
-  check_property(kCases, [] {
+  check_property(kPathCases, [] {
     const Pose from = random_pose(0.5, 0.8), to = random_pose(0.5, 0.8) * Eigen::Translation3d(0.01, 0, 0);
     const ObjectPath path({from, to}, {});
     const Vector3d way = to.translation() - from.translation();
@@ -115,7 +115,7 @@ TEST(ObjectPath, UsesOneOfItsLimitsUp) {
 }
 
 TEST(ObjectPath, StartsAgainFromTheNearestPlaceAhead) {
-  check_property(kCases, [] {
+  check_property(kPathCases, [] {
     const RandomPath random;
     ObjectPath path(random.poses, random.limits);
     const double t = 0.01 * pick(0, 100) * path.duration();
@@ -147,7 +147,7 @@ TEST(ObjectPath, RefusesWhatIsNone) {
   EXPECT_THROW(make({here, there, there}, {}), NonFatalError);
   EXPECT_THROW(make({here, turned}, {}), NonFatalError);
   EXPECT_THROW(make({here, there}, {.speed = 0}), NonFatalError);
-  EXPECT_THROW(make({here, there}, {.acceleration = kNan}), NonFatalError);
+  EXPECT_THROW(make({here, there}, {.acceleration = kNoTime}), NonFatalError);
   EXPECT_THROW(make({here, there}, {.angular_speed = -1}), NonFatalError);
   EXPECT_THROW(make({here, there}, {.angular_acceleration = 0}), NonFatalError);
 }

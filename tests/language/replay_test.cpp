@@ -224,31 +224,30 @@ TEST(Replay, RefusesWhatCannotBeReplayed) {
   FreeFlyer task(Pose::Identity());
   const TaughtPoint home{0, JointVector::Zero(6), Pose::Identity()}, later{1, JointVector::Zero(6), Pose::Identity()};
   const auto make = [&](const TaughtPath& path, double speed = 1) { Replay{*task.arm, path, speed}; };
-  using Space = TaughtPath::Space;
-  EXPECT_NO_THROW(make({Space::joints, true, {home, later}}));
-  EXPECT_NO_THROW(make({Space::joints, true, {home, later}}, 3));
-  EXPECT_NO_THROW(make({Space::joints, false, {home}}));
-  EXPECT_THROW(make({Space::joints, false, {}}), NonFatalError);
-  EXPECT_THROW(make({Space::joints, false, {home}}, 1.1), NonFatalError);
-  EXPECT_THROW(make({Space::joints, true, {home}}), NonFatalError);
-  EXPECT_THROW(make({Space::joints, true, {later, home}}), NonFatalError);
-  EXPECT_THROW(make({Space::joints, true, {home, home}}), NonFatalError);
+  EXPECT_NO_THROW(make({TaughtPath::Space::joints, true, {home, later}}));
+  EXPECT_NO_THROW(make({TaughtPath::Space::joints, true, {home, later}}, 3));
+  EXPECT_NO_THROW(make({TaughtPath::Space::joints, false, {home}}));
+  EXPECT_THROW(make({TaughtPath::Space::joints, false, {}}), NonFatalError);
+  EXPECT_THROW(make({TaughtPath::Space::joints, false, {home}}, 1.1), NonFatalError);
+  EXPECT_THROW(make({TaughtPath::Space::joints, true, {home}}), NonFatalError);
+  EXPECT_THROW(make({TaughtPath::Space::joints, true, {later, home}}), NonFatalError);
+  EXPECT_THROW(make({TaughtPath::Space::joints, true, {home, home}}), NonFatalError);
   for (const double bad : {0.0, -1.0, kNan})
-    EXPECT_THROW(make({Space::joints, true, {home, later}}, bad), NonFatalError);
+    EXPECT_THROW(make({TaughtPath::Space::joints, true, {home, later}}, bad), NonFatalError);
   TaughtPoint bad = home;
   bad.joints = JointVector::Zero(5);
-  EXPECT_THROW(make({Space::joints, false, {bad}}), NonFatalError);
+  EXPECT_THROW(make({TaughtPath::Space::joints, false, {bad}}), NonFatalError);
   bad.joints = JointVector::Constant(6, kNan);
-  EXPECT_THROW(make({Space::joints, false, {bad}}), NonFatalError);
+  EXPECT_THROW(make({TaughtPath::Space::joints, false, {bad}}), NonFatalError);
   bad.joints = JointVector::Constant(6, 2.5);
-  EXPECT_THROW(make({Space::joints, false, {bad}}), NonFatalError);
-  EXPECT_NO_THROW(make({Space::poses, false, {bad}})) << "the joints do not matter";
+  EXPECT_THROW(make({TaughtPath::Space::joints, false, {bad}}), NonFatalError);
+  EXPECT_NO_THROW(make({TaughtPath::Space::poses, false, {bad}})) << "the joints do not matter";
   bad.pose.linear()(0, 1) = 0.1;
-  EXPECT_THROW(make({Space::poses, false, {bad}}), NonFatalError);
+  EXPECT_THROW(make({TaughtPath::Space::poses, false, {bad}}), NonFatalError);
   // out of reach: found at the start
   bad = home;
   bad.pose.translation().x() = 3;
-  EXPECT_THROW(Move({*task.arm}, {}, Replay(*task.arm, {Space::poses, false, {bad}})), NonFatalError);
+  EXPECT_THROW(Move({*task.arm}, {}, Replay(*task.arm, {TaughtPath::Space::poses, false, {bad}})), NonFatalError);
 }
 
 }  // namespace

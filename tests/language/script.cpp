@@ -6,8 +6,6 @@
 
 namespace mrroc::fakes {
 
-namespace {
-
 class Leaf : public Condition {
  public:
   Leaf(std::string name, LeafScript script, CallLog* log) : Condition(std::move(name)), script_(script), log_(log) {}
@@ -27,8 +25,6 @@ class Leaf : public Condition {
   CallLog* log_;
   std::uint64_t evaluated_ = 0;
 };
-
-}  // namespace
 
 class Red : public Leaf {
   using Leaf::Leaf;

@@ -41,11 +41,11 @@ inline Guid entity_of(Guid participant, std::uint32_t number) {
 
 constexpr int kPlain = 1, kParameters = 3;  // encapsulations, little-endian
 
-constexpr int kNeither = 0, kData = 0x04, kKey = 0x08;  // what a payload is
+constexpr int kNoPayload = 0, kDataPayload = 0x04, kKeyPayload = 0x08;  // what a payload is
 
 /// A DATA submessage (RTPS 2.3, 9.4.5.3) of `writer`.
 inline std::string forged_data(const Guid& writer, const Guid& reader, int encapsulation, const std::string& payload,
-                               int kind = kData) {
+                               int kind = kDataPayload) {
   Packet packet(writer);
   packet.raw({0x15, 0x01 | kind}).half(static_cast<int>(20 + 4 + payload.size())).half(0).half(16);
   packet.append(reader.data() + 12, 4).append(writer.data() + 12, 4).sequence(1);

@@ -216,8 +216,8 @@ TEST(Security, ForgedFragmentsWriteBehindNoMemory) {
 
 TEST(Security, AHandshakeThatSaysItIsOnlyAKeyEndsNoProcess) {
   bears([](const Guid& writer, const Guid& reader) {
-    return std::vector{forged_data(writer, reader, kPlain, std::string(16, '\0'), kKey),
-                       forged_data(writer, reader, kPlain, std::string(16, '\0'), kNeither)};
+    return std::vector{forged_data(writer, reader, kPlain, std::string(16, '\0'), kKeyPayload),
+                       forged_data(writer, reader, kPlain, std::string(16, '\0'), kNoPayload)};
   });
 }
 

@@ -27,16 +27,17 @@ void* __wrap_realloc(void* memory, std::size_t size) {
 }
 }
 
-void* operator new(std::size_t size) {
+// not inlined: the compiler takes the pair malloc, delete for a mistake
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = __real_malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++allocations;
   return __real_malloc(size);
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 long mrroc::allocation_count() noexcept { return allocations; }

@@ -13,7 +13,7 @@
 namespace mrroc {
 namespace {
 
-constexpr std::uint64_t kSeed = 20110118;
+constexpr std::uint64_t kDescriptionSeed = 20110118;
 
 KDL::JntArray kdl_joints(const JointVector& joints) {
   KDL::JntArray array(7);
@@ -29,7 +29,7 @@ TEST(PolycrankDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
   Mjcf mjcf(polycrank_source("polycrank.xml"));
   ASSERT_EQ(mjcf.model->nq, 7);
   const ToolKinematics kinematics(polycrank_model());
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kDescriptionSeed);
   double worst_kdl = 0, worst_mujoco = 0, worst_jacobian = 0;
   for (int i = 0; i < 10000; ++i) {
     const JointVector joints = random_joints(random);
@@ -45,7 +45,7 @@ TEST(PolycrankDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
     worst_jacobian = std::max(worst_jacobian, (kinematics.jacobian(joints) - jacobian.data).cwiseAbs().maxCoeff());
   }
   std::printf("seed %llu, worst of 10000 poses: URDF by KDL %.1e, MJCF %.1e m or rad, Jacobian %.1e\n",
-              static_cast<unsigned long long>(kSeed), worst_kdl, worst_mujoco, worst_jacobian);
+              static_cast<unsigned long long>(kDescriptionSeed), worst_kdl, worst_mujoco, worst_jacobian);
   EXPECT_LT(worst_kdl, 1e-9);
   EXPECT_LT(worst_mujoco, 1e-9);
   EXPECT_LT(worst_jacobian, 1e-9);
@@ -56,7 +56,7 @@ TEST(PolycrankDescriptions, UrdfAndMjcfHaveTheSameMasses) {
   KDL::ChainDynParam dynamics(chain, KDL::Vector(0, 0, -9.81));
   Mjcf mjcf(polycrank_source("polycrank.xml"));
   ASSERT_EQ(mjcf.model->opt.gravity[2], -9.81);
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kDescriptionSeed);
   double worst_gravity = 0, worst_mass = 0;
   for (int i = 0; i < 1000; ++i) {
     const JointVector joints = random_joints(random);
@@ -115,7 +115,7 @@ TEST(PolycrankDescriptions, ArmatureAndDampingAreTheDrivesSeenFromTheJoints) {
 // what the offsets along the axes are for
 TEST(PolycrankDescriptions, NoCrankMeetsAnotherOneInAnyPosture) {
   Mjcf mjcf(polycrank_source("polycrank.xml"));
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kDescriptionSeed);
   std::uniform_int_distribution<int> quarter(-2, 2);
   for (int i = 0; i < 20000; ++i) {
     JointVector posture = random_joints(random, 0.5);

@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-constexpr std::uint64_t kSeed = 20060104;
+constexpr std::uint64_t kMjcfSeed = 20060104;
 
 TEST(SerialParallelMjcf, ItsInitialStateIsHomeWithTheLoopsClosed) {
   ClosedMjcf mjcf;
@@ -27,7 +27,7 @@ TEST(SerialParallelMjcf, ItsInitialStateIsHomeWithTheLoopsClosed) {
 TEST(SerialParallelMjcf, ClosedLoopsPlaceTheToolWhereTheModelDoes) {
   ClosedMjcf mjcf;
   const Pose tool = machine().default_tool();
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kMjcfSeed);
   double worst_pose = 0, worst_jacobian = 0;
   for (int i = 0; i < 10000; ++i) {
     const JointVector joints = random_posture(random);
@@ -37,8 +37,8 @@ TEST(SerialParallelMjcf, ClosedLoopsPlaceTheToolWhereTheModelDoes) {
     worst_jacobian = std::max(
         worst_jacobian, (mjcf.tool_jacobian() - machine().jacobian(joints, tool.translation())).cwiseAbs().maxCoeff());
   }
-  std::printf("seed %llu, worst of 10000: pose %.1e m or rad, Jacobian %.1e\n", static_cast<unsigned long long>(kSeed),
-              worst_pose, worst_jacobian);
+  std::printf("seed %llu, worst of 10000: pose %.1e m or rad, Jacobian %.1e\n",
+              static_cast<unsigned long long>(kMjcfSeed), worst_pose, worst_jacobian);
   EXPECT_LT(worst_pose, 1e-9);
   EXPECT_LT(worst_jacobian, 1e-9);
 }
@@ -73,7 +73,7 @@ TEST(SerialParallelMjcf, ArmatureAndDampingAreTheDrivesSeenFromTheJoints) {
 
 TEST(SerialParallelMjcf, DrivesCarryTheMachineInEveryPostureAlsoAtFullSpeed) {
   ClosedMjcf mjcf;
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kMjcfSeed);
   const JointVector gears = geometry().gears.cwiseAbs();
   const JointVector friction = per_axis(&AxisParameters::viscous_friction).cwiseProduct(gears);
   JointVector worst = JointVector::Zero(6);
@@ -87,7 +87,7 @@ TEST(SerialParallelMjcf, DrivesCarryTheMachineInEveryPostureAlsoAtFullSpeed) {
   const JointVector moving = holding + friction.cwiseProduct(per_axis(&AxisParameters::velocity_max))
                                            .cwiseQuotient(per_axis(&AxisParameters::torque_constant));
   std::printf("seed %llu, worst of 5000: legs %.0f %.0f %.0f N, wrist %.1f %.1f %.1f N m\n",
-              static_cast<unsigned long long>(kSeed), worst[0], worst[1], worst[2], worst[3], worst[4], worst[5]);
+              static_cast<unsigned long long>(kMjcfSeed), worst[0], worst[1], worst[2], worst[3], worst[4], worst[5]);
   std::printf("current: %.2f %.2f %.2f %.2f %.2f %.2f A; at full speed %.2f %.2f %.2f %.2f %.2f %.2f A\n", holding[0],
               holding[1], holding[2], holding[3], holding[4], holding[5], moving[0], moving[1], moving[2], moving[3],
               moving[4], moving[5]);
@@ -104,7 +104,7 @@ bool clear_of_the_portal(const Pose& tip) {
 
 TEST(SerialParallelMjcf, TheMachineDoesNotTouchItselfAboveItsBed) {
   ClosedMjcf mjcf;
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kMjcfSeed);
   int checked = 0;
   for (int i = 0; i < 4000; ++i) {
     const JointVector posture = i == 0 ? machine().parameters().home : random_posture(random);

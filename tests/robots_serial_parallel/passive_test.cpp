@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
 // the angles of the joints, found from the legs' directions
 TEST(PassiveJoints, AnglesTurnUprightLegsToTheirHeads) {
@@ -38,8 +38,9 @@ TEST(PassiveJoints, EveryLimitIsKept) {
   for (int i = 0; i < 100000; ++i) {
     const Placement placement{between(-1.2, 1.2), between(-1.2, 1.2), between(0.1, 0.5)};
     const PassiveAngles angles = tripod().passive_angles(placement);
-    const double lean_b = std::abs(angles.lean_b) / kDegree, pitch_b = angles.pitch_b / kDegree;
-    const bool a = std::abs(angles.lean_a) > 30 * kDegree, c = std::abs(angles.lean_c) > 30 * kDegree;
+    const double lean_b = std::abs(angles.lean_b) / kRadiansPerDegree, pitch_b = angles.pitch_b / kRadiansPerDegree;
+    const bool a = std::abs(angles.lean_a) > 30 * kRadiansPerDegree,
+               c = std::abs(angles.lean_c) > 30 * kRadiansPerDegree;
     const bool lean = lean_b > 30, pitch = pitch_b<-37, both = lean_b> 20 && pitch_b < -29;
     ASSERT_EQ(tripod().within_limits(placement, 0), !(a || c || lean || pitch || both));
     refused_for_a += a && !c && !lean && !pitch && !both;

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kInRadians = std::numbers::pi / 180;
 
 double difference(const Placement& a, const Placement& b) {
   return std::max({std::abs(a.swing - b.swing), std::abs(a.tilt - b.tilt), std::abs(a.height - b.height)});
@@ -99,7 +99,7 @@ TEST(Tripod, AssembleFindsEveryPlacementWithinTheLimitsAndBeyond) {
     for (double tilt = -0.9; tilt < 0.9; tilt += 0.02) {
       for (double height = 0.18; height < 0.44; height += 0.004) {
         const Placement placement{swing, tilt, height};
-        if (!tripod().within_limits(placement, 10 * kDegree)) continue;
+        if (!tripod().within_limits(placement, 10 * kInRadians)) continue;
         const Vector3d legs = tripod().legs(placement);
         if ((legs.array() < low.array()).any() || (legs.array() > high.array()).any()) continue;
         Placement found;

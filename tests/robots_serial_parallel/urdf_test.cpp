@@ -10,7 +10,7 @@
 namespace mrroc {
 namespace {
 
-constexpr std::uint64_t kSeed = 20060104;
+constexpr std::uint64_t kUrdfSeed = 20060104;
 
 /// A chain of the URDF and the pose of its tip.
 class UrdfChain {
@@ -34,7 +34,7 @@ class UrdfChain {
 // the model's passive angles put into the URDF's joints: the tool comes where the model has it, the loops close
 TEST(SerialParallelUrdf, TheTreeWithTheModelsPassiveAnglesIsTheMachine) {
   UrdfChain tool("tool_frame"), joint_b("joint_b"), joint_c("joint_c"), head_b("head_b"), head_c("head_c");
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kUrdfSeed);
   double worst_pose = 0, worst_loop = 0, worst_hinge = 0;
   for (int i = 0; i < 10000; ++i) {
     const JointVector q = random_posture(random);
@@ -52,7 +52,7 @@ TEST(SerialParallelUrdf, TheTreeWithTheModelsPassiveAnglesIsTheMachine) {
                             (c.linear().col(0) - at_c.linear().col(0)).norm()});
   }
   std::printf("seed %llu, worst of 10000: URDF by KDL %.1e m or rad, loops %.1e m, hinges %.1e rad\n",
-              static_cast<unsigned long long>(kSeed), worst_pose, worst_loop, worst_hinge);
+              static_cast<unsigned long long>(kUrdfSeed), worst_pose, worst_loop, worst_hinge);
   EXPECT_LT(worst_pose, 1e-9);
   EXPECT_LT(worst_loop, 1e-9);
   EXPECT_LT(worst_hinge, 1e-9);

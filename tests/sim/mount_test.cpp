@@ -48,7 +48,7 @@ TEST(Mount, ACarriedRobotIsInTheToolFrameOfItsCarrierInEveryPosture) {
 }
 
 /// Two blocks of 0.2 m in one place with a joint between them; whatever is mounted on the tool site is there, too.
-constexpr const char* kBlock = R"(<mujoco>
+constexpr const char* kMountedBlock = R"(<mujoco>
 <compiler angle="radian"/>
 <worldbody><body name="base"><geom name="base" type="box" size="0.1 0.1 0.1" mass="1"/>
 <body name="link"><joint name="j" type="slide"/><geom name="link" type="box" size="0.1 0.1 0.1" mass="1"/>
@@ -57,9 +57,9 @@ constexpr const char* kBlock = R"(<mujoco>
 
 TEST(Mount, CarrierAndCarriedMayOverlapButBothTouchWhatElseIsThere) {
   const Scratch scratch;
-  const auto hand = scratch.write("hand.xml", kBlock);
+  const auto hand = scratch.write("hand.xml", kMountedBlock);
   // MuJoCo sees no neighbours of what is rigidly joined to the world
-  std::string text = kBlock;
+  std::string text = kMountedBlock;
   text.insert(text.find("<geom"), "<joint name='lift' type='slide'/>");
   const auto arm = scratch.write("arm.xml", text);
   const auto scene = scratch.write("scene.xml", R"(<mujoco><compiler angle="radian"/>
@@ -80,11 +80,12 @@ TEST(Mount, CarrierAndCarriedMayOverlapButBothTouchWhatElseIsThere) {
 
 TEST(Mount, ACarrierWithoutAToolIsNamedWithItsFile) {
   const Scratch scratch;
-  std::string bare = kBlock;
+  std::string bare = kMountedBlock;
   bare.erase(bare.find("<site"), std::string("<site name=\"tool\"/>").size());
   const auto scene = scratch.write("scene.xml", kEmptyScene);
-  const std::vector<RobotPart> robots{{"arm", scratch.write("bare.xml", bare)},
-                                      {"hand", scratch.write("block.xml", kBlock), Pose::Identity(), false, "arm"}};
+  const std::vector<RobotPart> robots{
+      {"arm", scratch.write("bare.xml", bare)},
+      {"hand", scratch.write("block.xml", kMountedBlock), Pose::Identity(), false, "arm"}};
   EXPECT_EQ(message_of(scratch.folder(), [&] { compose(scene, robots); }),
             "bare.xml:1: robots.hand.mount: there is no site \"tool\" to carry it, expected <site name=\"tool\"/> in "
             "this file");

@@ -6,10 +6,10 @@ namespace mrroc::cli::trace {
 
 namespace {
 
-using Change = std::function<void(Line&, RobotEntry&, Random&)>;
-using Suits = std::function<bool(const TraceText&, std::size_t, std::size_t)>;
+using RobotChange = std::function<void(Line&, RobotEntry&, Random&)>;
+using RobotSuits = std::function<bool(const TraceText&, std::size_t, std::size_t)>;
 
-Mutation of_robot(const char* name, Suits suits, Change change) {
+Mutation of_robot(const char* name, RobotSuits suits, RobotChange change) {
   return {name, [suits, change](TraceText& trace, Random& random) {
             const auto place = pick_robot(
                 trace, random, [&](std::size_t line, std::size_t robot) { return suits(trace, line, robot); });

@@ -14,7 +14,7 @@
 namespace mrroc {
 namespace {
 
-constexpr std::uint64_t kSeed = 20060104;
+constexpr std::uint64_t kDescriptionSeed = 20060104;
 
 KDL::JntArray kdl_joints(const JointVector& joints) {
   KDL::JntArray array(static_cast<unsigned>(joints.size()));
@@ -30,7 +30,7 @@ TEST(Descriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
   KDL::ChainJntToJacSolver jacobian_solver(chain);
   Mjcf mjcf(robot_file("xml"));
   ASSERT_EQ(mjcf.model->nq, axes);
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kDescriptionSeed);
   double worst_kdl = 0, worst_mujoco = 0, worst_jacobian = 0;
   for (int i = 0; i < 10000; ++i) {
     const JointVector joints = random_joints(random);
@@ -46,7 +46,7 @@ TEST(Descriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
     worst_jacobian = std::max(worst_jacobian, (arm().jacobian(joints) - jacobian.data).cwiseAbs().maxCoeff());
   }
   std::printf("seed %llu, worst of 10000 poses: URDF by KDL %.1e, MJCF %.1e m or rad, Jacobian %.1e\n",
-              static_cast<unsigned long long>(kSeed), worst_kdl, worst_mujoco, worst_jacobian);
+              static_cast<unsigned long long>(kDescriptionSeed), worst_kdl, worst_mujoco, worst_jacobian);
   EXPECT_LT(worst_kdl, 1e-9);
   EXPECT_LT(worst_mujoco, 1e-9);
   EXPECT_LT(worst_jacobian, 1e-9);
@@ -55,7 +55,7 @@ TEST(Descriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
 TEST(Descriptions, InverseOfKdlsPoseReturnsToTheJoints) {
   const KDL::Chain chain = kdl_chain(robot_file("urdf"), "tool_frame");
   KDL::ChainFkSolverPos_recursive forward(chain);
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kDescriptionSeed);
   double worst = 0;
   int singular = 0;
   for (int i = 0; i < 10000; ++i) {
@@ -75,7 +75,7 @@ TEST(Descriptions, InverseOfKdlsPoseReturnsToTheJoints) {
     }
   }
   std::printf("seed %llu, worst of 10000 postures: inverse %.1e, singular %d times\n",
-              static_cast<unsigned long long>(kSeed), worst, singular);
+              static_cast<unsigned long long>(kDescriptionSeed), worst, singular);
   EXPECT_LT(worst, 1e-9);
   EXPECT_LT(singular, 10);
 }
@@ -85,7 +85,7 @@ TEST(Descriptions, UrdfAndMjcfHaveTheSameMasses) {
   KDL::ChainDynParam dynamics(chain, KDL::Vector(0, 0, -9.81));
   Mjcf mjcf(robot_file("xml"));
   ASSERT_EQ(mjcf.model->opt.gravity[2], -9.81);
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kDescriptionSeed);
   double worst_gravity = 0, worst_mass = 0;
   for (int i = 0; i < 1000; ++i) {
     const JointVector joints = random_joints(random);

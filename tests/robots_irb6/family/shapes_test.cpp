@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-constexpr std::uint64_t kSeed = 20060104;
+constexpr std::uint64_t kShapeSeed = 20060104;
 
 TEST(Shapes, TheArmDoesNotTouchItselfOrItsPost) {
   Mjcf mjcf(robot_file("xml"));
@@ -15,7 +15,7 @@ TEST(Shapes, TheArmDoesNotTouchItselfOrItsPost) {
   JointVector synchro;
   ASSERT_EQ(robot().motors_to_joints(per_axis(&AxisParameters::motor_synchro), synchro), ErrorCode::none);
   postures.push_back(synchro);
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kShapeSeed);
   for (int i = 0; i < 2000; ++i) postures.push_back(random_posture(random));
   for (const JointVector& posture : postures) {
     mjcf.set_joints(posture);

@@ -9,12 +9,12 @@
 namespace mrroc {
 namespace {
 
-constexpr std::uint64_t kSeed = 20060107;
+constexpr std::uint64_t kSwitchSeed = 20060107;
 
 // motors 2 to 4 turn absolute angles: while one runs, the joints after it turn too
 TEST(SynchronisationLaw, FromAnyPostureNoStopIsMetAndTheArmDoesNotTouchItself) {
   Mjcf mjcf(robot_file("xml"));
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSwitchSeed);
   std::vector<JointVector> starts{robot().parameters().home};
   for (int i = 0; i < 200; ++i) starts.push_back(random_posture(random));
   JointVector beyond = JointVector::Zero(robot().joint_count());
@@ -37,7 +37,7 @@ TEST(SynchronisationLaw, FromAnyPostureNoStopIsMetAndTheArmDoesNotTouchItself) {
                                     << mj_id2name(mjcf.model.get(), mjOBJ_GEOM, mjcf.data->contact[0].geom2);
     }
   }
-  std::cout << "seed " << kSeed << ": beyond the joint limits by at most " << beyond.transpose() << "\n";
+  std::cout << "seed " << kSwitchSeed << ": beyond the joint limits by at most " << beyond.transpose() << "\n";
 }
 
 }  // namespace

@@ -38,10 +38,10 @@ Errors errors_over_placements(SeenWorld& world, unsigned seed, double height = 0
   return errors;
 }
 
-const std::string kKeys = "plane = [0.0, 0.0, 0.004]\n";
+const std::string kBlobKeys = "plane = [0.0, 0.0, 0.004]\n";
 
 TEST(Blob, CentroidIsWithinTwoMillimetresOverFiftyPlacementsSeenFromAbove) {
-  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kKeys);
+  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys);
   world.open();
   const Errors errors = errors_over_placements(world, 1);
   EXPECT_LT(errors.worst, 0.002);
@@ -59,13 +59,13 @@ TEST(Blob, CentroidIsWithinTwoMillimetresOverFiftyPlacementsSeenFromTheSide) {
 }
 
 TEST(Blob, CentroidIsWithinTwoMillimetresInASmallNoisyPicture) {
-  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kKeys + "width = 320\nheight = 240\nnoise = 6.0\n");
+  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys + "width = 320\nheight = 240\nnoise = 6.0\n");
   world.open();
   EXPECT_LT(errors_over_placements(world, 3).worst, 0.002);
 }
 
 TEST(Blob, NothingOfItsColourIsNoErrorAndReadsZeroEverywhere) {
-  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kKeys + "hue = [90.0, 150.0]\n");
+  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys + "hue = [90.0, 150.0]\n");
   world.open();
   const SensorReading v = world.look();
   EXPECT_FALSE(detected(v));
@@ -73,7 +73,7 @@ TEST(Blob, NothingOfItsColourIsNoErrorAndReadsZeroEverywhere) {
 }
 
 TEST(Blob, APartHalfInThePictureIsNotMeasured) {
-  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kKeys);
+  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys);
   world.open();
   const double edge = 0.896 * std::tan(std::numbers::pi / 8);  // of the picture, on the part's upper side
   world.place("part", frame_at({0, edge, 0.004}, {0, 0, 0}));
@@ -83,7 +83,7 @@ TEST(Blob, APartHalfInThePictureIsNotMeasured) {
 }
 
 TEST(Blob, SpotsBelowTheLeastAreaAreNoise) {
-  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kKeys + "min_area = 5000\n");
+  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys + "min_area = 5000\n");
   world.open();
   EXPECT_FALSE(detected(world.look()));
 }
@@ -110,7 +110,7 @@ TEST(Blob, TheReadingIsInTheFrameThatTheKeyNames) {
 }
 
 TEST(Blob, ACameraCanBePosedByKeys) {
-  SeenWorld world(scene_of(kPart), kKeys +
+  SeenWorld world(scene_of(kPart), kBlobKeys +
                                        "position = [0.0, 0.0, 0.9]\nrotation = [3.14159265358979, 0.0, 0.0]\n"
                                        "field_of_view = 0.7853981633974483\n");
   world.open();
@@ -124,7 +124,7 @@ TEST(Blob, ACameraCanBePosedByKeys) {
 
 TEST(Blob, TheSameTicksGiveTheSameReadingsBitForBit) {
   const auto run = [] {
-    SeenWorld world(scene_of(std::string(kOblique) + kPart), kKeys + "noise = 5.0\nwidth = 320\nheight = 240\n");
+    SeenWorld world(scene_of(std::string(kOblique) + kPart), kBlobKeys + "noise = 5.0\nwidth = 320\nheight = 240\n");
     world.open();
     Draw draw(7);
     std::vector<double> values;
@@ -139,7 +139,7 @@ TEST(Blob, TheSameTicksGiveTheSameReadingsBitForBit) {
 }
 
 TEST(Blob, NoiseDependsOnTheTick) {
-  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kKeys + "noise = 8.0\n");
+  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys + "noise = 8.0\n");
   world.open();
   world.place("part", frame_at({0.1, 0.05, 0.004}, {0, 0, 0.3}));
   const SensorReading first = world.look(1), second = world.look(2);
@@ -148,7 +148,7 @@ TEST(Blob, NoiseDependsOnTheTick) {
 }
 
 TEST(Blob, TheNewestStateIsSeenAndItsTickTold) {
-  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kKeys);
+  SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys);
   world.open();
   world.read(0);
   EXPECT_EQ(world.state(), SourceState::not_ready);

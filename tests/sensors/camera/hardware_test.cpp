@@ -26,12 +26,12 @@ void write_video(const std::filesystem::path& file) {
   }
 }
 
-const std::string kKeys =
+const std::string kDeviceKeys =
     "source = 'hardware'\ndevice = 'disc.avi'\nwidth = 320\nheight = 240\nframe = 'camera'\n"
     "intrinsics = [400.0, 400.0, 160.0, 120.0]\nplane = [0.0, 0.0, 1.0]\n";
 
 TEST(Video, IsPlayedInTheDeploymentsTime) {
-  SeenWorld world("", kKeys);
+  SeenWorld world("", kDeviceKeys);
   write_video(world.scratch().folder() / "disc.avi");
   world.open();
   for (int i = 0; i < kPictures; i += 3) {
@@ -49,7 +49,7 @@ TEST(Video, IsPlayedInTheDeploymentsTime) {
 }
 
 TEST(Video, ThatHasEndedIsSilent) {
-  SeenWorld world("", kKeys);
+  SeenWorld world("", kDeviceKeys);
   write_video(world.scratch().folder() / "disc.avi");
   world.open();
   world.read(20 * (kPictures - 1));
@@ -61,12 +61,12 @@ TEST(Video, ThatHasEndedIsSilent) {
 }
 
 TEST(Video, OfAnotherSizeOrNoVideoIsRefused) {
-  SeenWorld other("", kKeys + "debug_every = 2\n");
+  SeenWorld other("", kDeviceKeys + "debug_every = 2\n");
   other.scratch().write("disc.avi", "this is no video");
   EXPECT_EQ(
       refusal([&] { other.open(); }),
       "sensors.eye.device: \"disc.avi\" cannot be opened, expected a camera's number or address, or a video file");
-  std::string keys = kKeys;
+  std::string keys = kDeviceKeys;
   keys.replace(keys.find("320"), 3, "300");
   SeenWorld wide("", keys);
   write_video(wide.scratch().folder() / "disc.avi");
@@ -78,7 +78,7 @@ TEST(Video, OfAnotherSizeOrNoVideoIsRefused) {
 TEST(Video, DebugPicturesShowEveryNthReading) {
   config::Scratch folder;
   const std::string debug = (folder.folder() / "seen").string();
-  SeenWorld world("", kKeys + "debug = '" + debug + "'\ndebug_every = 3\n");
+  SeenWorld world("", kDeviceKeys + "debug = '" + debug + "'\ndebug_every = 3\n");
   write_video(world.scratch().folder() / "disc.avi");
   world.open();
   for (Tick i = 0; i < 7; ++i) world.read(20 * i);
@@ -94,7 +94,7 @@ TEST(Video, DebugPicturesShowEveryNthReading) {
 TEST(Video, AFolderThatCannotBeWrittenIsRefused) {
   config::Scratch folder;
   const auto file = folder.write("file", "");
-  SeenWorld world("", kKeys + "debug = '" + (file / "below").string() + "'\n");
+  SeenWorld world("", kDeviceKeys + "debug = '" + (file / "below").string() + "'\n");
   write_video(world.scratch().folder() / "disc.avi");
   EXPECT_THROW(world.open(), SystemError);
 }

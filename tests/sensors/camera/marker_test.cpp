@@ -6,8 +6,8 @@
 namespace mrroc::vsp {
 namespace {
 
-constexpr int kPlacements = 50;
-const std::string kKeys = "detect = 'marker'\nmarker = 7\nmarker_size = 0.06\n";
+constexpr int kMarkerPlacements = 50;
+const std::string kMarkerKeys = "detect = 'marker'\nmarker = 7\nmarker_size = 0.06\n";
 /// Looks down from 0.45 m.
 constexpr const char* kNear = "<camera name='eye' pos='0 0 0.45' fovy='45'/>";
 
@@ -25,7 +25,7 @@ struct Worst {
 Worst worst_over_placements(SeenWorld& world, unsigned seed) {
   Draw draw(seed);
   Worst worst;
-  for (int i = 0; i < kPlacements; ++i) {
+  for (int i = 0; i < kMarkerPlacements; ++i) {
     const Pose pose = frame_at({draw(-0.1, 0.1), draw(-0.08, 0.08), draw(0.02, 0.06)},
                                {draw(-0.4, 0.4), draw(-0.4, 0.4), draw(-std::numbers::pi, std::numbers::pi)});
     world.place("marker", pose);
@@ -47,7 +47,7 @@ Worst worst_over_placements(SeenWorld& world, unsigned seed) {
 constexpr double kDegree = std::numbers::pi / 180;
 
 TEST(Marker, PoseIsWithinTwoMillimetresAndOneDegreeOverFiftyPlacements) {
-  SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kKeys);
+  SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kMarkerKeys);
   world.open();
   const Worst worst = worst_over_placements(world, 11);
   EXPECT_LT(worst.position, 0.0005);  // 2 mm and 1 degree are asked for
@@ -56,7 +56,7 @@ TEST(Marker, PoseIsWithinTwoMillimetresAndOneDegreeOverFiftyPlacements) {
 }
 
 TEST(Marker, ItsAxesAreTheMarkersOwn) {
-  SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kKeys);
+  SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kMarkerKeys);
   world.open();
   world.place("marker", frame_at({0.05, 0.02, 0.001}, {0, 0, 0}));
   const SensorReading v = world.look();
@@ -77,7 +77,7 @@ TEST(Marker, ACoveredMarkerIsNotSeen) {
           std::string(kNear) + kMarker +
               "<body name='lid'><freejoint name='lid'/><geom type='box' size='0.02 0.05 0.001' mass='0.1'/></body>",
           marker_assets()),
-      kKeys);
+      kMarkerKeys);
   world.open();
   world.place("lid", frame_at({0.3, 0, 0.1}, {0, 0, 0}));
   EXPECT_TRUE(detected(world.look(1)));
