@@ -13,9 +13,9 @@ if(MRROC_SANITIZE)
   add_link_options(-fsanitize=${MRROC_SANITIZE})
 endif()
 
-# GoogleTest's macros take GCC twice the time with -O3; what the tests call was compiled with the libraries. Two warnings of GCC 12 are wrong about
+# GoogleTest's macros take GCC twice the time with -O3; what the tests call was compiled with the libraries. Three warnings of GCC 12 are wrong about
 # std::string and Eigen at -O1; the libraries are compiled with them.
-set(MRROC_TEST_OPTIMISATION -O1 -Wno-array-bounds -Wno-maybe-uninitialized)
+set(MRROC_TEST_OPTIMISATION -O1 -Wno-array-bounds -Wno-maybe-uninitialized -Wno-stringop-overflow)
 
 # What most tests read, compiled once: without it a third of the whole build is spent reading it again in every one of them.
 function(mrroc_test_headers)

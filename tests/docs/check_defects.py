@@ -13,6 +13,7 @@ DEFECTS = 27
 PAGE = "docs/original-defects.md"
 ROW = re.compile(r"^\| (\d+) \|.*\| ([^|]*) \|$", re.MULTILINE)
 TEST = r"(?:TYPED_)?TEST(?:_F|_P)?\((\w+), (\w+)\)"
+UNITY = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 ABOUT = re.compile(rf"^// [^\n]*\bdefect (\d+)\b[^\n]*\n{TEST}", re.MULTILINE)
 
 
@@ -31,9 +32,16 @@ def tests_in(path):
     return {f"{suite}.{test}" for suite, test in re.findall(rf"^{TEST}", text, re.MULTILINE)}
 
 
+def files_built(binary):
+    """The source files that are compiled: by themselves, or in a unity build as parts of files that CMake has made."""
+    units = [pathlib.Path(unit["file"]) for unit in json.loads((binary / "compile_commands.json").read_text(encoding="utf-8"))]
+    parts = (UNITY.findall(unit.read_text(encoding="utf-8")) for unit in units if unit.parent.name == "Unity" and unit.exists())
+    return {*units, *(pathlib.Path(part) for file in parts for part in file)}
+
+
 def main():
     root, binary = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
-    built = {pathlib.Path(unit["file"]) for unit in json.loads((binary / "compile_commands.json").read_text(encoding="utf-8"))}
+    built = files_built(binary)
     rows = {int(number): list(named(cell)) for number, cell in ROW.findall((root / PAGE).read_text(encoding="utf-8"))}
     problems = [f"defect {n} has no line" for n in range(1, DEFECTS + 1) if n not in rows]
     for number, tests in rows.items():

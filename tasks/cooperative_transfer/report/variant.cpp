@@ -14,11 +14,11 @@ namespace mrroc::transfer {
 
 namespace {
 
-const std::filesystem::path kTask = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/cooperative_transfer";
-
-std::string text_of(const std::filesystem::path& name) {
-  std::ifstream file(name);
-  if (!file) throw std::runtime_error(name.string() + " cannot be read");
+/// Of a file of the task.
+std::string text_of(const std::string& name) {
+  const std::string path = MRROC_SOURCE_DIR "/tasks/cooperative_transfer/" + name;
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + " cannot be read");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -49,12 +49,12 @@ Pose Variant::error_of(unsigned seed) {
 
 std::filesystem::path write_variant(const Variant& variant, const std::filesystem::path& folder) {
   const std::string place = attributes(way::lift().front() * variant.error);
-  std::string scene = text_of(kTask / "cooperative_transfer.xml");
+  std::string scene = text_of("cooperative_transfer.xml");
   replace(scene, "<body name=\"from\" pos=\"0.75 0 0.50\"", "<body name=\"from\" " + place);
   replace(scene, "<body name=\"bar\" pos=\"0.75 0 0.50\"", "<body name=\"bar\" " + place);
   replace(scene, "mass=\"1.5\"", "mass=\"" + std::to_string(variant.mass) + "\"");
   std::ofstream(folder / "cooperative_transfer.xml") << scene;
-  std::ofstream(folder / "cooperative_transfer.toml") << text_of(kTask / "cooperative_transfer.toml");
+  std::ofstream(folder / "cooperative_transfer.toml") << text_of("cooperative_transfer.toml");
   return folder / "cooperative_transfer.toml";
 }
 
