@@ -40,9 +40,9 @@ def load(axes, servo_rate, asked):
 
 def cell(axes, bit_rate, servo_rate, asked):
     share = load(axes, servo_rate, asked) / bit_rate
-    if share > 1 or set_points(axes, asked) * servo_rate > bit_rate:
+    if share > 1 or (set_points(axes, asked) / bit_rate + asked.drive_time) * servo_rate > 1:
         return "-"
-    late = answers(axes) * servo_rate > asked.answer_time * bit_rate
+    late = (answers(axes) / bit_rate + asked.drive_time) * servo_rate > asked.answer_time
     return f"{100 * share:.0f} %" + (" !" if late else "")
 
 
@@ -52,12 +52,13 @@ def main():
     parser.add_argument("--status_every", type=int, default=4, metavar="N", help="as in the table of drives; 4")
     parser.add_argument("--heartbeat", type=float, default=0.1, metavar="S", help="likewise; 0.1")
     parser.add_argument("--answer_time", type=float, default=0.5, metavar="SHARE", help="likewise; 0.5")
+    parser.add_argument("--drive_time", type=float, default=0, metavar="S", help="from the SYNC until the slowest drive has its answer ready; 0")
     asked = parser.parse_args()
     for bit_rate in BIT_RATES:
         print(f"| axes at {bit_rate // 1000} kbit/s | last answer | last set-point | " + " | ".join(f"{rate} Hz" for rate in SERVO_RATES) + " |")
         print("|---|---|---|" + "---|" * len(SERVO_RATES))
         for axes in AXES:
-            times = (1000 * count / bit_rate for count in (answers(axes), set_points(axes, asked)))
+            times = (1000 * count / bit_rate + 1000 * asked.drive_time for count in (answers(axes), set_points(axes, asked)))
             cells = (cell(axes, bit_rate, rate, asked) for rate in SERVO_RATES)
             print(f"| {axes} | " + " | ".join([*(f"{time:.2f} ms" for time in times), *cells]) + " |")
         print()

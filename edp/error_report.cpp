@@ -1,6 +1,7 @@
 #include "edp/error_report.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -23,10 +24,26 @@ ErrorReport make_report(ErrorClass error_class, ErrorCode code, const char* form
 
 namespace {
 
-/// `value` of the fault is the drive's error code (603Fh), or its statusword where it is not ready.
+/// `value` of the fault is the mode that the drive shows, a number of 8 bits if it has shown any; `limit` that which it
+/// was told.
+ErrorReport make_mode_report(const Fault& fault, const char* name) noexcept {
+  const auto tick = static_cast<unsigned long long>(fault.tick);
+  if (std::abs(fault.value) <= 128)
+    return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: mode display %.0f, wanted %.0f",
+                       fault.axis + 1, name, tick, fault.value, fault.limit);
+  return make_report(ErrorClass::hardware, fault.code,
+                     "axis %d (%s), tick %llu: no answer with its mode display (6061h), wanted %.0f", fault.axis + 1,
+                     name, tick, fault.limit);
+}
+
+/// `value` of the fault is the drive's error code (603Fh), 0 for none, or its statusword where it is not ready.
 ErrorReport make_drive_report(const Fault& fault, const char* name) noexcept {
-  const auto code = static_cast<std::uint16_t>(fault.value);
   const bool ready = fault.code == ErrorCode::drive_fault;
+  if (!ready && fault.limit != 0) return make_mode_report(fault, name);
+  if (ready && fault.value == 0)
+    return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: fault, no EMCY", fault.axis + 1,
+                       name, static_cast<unsigned long long>(fault.tick));
+  const auto code = static_cast<std::uint16_t>(fault.value);
   const std::string_view text = ready ? canopen::error_text(code) : canopen::describe(canopen::drive_state(code));
   return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: %s%04Xh, %.*s", fault.axis + 1, name,
                      static_cast<unsigned long long>(fault.tick), ready ? "error code " : "statusword ", code,

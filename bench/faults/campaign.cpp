@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mrroc/testing/motion.hpp"
+
 namespace mrroc::faults_bench {
 
 const std::vector<Campaign>& campaigns() {
@@ -80,8 +82,18 @@ const std::vector<Campaign>& campaigns() {
       {"press_can",
        MRROC_SOURCE_DIR "/tasks/press/press_can.toml",
        {"kill edp:arm", "kill drives:arm", "halt edp:arm", "halt drives:arm", "fault drives:arm axis 2",
-        "silence drives:arm axis 2", "freeze drives:arm axis 2", "restart drives:arm axis 2", "hush drives:arm axis 2"},
+        "silence drives:arm axis 2", "freeze drives:arm axis 2", "restart drives:arm axis 2", "hush drives:arm axis 2",
+        "press drives:arm axis 2", "corrupt drives:arm axis 2"},
        false},
+      // tests/can/with_can -- build/bench/faults 20 recovering_can
+      {"recovering_can",
+       MRROC_BINARY_DIR "/bench/recovering_can.toml",
+       {"fault drives:arm axis 2 for 200 ticks", "silence drives:arm axis 2 for 200 ticks",
+        "freeze drives:arm axis 2 for 600 ticks", "restart drives:arm axis 2 for 1 ticks",
+        "hush drives:arm axis 2 for 300 ticks", "press drives:arm axis 2 for 200 ticks",
+        "corrupt drives:arm axis 2 for 200 ticks"},
+       false,
+       true},
   };
   return all;
 }
@@ -90,7 +102,7 @@ double speed_tolerance(const std::string& fault) {
   const std::vector<std::string> disobedient{"freeze edp", "disconnect edp", "runaway edp"};
   const bool obeys = std::none_of(disobedient.begin(), disobedient.end(),
                                   [&](const std::string& beginning) { return fault.starts_with(beginning); });
-  return obeys ? 0.05 : 0.5;
+  return obeys ? task_test::kOvershoot : task_test::kDisobedience;
 }
 
 }  // namespace mrroc::faults_bench

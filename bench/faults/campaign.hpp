@@ -14,12 +14,11 @@ struct Campaign {
   bool recovers = false;   ///< its task has to reach its end whatever strikes
 };
 
-/// press, cooperative_transfer, recovering, and press_can, which needs an interface can0.
+/// press, cooperative_transfer, recovering, and press_can and recovering_can, which need an interface can0.
 const std::vector<Campaign>& campaigns();
 
-/// By what part of a limit a joint may be faster after this fault. Where everything obeys: 0.05, what a regulator
-/// overshoots. Where a motor or its encoder does not: 0.5, as such a joint is stopped at 1.15 of its limit, or when it
-/// would come to 1.3 of it, and gains something until then (docs/safety.md).
+/// By what part of a limit a joint may be faster after this fault: kOvershoot, or kDisobedience where a motor or its
+/// encoder does not obey.
 double speed_tolerance(const std::string& fault);
 
 }  // namespace mrroc::faults_bench

@@ -55,11 +55,11 @@ bool run_campaign(const Campaign& campaign, int seeds, const std::string& beginn
 }  // namespace
 
 /// faults [SEEDS [TASK [BEGINNING] | real | loaded]]: injects every kind of fault at SEEDS (20) random ticks of the
-/// tasks press, cooperative_transfer and recovering, or of press_can over an interface can0, in lockstep, or those
-/// whose names have this beginning, and prints what came of it; then how long the runner takes to notice a dead or
-/// halted process under the real clock, and beside four threads that compute. Fails when a robot has exceeded a limit
-/// or moved to the end or was not seen at all, a process was left, recovering did not reach its end (an encoder that
-/// was frozen may end it), or a death was not noticed within 50 ms.
+/// tasks press, cooperative_transfer and recovering, or of press_can or recovering_can over an interface can0, in
+/// lockstep, or those whose names have this beginning, and prints what came of it; then how long the runner takes to
+/// notice a dead or halted process under the real clock, and beside four threads that compute. Fails when a robot has
+/// exceeded a limit or moved to the end or was not seen at all, a process was left, recovering or recovering_can did
+/// not reach its end (an encoder that was frozen may end it), or a death was not noticed within 50 ms.
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 20;
   const std::string only = argc > 2 ? argv[2] : "";
@@ -76,8 +76,10 @@ int main(int argc, char** argv) {
     any = true;
   }
   if (!any)
-    std::fprintf(stderr,
-                 "faults: no task '%s', expected press, cooperative_transfer, recovering, press_can, real or loaded\n",
-                 only.c_str());
+    std::fprintf(
+        stderr,
+        "faults: no task '%s', expected press, cooperative_transfer, recovering, press_can, recovering_can, real or "
+        "loaded\n",
+        only.c_str());
   return good && any ? 0 : 1;
 }

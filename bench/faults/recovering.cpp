@@ -23,7 +23,9 @@ class Recovering : public ecp::Task {
   bool stands_again() {
     try {
       arm.recover();
-      if (!arm.state().synchronised) arm.synchronise();
+      if (arm.state().synchronised) return true;
+      arm.synchronise();
+      Move({arm}, {}, JointLine{arm, arm.parameters().home});  // from the switches not every line is free
       return true;
     } catch (const HardwareError& error) {
       std::printf("not yet: %s\n", error.what());

@@ -15,13 +15,18 @@ using can::BusError;
 
 std::int64_t ns(double seconds) { return std::llround(seconds * 1e9); }
 
-std::vector<can::Filter> filters_for(const std::vector<Drive>& drives) {
-  std::vector<can::Filter> filters;
+/// What the drives send, and what only their master may.
+std::vector<can::Filter> filters_for(const std::vector<Drive>& drives, NodeId master) {
+  std::vector<can::Filter> filters{{kNmt, 0x7ff}, {kSync, 0x7ff}, {kHeartbeat + master, 0x7ff}};
   for (const Drive& drive : drives)
-    for (const std::uint32_t function : {kTransmitPdo1, kTransmitPdo1 + 0x100, kEmergency, kSdoResponse, kHeartbeat})
+    for (const std::uint32_t function :
+         {kTransmitPdo1, kTransmitPdo1 + 0x100, kEmergency, kSdoResponse, kHeartbeat, kReceivePdo1})
       filters.push_back({function + drive.node(), 0x7ff});
   return filters;
 }
+
+/// Nothing of either kind goes by.
+bool stops_the_bus(BusError error) noexcept { return error == BusError::bus_off || error == BusError::down; }
 
 }  // namespace
 
@@ -34,7 +39,7 @@ CanHardware::CanHardware(config::DriveTable table, const RobotParameters& robot,
     drives_.emplace_back(table_, table_.drives[i], period, robot.axes[i].motor_synchro);
   heartbeat_ticks_ = std::max<Tick>(1, static_cast<Tick>(table_.heartbeat / period));
   position_ = velocity_ = JointVector::Zero(static_cast<Eigen::Index>(drives_.size()));
-  bus_->filter(filters_for(drives_));
+  bus_->filter(filters_for(drives_, table_.master));
 }
 
 /// The drives need not wait for our heartbeat to fail. A command that they take at the next SYNC needs one.
@@ -65,20 +70,32 @@ void CanHardware::begin_set_up(const Drive& drive, const can::Frame& first) noex
   send(first);
 }
 
-/// Until it is reset; whether the bus still carries frames matters most.
+/// The first one, until it is reset; whether the bus still carries frames matters more.
 void CanHardware::find(BusError error) noexcept {
-  const bool off = bus_error_ == BusError::bus_off || bus_error_ == BusError::down;
-  if (!off) bus_error_ = error;
+  if (bus_error_ == BusError::none || (stops_the_bus(error) && !stops_the_bus(bus_error_))) bus_error_ = error;
+}
+
+void CanHardware::take_error(const can::Frame& frame) noexcept {
+  const BusError error = can::bus_error_of(frame);
+  // the kernel tells only once that the controller is off
+  if (error == BusError::bus_off || error == BusError::recovered) bus_off_ = error == BusError::bus_off;
+  const bool grave = error == BusError::bus_off || error == BusError::passive || error == BusError::overflow ||
+                     error == BusError::no_acknowledge || error == BusError::transceiver;
+  if (grave) find(error);
+}
+
+/// Who sends does not hear himself: such a frame is another master's.
+bool CanHardware::is_of_a_master(const can::Frame& frame) const noexcept {
+  if (frame.remote || frame.fd) return false;
+  return frame.id == kNmt || frame.id == kSync || frame.id == kHeartbeat + table_.master ||
+         std::any_of(drives_.begin(), drives_.end(),
+                     [&frame](const Drive& drive) { return frame.id == kReceivePdo1 + drive.node(); });
 }
 
 void CanHardware::dispatch(const can::Frame& frame) noexcept {
-  if (frame.error) {
-    const BusError error = can::bus_error_of(frame);
-    const bool grave = error == BusError::bus_off || error == BusError::passive || error == BusError::overflow ||
-                       error == BusError::no_acknowledge || error == BusError::transceiver;
-    if (grave) find(error);
-    return;
-  }
+  if (frame.error) return take_error(frame);
+  bus_off_ = false;
+  if (is_of_a_master(frame)) return find(BusError::foreign_master);
   can::Frame next;
   for (Drive& drive : drives_) {
     if (!drive.take(frame, tick_, next)) continue;
@@ -110,9 +127,13 @@ void CanHardware::synchronise(Tick tick) noexcept {
   if (tick >= last_heartbeat_ + heartbeat_ticks_ || tick == 0) {
     send(heartbeat_frame(table_.master, NmtState::operational));
     last_heartbeat_ = tick;
+    // who has lost his set-points may still hear this: his 6007h says what he does then
+    for (const Drive& drive : drives_)
+      if (drive.defies()) send(nmt_frame(NmtCommand::stop, drive.node()));
   }
   for (Drive& drive : drives_) {
     if (drive.repeats(tick, frame)) begin_set_up(drive, frame);
+    if (drive.asks(tick, frame)) send(frame);
     drive.expect();
   }
   const std::int64_t tick_begin = static_cast<std::int64_t>(tick) * ns(period_);
@@ -137,8 +158,7 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
   input.tick = measured_;
   if (timing_.real) input.late = late_;
   if (bus_error_ != BusError::none) {
-    input.fault =
-        bus_error_ == BusError::bus_off || bus_error_ == BusError::down ? ErrorCode::bus_off : ErrorCode::bus_error;
+    input.fault = stops_the_bus(bus_error_) ? ErrorCode::bus_off : ErrorCode::bus_error;
     input.fault_value = static_cast<double>(bus_error_);
   }
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -154,10 +174,12 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
     input.fault_value = finding.value;
     input.fault_limit = finding.limit;
   }
-  const bool nobody = std::all_of(drives_.begin(), drives_.end(), [tick](const Drive& drive) {
-    const Drive::Finding finding = drive.finding(tick);
-    return finding.code == ErrorCode::hardware_silent && finding.value == static_cast<double>(DriveSilence::no_answer);
-  });
+  // of a single drive nobody knows whether it is the drive or the bus
+  const bool nobody = count > 1 && std::all_of(drives_.begin(), drives_.end(), [tick](const Drive& drive) {
+                        const Drive::Finding finding = drive.finding(tick);
+                        return finding.code == ErrorCode::hardware_silent &&
+                               finding.value == static_cast<double>(DriveSilence::no_answer);
+                      });
   if (nobody && input.fault == ErrorCode::hardware_silent) {
     input.fault_axis = -1;
     input.fault_value = static_cast<double>(DriveSilence::nobody);
@@ -179,7 +201,7 @@ void CanHardware::enable(bool on) noexcept {
 void CanHardware::reset_fault() noexcept {
   homing_ = -1;
   powering_ = false;
-  bus_error_ = BusError::none;
+  bus_error_ = bus_off_ ? BusError::bus_off : BusError::none;
   for (Drive& drive : drives_) {
     can::Frame next;
     drive.reset(tick_, next);
@@ -199,7 +221,7 @@ void CanHardware::set_points(const JointVector& position, const JointVector& vel
 /// Drives take different times to be on: none lets go of its axis before all could, and those that are on first hold
 /// theirs until the servo has all of them.
 void CanHardware::write(Tick, const JointVector& current) noexcept {
-  const auto is_on = [](const Drive& drive) { return drive.state() == DriveState::operation_enabled; };
+  const auto is_on = [](const Drive& drive) { return drive.is_on(); };
   const bool all = std::all_of(drives_.begin(), drives_.end(), [](const Drive& drive) { return drive.may_operate(); });
   powering_ = powering_ && !std::all_of(drives_.begin(), drives_.end(), is_on);
   for (std::size_t i = 0; i < drives_.size(); ++i) {

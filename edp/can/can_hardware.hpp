@@ -55,7 +55,7 @@ class CanHardware : public Hardware {
 
  private:
   void await_boot();
-  void note_boot(const can::Frame& frame);
+  void note(const can::Frame& frame);
   void set_up_all();
   void check_modes(std::size_t axis, canopen::SdoClient& client) const;
   void set_up(std::size_t axis);
@@ -64,6 +64,8 @@ class CanHardware : public Hardware {
   void begin_set_up(const Drive& drive, const can::Frame& first) noexcept;
   void send(const can::Frame& frame) noexcept;
   void find(can::BusError error) noexcept;
+  void take_error(const can::Frame& frame) noexcept;
+  bool is_of_a_master(const can::Frame& frame) const noexcept;
   void dispatch(const can::Frame& frame) noexcept;
   bool await_all(std::int64_t deadline) noexcept;
   void synchronise(Tick tick) noexcept;
@@ -77,6 +79,7 @@ class CanHardware : public Hardware {
   std::vector<Drive> drives_;
   std::vector<bool> set_up_;  ///< of each drive, while they are started: since its last boot-up message
   can::BusError bus_error_ = can::BusError::none;
+  bool bus_off_ = false;  ///< the controller has left the bus, and has not come back yet
   Tick tick_ = 0;
   std::int64_t origin_ = INT64_MAX;  ///< ns of the wall: tick 0, as the promptest SYNC shows it
   bool answered_ = true;             ///< by all drives, the last SYNC

@@ -40,7 +40,9 @@ std::vector<std::uint8_t> upload_patiently(SdoClient& client, NodeId node, Objec
 
 void CanHardware::fail(ErrorCode code, std::size_t axis, const std::string& what) const {
   const config::DriveEntry& entry = table_.drives[axis];
-  throw HardwareError(code, "drive " + entry.axis + ", node " + std::to_string(entry.node) + ": " + what);
+  const bool cause = code == ErrorCode::hardware_silent && bus_error_ != BusError::none;
+  throw HardwareError(code, "drive " + entry.axis + ", node " + std::to_string(entry.node) + ": " + what +
+                                (cause ? std::string(" (") + can::describe(bus_error_) + ")" : ""));
 }
 
 void CanHardware::open() {
@@ -55,7 +57,8 @@ void CanHardware::open() {
 }
 
 /// A reset may reach a drive late, after the next one has been sent: it boots twice, and forgets what it was told.
-void CanHardware::note_boot(const can::Frame& frame) {
+void CanHardware::note(const can::Frame& frame) {
+  if (frame.error) return take_error(frame);
   for (std::size_t i = 0; i < drives_.size(); ++i)
     if (is_boot_up(frame, drives_[i].node())) set_up_[i] = false;
 }
@@ -65,7 +68,7 @@ void CanHardware::set_up_all() {
   std::vector<int> boots(drives_.size(), 0);
   for (;;) {
     can::Frame frame;
-    while (bus_->receive(frame, 0)) note_boot(frame);
+    while (bus_->receive(frame, 0)) note(frame);
     const auto next = std::find(set_up_.begin(), set_up_.end(), false);
     if (next == set_up_.end()) return;
     const auto axis = static_cast<std::size_t>(next - set_up_.begin());
@@ -87,14 +90,14 @@ void CanHardware::await_boot() {
     const std::int64_t again = clock::monotonic_ns() + kBetweenResets;
     can::Frame frame;
     while (missing() != booted.end() && bus_->receive(frame, again)) {
+      if (frame.error) take_error(frame);
       for (std::size_t i = 0; i < drives_.size(); ++i)
         if (is_boot_up(frame, drives_[i].node())) booted[i] = true;
     }
     if (clock::monotonic_ns() > end && missing() != booted.end())
       fail(ErrorCode::hardware_silent, static_cast<std::size_t>(missing() - booted.begin()),
            "no boot-up message within " + std::to_string(static_cast<int>(kPatienceWithBoot)) +
-               " s of its reset: no power, another node number or bit rate, or no wire" +
-               (bus_error_ == BusError::none ? "" : std::string(" (") + can::describe(bus_error_) + ")"));
+               " s of its reset: no power, another node number or bit rate, or no wire");
   }
 }
 
@@ -120,7 +123,7 @@ void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
 /// An earlier run has left it without a heartbeat: where 6007h says so, it has slowed down and stands in a fault.
 void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
   const NodeId node = drives_[axis].node();
-  const std::int64_t end = clock::monotonic_ns() + std::llround(Drive::kSwitchOnTime * clock::kSecond);
+  const std::int64_t end = clock::monotonic_ns() + std::llround(table_.switch_on_time * clock::kSecond);
   for (;;) {
     const DriveState state =
         drive_state(static_cast<std::uint16_t>(can::get(upload_patiently(client, node, kStatusword), 0, 2)));
@@ -132,12 +135,13 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
     send(sync_frame());  // simulated drives may have no other time
     can::Frame frame;
     const std::int64_t next_look = clock::monotonic_ns() + kBetweenLooks;
-    while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) note_boot(frame);
+    while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) note(frame);
   }
-  std::uint16_t code = 0x1000;  // generic: of a drive that keeps none
+  std::uint16_t code = 0;
   try {
     code = static_cast<std::uint16_t>(can::get(client.upload(node, kErrorCode), 0, 2));
   } catch (const SdoError&) {
+    fail(ErrorCode::drive_fault, axis, "stays in its fault, and tells no error code");
   }
   std::array<char, 8> number{};
   std::snprintf(number.data(), number.size(), "%04Xh", code);
@@ -147,7 +151,7 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
 
 void CanHardware::set_up(std::size_t axis) {
   Drive& drive = drives_[axis];
-  SdoClient client(*bus_, kPatienceWithSdo, [this](const can::Frame& frame) { note_boot(frame); });
+  SdoClient client(*bus_, kPatienceWithSdo, [this](const can::Frame& frame) { note(frame); });
   try {
     const std::vector<std::uint8_t> type = upload_patiently(client, drive.node(), kDeviceType);
     if (can::get(type, 0, 2) != kProfile402)
@@ -166,7 +170,7 @@ void CanHardware::set_up(std::size_t axis) {
     can::Frame frame, next;
     if (!bus_->receive(frame, deadline) || clock::monotonic_ns() > deadline)
       fail(ErrorCode::hardware_silent, axis, "no answer to writing " + drive.setup().setting().name);
-    note_boot(frame);
+    note(frame);
     if (!set_up_[axis]) return drive.setup().give_up();  // to begin anew
     drive.setup().take(frame, next);
     send(next);

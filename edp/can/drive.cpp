@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "canopen/emergency.hpp"
@@ -13,19 +12,9 @@ namespace {
 
 using namespace canopen;
 
-constexpr double kPerMille = 1000;
 constexpr int kMostOwed = 16;  // answers that are under way on the slowest of buses
 
 Tick ticks(double time, double period) { return static_cast<Tick>(std::ceil(time / period)); }
-
-/// A whole number that fits `Integer`; what is beyond it, or no number, becomes the nearest end or 0.
-template <class Integer>
-std::int64_t whole(double value) noexcept {
-  if (!std::isfinite(value)) return 0;
-  constexpr auto kLeast = static_cast<double>(std::numeric_limits<Integer>::min());
-  constexpr auto kGreatest = static_cast<double>(std::numeric_limits<Integer>::max());
-  return std::llround(std::clamp(value, kLeast, kGreatest));
-}
 
 }  // namespace
 
@@ -38,11 +27,12 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
       position_gain_(entry.position_gain),
       absolute_(table.absolute_encoders),
       heartbeat_ticks_(ticks(kMissedHeartbeats * table.heartbeat, period)),
-      switch_on_ticks_(ticks(kSwitchOnTime, period)),
+      switch_on_ticks_(ticks(table.switch_on_time, period)),
+      obey_ticks_(ticks(kObeyTime, period)),
       answer_ticks_(ticks(kAnswerTime, period)),
       select_ticks_(ticks(kSelectTime, period)),
-      stale_ticks_(select_ticks_ + std::max<Tick>(3, ticks(kStaleTime, period))),
-      instant_ticks_(select_ticks_ + ticks(kInstantTime, period)),
+      stale_ticks_(std::max<Tick>(3, ticks(kStaleTime, period))),
+      instant_ticks_(ticks(kInstantTime, period)),
       homing_ticks_max_(ticks(kLongestHoming, period)),
       missed_max_(table.missed_max),
       without_status_max_(table.status_every * (table.missed_max + 1)),
@@ -51,6 +41,7 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
                          std::abs(rad_per_unit_))),
       pdos_(drive_pdos(table.mode)),
       setup_(entry.node, drive_settings(table, entry, period)),
+      display_(entry.node, table.eds.find(kModeDisplay) != nullptr, period),
       home_(home) {}
 
 bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept {
@@ -73,7 +64,10 @@ bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept 
   } else if (const auto emergency = emergency_of(frame); emergency && emergency->node == node_) {
     if (emergency->code != 0) emergency_ = emergency->code;
   } else if (frame.id == kSdoResponse + node_) {
-    if (setup_.take(frame, next)) asked_ = tick;
+    if (setup_.take(frame, next))
+      asked_ = tick;
+    else
+      display_.take(frame, next);
     if (setup_.status() == DriveSetup::Status::done) {
       setup_.give_up();
       begin(tick);
@@ -205,139 +199,17 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
     return {ErrorCode::heartbeat_lost, static_cast<double>(tick - heard_), static_cast<double>(heartbeat_ticks_)};
   const DriveState now = state();
   if (emergency_ != 0 || now == DriveState::fault || now == DriveState::fault_reaction_active)
-    return {ErrorCode::drive_fault, static_cast<double>(emergency_ != 0 ? emergency_ : 0x1000)};
+    return {ErrorCode::drive_fault, static_cast<double>(emergency_)};
   const bool late = tick > since_ + switch_on_ticks_;
   const bool never_on = wanted_ && now != DriveState::operation_enabled && !waiting_ && (was_enabled_ || late);
   const bool never_off = !wanted_ && has_power() && late;
   if (never_on || never_off) return {ErrorCode::drive_not_ready, static_cast<double>(statusword_)};
+  if (wanted_ && now == DriveState::operation_enabled && !display_.confirms() && mode_is_late(tick))
+    return {ErrorCode::drive_not_ready, static_cast<double>(display_.shown()), static_cast<double>(display_.wanted())};
   if (mode_ == DriveMode::cyclic_position && (homing_ == Homing::none || homing_ == Homing::attained) &&
       now == DriveState::operation_enabled && (statusword_ & kFollowingError) != 0)
     return {ErrorCode::following_error};
   return {};
-}
-
-void Drive::begin(Tick tick) noexcept {
-  running_ = true;
-  restarted_ = knows_switches_ = false;
-  missed_ = unheard_ = without_status_ = 0;
-  answered_ = true;  // the SYNC of this cycle came before
-  heard_ = begun_ = tick;
-}
-
-void Drive::enable(bool on, Tick tick) noexcept {
-  wanted_ = on;
-  was_enabled_ = waiting_ = false;
-  stop_ticks_ = 0;
-  since_ = tick;
-  homing_ = Homing::none;
-}
-
-void Drive::reset(Tick tick, can::Frame& next) noexcept {
-  next = {};
-  emergency_ = 0;
-  surplus_ = 0;
-  wanted_ = was_enabled_ = waiting_ = pulse_ = false;
-  resetting_ = true;
-  since_ = tick;
-  homing_ = Homing::none;
-  if (speaks() && tells_switches()) {
-    heard_ = tick;
-    return;
-  }
-  running_ = known_ = false;
-  statusword_ = 0;  // what it said before says nothing
-  next = setup_.start();
-  asked_ = tick;
-}
-
-bool Drive::repeats(Tick tick, can::Frame& next) noexcept {
-  if (setup_.status() != DriveSetup::Status::writing || tick <= asked_ + answer_ticks_) return false;
-  next = setup_.again();
-  asked_ = tick;
-  return true;
-}
-
-bool Drive::has_power() const noexcept {
-  return state() == DriveState::operation_enabled || state() == DriveState::quick_stop_active;
-}
-
-bool Drive::still_resetting() const noexcept {
-  return !running_ || !known_ || has_power() || state() == DriveState::fault ||
-         state() == DriveState::fault_reaction_active;
-}
-
-bool Drive::busy(Tick tick) const noexcept {
-  if (tick > since_ + switch_on_ticks_) return false;
-  if (!wanted_ && !resetting_) return speaks() && has_power();
-  if (resetting_) return still_resetting();
-  return wanted_ && state() != DriveState::operation_enabled && finding(tick).code == ErrorCode::none;
-}
-
-void Drive::home() noexcept {
-  homing_ = Homing::running;
-  homing_ticks_ = 0;
-  homing_seen_ = false;
-}
-
-void Drive::follow_homing() noexcept {
-  if (homing_ != Homing::running) return;
-  if (++homing_ticks_ <= stale_ticks_) return;
-  const bool attained = (statusword_ & kHomingAttained) != 0;
-  if (!attained) homing_seen_ = true;
-  if ((statusword_ & kHomingError) != 0 || homing_ticks_ > homing_ticks_max_)
-    homing_ = Homing::failed;
-  else if (attained && (statusword_ & kTargetReached) != 0 && (homing_seen_ || homing_ticks_ > instant_ticks_))
-    homing_ = Homing::attained;
-}
-
-bool Drive::may_operate() const noexcept {
-  return state() == DriveState::switched_on || state() == DriveState::operation_enabled;
-}
-
-std::uint16_t Drive::controlword(bool release) noexcept {
-  const DriveState now = state();
-  // a stop under way goes on to its end; one that does not come to rest loses its power all the same
-  if (!wanted_ && has_power() && ++stop_ticks_ <= switch_on_ticks_) return kQuickStop;
-  if (resetting_) {
-    resetting_ = still_resetting();
-    pulse_ = now == DriveState::fault && !pulse_;
-    return pulse_ ? kFaultReset : kDisableVoltage;
-  }
-  if (!wanted_) return kDisableVoltage;
-  waiting_ = now == DriveState::switched_on && !release;
-  if (waiting_) return kSwitchOn;
-  const bool starts = homing_ == Homing::running && homing_ticks_ >= select_ticks_;
-  return static_cast<std::uint16_t>(towards_operation(now) |
-                                    (starts && now == DriveState::operation_enabled ? kStartHoming : 0));
-}
-
-/// Position and velocity in the drive's units, torque in per mille.
-can::Frame Drive::command_frame(std::uint16_t controlword, double position, double velocity,
-                                double torque) const noexcept {
-  can::Frame frame{kReceivePdo1 + node_, {}};
-  const DriveMode mode = homing_ == Homing::running ? DriveMode::homing : mode_;
-  pdos_.command.write(frame, kControlword, controlword);
-  pdos_.command.write(frame, kTargetPosition, whole<std::int64_t>(position));  // its low 32 bits
-  pdos_.command.write(frame, kTargetVelocity, whole<std::int32_t>(velocity));
-  pdos_.command.write(frame, kTargetTorque, whole<std::int16_t>(torque));
-  pdos_.command.write(frame, kMode, static_cast<std::int8_t>(mode));
-  return frame;
-}
-
-can::Frame Drive::command(const Target& target) noexcept {
-  const std::uint16_t word = controlword(true);
-  const bool on = state() == DriveState::operation_enabled && homing_ != Homing::running;
-  if (!on) return command_frame(word, static_cast<double>(raw_), 0, 0);
-  const double error = target.position - position();
-  return command_frame(word, (target.position - offset_) / rad_per_unit_,
-                       (target.velocity + position_gain_ * error) / rad_per_velocity_unit_,
-                       (reversed_ ? -1 : 1) * target.current / rated_current_ * kPerMille);
-}
-
-can::Frame Drive::hold(bool release) noexcept {
-  const std::uint16_t word = controlword(release);
-  const double error = static_cast<double>(held_ - raw_) * rad_per_unit_;
-  return command_frame(word, static_cast<double>(held_), position_gain_ * error / rad_per_velocity_unit_, 0);
 }
 
 }  // namespace mrroc::edp

@@ -4,6 +4,7 @@
 
 #include "canopen/drive_state.hpp"
 #include "edp/can/drive_setup.hpp"
+#include "edp/can/mode_display.hpp"
 #include "edp/drive_silence.hpp"
 #include "edp/hardware.hpp"
 
@@ -17,7 +18,9 @@ class Drive {
   /// What is wrong with it; code none: nothing. Of a silent drive (hardware_silent) the value is a DriveSilence and the
   /// limit the SYNCs in a row that it may leave so. Of one that refuses to be set up anew (drive_restarted) the value
   /// is the object, index and sub-index in 24 bits, and the limit its SDO abort code. Of one that answers more often
-  /// than it is asked (encoder_fault) the value is how often, and the limit 0: two nodes have its number.
+  /// than it is asked (encoder_fault) the value is how often, and the limit 0: two nodes have its number. Of a fault
+  /// (drive_fault) the value is the error code of its EMCY, 0 without one. Of one that is not ready (drive_not_ready)
+  /// the value is its statusword; where it is on but in another mode, the mode that it shows, and the limit ours.
   struct Finding {
     ErrorCode code = ErrorCode::none;
     double value = 0;
@@ -65,8 +68,14 @@ class Drive {
   void reset(Tick tick, can::Frame& next) noexcept;
   /// True, and `next` is to be sent: its set-up goes on, and the last request has not been answered for kAnswerTime.
   bool repeats(Tick tick, can::Frame& next) noexcept;
+  /// True: it is to be asked for its mode, `request` is to be sent.
+  bool asks(Tick tick, can::Frame& request) noexcept;
   /// Neither where `enable` nor where `reset` wanted it, and there is still time.
   bool busy(Tick tick) const noexcept;
+  /// It is in operation enabled, and in its mode as far as it tells.
+  bool is_on() const noexcept;
+  /// It keeps its power against its controlword, as one that does not hear it.
+  bool defies() const noexcept;
   void home() noexcept;
   Homing homing() const noexcept { return homing_; }
   void add_origin(double shift) noexcept { offset_ += shift; }
@@ -85,10 +94,10 @@ class Drive {
 
   DriveSetup& setup() noexcept { return setup_; }
 
-  static constexpr double kSwitchOnTime = 2.0;  ///< s that it gets to become operation enabled, or to be reset, or off
-  static constexpr double kAnswerTime = 0.1;    ///< s, to a request of its set-up; then it is sent again
+  static constexpr double kAnswerTime = 0.1;  ///< s, to a request of its set-up; then it is sent again
+  static constexpr double kObeyTime = 0.5;    ///< s, from the controlword of a stop to its begin
   // of homing, s
-  static constexpr double kSelectTime = 0.05;    ///< between the mode's change and the start
+  static constexpr double kSelectTime = 0.05;    ///< for the mode's change, of one that does not tell its mode
   static constexpr double kStaleTime = 0.02;     ///< after the start, in which it may still say what was before
   static constexpr double kInstantTime = 0.5;    ///< one that says all that time that it has attained has
   static constexpr double kLongestHoming = 300;  ///< then it has failed
@@ -101,6 +110,10 @@ class Drive {
   void take_status(const can::Frame& frame) noexcept;
   void take_position(std::int64_t raw) noexcept;
   void follow_homing() noexcept;
+  void follow_homing_run() noexcept;
+  /// It is, or is to be, in the homing mode.
+  bool homes() const noexcept { return homing_ == Homing::running && !homed_; }
+  bool mode_is_late(Tick tick) const noexcept;
   /// It is in service and says something, if not always in time.
   bool tells_switches() const noexcept { return without_status_ <= without_status_max_; }
   bool speaks() const noexcept { return running_ && unheard_ <= missed_max_; }
@@ -109,12 +122,14 @@ class Drive {
   std::uint16_t controlword(bool release) noexcept;
   can::Frame command_frame(std::uint16_t controlword, double position, double velocity, double torque) const noexcept;
 
+  static constexpr double kPerMille = 1000;
+
   // from the table
   canopen::NodeId node_;
   canopen::DriveMode mode_;
   double rad_per_unit_, rad_per_velocity_unit_, rated_current_, position_gain_;
   bool absolute_;
-  Tick heartbeat_ticks_, switch_on_ticks_, answer_ticks_;
+  Tick heartbeat_ticks_, switch_on_ticks_, obey_ticks_, answer_ticks_;
   Tick select_ticks_, stale_ticks_, instant_ticks_, homing_ticks_max_;
   int missed_max_;
   int without_status_max_;
@@ -122,6 +137,7 @@ class Drive {
   std::int64_t jump_;  ///< units that homing does not move it in a tick
   DrivePdos pdos_;
   DriveSetup setup_;
+  ModeDisplay display_;
   double home_;  ///< rad of the shaft where a drive that has homed counts from
 
   // said
@@ -153,8 +169,10 @@ class Drive {
   Tick asked_ = 0;        ///< the last request of its set-up
   Tick stop_ticks_ = 0;   ///< that it has been told to stop and still has power
   Homing homing_ = Homing::none;
-  Tick homing_ticks_ = 0;     ///< since its mode was selected
-  bool homing_seen_ = false;  ///< it has said that it has not attained yet
+  Tick homing_ticks_ = 0;        ///< of its part: the mode's change, the way itself, the change back
+  bool homing_started_ = false;  ///< it has the mode, and has been told to start
+  bool homing_seen_ = false;     ///< it has said that it has not attained yet
+  bool homed_ = false;           ///< it has, and is told its usual mode again
 };
 
 }  // namespace mrroc::edp

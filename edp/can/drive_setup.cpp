@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <string>
 
+#include "canopen/default_value.hpp"
 #include "canopen/object_value.hpp"
 #include "config/table.hpp"
 
@@ -27,12 +27,13 @@ class Settings {
   void add(Object object, std::int64_t value, std::uint8_t size) {
     settings_.push_back({object, to_text(object), value, size});
   }
-  /// Where the drive has it and its `objects` give no other value.
+  /// Where the drive has it and takes a value, and its `objects` give no other one.
   void add_known(Object object, std::int64_t value, std::uint8_t size) {
     // the table's own value may be there because the drive refuses ours
     const auto same = [object](const config::DriveSetting& own) { return own.object == object; };
     if (std::any_of(drive_.settings.begin(), drive_.settings.end(), same)) return;
-    if (table_.eds.find(object) != nullptr) add(object, value, size);
+    const ObjectEntry* const entry = table_.eds.find(object);
+    if (entry != nullptr && entry->writable()) add(object, value, size);
   }
   /// One PDO: it may be changed only while it is not used (CiA 301, 7.5.2.36).
   void add_pdo(std::uint16_t parameters, std::uint16_t mapping, std::uint32_t identifier, std::uint8_t transmission,
@@ -46,6 +47,17 @@ class Settings {
     add({mapping, 0}, place, 1);
     add({parameters, 1}, identifier, 4);
   }
+  /// What else a drive would send by itself, as its EDS file has it, only fills the bus.
+  void switch_off_pdos_from(std::uint16_t first) {
+    const auto& entries = table_.eds.entries();
+    const auto end = entries.lower_bound({kTransmitPdoMapping, 0});
+    for (auto place = entries.lower_bound({first, 0}); place != end; ++place) {
+      const auto& [object, entry] = *place;
+      const auto identifier = default_number(entry, drive_.node);
+      if (object.sub == 1 && identifier && (*identifier & kPdoNotUsed) == 0)
+        add_known(object, kPdoNotUsed | *identifier, 4);
+    }
+  }
   std::vector<config::DriveSetting> settings_;
 
  private:
@@ -54,9 +66,7 @@ class Settings {
   bool wants_bit_30(Object identifier) const {
     if (identifier.index >= kTransmitPdoParameters) return true;
     const ObjectEntry* const entry = table_.eds.find(identifier);
-    const std::size_t number = entry == nullptr ? std::string::npos : entry->default_value.find("0x");
-    if (number == std::string::npos) return false;
-    return (std::strtoul(entry->default_value.c_str() + number, nullptr, 16) & kPdoNoRemote) != 0;
+    return entry != nullptr && (default_number(*entry, drive_.node).value_or(0) & kPdoNoRemote) != 0;
   }
 
   const config::DriveTable& table_;
@@ -103,9 +113,11 @@ std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table
   list.add_pdo(kTransmitPdoParameters, kTransmitPdoMapping, kTransmitPdo1 + drive.node, 1, pdos.feedback);
   list.add_pdo(kTransmitPdoParameters + 1, kTransmitPdoMapping + 1, kTransmitPdo1 + 0x100 + drive.node,
                static_cast<std::uint8_t>(table.status_every), pdos.status);
+  list.switch_off_pdos_from(kTransmitPdoParameters + 2);
   const auto milliseconds = static_cast<std::int64_t>(std::lround(table.heartbeat * 1e3));
   list.add(kConsumerHeartbeat, static_cast<std::int64_t>(table.master) << 16 | kMissedHeartbeats * milliseconds, 4);
   list.add(kProducerHeartbeat, milliseconds, 2);
+  list.add_known(kCyclePeriod, std::llround(period * 1e6), 4);
   const auto [number, exponent] = period_of(table, period);
   list.add_known(kInterpolationTime, number, 1);
   list.add_known(kInterpolationExponent, exponent, 1);

@@ -21,9 +21,8 @@ struct DrivePdos {
 DrivePdos drive_pdos(canopen::DriveMode mode);
 
 /// All that is written into a drive before it is started, in this order: its PDOs, heartbeats, the servo period, the
-/// mode, quick stop and homing, then the table's own settings. Of what a drive may leave out, only what its EDS file
-/// has. Throws config::ConfigurationError: a servo period that CiA 402
-/// cannot say.
+/// mode, quick stop and homing, then the table's own settings. Of what a drive may leave out or have fixed, only what
+/// its EDS file has as writable. Throws config::ConfigurationError: a servo period that CiA 402 cannot say.
 std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table, const config::DriveEntry& drive,
                                                  double period);
 

@@ -35,8 +35,10 @@ std::int64_t DriveNode::units(double shaft) const noexcept {
   return std::llround(shaft * units_per_rad_) + raw_offset_;
 }
 
-void DriveNode::send(const can::Frame& frame) {
-  if (!cut_) send_(frame);
+void DriveNode::send(can::Frame frame) {
+  if (cut_) return;
+  if (corrupts_ && frame.size != 0) frame.data[noise_() % frame.size] = static_cast<std::uint8_t>(noise_());
+  send_(frame);
 }
 
 void DriveNode::boot(std::int64_t now) {
@@ -44,6 +46,7 @@ void DriveNode::boot(std::int64_t now) {
   store_.reset();
   state_ = DriveState::switch_on_disabled;
   controlword_ = 0;
+  mode_ = DriveMode::none;
   homed_ = homing_failed_ = false;
   restart(now);
 }
@@ -142,11 +145,13 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
   }
 }
 
-/// The statusword is that of now, and a controlword acts however it comes.
+/// The statusword is that of now, and a controlword or a mode acts however it comes.
 void DriveNode::take_request(const can::Frame& frame, std::int64_t now) {
   if (deaf_for_ > 0 && deaf_for_-- > 0) return;
+  take_mode();
   follow_state();
   if (const auto answer = sdo_.answer(frame)) send(*answer);
+  take_mode();
   if (store_.number(kControlword) != controlword_) obey();
   if (restless_) boot(now);
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <random>
 
 #include "can/frame.hpp"
 #include "canopen/drive_state.hpp"
@@ -73,19 +74,26 @@ class DriveNode {
   void lose_requests(int count) noexcept { deaf_for_ = count; }
   /// It boots after each SDO request that it has answered.
   void boot_at_requests(bool on) noexcept { restless_ = on; }
+  /// It is in this mode, whatever it is told; nothing: in the one that it is told.
+  void stay_in(std::optional<canopen::DriveMode> mode) noexcept { stays_in_ = mode; }
+  /// It says that its motor does not follow: bit 13 of the statusword in mode cyclic synchronous position.
+  void stray(bool on) noexcept { strays_ = on; }
   /// The cause of its fault stays.
   void keep_fault(bool on) noexcept { broken_ = on; }
   /// It says the same again and again, whatever it does.
   void freeze(bool on) noexcept { frozen_ = on; }
+  /// Of each frame that it sends one byte is another.
+  void corrupt(bool on) noexcept { corrupts_ = on; }
 
  private:
-  void send(const can::Frame& frame);
+  void send(can::Frame frame);
   void restart(std::int64_t now);
   void reset_communication(std::int64_t now);
   void lose_master();
   void take_request(const can::Frame& frame, std::int64_t now);
   void nmt(canopen::NmtCommand command, std::int64_t now);
   void take_command(const can::Frame& frame);
+  void take_mode();
   void obey();
   void follow_state();
   double home();
@@ -114,14 +122,19 @@ class DriveNode {
   can::Frame pending_;  ///< a set-point that waits for the SYNC
   bool has_pending_ = false, commanded_ = false;
   std::uint16_t controlword_ = 0;
-  std::int64_t raw_offset_ = 0;  ///< units: since its home position is known
+  canopen::DriveMode mode_ = canopen::DriveMode::none;  ///< as its display shows it
+  std::int64_t raw_offset_ = 0;                         ///< units: since its home position is known
   double position_ = 0;
   int syncs_ = 0;
   std::int64_t sent_ = 0, heard_ = 0;  ///< heartbeats, ns; 0: none heard yet
   edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
   bool homed_ = false, homing_failed_ = false;
   bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false, broken_ = false, lags_ = false,
-       owes_ = false, withholds_ = false, pressed_ = false, starts_itself_ = false, restless_ = false;
+       owes_ = false, withholds_ = false, pressed_ = false, starts_itself_ = false, restless_ = false,
+       corrupts_ = false;
+  std::minstd_rand noise_;
+  bool strays_ = false;
+  std::optional<canopen::DriveMode> stays_in_;
   int deaf_for_ = 0;  ///< SDO requests
   can::Frame said_;   ///< its last feedback
 };

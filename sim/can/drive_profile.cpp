@@ -19,11 +19,16 @@ constexpr double kPerMille = 1000;
 
 }  // namespace
 
+void DriveNode::take_mode() {
+  mode_ = stays_in_.value_or(static_cast<DriveMode>(store_.number(kMode)));
+  store_.set(kModeDisplay, static_cast<std::int64_t>(mode_));
+}
+
 /// What the controlword and the mode ask for.
 void DriveNode::obey() {
   const auto before = controlword_;
   controlword_ = static_cast<std::uint16_t>(store_.number(kControlword));
-  store_.set(kModeDisplay, store_.number(kMode));
+  take_mode();
   DriveState wanted = commanded_state(state_, controlword_, before);
   if (held_back_ && wanted == DriveState::switched_on) wanted = state_;
   if (broken_ && state_ == DriveState::fault) wanted = state_;
@@ -33,8 +38,7 @@ void DriveNode::obey() {
     send(to_frame({node_, 0, 0, {}}));
   }
   state_ = wanted;
-  const bool homes = store_.number(kMode) == static_cast<std::int64_t>(DriveMode::homing);
-  if (!homes) return;
+  if (mode_ != DriveMode::homing) return;
   const bool starts = (controlword_ & kStartHoming) != 0 && (before & kStartHoming) == 0;
   if (!starts || state_ != DriveState::operation_enabled) return;
   homed_ = homing_failed_ = false;
@@ -68,12 +72,12 @@ void DriveNode::measure(double position, double current, const edp::AxisSwitches
 /// The statusword.
 void DriveNode::follow_state() {
   std::uint16_t word = status_bits(state_);
-  const auto mode = static_cast<DriveMode>(store_.number(kMode));
-  if (mode == DriveMode::homing) {
+  if (mode_ == DriveMode::homing) {
     if (homed_) word |= kHomingAttained | kTargetReached;
     if (homing_failed_) word |= kHomingError;
   } else if (state_ == DriveState::operation_enabled) {
     word |= kFollowsCommand;
+    if (strays_ && mode_ == DriveMode::cyclic_position) word |= kFollowingError;
   }
   store_.set(kStatusword, word);
 }
@@ -103,7 +107,7 @@ double DriveNode::drive() {
     return current;
   }
   if (state_ != DriveState::operation_enabled) return motor_.off();
-  switch (static_cast<DriveMode>(store_.number(kMode))) {
+  switch (mode_) {
     case DriveMode::cyclic_position: {
       const std::int64_t window = store_.number(kFollowingErrorWindow) & 0xffffffff;
       const std::int64_t target = store_.number(kTargetPosition);

@@ -23,6 +23,10 @@ void set(Kind kind, bool on, std::int64_t now, DriveNode& node) {
     case Kind::restart:
       if (on) node.boot(now);
       return;
+    case Kind::press:
+      return node.press(on);
+    case Kind::corrupt:
+      return node.corrupt(on);
     default:
       return;
   }

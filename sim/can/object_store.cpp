@@ -1,9 +1,9 @@
 #include "sim/can/object_store.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "can/frame.hpp"
+#include "canopen/default_value.hpp"
 #include "canopen/pdo_mapping.hpp"
 
 namespace mrroc::sim {
@@ -30,17 +30,7 @@ ObjectStore::ObjectStore(const EdsFile& eds, NodeId node) : eds_(eds), node_(nod
 std::vector<std::uint8_t> ObjectStore::default_of(const ObjectEntry& entry) const {
   if (entry.type == DataType::visible_string) return {entry.default_value.begin(), entry.default_value.end()};
   std::vector<std::uint8_t> bytes(size_of(entry.type));
-  std::string text = entry.default_value;
-  std::int64_t value = 0;
-  constexpr std::string_view kOwn = "$NODEID";
-  if (text.starts_with(kOwn)) {
-    value = node_;
-    text = text.substr(kOwn.size());
-    if (text.starts_with("+")) text = text.substr(1);
-  }
-  value = static_cast<std::int64_t>(static_cast<std::uint64_t>(value) +
-                                    static_cast<std::uint64_t>(std::strtoll(text.c_str(), nullptr, 0)));
-  can::put(bytes, 0, bytes.size(), static_cast<std::uint64_t>(value));
+  can::put(bytes, 0, bytes.size(), static_cast<std::uint64_t>(default_number(entry, node_).value_or(0)));
   return bytes;
 }
 

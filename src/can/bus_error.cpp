@@ -14,7 +14,9 @@ BusError bus_error_of(const Frame& frame) noexcept {
     if ((controller & (CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING)) != 0) return BusError::warning;
     if ((controller & CAN_ERR_CRTL_ACTIVE) != 0) return BusError::recovered;
   }
-  if ((classes & CAN_ERR_ACK) != 0) return BusError::no_acknowledge;
+  // drivers tell a missing acknowledge in one way or the other
+  const bool at_acknowledge = (classes & CAN_ERR_PROT) != 0 && frame.data[3] == CAN_ERR_PROT_LOC_ACK;
+  if ((classes & CAN_ERR_ACK) != 0 || at_acknowledge) return BusError::no_acknowledge;
   if ((classes & (CAN_ERR_PROT | CAN_ERR_BUSERROR)) != 0) return BusError::protocol;
   if ((classes & CAN_ERR_TRX) != 0) return BusError::transceiver;
   if ((classes & CAN_ERR_RESTARTED) != 0) return BusError::recovered;
@@ -45,6 +47,8 @@ const char* describe(BusError error) noexcept {
       return "transmit queue full: nobody acknowledges, or too much is sent";
     case BusError::down:
       return "the interface is down";
+    case BusError::foreign_master:
+      return "another master: another node sends SYNC, NMT or set-points, or has our number";
     case BusError::other:
       break;
   }

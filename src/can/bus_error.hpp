@@ -6,7 +6,8 @@
 
 namespace mrroc::can {
 
-/// What a controller reports of the bus (linux/can/error.h), the gravest of what one error frame says.
+/// What is wrong with a bus: what its controller reports (linux/can/error.h), the gravest of what one error frame says,
+/// and what its user finds.
 enum class BusError : std::uint8_t {
   none,
   bus_off,         ///< the controller has left the bus: too many errors of its own
@@ -19,6 +20,7 @@ enum class BusError : std::uint8_t {
   recovered,       ///< the controller is on the bus again
   queue_full,      ///< what is sent is not taken any more
   down,            ///< the interface has been switched off, or has gone
+  foreign_master,  ///< another node sends what only the master may
   other
 };
 

@@ -158,8 +158,8 @@ void read_drives(const Table& file, const RobotParameters& robot, DriveTable& dr
 
 DriveTable read_drive_table(const std::filesystem::path& file, const RobotParameters& robot) {
   const Table table = Table::load(file);
-  table.only({"eds", "mode", "absolute_encoders", "master", "heartbeat", "answer_time", "missed_max", "set_points",
-              "status_every", "objects", "drives"});
+  table.only({"eds", "mode", "absolute_encoders", "master", "heartbeat", "answer_time", "missed_max", "switch_on_time",
+              "set_points", "status_every", "objects", "drives"});
   DriveTable drives;
   drives.file = file;
   drives.mode = read_mode(table);
@@ -168,6 +168,7 @@ DriveTable read_drive_table(const std::filesystem::path& file, const RobotParame
   drives.heartbeat = read_heartbeat(table, drives.heartbeat);
   drives.answer_time = table.number_or("answer_time", drives.answer_time, {0.05, 0.9});
   drives.missed_max = static_cast<int>(table.integer_or("missed_max", drives.missed_max, 0, 100));
+  drives.switch_on_time = table.number_or("switch_on_time", drives.switch_on_time, {0.1, 60});
   // a loop that is closed here would have a tick of delay more in it
   const std::string usual = drives.mode == DriveMode::cyclic_torque ? "at once" : "at sync";
   drives.target_at_sync =

@@ -51,6 +51,7 @@ struct DriveTable {
   double heartbeat = 0.1;          ///< s between two of each node; it is lost after three times that
   double answer_time = 0.5;        ///< of the servo period: how long the drives may take to answer a SYNC
   int missed_max = 2;              ///< SYNCs in a row that a drive may leave unanswered
+  double switch_on_time = 2.0;     ///< s that a drive gets to be switched on, off, or reset
   bool target_at_sync = true;      ///< the drives take a set-point at the next SYNC, else at once
   int status_every = 4;            ///< SYNCs between two PDOs of velocity and switches
   std::vector<DriveEntry> drives;

@@ -27,10 +27,11 @@ enum class Kind : std::uint8_t {
   // of one simulated drive on a bus
   restart,  ///< it boots
   hush,     ///< its heartbeats do not come
+  press,    ///< the positive limit switch of its axis is on
   // of the commands that a task program sends to its robots
   lose,     ///< they do not arrive
   delay,    ///< each is sent `value` ticks later
-  corrupt,  ///< their numbers are no numbers
+  corrupt,  ///< their numbers are no numbers; of each frame of a simulated drive one byte is another
   leap      ///< their target is `value` rad or m farther, in every joint
 };
 

@@ -39,7 +39,7 @@ struct Row {
   double usual_value = 0;  ///< when it is not
 };
 
-constexpr std::array<Row, 18> kRows{{
+constexpr std::array<Row, 19> kRows{{
     {"kill", Kind::kill, kAny},
     {"halt", Kind::halt, kAny},
     {"end", Kind::end, kAny},
@@ -54,9 +54,10 @@ constexpr std::array<Row, 18> kRows{{
     {"runaway", Kind::runaway, kEdp, kEdp},
     {"restart", Kind::restart, kDrives, kDrives},
     {"hush", Kind::hush, kDrives, kDrives},
+    {"press", Kind::press, kDrives, kDrives},
     {"lose", Kind::lose, kTask},
     {"delay", Kind::delay, kTask, 0, true, 30},
-    {"corrupt", Kind::corrupt, kTask},
+    {"corrupt", Kind::corrupt, kTask | kDrives, kDrives},
     {"leap", Kind::leap, kTask, 0, true, 0.5},
 }};
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "canopen/default_value.hpp"
 #include "canopen/random_frames.hpp"
 
 namespace mrroc::canopen {
@@ -48,6 +49,28 @@ ParameterName=Vendor-ID
 DataType=7
 AccessType=ro
 )";
+
+TEST(EdsFile, AByteOrderMarkIsNoPartOfIt) {
+  const EdsFile file = parse(std::string("\xEF\xBB\xBF") + kSmall);
+  EXPECT_EQ(file.product(), "Servo");
+  EXPECT_NE(file.find(kControlword), nullptr);
+  EXPECT_EQ(parse(std::string("\xEF\xBB\xBF") + (kSmall + 12)).product(), "Servo") << "before a section";
+}
+
+TEST(EdsFile, ADefaultMayCountFromTheNodesNumber) {
+  const auto number = [](const std::string& text) {
+    ObjectEntry entry;
+    entry.default_value = text;
+    return default_number(entry, 5);
+  };
+  EXPECT_EQ(number("0x180"), 0x180);
+  EXPECT_EQ(number("-5"), -5);
+  EXPECT_EQ(number("$NODEID"), 5);
+  EXPECT_EQ(number("$NODEID+0x180"), 0x185);
+  EXPECT_EQ(number("$NODEID + 384"), 0x185);
+  EXPECT_EQ(number("0x40000180+$NODEID"), 0x40000185);
+  for (const char* const none : {"", "Servo", "0x180+", "$NODEID+$"}) EXPECT_FALSE(number(none)) << none;
+}
 
 TEST(EdsFile, TheFrameworksOwnIsRead) {
   const EdsFile file = EdsFile::load(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia402.eds");

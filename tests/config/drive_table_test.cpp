@@ -81,6 +81,7 @@ TEST_F(DriveTableTest, MostMayBeLeftOut) {
   EXPECT_EQ(drives.heartbeat, 0.1);
   EXPECT_EQ(drives.answer_time, 0.5);
   EXPECT_EQ(drives.missed_max, 2);
+  EXPECT_EQ(drives.switch_on_time, 2);
   EXPECT_TRUE(drives.target_at_sync);
   EXPECT_EQ(drives.status_every, 4);
   EXPECT_EQ(drives.eds.product(), "CiA 402 servo drive");
@@ -99,7 +100,7 @@ TEST_F(DriveTableTest, ReadsEveryKey) {
   const std::string gain = "position_gain = 30\n";
   const DriveTable drives = read(
       "eds = 'drive.eds'\nmode = 'velocity'\nabsolute_encoders = true\nmaster = 100\nheartbeat = 0.25\n"
-      "answer_time = 0.75\nmissed_max = 5\nset_points = 'at once'\nstatus_every = 10\n" +
+      "answer_time = 0.75\nmissed_max = 5\nswitch_on_time = 4.5\nset_points = 'at once'\nstatus_every = 10\n" +
       drive("column", 1, gain) + drive("arm", 2, gain) +
       drive("belt", 3,
             "units_per_turn = 65536\nvelocity_units_per_turn = 600\nreversed = true\nposition_gain = 40\nhoming_method "
@@ -111,6 +112,7 @@ TEST_F(DriveTableTest, ReadsEveryKey) {
   EXPECT_EQ(drives.heartbeat, 0.25);
   EXPECT_EQ(drives.answer_time, 0.75);
   EXPECT_EQ(drives.missed_max, 5);
+  EXPECT_EQ(drives.switch_on_time, 4.5);
   EXPECT_FALSE(drives.target_at_sync);
   EXPECT_EQ(drives.status_every, 10);
   EXPECT_EQ(drives.drives[0].position_gain, 30);
@@ -231,6 +233,8 @@ TEST_F(DriveTableTest, RefusesNumbersThatMakeNoSense) {
             "crane_drives.toml:3: answer_time: 1 is out of range, expected a number from 0.05 to 0.9");
   EXPECT_EQ(message(table("missed_max = -1\n")),
             "crane_drives.toml:3: missed_max: -1 is out of range, expected an integer from 0 to 100");
+  EXPECT_EQ(message(table("switch_on_time = 0\n")),
+            "crane_drives.toml:3: switch_on_time: 0 is out of range, expected a number from 0.1 to 60");
   EXPECT_EQ(message(table("status_every = 0\n")),
             "crane_drives.toml:3: status_every: 0 is out of range, expected an integer from 1 to 240");
   EXPECT_EQ(message(table("", "units_per_turn = -4000\n")),

@@ -34,10 +34,14 @@ class WeakBus : public can::Bus {
       if (answers_ != kAllAnswers) ++unanswered;
       if (clock::monotonic_ns() - synced_ > kSlow) ++slow;
     }
+    if (is_off) return can::Sent::yes;
     return answer == can::Sent::yes ? bus_->send(frame) : answer;
   }
   bool receive(can::Frame& frame, std::int64_t deadline) noexcept override {
-    if (!bus_->receive(frame, deadline)) return false;
+    do {
+      if (!bus_->receive(frame, deadline)) return false;
+    } while (is_off && !frame.error);
+    if (goes_off && frame.error) is_off = true;
     if (const std::uint32_t node = frame.id - canopen::kTransmitPdo1; node >= 1 && node <= 4) answers_ |= 1u << node;
     return true;
   }
@@ -46,6 +50,8 @@ class WeakBus : public can::Bus {
   bool carries_fd() const noexcept override { return bus_->carries_fd(); }
   can::Sent answer = can::Sent::yes;
   bool loses_syncs = false;
+  bool goes_off = false;  ///< at the next error frame
+  bool is_off = false;    ///< as a controller in bus-off: nothing goes out or in, and the kernel says nothing
   // cycles, those in which not all drives have answered, those in which that has taken long
   int cycles = 0, unanswered = 0, slow = 0;
 
@@ -113,7 +119,7 @@ class Rig {
     servo = std::make_unique<Servo>(models, *hardware, kCanPeriod, hand_over);
     effector.enable(true);
     while (!servo->snapshot().enabled && now < 3000) tick();
-    effector.accept(relative_joints(JointVector::Constant(4, 0.6), 1500), ++number, answer);
+    effector.accept(relative_joints(JointVector::Constant(4, kFirstWay), 1500), ++number, answer);
     const Tick moment = now + 50 + random() % 1000;
     while (now < moment) tick();
   }
@@ -129,8 +135,12 @@ class Rig {
     for (int i = 0; i < 4; ++i) {
       const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
       worst_speed = std::max(worst_speed, std::abs(seen.desired.velocity[i]) / axis.velocity_max);
+      worst_position = std::max(worst_position, std::abs(seen.desired.position[i]) / axis.position_max);
     }
     const JointVector shafts = rack.shafts();
+    const double way = kFirstWay + kSecondWay;
+    off_its_way =
+        std::max({off_its_way, shafts.maxCoeff() / GearedModel::kGear - way, -shafts.minCoeff() / GearedModel::kGear});
     if (shafts_.size() != 0) {
       const double speed = ((shafts - shafts_) / kCanPeriod / GearedModel::kGear).cwiseAbs().maxCoeff();
       worst_real_speed = std::max(worst_real_speed, speed / model.parameters().axes[0].velocity_max);
@@ -155,7 +165,7 @@ class Rig {
   /// The bus carries what was sent in the fault, which nobody paced, and what comes in order again.
   void settle() {
     paced_ = true;
-    for (int i = 0; i < 20; ++i) tick();
+    for (int i = 0; i < 60; ++i) tick();
     paced_ = false;
   }
   bool recover() {
@@ -169,12 +179,19 @@ class Rig {
     return last.command == number && last.state.error.error_class == ErrorClass::none;
   }
   bool moves_again() {
-    if (effector.accept(relative_joints(JointVector::Constant(4, 0.02), 400), ++number, answer)) return false;
+    if (effector.accept(relative_joints(JointVector::Constant(4, kSecondWay), 400), ++number, answer)) return false;
     for (int i = 0; i < 500; ++i) tick();
     return last.command == number && last.state.error.error_class == ErrorClass::none;
   }
   const Fault& fault() const { return servo->snapshot().fault; }
   std::string text() const { return std::string(make_report(fault(), model.parameters()).detail.view()); }
+  /// Whether some drive still follows set-points, or has power at all.
+  bool operates() {
+    return any([](const sim::DriveNode& node) { return node.state() == canopen::DriveState::operation_enabled; });
+  }
+  bool powered() {
+    return any([](const sim::DriveNode& node) { return node.powered(); });
+  }
   sim::DriveNode& node(std::vector<sim::DriveNode>& nodes) const { return nodes[kAxis]; }
 
   std::mt19937 random;
@@ -194,18 +211,27 @@ class Rig {
   Reply answer, last;
   /// Parts of the limit: of the set-points, of the shafts from tick to tick and in kWindow ticks; rad after the stop.
   double worst_speed = 0, worst_real_speed = 0, worst_mean_speed = 0, moved = 0;
+  /// Of the set-points, a part of the limit; of the shafts, how far beyond either end of the way, rad of a joint.
+  double worst_position = 0, off_its_way = 0;
   Tick stopped_after = 0;
   std::function<void()> before_tick;  ///< what else happens on the bus
 
  private:
+  bool any(const std::function<bool(const sim::DriveNode&)>& is) {
+    bool found = false;
+    rack.with([&](auto& nodes) { found = std::any_of(nodes.begin(), nodes.end(), is); });
+    return found;
+  }
+
   /// Drives whose answers nobody waits for have got the SYNC, or the bus has had the time for it. What the driver
   /// counts in ticks, as its patience with a restarted drive, must not pass while their thread has no processor.
   void await_cycle_after(std::uint64_t cycles) {
-    const int glances = paced_ ? 4000 : 1;
+    const int glances = paced_ && !weak_bus->is_off ? 4000 : 1;
     for (int i = 0; i < glances && rack.cycles() == cycles; ++i) ::usleep(50);
   }
 
   static constexpr std::size_t kWindow = 10;
+  static constexpr double kFirstWay = 0.6, kSecondWay = 0.02;  // rad of each joint, from 0 on
   JointVector shafts_;
   std::deque<JointVector> past_;
   bool paced_ = false;

@@ -132,6 +132,56 @@ TEST_P(EveryMode, NoAxisIsLetGoBeforeAllDrivesAreReady) {
   EXPECT_EQ(rig.input.fault_axis, 2);
 }
 
+TEST(CanHardware, AModeThatIsShownLateHoldsTheSwitchingOnUp) {
+  HeldGantry rig;
+  rig.hardware->open();
+  rig.rack.with([](auto& nodes) { nodes[2].stay_in(DriveMode{1}); });
+  rig.hardware->enable(true);
+  rig.run(500);
+  EXPECT_TRUE(rig.hardware->busy());
+  EXPECT_EQ(rig.input.fault, ErrorCode::none);
+  rig.rack.with([](auto& nodes) { nodes[2].stay_in({}); });
+  rig.run(10);
+  EXPECT_FALSE(rig.hardware->busy());
+  EXPECT_EQ(rig.input.fault, ErrorCode::none);
+  // and who never shows it is named
+  rig.hardware->enable(false);
+  rig.run(100);
+  rig.rack.with([](auto& nodes) { nodes[2].stay_in(DriveMode{1}); });
+  rig.hardware->enable(true);
+  rig.run(1100);
+  EXPECT_FALSE(rig.hardware->busy());
+  EXPECT_EQ(rig.input.fault, ErrorCode::drive_not_ready);
+  EXPECT_EQ(rig.input.fault_axis, 2);
+  EXPECT_EQ(rig.input.fault_value, 1);
+  EXPECT_EQ(rig.input.fault_limit, 8);
+}
+
+TEST(CanHardware, DrivesWithoutAModeDisplayAreBelieved) {
+  const config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
+  config::DriveTable there = table;
+  there.eds = changed_eds("[6061]", "[6f61]");
+  for (const config::DriveTable& told : {table, there}) {
+    HeldGantry rig(told, there);
+    rig.hardware->open();
+    rig.hardware->enable(true);
+    rig.run(50);
+    EXPECT_FALSE(rig.hardware->busy());
+    rig.run(1100);
+    EXPECT_EQ(rig.input.fault, ErrorCode::none);
+  }
+}
+
+/// A single drive is not told from a bus that is cut.
+TEST(CanHardware, ARobotsOnlyDriveIsNamedWhenItIsLost) {
+  CanRig<Slide> rig(DriveMode::cyclic_position);
+  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  rig.rack.with([](auto& nodes) { nodes[0].cut(true); });
+  rig.run(10);
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::hardware_silent);
+  EXPECT_EQ(rig.seen().fault.axis, 0);
+}
+
 TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
   HeldGantry rig;
   rig.hardware->open();

@@ -5,8 +5,11 @@
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -45,6 +48,14 @@ inline config::DriveTable table_for(const RobotParameters& robot, canopen::Drive
     table.drives.push_back(drive);
   }
   return table;
+}
+
+/// The standard EDS file with `text` in place of `found`, the first one.
+inline canopen::EdsFile changed_eds(const std::string& found, const std::string& text) {
+  std::ifstream file(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia402.eds");
+  std::string eds{std::istreambuf_iterator<char>(file), {}};
+  if (eds.find(found) == std::string::npos) throw std::invalid_argument(found);
+  return canopen::EdsFile::parse(eds.replace(eds.find(found), found.size(), text), "changed");
 }
 
 /// The bus of a test: a hub of its own, or the interface that MRROC_TEST_BUS names.

@@ -1,8 +1,6 @@
 // How the driver brings drives into service, in whatever state it finds them.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "can_rig.hpp"
@@ -123,12 +121,14 @@ TEST(CanStart, WhatIsWrongWithADriveIsSaidByNameBeforeAnythingMoves) {
   expect_contains(HeldGantry(table, good).refusal(), "node 9: no boot-up message within");
 }
 
-/// The standard EDS file with `text` in place of `found`, which it has once.
-canopen::EdsFile changed_eds(const std::string& found, const std::string& text) {
-  std::ifstream file(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia402.eds");
-  std::string eds{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_NE(eds.find(found), std::string::npos);
-  return canopen::EdsFile::parse(eds.replace(eds.find(found), found.size(), text), "changed");
+TEST(CanStart, WhatTheControllerSaysOfTheBusIsToldBesideADriveThatDoesNotBoot) {
+  config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
+  table.drives[3].node = 9;
+  HeldGantry rig(table, table_for(Gantry{}.parameters(), DriveMode::cyclic_position));
+  can::Frame passive{0x4, {0, 0x20, 0, 0, 0, 0, 0, 0}};
+  passive.error = true;
+  rig.bus.open()->send(passive);
+  expect_contains(rig.refusal(), "or no wire (error passive: the controller has counted more than 127 errors)");
 }
 
 TEST(CanStart, ModesAreDemandedThatWillBeUsed) {

@@ -58,6 +58,51 @@ TEST(DriveSetup, TheServoPeriodIsWrittenAsTheProfileSaysIt) {
   EXPECT_THROW(settings(DriveMode::cyclic_position, 1.0 / 3), config::ConfigurationError);
 }
 
+TEST(DriveSetup, WhatADriveHasFixedIsNotWritten) {
+  config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
+  const std::string exponent = "[60C2sub2]\nParameterName=Interpolation time index\nObjectType=0x7\nDataType=0x0002\n";
+  for (const std::string access : {"ro", "const"}) {
+    table.eds = changed_eds(exponent + "AccessType=rw", exponent + "AccessType=" + access);
+    const auto all = drive_settings(table, table.drives[0], kCanPeriod);
+    EXPECT_EQ(last(all, kInterpolationTime), 2);
+    EXPECT_EQ(last(all, kInterpolationExponent), -1) << access;
+  }
+}
+
+TEST(DriveSetup, TheCyclePeriodIsWrittenInMicroseconds) {
+  EXPECT_EQ(last(settings(DriveMode::cyclic_position, 0.0025), kCyclePeriod), 2500);
+  config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
+  table.drives[0].settings.push_back({kCyclePeriod, "Communication cycle period", 0, 4});
+  EXPECT_EQ(last(drive_settings(table, table.drives[0], kCanPeriod), kCyclePeriod), 0) << "the table's own";
+}
+
+/// The sections of a PDO's parameters.
+std::string pdo(const std::string& index, const std::string& identifier) {
+  std::string text = "[" + index + "]\nParameterName=PDO " + index + "\nSubNumber=2\n\n";
+  return text.append("[" + index + "sub1]\nParameterName=COB-ID\nDataType=7\nAccessType=rw\nDefaultValue=")
+      .append(identifier + "\n\n");
+}
+
+TEST(DriveSetup, WhatElseADriveWouldSendIsSwitchedOff) {
+  config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
+  table.eds = changed_eds("[1A00]", pdo("1802", "$NODEID+0x380") + pdo("1803", "0x80000480+$NODEID") +
+                                        pdo("1804", "0x40000123") + pdo("1805", "0x124") + "[1A00]");
+  table.drives[0].settings.push_back({{0x1805, 1}, "0x1805:1", 0x124, 4});
+  const auto all = drive_settings(table, table.drives[0], kCanPeriod);
+  EXPECT_EQ(last(all, {0x1802, 1}), 0x80000381);
+  EXPECT_EQ(last(all, {0x1803, 1}), -1) << "its maker has done it";
+  EXPECT_EQ(last(all, {0x1804, 1}), 0xc0000123);
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const auto& each) { return each.object.index == 0x1805; }), 1)
+      << "the table wants it";
+  EXPECT_EQ(last(all, {0x1801, 1}), 0x40000281) << "ours";
+  HeldGantry rig([] {
+    config::DriveTable four = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
+    four.eds = changed_eds("[1A00]", pdo("1802", "$NODEID+0x380") + "[1A00]");
+    return four;
+  }());
+  EXPECT_EQ(rig.refusal(), "") << "a drive takes it";
+}
+
 TEST(DriveSetup, WhoDoesNotHomeIsToldNothingOfIt) {
   config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
   table.drives[0].homing.method = 0;

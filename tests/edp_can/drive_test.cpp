@@ -5,61 +5,14 @@
 #include <limits>
 #include <numbers>
 
-#include "can_rig.hpp"
 #include "canopen/emergency.hpp"
+#include "drive_fixture.hpp"
 #include "edp/error_report.hpp"
 
 namespace mrroc::edp {
 namespace {
 
 using namespace canopen;
-
-/// A drive that answers as the test says.
-class DriveTest : public testing::Test {
- protected:
-  explicit DriveTest() : drive(table, table.drives[0], kCanPeriod, 0) { drive.begin(0); }
-
-  static can::Frame feedback(std::uint16_t statusword, std::int32_t position, std::int16_t torque = 0) {
-    can::Frame frame{0x181, {0, 0, 0, 0, 0, 0, 0, 0}};
-    can::put(frame.data, 0, 2, statusword);
-    can::put(frame.data, 2, 4, static_cast<std::uint32_t>(position));
-    can::put(frame.data, 6, 2, static_cast<std::uint16_t>(torque));
-    return frame;
-  }
-  void say(std::uint16_t statusword, std::int32_t position = 0, std::int16_t torque = 0) {
-    cycle(feedback(statusword, position, torque));
-  }
-  void cycle(const can::Frame& frame) {
-    drive.expect();
-    can::Frame next;
-    EXPECT_TRUE(drive.take(frame, ++tick, next));
-    if (tells_switches) drive.take({0x281, {0, 0, 0, 0, 0, 0, 0, 0}}, tick, next);
-    if (beats) drive.take(heartbeat_frame(1, NmtState::operational), tick, next);
-    drive.close_cycle();
-  }
-  void say_nothing() {
-    drive.expect();
-    ++tick;
-    drive.close_cycle();
-  }
-  /// After the cycle has been closed.
-  void say_late(std::int32_t position) {
-    say_nothing();
-    can::Frame next;
-    drive.take(feedback(status_bits(DriveState::operation_enabled), position), tick, next);
-  }
-  std::uint16_t controlword() { return static_cast<std::uint16_t>(can::get(drive.command({}).bytes(), 0, 2)); }
-  void switch_on() {
-    drive.enable(true, tick);
-    say(status_bits(DriveState::operation_enabled));
-  }
-
-  config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
-  Drive drive;
-  Tick tick = 0;
-  bool tells_switches = true;
-  bool beats = false;  ///< it says that it lives whenever it says something
-};
 
 TEST_F(DriveTest, TellsTheSwitchesOfItsAxisAlsoWhenItCountsBackwards) {
   config::DriveTable backwards = table;
@@ -242,7 +195,10 @@ TEST_F(DriveTest, AnEmergencyIsKeptUntilItIsReset) {
 TEST_F(DriveTest, AFaultIsResetByEdges) {
   switch_on();
   say(status_bits(DriveState::fault));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_fault);
+  const Drive::Finding finding = drive.finding(tick);
+  EXPECT_EQ(finding.code, ErrorCode::drive_fault);
+  EXPECT_EQ(make_report({finding.code, 0, finding.value, finding.limit, 7}, Slide{}.parameters()).detail.view(),
+            "axis 1 (x), tick 7: fault, no EMCY");
   can::Frame next;
   drive.reset(tick, next);
   EXPECT_TRUE(drive.busy(tick));
@@ -437,8 +393,56 @@ TEST_F(DriveTest, AStopThatDoesNotEndLosesThePower) {
   EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
 }
 
+TEST_F(DriveTest, WhoKeepsItsPowerAgainstItsControlwordDoesNotHearIt) {
+  beats = true;
+  const auto patience = static_cast<int>(Drive::kObeyTime / kCanPeriod);
+  switch_on();
+  EXPECT_FALSE(drive.defies());
+  drive.enable(false, tick);
+  for (int i = 0; i <= patience; ++i) {
+    EXPECT_FALSE(drive.defies()) << i;
+    EXPECT_EQ(controlword(), kQuickStop);
+    say(status_bits(DriveState::operation_enabled));
+  }
+  EXPECT_TRUE(drive.defies());
+  can::Frame next;
+  drive.take(heartbeat_frame(1, NmtState::stopped), tick, next);
+  EXPECT_FALSE(drive.defies()) << "it has been stopped";
+  drive.reset(tick, next);
+  EXPECT_EQ(next.id, 0x601u) << "and is set up anew";
+  // one that slows down has the time for it, and then that in which it is to let go
+  drive.begin(tick);
+  drive.enable(true, tick);
+  say(status_bits(DriveState::operation_enabled));
+  drive.enable(false, tick);
+  for (int i = 0; i <= 1000 + patience; ++i) {
+    EXPECT_FALSE(drive.defies()) << i;
+    controlword();
+    say(status_bits(DriveState::quick_stop_active));
+  }
+  EXPECT_TRUE(drive.defies());
+  say(status_bits(DriveState::switch_on_disabled));
+  controlword();
+  say(status_bits(DriveState::operation_enabled));
+  EXPECT_FALSE(drive.defies()) << "it gets its time again";
+}
+
+TEST_F(DriveTest, TheTimeToSwitchOnIsTheTables) {
+  beats = true;
+  table.switch_on_time = 3;
+  drive = Drive(table, table.drives[0], kCanPeriod, 0);
+  drive.begin(0);
+  drive.enable(true, tick);
+  for (int i = 0; i < 1500; ++i) say(status_bits(DriveState::ready_to_switch_on));
+  EXPECT_TRUE(drive.busy(tick));
+  say(status_bits(DriveState::ready_to_switch_on));
+  EXPECT_FALSE(drive.busy(tick));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+}
+
 TEST_F(DriveTest, HomingBelievesWhatItsDriveSaysAfterTheStart) {
   beats = true;
+  has_display = false;
   constexpr auto kOn = DriveState::operation_enabled;
   const auto homing = [](std::uint16_t more) { return static_cast<std::uint16_t>(status_bits(kOn) | more); };
   const auto start = [&] {
@@ -471,6 +475,8 @@ TEST_F(DriveTest, AHomingThatDoesNotEndHasFailed) {
   drive.home();
   const auto ticks = static_cast<Tick>(Drive::kLongestHoming / kCanPeriod);
   for (Tick i = 0; i <= ticks; ++i) say(status_bits(DriveState::operation_enabled));
+  EXPECT_EQ(drive.homing(), Homing::running) << "the mode's change is not of it";
+  for (Tick i = 0; i < 10; ++i) say(status_bits(DriveState::operation_enabled));
   EXPECT_EQ(drive.homing(), Homing::failed);
 }
 

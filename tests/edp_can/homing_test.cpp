@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "can_rig.hpp"
 #include "edp/drive_homing.hpp"
 #include "edp/error_report.hpp"
@@ -74,6 +76,51 @@ TEST(DriveHoming, AMethodThatTheDriveDoesNotHaveEndsTheSynchronisation) {
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::synchronisation_failed)
       << make_report(rig.seen().fault, rig.model.parameters()).detail.view();
   EXPECT_EQ(rig.seen().fault.axis, 2);
+  EXPECT_FALSE(rig.seen().synchronised);
+}
+
+template <class Model>
+void stay_in(CanRig<Model>& rig, std::optional<DriveMode> mode) {
+  rig.rack.with([mode](auto& nodes) {
+    for (sim::DriveNode& node : nodes) node.stay_in(mode);
+  });
+}
+
+template <class Model>
+std::string fault_of(CanRig<Model>& rig) {
+  while (rig.seen().fault.code == ErrorCode::none && rig.now < 60'000) rig.tick();
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::drive_not_ready);
+  const std::string text(make_report(rig.seen().fault, rig.model.parameters()).detail.view());
+  return text.substr(text.find(": ") + 2);
+}
+
+TEST(DriveHoming, AModeThatIsShownLateIsWaitedFor) {
+  CanRig<Beside> rig(DriveMode::cyclic_position, false);
+  stay_in(rig, DriveMode::cyclic_position);
+  ASSERT_FALSE(rig.send(synchronise()));
+  rig.run(500);
+  EXPECT_LT(rig.seen().motors.cwiseAbs().maxCoeff(), 0.1) << "it stands";
+  stay_in(rig, {});
+  while (rig.replies.empty() && rig.now < 60'000) rig.tick();
+  EXPECT_TRUE(rig.seen().synchronised) << make_report(rig.seen().fault, rig.model.parameters()).detail.view();
+}
+
+TEST(DriveHoming, WhoNeverGetsIntoItsModeIsNotReady) {
+  CanRig<Beside> rig(DriveMode::cyclic_position, false);
+  stay_in(rig, DriveMode::cyclic_position);
+  ASSERT_FALSE(rig.send(synchronise()));
+  EXPECT_EQ(fault_of(rig), "mode display 8, wanted 6");
+  EXPECT_FALSE(rig.seen().synchronised);
+}
+
+TEST(DriveHoming, WhoHasHomedAndStaysInThatModeIsNotReady) {
+  config::DriveTable table = table_for(Unswitched{}.parameters(), DriveMode::cyclic_position);
+  for (config::DriveEntry& drive : table.drives) drive.homing.method = 37;
+  CanRig<Unswitched> rig(table, false);
+  ASSERT_FALSE(rig.send(synchronise()));
+  rig.run(50);
+  stay_in(rig, DriveMode::homing);
+  EXPECT_EQ(fault_of(rig), "mode display 6, wanted 8");
   EXPECT_FALSE(rig.seen().synchronised);
 }
 

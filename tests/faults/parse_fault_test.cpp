@@ -41,7 +41,9 @@ TEST(ParseFault, OneDriveOnABus) {
                                    {"silence", Kind::silence},
                                    {"freeze", Kind::freeze},
                                    {"restart", Kind::restart},
-                                   {"hush", Kind::hush}}) {
+                                   {"hush", Kind::hush},
+                                   {"press", Kind::press},
+                                   {"corrupt", Kind::corrupt}}) {
     const Fault fault = parse_fault(std::string{word} + " drives:arm axis 3 at step 40 for 5 ticks");
     EXPECT_EQ(fault.kind, kind);
     EXPECT_EQ(fault.process, "arm_drives");
@@ -50,6 +52,7 @@ TEST(ParseFault, OneDriveOnABus) {
     EXPECT_EQ(fault.duration, 5U);
   }
   EXPECT_EQ(parse_fault("fault edp:arm at tick 3").process, "arm_edp") << "of all its drives";
+  EXPECT_EQ(parse_fault("corrupt ecp:arm at tick 3").process, "arm") << "its commands";
 }
 
 TEST(ParseFault, ThreeKindsAreSignals) {
@@ -79,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{"",
               "it ends, expected one of kill, halt, end, fault, silence, unreference, jump, freeze, nan, overload, "
-              "disconnect, runaway, restart, hush, lose, delay, corrupt, leap"},
+              "disconnect, runaway, restart, hush, press, lose, delay, corrupt, leap"},
         Wrong{"kill arm at tick 1", "'arm', expected mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR"},
         Wrong{"kill ecp: at tick 1", "'ecp:', expected mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR"},
         Wrong{"fault ecp:arm at tick 1", "'ecp:arm', expected edp:ROBOT or drives:ROBOT"},

@@ -67,6 +67,7 @@ class Master {
     if (tick_ % kReset == 0) drive_.reset(tick_, next);
     if (tick_ % kReset == kReset / 2) drive_.enable(true, tick_);
     if (tick_ % kReset == kReset - 5) drive_.home();
+    if (drive_.asks(tick_, next)) check_sent(next);
     drive_.finding(tick_);
     drive_.busy(tick_);
     fuzz::require(
