@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "config/message_text.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
 
@@ -27,6 +28,17 @@ void check_snapshot(const mjModel& model, const config::SensorEntry& sensor) {
   throw config::ConfigurationError({}, 0, "sensors." + sensor.name,
                                    "looks at a world with " + std::to_string(count) + " positions",
                                    "at most " + std::to_string(kMaxSnapshotValues));
+}
+
+/// An input that is not there is off, as a cut wire is: the emergency stop would be pressed for ever.
+void check_emergency_stop(const mjModel& model, const config::Deployment& deployment, const config::RobotEntry& robot) {
+  if (!robot.emergency_stop) return;
+  const std::string input = "input_" + std::to_string(*robot.emergency_stop);
+  const std::string sensor = robot.name + "/" + input;
+  if (mj_name2id(&model, mjOBJ_SENSOR, sensor.c_str()) >= 0) return;
+  throw config::ConfigurationError(deployment.file, 0, "robots." + robot.name + ".emergency_stop",
+                                   input + " is not in the scene, so that it would be pressed for ever",
+                                   "a sensor " + config::in_quotes(sensor) + " there or in the robot's MJCF");
 }
 
 const config::SimEntry& sim_entry(const config::Deployment& deployment) {
@@ -60,6 +72,7 @@ Simulation::Simulation(const config::Deployment& deployment, WorldMemory& memory
   for (std::size_t i = 0; i < deployment.robots.size(); ++i) {
     const config::RobotEntry& robot = deployment.robots[i];
     if (!in_world(robot)) continue;
+    check_emergency_stop(world_.model(), deployment, robot);
     const auto file = config::robot_file(robot.type, robot.type + ".toml");
     const RobotParameters parameters = config::read_robot_parameters(config::Table::load(file));
     std::vector<std::string> joints;

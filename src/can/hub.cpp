@@ -3,31 +3,19 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 
-#include "can/hub_address.hpp"
 #include "can/raw_frame.hpp"
 
 namespace mrroc::can {
 
-Hub::Hub(std::filesystem::path path, Fault fault) : path_(std::move(path)), fault_(std::move(fault)) {
-  const sockaddr_un address = hub_address(path_.string());
-  listener_ = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  stop_ = ::eventfd(0, EFD_CLOEXEC);
-  // before `bind`, which gives the file the socket's permissions: whoever may write to it commands drives
-  if (listener_ < 0 || stop_ < 0 || ::fchmod(listener_, S_IRUSR | S_IWUSR) != 0 ||
-      ::bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
-      ::listen(listener_, 16) != 0) {
-    const std::string why = std::strerror(errno);
-    if (listener_ >= 0) ::close(listener_);
-    if (stop_ >= 0) ::close(stop_);
-    throw std::runtime_error("CAN hub '" + path_.string() + "': " + why + ", expected a path where none is yet");
-  }
+Hub::Hub(std::filesystem::path path, Fault fault)
+    : fault_(std::move(fault)), listener_(std::move(path)), stop_(::eventfd(0, EFD_CLOEXEC)) {
+  if (stop_ < 0) throw std::runtime_error("CAN hub '" + listener_.path().string() + "': " + std::strerror(errno));
   thread_ = std::thread([this] { serve(); });
 }
 
@@ -36,15 +24,12 @@ Hub::~Hub() {
   [[maybe_unused]] const ssize_t told = ::write(stop_, &one, sizeof one);
   thread_.join();
   for (const int client : clients_) ::close(client);
-  ::close(listener_);
   ::close(stop_);
-  std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
 }
 
 void Hub::serve() {
   for (;;) {
-    std::vector<pollfd> entries{{stop_, POLLIN, 0}, {listener_, POLLIN, 0}};
+    std::vector<pollfd> entries{{stop_, POLLIN, 0}, {listener_.fd(), POLLIN, 0}};
     for (const int client : clients_) entries.push_back({client, POLLIN, 0});
     if (::poll(entries.data(), entries.size(), -1) < 0) continue;
     if (entries[0].revents != 0) return;
@@ -59,7 +44,7 @@ void Hub::serve() {
 
 void Hub::accept() {
   for (;;) {
-    const int client = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    const int client = ::accept4(listener_.fd(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
     if (client < 0) return;
     clients_.push_back(client);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "can/frame.hpp"
+#include "can/hub_listener.hpp"
 
 namespace mrroc::can {
 
@@ -20,7 +21,8 @@ class Hub {
   /// What becomes of a frame: passed on as it is or changed; false: lost. For tests of faults; the hub's thread.
   using Fault = std::function<bool(Frame& frame)>;
 
-  /// Listens at `path`, which must not exist. Throws std::runtime_error.
+  /// Listens at `path`, where no other hub may be and nothing but what a killed one has left. Throws
+  /// std::runtime_error.
   explicit Hub(std::filesystem::path path, Fault fault = {});
   /// Ends the bus: its clients see it gone.
   ~Hub();
@@ -28,7 +30,7 @@ class Hub {
   Hub& operator=(const Hub&) = delete;
 
   /// "unix:PATH", as `open_bus` takes it.
-  std::string name() const { return "unix:" + path_.string(); }
+  std::string name() const { return "unix:" + listener_.path().string(); }
   /// How many it has passed on. Any thread.
   std::uint64_t frames() const noexcept { return frames_.load(std::memory_order_relaxed); }
 
@@ -37,10 +39,9 @@ class Hub {
   void accept();
   bool relay(int from);
 
-  std::filesystem::path path_;
   Fault fault_;
-  int listener_ = -1;
-  int stop_ = -1;  ///< eventfd
+  HubListener listener_;
+  int stop_;  ///< eventfd
   std::vector<int> clients_;
   std::atomic<std::uint64_t> frames_{0};
   std::thread thread_;

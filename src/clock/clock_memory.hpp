@@ -35,8 +35,6 @@ inline constexpr std::uint32_t kOperator = kMaxParticipants;
 inline constexpr std::uint32_t kMaxLinks = 2048;
 inline constexpr std::size_t kTopicLength = 95;
 inline constexpr std::size_t kMaxFaults = 32;
-/// ns that participants of a clock of wall time go on without a sign of life of their host, which watches over them.
-inline constexpr std::int64_t kPatienceWithHost = 5'000'000'000;
 
 /// One process. "Host" or "participant" says who writes.
 struct alignas(64) ParticipantSlot {
@@ -83,11 +81,11 @@ struct ClockMemory {
   std::atomic<std::uint32_t> failing{0};                  // claimed by whoever writes `error`
   FixedText<1023> error;                                  // valid when state is `failed`
   std::atomic<std::int64_t> epoch_ns{0};                  // CLOCK_MONOTONIC at tick 0
-  std::atomic<std::int64_t> host_beat_ns{0};  // real: CLOCK_MONOTONIC when the host last showed that it lives
-  std::atomic<Tick> tick{0};                  // lockstep: the newest tick that participants may see
-  std::atomic<std::uint64_t> delta{0};        // lockstep: the delta that is open
-  EmergencyStop emergency_stop;               // the operator presses, every servo looks
-  Gate host;                                  // the host sleeps on it
+  std::atomic<std::uint32_t> host_was_stopped{0};         // participant: a signal had stopped the host, hence the end
+  std::atomic<Tick> tick{0};                              // lockstep: the newest tick that participants may see
+  std::atomic<std::uint64_t> delta{0};                    // lockstep: the delta that is open
+  EmergencyStop emergency_stop;                           // the operator presses, every servo looks
+  Gate host;                                              // the host sleeps on it
   std::array<ParticipantSlot, kMaxParticipants + 1> participants;
   std::atomic<std::uint32_t> sender_count{0};
   std::array<SenderEntry, kMaxLinks> senders;

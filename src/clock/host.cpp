@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <exception>
 
 #include "clock/monotonic.hpp"
@@ -16,8 +15,6 @@ namespace {
 
 /// Between the announcement of the epoch and tick 0 in real mode: time for the processes to wake up.
 constexpr std::int64_t kLeadPeriods = 10;
-/// Between two signs of life in real mode.
-constexpr std::int64_t kBeat = kSecond / 5;
 
 std::uint64_t checked_limit(std::uint64_t limit) {
   if (limit < 2)
@@ -105,10 +102,7 @@ void ClockHost::run_events_in_real_time() {
     const std::uint32_t seen = memory_->host.word();
     if (state() != State::running) return;
     const Tick next = events_.next();
-    const std::int64_t now = monotonic_ns();
-    memory_->host_beat_ns.store(now);
-    if (memory_->host.sleep(seen, std::min(begin_of(*memory_, next), now + kBeat))) continue;
-    if (monotonic_ns() < begin_of(*memory_, next)) continue;
+    if (memory_->host.sleep(seen, begin_of(*memory_, next))) continue;
     try {
       events_.run(next);
     } catch (const std::exception& error) {

@@ -65,6 +65,8 @@ class ClockHost {
   void stop();
   /// The newest tick when `stop` was called; kNever: it has not been.
   Tick stop_tick() const noexcept { return memory_->stop_tick.load(); }
+  /// Real: a participant has found this process stopped by a signal, and has begun the end itself.
+  bool was_stopped() const noexcept { return memory_->host_was_stopped.load() != 0; }
   /// Every wait in every process returns `interrupted` from now on. The first of the two decides.
   void fail(std::string_view text);
   void end();

@@ -1,29 +1,23 @@
 #include "clock/participant_clock.hpp"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "clock/monotonic.hpp"
-#include "mrroc/errors.hpp"
 
 namespace mrroc::clock {
 
-ParticipantClock::ParticipantClock(MappedClock memory, std::uint32_t index)
-    : memory_(std::move(memory)),
-      index_(index),
-      host_process_(static_cast<int>(::syscall(SYS_pidfd_open, memory_->host_pid, 0))) {
-  if (host_process_ < 0) throw SystemError(ErrorCode::clock_lost, "clock: its host has died before the start");
-}
+namespace {
 
-ParticipantClock::~ParticipantClock() {
-  leave();
-  ::close(host_process_);
-}
+/// Between two looks for the host. Where simulated time stands still without it, there is no hurry.
+std::int64_t look_interval(Mode mode) { return mode == Mode::real ? kSecond / 50 : kSecond; }
+
+}  // namespace
+
+ParticipantClock::ParticipantClock(MappedClock memory, std::uint32_t index)
+    : memory_(std::move(memory)), index_(index), host_(*memory_) {}
+
+ParticipantClock::~ParticipantClock() { leave(); }
 
 double ParticipantClock::period() const noexcept { return static_cast<double>(memory_->period_ns) * 1e-9; }
 
@@ -50,11 +44,11 @@ bool ParticipantClock::await_start() noexcept {
 bool ParticipantClock::sleep(std::uint32_t seen, std::int64_t deadline_ns) noexcept {
   Gate& gate = slot().gate;
   while (!gate.interrupted()) {
-    // in slices: a host that is killed opens no gate
-    const std::int64_t slice = std::min(deadline_ns, monotonic_ns() + kSecond);
+    // in slices: a host that is killed or stopped opens no gate
+    const std::int64_t slice = std::min(deadline_ns, monotonic_ns() + look_interval(memory_->mode));
     if (gate.sleep(seen, slice)) break;
     if (slice == deadline_ns) return true;
-    if (!host_alive()) gate.interrupt();
+    look_for_host();
   }
   if (!gate.interrupted()) return true;
   leave();
@@ -69,16 +63,18 @@ void ParticipantClock::leave() noexcept {
 void ParticipantClock::look_for_host() noexcept {
   const std::int64_t now = monotonic_ns();
   if (now < next_look_ns_) return;
-  next_look_ns_ = now + kSecond;
-  if (!host_alive()) slot().gate.interrupt();
-}
-
-/// One that is stopped dies of nothing, and whoever has started it may not be able to kill it, over ssh.
-bool ParticipantClock::host_alive() const noexcept {
-  pollfd host{host_process_, POLLIN, 0};
-  if (::poll(&host, 1, 0) != 0) return false;
-  const std::int64_t beat = memory_->host_beat_ns.load();
-  return beat == 0 || monotonic_ns() - beat < kPatienceWithHost;
+  next_look_ns_ = now + look_interval(memory_->mode);
+  switch (host_.look()) {
+    case HostLife::alive:
+      break;
+    case HostLife::stopped:
+      memory_->host_was_stopped.store(1);
+      clock::stop(*memory_);
+      break;
+    case HostLife::lost:
+      slot().gate.interrupt();
+      break;
+  }
 }
 
 }  // namespace mrroc::clock

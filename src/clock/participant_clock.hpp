@@ -4,6 +4,7 @@
 
 #include "clock/clock.hpp"
 #include "clock/clock_memory.hpp"
+#include "clock/host_watch.hpp"
 
 namespace mrroc::clock {
 
@@ -33,20 +34,18 @@ class ParticipantClock : public Clock {
   void announce_ready() noexcept;
   /// Sleeps until the host has started the clock. False: interrupted; the process has left.
   bool await_start() noexcept;
-  /// Sleeps until the slot's gate differs from `seen` or the deadline comes. False: interrupted, failed, ended, or the
-  /// host has died or, under a clock of wall time, shown no life for kPatienceWithHost; the process has left.
+  /// Sleeps until the slot's gate differs from `seen` or the deadline comes, and looks for the host meanwhile. False:
+  /// interrupted, failed, ended, or the host is lost; the process has left.
   bool sleep(std::uint32_t seen, std::int64_t deadline_ns) noexcept;
   void leave() noexcept;
-  /// Under a clock of wall time, at every wait: interrupts when the host has died or is silent, at most a second after.
-  /// Messages that flow on keep `sleep` from asking.
+  /// At every wait under the real clock, for messages that flow on keep `sleep` from asking: 20 ms after the last look
+  /// the next. Of a host that is lost it interrupts this process; one that is stopped brings the end of all (`stop`).
   void look_for_host() noexcept;
 
  private:
-  bool host_alive() const noexcept;
-
   MappedClock memory_;
   std::uint32_t index_;
-  int host_process_;               // pidfd
+  HostWatch host_;
   std::int64_t next_look_ns_ = 0;  // for the host; the participant's thread
 };
 

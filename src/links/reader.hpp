@@ -41,8 +41,8 @@ class Reader final : public ReaderBase {
   /// The newest message; those before it are dropped as stale.
   bool take_newest(T& message, Header& header);
   /// As `take_newest`, but a message sent more than `max_age` s ago is stale too: what may move a robot, because a
-  /// process that was stopped is handed everything that queued up. The age is that of a message of this machine in real
-  /// time; under simulated time, and from another machine, every message counts as fresh.
+  /// process that was stopped is handed everything that queued up. Stamps count from tick 0, which machines have in
+  /// common; under simulated time, and from another machine before tick 0, every message counts as fresh.
   bool take_fresh(T& message, Header& header, double max_age);
   /// The newest message so far, however often it is asked for.
   bool latest(T& message);

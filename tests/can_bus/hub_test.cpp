@@ -2,10 +2,18 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <fstream>
 #include <latch>
+#include <memory>
 #include <stdexcept>
+#include <thread>
 
+#include "can/hub_address.hpp"
 #include "can/hub_bus.hpp"
 #include "can_bus/receiving.hpp"
 #include "can_bus/temporary_folder.hpp"
@@ -174,6 +182,70 @@ TEST_F(HubTest, SaysWhatIsWrongWithItsPath) {
   EXPECT_EQ(refusal([&] { open_bus("unix:" + too_long); }),
             "CAN hub '" + too_long + "': 200 characters of path, expected 1 to 107");
   EXPECT_EQ(refusal([] { open_bus("unix:"); }), "CAN hub '': 0 characters of path, expected 1 to 107");
+}
+
+/// What a hub leaves that is killed: its socket's file.
+void leave_behind(const std::filesystem::path& path) {
+  const sockaddr_un address = hub_address(path.string());
+  const int socket = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0);
+  EXPECT_EQ(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ::close(socket);
+}
+
+TEST_F(HubTest, TakesThePlaceOfOneThatWasKilled) {
+  leave_behind(path_);
+  Hub hub(path_);
+  EXPECT_EQ(std::filesystem::status(path_).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  const auto sender = open_bus(hub.name()), receiver = open_bus(hub.name());
+  sender->send({1, {2}});
+  EXPECT_EQ(next_frame(*receiver), (Frame{1, {2}}));
+}
+
+TEST_F(HubTest, ALivingOneKeepsItsPlaceAndItsClients) {
+  Hub hub(path_);
+  const auto sender = open_bus(hub.name()), receiver = open_bus(hub.name());
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(refusal([&] { const Hub second(path_); }),
+              "CAN hub '" + path_.string() + "': Address already in use, expected a path where none is yet");
+  sender->send({1, {2}});
+  EXPECT_EQ(next_frame(*receiver), (Frame{1, {2}}));
+  EXPECT_NO_THROW(open_bus(hub.name())) << "its file is there";
+}
+
+TEST_F(HubTest, OfManyThatStartAtOnceOneLives) {
+  for (int i = 0; i < 50; ++i) {
+    leave_behind(path_);
+    std::array<std::unique_ptr<Hub>, 8> hubs;
+    {
+      std::latch all(hubs.size());
+      std::vector<std::jthread> starters;
+      for (std::unique_ptr<Hub>& hub : hubs)
+        starters.emplace_back([&] {
+          all.arrive_and_wait();
+          refusal([&] { hub = std::make_unique<Hub>(path_); });
+        });
+    }
+    ASSERT_EQ(std::count(hubs.begin(), hubs.end(), nullptr), static_cast<long>(hubs.size()) - 1);
+    EXPECT_NO_THROW(open_bus("unix:" + path_.string()));
+  }
+}
+
+TEST_F(HubTest, RemovesNothingButASocketThatNobodyListensAt) {
+  const auto refused = [this] { return !refusal([this] { const Hub hub(path_); }).empty(); };
+  std::ofstream(path_) << "a file";
+  EXPECT_TRUE(refused());
+  EXPECT_EQ(std::filesystem::file_size(path_), 6u);
+  std::filesystem::remove(path_);
+  std::filesystem::create_directory(path_);
+  EXPECT_TRUE(refused());
+  EXPECT_TRUE(std::filesystem::is_directory(path_));
+  std::filesystem::remove(path_);
+  leave_behind(folder_ / "other");
+  std::filesystem::create_symlink(folder_ / "other", path_);
+  EXPECT_TRUE(refused());
+  EXPECT_TRUE(std::filesystem::is_symlink(path_));
+  EXPECT_TRUE(std::filesystem::is_socket(folder_ / "other"));
 }
 
 TEST(OpenBus, SaysWhichInterfaceItCannotHave) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sys/ptrace.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -32,6 +33,14 @@ class Child {
   void stop() {
     ::kill(pid_, SIGSTOP);
     ::waitpid(pid_, nullptr, WUNTRACED);
+  }
+  /// Holds it as a debugger does at a breakpoint, for so many seconds.
+  void hold(unsigned seconds) {
+    ::ptrace(PTRACE_SEIZE, pid_, nullptr, nullptr);
+    ::ptrace(PTRACE_INTERRUPT, pid_, nullptr, nullptr);
+    ::waitpid(pid_, nullptr, 0);
+    ::sleep(seconds);
+    ::ptrace(PTRACE_DETACH, pid_, nullptr, nullptr);
   }
   void go_on() { ::kill(pid_, SIGCONT); }
   /// SIGKILL; afterwards it is gone.

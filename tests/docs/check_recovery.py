@@ -5,13 +5,12 @@ Usage: check_recovery.py SOURCE_DIR BINARY_DIR
 """
 
 import html
-import json
 import pathlib
 import re
 import sys
 
 sys.dont_write_bytecode = True
-from check_defects import named, tests_in
+from check_defects import files_built, named, tests_in
 
 PAGE = "docs/recovery.md"
 GRAPH = "docs/pictures/recovery.dot"
@@ -23,7 +22,7 @@ EDGE = re.compile(r'^  (\w+) -> (\w+) \[label = "(\d+) ([^"]*)"\]', re.MULTILINE
 
 def main():
     root, binary = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
-    built = {pathlib.Path(unit["file"]) for unit in json.loads((binary / "compile_commands.json").read_text(encoding="utf-8"))}
+    built = files_built(binary)
     graph = (root / GRAPH).read_text(encoding="utf-8")
     states = {node: label.split("\\n")[0] for node, label in STATE.findall(graph)}
     edges = {int(number): (states[start], states[end]) for start, end, number, _ in EDGE.findall(graph)}

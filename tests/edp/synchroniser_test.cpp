@@ -183,6 +183,55 @@ TEST(Synchronisation, BeforeItOnlySlowRelativeMotorMotion) {
   EXPECT_NE(rig.answer.state.error.code, ErrorCode::none);  // too fast: 37 rad/s
 }
 
+/// Recovers; the code that is answered.
+ErrorCode recover(Rig<Switched>& rig) {
+  rig.replies.clear();
+  EXPECT_FALSE(rig.send(command_of(CommandKind::recover)));
+  rig.run(5);
+  EXPECT_EQ(rig.replies.size(), 1u);
+  return rig.replies.empty() ? ErrorCode::busy : rig.replies[0].state.error.code;
+}
+
+TEST(Synchronisation, BeforeItAFaultAndTheEmergencyStopAreLatchedToo) {
+  Rig<Switched> rig(true, false);
+  RobotCommand motor = joint_command(JointVector::Constant(4, 1.0), 500, 500);
+  motor.kind = CommandKind::motor;
+  motor.relative = true;
+  const auto expect_stopped = [&](ErrorCode code) {
+    EXPECT_FALSE(rig.hardware.powered);
+    EXPECT_EQ(rig.seen().fault.code, code);
+    EXPECT_TRUE(rig.send(motor));
+    EXPECT_EQ(rig.answer.state.error.code, code) << "latched";
+  };
+  const auto expect_held = [&] {
+    EXPECT_TRUE(rig.hardware.powered);
+    EXPECT_TRUE(rig.seen().desired.at_rest());
+    EXPECT_FALSE(rig.seen().synchronised);
+  };
+  expect_held();
+  rig.hardware.fault = ErrorCode::drive_fault;  // at rest
+  rig.run(2);
+  rig.hardware.fault = ErrorCode::none;
+  expect_stopped(ErrorCode::drive_fault);
+  EXPECT_EQ(recover(rig), ErrorCode::none);
+  expect_held();
+
+  ASSERT_FALSE(rig.send(motor));
+  rig.run(250);
+  ASSERT_FALSE(rig.seen().desired.at_rest());
+  rig.operators.press();  // on its way
+  rig.run(2);
+  EXPECT_TRUE(rig.hardware.powered) << "it brakes first";
+  EXPECT_FALSE(rig.seen().desired.at_rest());
+  rig.run(300);
+  expect_stopped(ErrorCode::emergency_stop);
+  EXPECT_LT(rig.seen().motors[2], 1.0 - 10 * kIncrement) << "it did not go on to the end";
+  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "it has not been reset";
+  rig.operators.reset();
+  EXPECT_EQ(recover(rig), ErrorCode::none);
+  expect_held();
+}
+
 TEST(Synchronisation, ASwitchThatNeverClosesIsAHardwareError) {
   Rig<Switched> rig(true, false);
   rig.hardware.blind = true;

@@ -185,6 +185,21 @@ TEST_F(SimulationTest, ASensorThatTheWorldLacksListsThoseThatExist) {
             "gate, a0/force_torque/force, a0/force_torque/torque, a0/encoder");
 }
 
+TEST_F(SimulationTest, AnEmergencyStopThatIsNotWiredIsRefused) {
+  Deployment deployment = twolink_deployment(2);
+  deployment.robots[1].emergency_stop = 3;
+  EXPECT_EQ(message_of(kData, [&] { Simulation(deployment, *memory_); }),
+            "test.toml: robots.a1.emergency_stop: input_3 is not in the scene, so that it would be pressed for ever, "
+            "expected a sensor 'a1/input_3' there or in the robot's MJCF");
+  const Scratch scratch;
+  deployment.sim->scene = scratch.write(
+      "wired.xml",
+      "<mujoco><include file='" + (kData / "scene.xml").string() +
+          "'/><worldbody><body><joint name='button' type='slide'/><geom size='0.01' mass='0.1'/></body></worldbody>"
+          "<sensor><jointpos name='a1/input_3' joint='button'/></sensor></mujoco>");
+  EXPECT_NO_THROW(Simulation(deployment, *memory_));
+}
+
 TEST_F(SimulationTest, ASensorOfARobotIsFoundByItsNameOrItsType) {
   Deployment deployment = twolink_deployment(1);
   deployment.sensors[0].name = "anything";

@@ -153,10 +153,18 @@ TEST(Can, KilledDrivesStopTheRun) {
   EXPECT_NE((run.out() + run.err()).find("arm_drives"), std::string::npos) << run.out() << run.err();
 }
 
+TEST(Can, AfterKilledDrivesTheSameDeploymentRunsAgain) {
+  const ScratchFolder folder;
+  const auto file = folder.write("press.toml", press(folder));
+  run_mrroc({"run", file.string(), "--inject", "kill drives:arm at tick 1500"}, 4);
+  const std::string output = run_mrroc({"run", file.string()}, 0);
+  EXPECT_NE(output.find("press succeeded"), std::string::npos) << output;
+}
+
 /// A fault of one drive for some time, and what the error says of it.
 struct DriveFault {
   const char* action;
-  const char* error;
+  const char* error;  ///< empty: one or another
 };
 
 class DriveFaults : public testing::TestWithParam<DriveFault> {};
@@ -184,8 +192,17 @@ TEST_P(DriveFaults, StopTheArmAndAreRecoveredFrom) {
 INSTANTIATE_TEST_SUITE_P(Can, DriveFaults,
                          testing::Values(DriveFault{"fault", "7305h"}, DriveFault{"silence", "does not answer"},
                                          DriveFault{"freeze", "does not move"}, DriveFault{"restart", "restarted"},
-                                         DriveFault{"hush", "heartbeat"}),
+                                         DriveFault{"hush", "heartbeat"}, DriveFault{"corrupt", ""}),
                          [](const auto& each) { return std::string{each.param.action}; });
+
+TEST(Can, APressedLimitSwitchStopsTheArm) {
+  const ScratchFolder folder;
+  const auto file = folder.write("press.toml", press(folder));
+  MrrocRun run({"run", file.string(), "--inject", "press drives:arm axis 2 at tick 1500"});
+  EXPECT_EQ(run.wait(), 3) << run.out() << run.err();
+  EXPECT_NE(run.err().find("a limit switch stops the axis: axis 2 (lower_arm), tick 150"), std::string::npos)
+      << run.err();
+}
 
 /// A stranger on a bus, who sends positions under the number of the arm's second drive until he goes.
 class Impostor {

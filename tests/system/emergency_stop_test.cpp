@@ -77,5 +77,18 @@ TEST(EmergencyStop, AnInputPressesItAndTheOperatorResetsIt) {
   expect_stopped_and_went_on(run_mrroc({"run", file.string(), "--quiet"}, 0));
 }
 
+TEST(EmergencyStop, AnInputThatTheSceneLacksIsNamedBeforeAnythingMoves) {
+  const ScratchFolder folder;
+  std::string text = deployment("unwired", "lockstep",
+                                "emergency_stop = 3\n[sim]\nscene = \"" MRROC_SOURCE_DIR "/robots/irb6/demo.xml\"\n");
+  text.replace(text.find("loopback"), std::string("loopback").size(), "mujoco");
+  const std::string output = run_mrroc({"run", folder.write("unwired.toml", text).string()}, 2);
+  EXPECT_NE(output.find("unwired.toml: robots.arm.emergency_stop: input_3 is not in the scene, so that it would be "
+                        "pressed for ever, expected a sensor 'arm/input_3'"),
+            std::string::npos)
+      << output;
+  EXPECT_EQ(output.find("moves"), std::string::npos) << output;
+}
+
 }  // namespace
 }  // namespace mrroc::test

@@ -3,11 +3,16 @@
 #include <sys/ptrace.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <tuple>
 #include <vector>
 
+#include "mrroc/testing/motion.hpp"
 #include "system/mrroc_run.hpp"
 
 namespace mrroc::test {
@@ -90,6 +95,74 @@ TEST_P(Breakpoint, WhoStandsThereIsSilentAndTheRestEnds) {
 
 INSTANTIATE_TEST_SUITE_P(Clocks, Breakpoint, testing::Values("lockstep", "real"),
                          [](const auto& test) { return std::string{test.param}; });
+
+/// The runner of a task whose arm moves, under the real clock; at the end that arm stands.
+class Runner : public testing::Test {
+ protected:
+  /// Until the arm is on its way to the part.
+  void await_motion() {
+    ASSERT_TRUE(run_.wait_for_output("JointLine")) << run_.out() << run_.err();
+    while (fastest() < kMoving && !run_.has_ended()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+
+  /// The greatest speed of any joint in the last second, rad/s.
+  double fastest() const {
+    const task_test::Motion arm = task_test::read_motion(motion_).at("arm");
+    double fastest = 0;
+    for (std::size_t k = arm.ticks.size() - std::min<std::size_t>(arm.ticks.size(), 500); k < arm.ticks.size(); ++k)
+      fastest = std::max(fastest, arm.velocities[k].cwiseAbs().maxCoeff());
+    return fastest;
+  }
+
+  void expect_that_the_arm_has_braked() const {
+    const task_test::Motion arm = task_test::read_motion(motion_).at("arm");
+    EXPECT_GE(fastest(), kMoving) << "it was to be in motion";
+    EXPECT_NE(arm.standstill(), kNever) << "it moved to the end";
+    EXPECT_EQ(arm.limits_exceeded(), std::vector<std::string>{});
+  }
+
+  static constexpr double kMoving = 0.1;
+  ScratchFolder folder_;
+  std::filesystem::path motion_ = folder_.path() / "motion";
+  MrrocRun run_{{"run", "tasks/press/press.toml", "--clock", "real", "--motion", motion_.string()}};
+};
+
+TEST_F(Runner, ThatIsStoppedLeavesNoRobotInMotion) {
+  ASSERT_NO_FATAL_FAILURE(await_motion());
+  const std::vector<pid_t> pids = run_.children();
+  EXPECT_EQ(pids.size(), 6U);
+  run_.signal(SIGSTOP);
+  const auto stopped = std::chrono::steady_clock::now();
+  EXPECT_TRUE(all_end(pids));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - stopped;
+  std::printf("all have left after %.3f s\n", taken.count());
+  EXPECT_LT(taken.count(), 4) << "they are told by the kernel within 20 ms, and brake";
+  expect_that_the_arm_has_braked();
+  run_.signal(SIGCONT);
+  EXPECT_EQ(run_.wait(), kSystem) << run_.out() << run_.err();
+  EXPECT_NE(run_.err().find("mrroc: press: mrroc run itself was stopped by a signal: "), std::string::npos)
+      << run_.out() << run_.err();
+}
+
+TEST_F(Runner, ThatIsStoppedAndThenKilledLeavesNothing) {
+  ASSERT_NO_FATAL_FAILURE(await_motion());
+  const std::vector<pid_t> pids = run_.children();
+  run_.signal(SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // robots are braking, processes about to leave
+  run_.signal(SIGKILL);
+  EXPECT_EQ(run_.wait(), -SIGKILL);
+  EXPECT_TRUE(all_end(pids));
+}
+
+TEST_F(Runner, ThatADebuggerHoldsForSecondsGoesOn) {
+  ASSERT_NO_FATAL_FAILURE(await_motion());
+  {
+    const Debugger debugger(run_.pid());
+    EXPECT_GT(debugger.threads(), 1U);
+    std::this_thread::sleep_for(std::chrono::seconds(7));
+  }
+  EXPECT_EQ(run_.wait(), 0) << run_.out() << run_.err();
+}
 
 /// It lives and beats; simulated time stands still, under the real clock its robots do.
 class Endless : public testing::TestWithParam<std::pair<const char*, std::vector<const char*>>> {};

@@ -80,6 +80,18 @@ TEST(Motion, TellsEachPlaceBeyondALimit) {
   EXPECT_NE(places[2].find("tick 4, joint 1: position"), std::string::npos);
 }
 
+TEST(Motion, AllowsWhatARegulatorOvershootsAndMoreWhereAMotorDoesNotObey) {
+  const Motion arm = read(
+                         "# limits arm -1 1 0.5\n"
+                         "1 arm 0 0 0.524\n"
+                         "2 arm 0 0 0.526\n"
+                         "3 arm 0 0 0.749\n"
+                         "4 arm 0 0 0.751\n")
+                         .at("arm");
+  EXPECT_EQ(arm.limits_exceeded().size(), 3U);
+  EXPECT_EQ(arm.limits_exceeded(kDisobedience).size(), 1U);
+}
+
 TEST(Motion, AWrongLineIsNamed) {
   for (const char* line : {"1 arm 0 0.1 0.2 0.3\n", "1 leg 0 0.1 0.2 0.3 0.4\n", "x\n"}) {
     try {

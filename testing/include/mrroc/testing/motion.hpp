@@ -9,6 +9,12 @@
 
 namespace mrroc::task_test {
 
+/// By what part of its velocity limit a joint may be faster where every motor obeys: what a regulator overshoots.
+inline constexpr double kOvershoot = 0.05;
+/// The same after a fault by which a motor does not obey or its encoder lies. Such a joint is stopped at 1.15 of its
+/// limit, or when it would come to 1.3 of it (docs/safety.md), and gains something until its drive is off.
+inline constexpr double kDisobedience = 0.5;
+
 /// What one robot of the simulated world truly did in a run, tick by tick, and the limits that its parameters give it.
 struct Motion {
   std::vector<Tick> ticks;              ///< one after the other
@@ -25,9 +31,8 @@ struct Motion {
   /// The greatest speed of any joint, as a part of its limit.
   double fastest() const;
   /// Every tick at which a joint was beyond its position limits by more than 0.01 rad (m), or faster than its velocity
-  /// limit by more than `tolerance` of it, in words; empty: none was. A drive that no longer obeys is stopped when it
-  /// is 1.15 times as fast as its limit (docs/safety.md), and gains something in that tick, hence the tolerance.
-  std::vector<std::string> limits_exceeded(double tolerance = 0.5) const;
+  /// limit by more than `tolerance` of it, in words; empty: none was.
+  std::vector<std::string> limits_exceeded(double tolerance = kOvershoot) const;
 };
 
 /// By robot, from the file that `mrroc run --motion` has written. Throws std::runtime_error that names file and line.
