@@ -2,13 +2,13 @@
 
 #include <poll.h>
 #include <signal.h>
+#include <spdlog/fmt/fmt.h>
 #include <sys/epoll.h>
 #include <sys/signalfd.h>
 #include <syslog.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 #include "cli/addresses.hpp"
@@ -27,7 +27,6 @@ namespace {
 
 constexpr int kTurn = 20;                                             // ms
 constexpr std::int64_t kPatienceWithRunner = 5 * clock::kSecond / 2;  // to take more of what waits for it
-constexpr std::int64_t kPatienceWithOrder = 30 * clock::kSecond;
 constexpr double kPatienceWithStart = 10;      // s beyond the deployment's `start_timeout`, which is the runner's
 constexpr std::size_t kMostWaiting = 4 << 20;  // bytes that the runner has not taken
 
@@ -60,8 +59,9 @@ void compare_files(const AgentOrder& order, const config::Deployment& deployment
 
 }  // namespace
 
-Agent::Agent(int in, int out)
-    : runner_(in, out),
+Agent::Agent(int in, int out, double patience_with_order)
+    : patience_with_order_(patience_with_order),
+      runner_(in, out),
       signals_(open_signals()),
       wake_(epoll_create1(EPOLL_CLOEXEC)),
       crew_([this](const std::string& name, const std::string& line) {
@@ -72,10 +72,6 @@ Agent::Agent(int in, int out)
 }
 
 Agent::~Agent() {
-  if (!traces_.empty()) {
-    std::error_code none;
-    std::filesystem::remove_all(traces_, none);
-  }
   close(wake_);
   close(signals_);
 }
@@ -93,14 +89,14 @@ process::ExitCode Agent::run() {
     fail(process::exit_code(error), error.what());
   }
   end_processes();
-  send_traces();
+  if (records_) records_->send(runner_);
   runner_.write("ended");
   drain();
   return code_;
 }
 
 bool Agent::take_order() {
-  const std::int64_t deadline = clock::monotonic_ns() + kPatienceWithOrder;
+  const std::int64_t deadline = clock::monotonic_ns() + static_cast<std::int64_t>(patience_with_order_ * 1e9);
   std::vector<std::string> lines;
   while (!runner_.closed() && clock::monotonic_ns() < deadline) {
     crew_.wait(kTurn, wake_);
@@ -114,7 +110,7 @@ bool Agent::take_order() {
       lines.push_back(line);
     }
   }
-  if (!runner_.closed()) throw std::runtime_error("no order within 30 s");
+  if (!runner_.closed()) throw std::runtime_error(fmt::format("no order within {} s", patience_with_order_));
   return false;
 }
 
@@ -134,13 +130,10 @@ void Agent::prepare() {
   clock::HostOptions options = clock_options(deployment_, names_of(plan_));
   options.mode = clock::Mode::real;
   clock_ = std::make_unique<clock::ClockHost>(options);
+  operator_clock_ = clock_->operator_clock();
   if (deployment_.sim && deployment_.sim->host == order_.host)
     world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
-  if (order_.trace) {
-    std::string pattern = std::filesystem::temp_directory_path() / "mrroc_agent_XXXXXX";
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder for traces");
-    traces_ = pattern;
-  }
+  records_ = std::make_unique<TaskRecords>(order_, plan_);
 }
 
 void Agent::start_processes() {
@@ -154,12 +147,13 @@ void Agent::start_processes() {
     arguments.interface = own_address_;
     arguments.peers = order_.machines;
     if (deployment_.network.security) arguments.keys = deployment_.network.keys;
-    if (process.has_task && !traces_.empty()) arguments.trace = traces_ / process.name;
+    if (process.name == "sim") arguments.motion = order_.motion;
+    records_->add_to(arguments);
     crew_.start(process, process::to_command_line(arguments), arguments.descriptors());
   }
   // after the children, who must not inherit the priority of its thread's memory nor its socket
   link_ = std::make_unique<HostLink>(own_address_towards(ipv4_of(order_.machines.front())), order_.domain, order_.key,
-                                     false, deployment_.link_timeout);
+                                     false, deployment_.link_timeout, operator_clock_->emergency_stop());
   add_to(wake_, link_->event_fd());
   link_->start(ipv4_of(order_.machines.front()), order_.beat_port);
   runner_.write("beat " + std::to_string(link_->port()));
@@ -260,16 +254,6 @@ void Agent::turn_at_the_end() {
   read_signals();
   runner_.read();
   runner_.flush();
-}
-
-void Agent::send_traces() {
-  if (traces_.empty()) return;
-  for (const PlannedProcess& process : plan_) {
-    std::ifstream file(traces_ / process.name);
-    // of one that was killed the last line may be half a line
-    for (std::string line; std::getline(file, line) && !file.eof();)
-      runner_.write("trace " + process.name + " " + line);
-  }
 }
 
 void Agent::drain() {

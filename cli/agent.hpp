@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,6 +11,7 @@
 #include "cli/host_link.hpp"
 #include "cli/line_channel.hpp"
 #include "cli/process_plan.hpp"
+#include "cli/task_records.hpp"
 #include "clock/host.hpp"
 #include "process/exit_code.hpp"
 #include "sim/mapped_world.hpp"
@@ -25,8 +25,11 @@ namespace mrroc::cli {
 /// runner. Main thread.
 class Agent {
  public:
+  /// How long it waits for its order, s.
+  static constexpr double kPatienceWithOrder = 30;
+
   /// Takes both descriptors.
-  Agent(int in, int out);
+  Agent(int in, int out, double patience_with_order = kPatienceWithOrder);
   ~Agent();
   process::ExitCode run();
 
@@ -39,7 +42,6 @@ class Agent {
   void supervise();
   void end_processes();
   void turn_at_the_end();
-  void send_traces();
   /// Gives the runner time to take what waits for it.
   void drain();
 
@@ -50,6 +52,7 @@ class Agent {
   void check_children();
   void fail(process::ExitCode code, const std::string& reason);
 
+  const double patience_with_order_;  // s
   LineChannel runner_;
   int signals_ = -1;
   int wake_ = -1;  // epoll: the channel, signals, the link
@@ -58,10 +61,11 @@ class Agent {
   std::vector<PlannedProcess> plan_;
   std::unique_ptr<DomainLock> domain_lock_;
   std::unique_ptr<clock::ClockHost> clock_;
+  std::unique_ptr<clock::Clock> operator_clock_;
   std::unique_ptr<sim::MappedWorld> world_;
   std::unique_ptr<HostLink> link_;
   std::string own_address_;
-  std::filesystem::path traces_;  // folder; empty: none
+  std::unique_ptr<TaskRecords> records_;
   Crew crew_;
   std::string missing_ = "?";  // as told last
   bool started_ = false;

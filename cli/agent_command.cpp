@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <memory>
+
 #include "cli/agent.hpp"
 
 namespace mrroc::cli {
@@ -9,7 +11,10 @@ namespace mrroc::cli {
 void add_agent_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("agent", "Run processes of a deployment here for `mrroc run` elsewhere");
   command->group("");
-  command->callback([&exit_code] { exit_code = static_cast<int>(Agent(STDIN_FILENO, STDOUT_FILENO).run()); });
+  auto patience = std::make_shared<double>(Agent::kPatienceWithOrder);
+  command->add_option("--order-within", *patience, "Wait for the order so long, s")->capture_default_str();
+  command->callback(
+      [&exit_code, patience] { exit_code = static_cast<int>(Agent(STDIN_FILENO, STDOUT_FILENO, *patience).run()); });
 }
 
 }  // namespace mrroc::cli

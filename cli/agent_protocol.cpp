@@ -39,6 +39,8 @@ std::vector<std::string> to_lines(const AgentOrder& order) {
   lines.push_back("beat_port " + std::to_string(order.beat_port));
   lines.push_back("key " + to_hex(order.key));
   if (order.trace) lines.emplace_back("trace");
+  if (order.black_box) lines.emplace_back("black_box");
+  if (!order.motion.empty()) lines.push_back("motion " + order.motion.string());
   return lines;
 }
 
@@ -66,6 +68,10 @@ AgentOrder order_of_lines(const std::vector<std::string>& lines) {
       has_key = true;
     } else if (word == "trace") {
       order.trace = true;
+    } else if (word == "black_box") {
+      order.black_box = true;
+    } else if (word == "motion") {
+      order.motion = text;
     } else {
       throw std::runtime_error("order '" + line + "' is not known: the runner is of another version");
     }

@@ -15,7 +15,7 @@
 ///     runner: an order, then `start EPOCH_NS` (of the agent's clock), then `stop`
 ///     agent:  `mrroc-agent 1 VERSION`, `beat PORT`, `missing NAMES` (those not ready; at last none), `started`,
 ///             `line PROCESS TEXT`, `lost PROCESS EXIT_CODE HOW`, `failed EXIT_CODE REASON`, `trace PROCESS LINE`,
-///             `ended`
+///             `last_step PROCESS LINE`, `ended`
 ///
 /// The end of either stream is the end of its sender.
 namespace mrroc::cli {
@@ -32,7 +32,9 @@ struct AgentOrder {
   std::vector<std::string> machines;                       ///< addresses of all, the runner's first
   int beat_port = 0;                                       ///< of the runner
   BeatKey key{};
-  bool trace = false;  ///< the traces of its tasks are asked for
+  bool trace = false;            ///< the traces of its tasks are asked for
+  bool black_box = false;        ///< and their last steps
+  std::filesystem::path motion;  ///< file there for the motion of the simulated world's robots; empty: none
 
   bool operator==(const AgentOrder&) const = default;
 };

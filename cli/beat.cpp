@@ -14,8 +14,8 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr std::uint64_t kMagic = 0x3162'6f72'726d'4d01;  // and version 1
-constexpr std::size_t kWords = 6;
+constexpr std::uint64_t kMagic = 0x3162'6f72'726d'4d02;  // and version 2
+constexpr std::size_t kWords = 8;
 constexpr std::size_t kBody = kWords * 8;
 constexpr std::size_t kCode = 16;  // the first half of the hash's 32 bytes
 
@@ -44,7 +44,9 @@ std::vector<std::uint8_t> seal(const Beat& beat, const BeatKey& key) {
                                                 beat.sequence,
                                                 static_cast<std::uint64_t>(beat.sent),
                                                 static_cast<std::uint64_t>(beat.echo),
-                                                static_cast<std::uint64_t>(beat.held)};
+                                                static_cast<std::uint64_t>(beat.held),
+                                                beat.presses,
+                                                beat.resets};
   std::vector<std::uint8_t> datagram;
   for (const std::uint64_t word : words)
     for (int shift = 0; shift < 64; shift += 8) datagram.push_back(static_cast<std::uint8_t>(word >> shift));
@@ -58,9 +60,14 @@ std::optional<Beat> open(const std::uint8_t* data, std::size_t size, const BeatK
   if (const auto code = code_of(data, key); CRYPTO_memcmp(code.data(), data + kBody, kCode) != 0) return std::nullopt;
   std::array<std::uint64_t, kWords> words{};
   for (std::size_t i = 0; i < kBody; ++i) words[i / 8] |= std::uint64_t{data[i]} << (8 * (i % 8));
-  if (words[0] != kMagic || words[1] > 1) return std::nullopt;
-  return Beat{words[1] == 1, words[2], static_cast<std::int64_t>(words[3]), static_cast<std::int64_t>(words[4]),
-              static_cast<std::int64_t>(words[5])};
+  if (words[0] != kMagic || words[1] > 1 || words[6] > UINT32_MAX || words[7] > UINT32_MAX) return std::nullopt;
+  return Beat{words[1] == 1,
+              words[2],
+              static_cast<std::int64_t>(words[3]),
+              static_cast<std::int64_t>(words[4]),
+              static_cast<std::int64_t>(words[5]),
+              static_cast<std::uint32_t>(words[6]),
+              static_cast<std::uint32_t>(words[7])};
 }
 
 std::string to_hex(const BeatKey& key) {

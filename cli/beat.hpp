@@ -19,6 +19,9 @@ struct Beat {
   std::int64_t sent = 0;       ///< CLOCK_MONOTONIC of its sender, ns
   std::int64_t echo = 0;       ///< `sent` of the newest beat that the sender had got; 0: none yet
   std::int64_t held = 0;       ///< how long it had had that one, ns
+  // of the runner's emergency stop (clock::EmergencyStop); an agent's are nothing to the runner
+  std::uint32_t presses = 0;
+  std::uint32_t resets = 0;
 };
 
 /// Random bytes of the kernel. Throws std::runtime_error when there are none.

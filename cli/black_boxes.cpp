@@ -23,9 +23,10 @@ BlackBoxes::BlackBoxes(const std::filesystem::path& folder, const config::Deploy
     : deployment_(deployment) {
   if (folder.empty()) return;
   for (const PlannedProcess& process : processes) {
-    if (!process.has_task || !process.host.empty()) continue;
+    if (!process.has_task) continue;
     const std::filesystem::path file = process::black_box_path(folder, deployment, process.name);
-    boxes_.push_back({process.name, file, write_time(file), process::SharedBlackBox::create()});
+    Box& box = boxes_.emplace_back(Box{process.name, file, write_time(file), {}, {}});
+    if (process.host.empty()) box.last_steps.emplace(process::SharedBlackBox::create());
   }
 }
 
@@ -33,8 +34,13 @@ bool BlackBoxes::is_written(const Box& box) { return write_time(box.file) != box
 
 int BlackBoxes::fd_of(const std::string& process) const noexcept {
   for (const Box& box : boxes_)
-    if (box.process == process) return box.last_steps.fd();
+    if (box.process == process && box.last_steps) return box.last_steps->fd();
   return -1;
+}
+
+void BlackBoxes::take(const std::string& process, const std::string& line) {
+  for (Box& box : boxes_)
+    if (box.process == process) box.told.emplace_back() << line;
 }
 
 std::string BlackBoxes::told() const {
@@ -47,7 +53,7 @@ std::string BlackBoxes::told() const {
 std::string BlackBoxes::save_rest() const try {
   std::string text;
   for (const Box& box : boxes_) {
-    const std::vector<process::TextLine> lines = box.last_steps.lines();
+    const std::vector<process::TextLine> lines = box.last_steps ? box.last_steps->lines() : box.told;
     if (lines.empty() || is_written(box)) continue;
     process::write_black_box(box.file, lines, deployment_, box.process, deployment_.clock != config::ClockMode::real);
     text += (text.empty() ? "black box: " : ", ") + box.file.string();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@
 namespace mrroc::cli {
 
 /// The black boxes of a run's tasks. A task that fails writes its own; of the others the last steps are in memory of
-/// the runner's, which writes them when the run has failed for everybody. Files of an earlier run may lie in their
-/// places: a file is this run's when it has been written since this object was made. Main thread.
+/// the runner's, which writes them when the run has failed for everybody. Those of a task on another host lie there,
+/// and its agent tells them at the end. Files of an earlier run may lie in their places: a file is this run's when it
+/// has been written since this object was made. Main thread.
 class BlackBoxes {
  public:
   /// `folder` empty: none is written. References must outlive it. Throws SystemError(resources): there is no memory.
@@ -20,6 +22,8 @@ class BlackBoxes {
 
   /// The descriptor that the process is to inherit; -1: it has none, or is on another host.
   int fd_of(const std::string& process) const noexcept;
+  /// A line of the last steps of a task on another host, the oldest first.
+  void take(const std::string& process, const std::string& line);
   /// Those that have been written, as words that follow what failed: "; black box: FILE"; empty when there is none.
   std::string told() const;
   /// When all have ended: writes those of the tasks that have not written their own, but made a step. Gives a line for
@@ -30,8 +34,9 @@ class BlackBoxes {
   struct Box {
     std::string process;
     std::filesystem::path file;
-    std::filesystem::file_time_type before;  ///< when the file was written before
-    process::SharedBlackBox last_steps;
+    std::filesystem::file_time_type before;             ///< when the file was written before
+    std::optional<process::SharedBlackBox> last_steps;  ///< none: it is on another host
+    std::vector<process::TextLine> told;                ///< by that one
   };
   static bool is_written(const Box& box);
 

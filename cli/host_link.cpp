@@ -28,10 +28,21 @@ constexpr int kPorts = 50;
   throw std::runtime_error("link between hosts: " + what + ": " + std::strerror(errno));
 }
 
+/// As the runner's has been pressed and reset: nobody else does so on this host.
+void follow(clock::EmergencyStop& own, const Beat& beat) noexcept {
+  // first the presses: a reset counts for those that came before it
+  while (own.presses() < beat.presses) own.press();
+  while (own.resets() < beat.resets) own.reset();
+}
+
 }  // namespace
 
-HostLink::HostLink(in_addr own, int domain, const BeatKey& key, bool is_runner, double timeout)
-    : key_(key), is_runner_(is_runner), timeout_(static_cast<std::int64_t>(timeout * 1e9)) {
+HostLink::HostLink(in_addr own, int domain, const BeatKey& key, bool is_runner, double timeout,
+                   clock::EmergencyStop& emergency_stop)
+    : key_(key),
+      is_runner_(is_runner),
+      timeout_(static_cast<std::int64_t>(timeout * 1e9)),
+      emergency_stop_(emergency_stop) {
   socket_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (socket_ < 0) refuse("no socket");
   sockaddr_in address{};
@@ -113,6 +124,7 @@ void HostLink::take(const Beat& beat, std::int64_t now) {
   ++figures_.heard;
   peer_sequence_ = beat.sequence;
   peer_sent_ = beat.sent;
+  if (!is_runner_) follow(emergency_stop_, beat);
   if (beat.echo != 0) clock_.add({beat.echo, now, beat.sent, beat.held});
   if (watched_since_ != 0)
     figures_.longest_silence = std::max(figures_.longest_silence, now - std::max(heard_at_, watched_since_));
@@ -120,8 +132,11 @@ void HostLink::take(const Beat& beat, std::int64_t now) {
 }
 
 void HostLink::send(std::int64_t now) {
-  const auto datagram =
-      seal({is_runner_, ++figures_.sent, now, peer_sent_, peer_sent_ == 0 ? 0 : now - heard_at_}, key_);
+  const std::uint32_t resets = emergency_stop_.resets();  // first: the press that it was for is told, too
+  const Beat beat{
+      is_runner_, ++figures_.sent, now, peer_sent_, peer_sent_ == 0 ? 0 : now - heard_at_, emergency_stop_.presses(),
+      resets};
+  const auto datagram = seal(beat, key_);
   // one that cannot be sent is one that is lost: the peer will notice
   sendto(socket_, datagram.data(), datagram.size(), 0, reinterpret_cast<const sockaddr*>(&peer_), sizeof peer_);
 }

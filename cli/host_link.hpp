@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "cli/beat.hpp"
+#include "clock/emergency_stop.hpp"
 #include "clock/peer_clock.hpp"
 
 namespace mrroc::cli {
@@ -25,12 +26,15 @@ struct LinkFigures {
 
 /// One end of the link between the runner and another host: a thread sends ten beats in the time-out, listens to the
 /// peer's, learns its clock from them and notices when they stay away. UDP, for TCP would go on repeating itself behind
-/// a cut; every beat is sealed. The main thread constructs it; any thread may ask.
+/// a cut; every beat is sealed. The runner's beats tell its emergency stop, too: the other end's follows it within a
+/// tenth of the time-out, later when beats are lost, and when all are, the link is. The main thread constructs it; any
+/// thread may ask.
 class HostLink {
  public:
-  /// Binds a port of `own` in those that a DDS domain leaves free: 7600 + 250 domain to 7649 + 250 domain. Throws
-  /// std::runtime_error when there is none.
-  HostLink(in_addr own, int domain, const BeatKey& key, bool is_runner, double timeout);
+  /// Binds a port of `own` in those that a DDS domain leaves free: 7600 + 250 domain to 7649 + 250 domain.
+  /// `emergency_stop`: of this host; it must outlive the link. Throws std::runtime_error when there is no port.
+  HostLink(in_addr own, int domain, const BeatKey& key, bool is_runner, double timeout,
+           clock::EmergencyStop& emergency_stop);
   ~HostLink();
   HostLink(const HostLink&) = delete;
   HostLink& operator=(const HostLink&) = delete;
@@ -61,6 +65,7 @@ class HostLink {
   const BeatKey key_;
   const bool is_runner_;
   const std::int64_t timeout_;  // ns
+  clock::EmergencyStop& emergency_stop_;
   int socket_ = -1;
   int event_ = -1;
   int port_ = 0;

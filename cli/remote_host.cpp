@@ -81,12 +81,12 @@ std::vector<std::string> agent_command(const config::HostEntry& host) {
 }
 
 RemoteHost::RemoteHost(const config::HostEntry& entry, AgentOrder order, in_addr own, in_addr there, HostLimits limits,
-                       const HostListener& listener)
+                       const HostListener& listener, clock::EmergencyStop& emergency_stop)
     : name_(entry.name),
       there_(there),
       limits_(limits),
       listener_(listener),
-      link_(own, order.domain, order.key = new_beat_key(), true, limits.link_timeout),
+      link_(own, order.domain, order.key = new_beat_key(), true, limits.link_timeout, emergency_stop),
       agent_(cli::start(entry.name, agent_command(entry), channel_)) {
   order.beat_port = link_.port();
   for (const std::string& line : to_lines(order)) channel_->write(line);
@@ -130,6 +130,9 @@ void RemoteHost::hear(const std::string& line) {
   } else if (word == "trace") {
     traced_at_ = clock::monotonic_ns();
     listener_.trace(name, rest);
+  } else if (word == "last_step") {
+    traced_at_ = clock::monotonic_ns();
+    listener_.last_step(name, rest);
   } else if (word == "lost") {
     const auto [code, how] = split_word(rest);
     listener_.lost(name, static_cast<int>(whole_number(code).value_or(-1)), how);

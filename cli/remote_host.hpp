@@ -23,11 +23,13 @@ struct HostListener {
   std::function<void(const std::string& process, int exit_code, const std::string& how)> lost;
   std::function<void(process::ExitCode code, const std::string& reason)> failed;
   std::function<void(const std::string& process, const std::string& line)> trace;  ///< a line of its trace
+  /// Of its last steps, the oldest first (process::SharedBlackBox).
+  std::function<void(const std::string& process, const std::string& line)> last_step;
 };
 
 /// Limits of the deployment, s.
 struct HostLimits {
-  double link_timeout = 0.05;
+  double link_timeout = 0.04;
   double clock_error = 0.001;
 };
 
@@ -40,7 +42,7 @@ class RemoteHost {
   /// Starts the agent and tells it its order, of which everything is given but the beat's port and key. `own`: this
   /// machine's address on the way there. Throws std::runtime_error when the command cannot be started.
   RemoteHost(const config::HostEntry& entry, AgentOrder order, in_addr own, in_addr there, HostLimits limits,
-             const HostListener& listener);
+             const HostListener& listener, clock::EmergencyStop& emergency_stop);
 
   /// Descriptors that become readable when `look` has something to do.
   std::vector<int> descriptors() const;
@@ -56,7 +58,7 @@ class RemoteHost {
   void kill() noexcept { agent_.signal(SIGKILL); }
 
   const std::string& name() const noexcept { return name_; }
-  /// When the last line of a trace has come, CLOCK_MONOTONIC, ns; 0: none has.
+  /// When the last line of a trace or black box has come, CLOCK_MONOTONIC, ns; 0: none has.
   std::int64_t traced_at() const noexcept { return traced_at_; }
   /// How far off its clock may be, ns; 0 as long as it is not known.
   std::int64_t clock_error_ns() const;

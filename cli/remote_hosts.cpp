@@ -30,8 +30,9 @@ std::filesystem::path deployment_on(const config::HostEntry& host, const std::fi
 
 }  // namespace
 
-RemoteHosts::RemoteHosts(const config::Deployment& deployment, HostListener listener)
-    : deployment_(deployment), listener_(std::move(listener)) {}
+RemoteHosts::RemoteHosts(const config::Deployment& deployment, HostListener listener,
+                         clock::EmergencyStop& emergency_stop)
+    : deployment_(deployment), listener_(std::move(listener)), emergency_stop_(emergency_stop) {}
 
 RemoteHosts::~RemoteHosts() {
   if (wake_ >= 0) close(wake_);
@@ -50,7 +51,7 @@ void RemoteHosts::check_interface(in_addr own) const {
       "the interface that leads to the hosts");
 }
 
-void RemoteHosts::start_agents(int domain, bool trace) {
+void RemoteHosts::start_agents(const AgentOrder& common) {
   const auto used = deployment_.hosts_used();
   std::vector<in_addr> there;
   for (const config::HostEntry* host : used) {
@@ -66,18 +67,16 @@ void RemoteHosts::start_agents(int domain, bool trace) {
     }
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
-    AgentOrder order;
+    AgentOrder order = common;
     order.host = used[i]->name;
     order.deployment = deployment_on(*used[i], deployment_.file);
     order.files = files_of(deployment_);
-    order.domain = domain;
     order.machines = machines_;
-    order.trace = trace;
     try {
       const in_addr own = own_address_towards(there[i]);
       order.machines.front() = to_text(own);
       hosts_.emplace_back(*used[i], order, own, there[i], HostLimits{deployment_.link_timeout, deployment_.clock_error},
-                          listener_);
+                          listener_, emergency_stop_);
     } catch (const std::runtime_error& error) {
       throw std::runtime_error("host " + used[i]->name + ": " + error.what());
     }

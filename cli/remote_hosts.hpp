@@ -14,15 +14,16 @@ namespace mrroc::cli {
 /// All other hosts of a run; of most deployments there are none. Main thread.
 class RemoteHosts {
  public:
-  /// Starts nothing yet. Both outlive it.
-  RemoteHosts(const config::Deployment& deployment, HostListener listener);
+  /// Starts nothing yet. Deployment and emergency stop, which theirs follow, outlive it.
+  RemoteHosts(const config::Deployment& deployment, HostListener listener, clock::EmergencyStop& emergency_stop);
   ~RemoteHosts();
   RemoteHosts(const RemoteHosts&) = delete;
   RemoteHosts& operator=(const RemoteHosts&) = delete;
 
-  /// Starts an agent on each. Throws std::runtime_error that names the host: no address, no command;
-  /// ConfigurationError: it is not reached by the interface that the deployment names.
-  void start_agents(int domain, bool trace);
+  /// Starts an agent on each. `common`: what all are told alike, the domain and what is to be recorded. Throws
+  /// std::runtime_error that names the host: no address, no command; ConfigurationError: it is not reached by the
+  /// interface that the deployment names.
+  void start_agents(const AgentOrder& common);
 
   /// This machine's address on the way to the others, and the addresses of all, this one's first; both empty when there
   /// are no others.
@@ -37,7 +38,7 @@ class RemoteHosts {
   std::int64_t start();
   void stop();
   bool all_ended() noexcept;
-  /// When the last line of a trace has come from any of them, CLOCK_MONOTONIC, ns; 0: none has.
+  /// When the last line of a trace or black box has come from any of them, CLOCK_MONOTONIC, ns; 0: none has.
   std::int64_t traced_at() const noexcept;
   /// Kills the commands that still live; gives the names of their hosts.
   std::vector<std::string> kill_rest() noexcept;
@@ -49,6 +50,7 @@ class RemoteHosts {
 
   const config::Deployment& deployment_;
   HostListener listener_;
+  clock::EmergencyStop& emergency_stop_;
   std::string own_address_;
   std::vector<std::string> machines_;
   std::deque<RemoteHost> hosts_;

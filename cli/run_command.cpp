@@ -33,9 +33,8 @@ void check_hosts(const config::Deployment& deployment, const RunArguments& argum
   if (deployment.clock != config::ClockMode::real)
     throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
                                      "host '" + used.front()->name + "' is another machine", "--clock real");
-  const bool recorded = !arguments.options.snapshots.empty() || !arguments.options.motion.empty();
-  if (recorded && deployment.sim && !deployment.sim->host.empty())
-    throw config::ConfigurationError(deployment.file, 0, arguments.options.motion.empty() ? "--snapshots" : "--motion",
+  if (!arguments.options.snapshots.empty() && deployment.sim && !deployment.sim->host.empty())
+    throw config::ConfigurationError(deployment.file, 0, "--snapshots",
                                      "the simulator runs on host '" + deployment.sim->host + "'",
                                      "a simulator on this machine");
 }
@@ -84,7 +83,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--snapshots", arguments->options.snapshots,
                       "Write states of the simulated world to this folder");
   command->add_option("--motion", arguments->options.motion,
-                      "Write where the simulated world's robots are at every tick, and how fast, to this file");
+                      "Write where the simulated world's robots are at every tick, and how fast, to this file; of a "
+                      "simulator on another host it lies there");
   command
       ->add_option("--inject", arguments->options.faults,
                    "Inject a fault, e.g. \"kill ecp:arm at step 120\" (docs/fault-injection.md); may be given again")

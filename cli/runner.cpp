@@ -66,11 +66,11 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       progress_(names_of(plan_), deployment_.servo_period, options_.quiet),
       domain_lock_(deployment_.domain),
       clock_(clock_options(deployment_, names_of(processes_on("", plan_)))),
+      operator_clock_(clock_.operator_clock()),
       signals_(open_signals()),
       crew_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
       faults_(options_.faults, plan_, clock_, crew_, deployment_.clock != config::ClockMode::real,
               [this](const std::string& line) { progress_.message(line); }),
-      operator_clock_(clock_.operator_clock()),
       input_(STDIN_FILENO),
       heartbeats_(deployment_.heartbeat_timeout),
       stall_(clock_) {
@@ -125,8 +125,8 @@ void Runner::start_processes(const TraceParts& trace) {
   std::vector<PlannedProcess> order = plan_;
   std::mt19937_64 random(options_.shuffle_seed.value_or(0));
   if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);
-  hosts_ = std::make_unique<RemoteHosts>(deployment_, host_listener(trace));
-  hosts_->start_agents(domain_lock_.domain(), !options_.trace.empty());
+  hosts_ = std::make_unique<RemoteHosts>(deployment_, host_listener(trace), operator_clock_->emergency_stop());
+  hosts_->start_agents(common_order());
   const Surroundings surroundings{.deployment = deployment_,
                                   .options = options_,
                                   .trace = trace,
@@ -187,7 +187,17 @@ HostListener Runner::host_listener(const TraceParts& trace) {
   };
   listener.failed = [this](process::ExitCode code, const std::string& reason) { fail(code, reason); };
   listener.trace = [this](const std::string& name, const std::string& line) { remote_traces_[name] << line << '\n'; };
+  listener.last_step = [this](const std::string& name, const std::string& line) { black_boxes_.take(name, line); };
   return listener;
+}
+
+AgentOrder Runner::common_order() const {
+  AgentOrder order;
+  order.domain = domain_lock_.domain();
+  order.trace = !options_.trace.empty();
+  order.black_box = !options_.black_box.empty();
+  if (!options_.motion.empty()) order.motion = std::filesystem::absolute(options_.motion);
+  return order;
 }
 
 std::vector<std::string> Runner::not_ready() {
@@ -222,11 +232,9 @@ bool Runner::turn(int milliseconds) {
   if (collector_ != nullptr) read_statuses();
   faults_.tell();
   // first the causes: what the task says about a death or a lost clock is but their consequence
+  check_stop();
   check_children();
   if (hosts_) hosts_->look();
-  // the memory in which it is latched is this machine's
-  if (!deployment_.hosts_used().empty() && !stopping_ && operator_clock_->emergency_stop().presses() > 0)
-    fail(process::ExitCode::stopped, "emergency stop: it ends a run with several hosts");
   check_clock();
   if (task_started_ && !stopping_) look_at_desk();  // what was said before the end is shown before it
   if (task_started_) read_task_status();
@@ -262,7 +270,9 @@ void Runner::read_statuses() {
 }
 
 void Runner::await_cause() {
-  const double deadline = operator_clock_->wall_seconds() + kPatienceWithCause;
+  // of an agent that stands still its processes leave before its silence has lasted long enough
+  const double silence = deployment_.hosts_used().empty() ? 0 : deployment_.link_timeout;
+  const double deadline = operator_clock_->wall_seconds() + kPatienceWithCause + silence;
   while (!stopping_ && operator_clock_->wall_seconds() < deadline) {
     crew_.wait(kTurn, hosts_ ? hosts_->descriptor(signals_) : signals_);
     read_signals();
@@ -298,6 +308,12 @@ void Runner::read_task_status() {
 void Runner::look_at_desk() {
   desk_->look();
   progress_.pause(desk_->waits_for_line());
+}
+
+void Runner::check_stop() {
+  if (!stopping_ && clock_.was_stopped())
+    fail(process::ExitCode::system,
+         "mrroc run itself was stopped by a signal: its robots have braked, its processes left");
 }
 
 void Runner::check_children() {

@@ -64,12 +64,16 @@ class Runner {
   void read_task_status();
   /// The task says that a process has died or is cut off: looks for a moment which one, and why.
   void await_cause();
+  /// Who finds the runner stopped by a signal begins the end of all, which is else the runner's to begin.
+  void check_stop();
   void check_children();
   /// `exit_code` -1: a signal has ended it.
   void process_lost(const std::string& name, int exit_code, const std::string& how);
   process::ExitCode code_of_death(int exit_code) const;
   /// What is done when another host reports something.
   HostListener host_listener(const TraceParts& trace);
+  /// What all other hosts are told alike.
+  AgentOrder common_order() const;
   /// The processes here, and what the other hosts wait for.
   std::vector<std::string> not_ready();
   void end_hosts();
@@ -86,13 +90,13 @@ class Runner {
   Progress progress_;
   DomainLock domain_lock_;
   clock::ClockHost clock_;
+  std::unique_ptr<clock::Clock> operator_clock_;
   std::unique_ptr<sim::MappedWorld> world_;
   int signals_ = -1;
   Crew crew_;
   std::map<std::string, std::ofstream> remote_traces_;  // parts that come from other hosts
   std::unique_ptr<RemoteHosts> hosts_;
   FaultInjector faults_;
-  std::unique_ptr<clock::Clock> operator_clock_;
   std::unique_ptr<links::Domain> domain_;
   std::unique_ptr<links::StatusCollector> collector_;
   std::unique_ptr<links::TaskSuperior> mp_;

@@ -142,7 +142,7 @@ struct Deployment {
   int domain = -1;               ///< DDS domain; -1: the runner takes a free one
   double start_timeout = 30;     ///< s of wall time for the start-up barrier
   double heartbeat_timeout = 5;  ///< s of wall time without a sign of life before a process counts as silent
-  double link_timeout = 0.05;    ///< s of silence between two hosts after which each stops its robots
+  double link_timeout = 0.04;    ///< s of silence between two hosts after which each stops its robots
   double clock_error = 0.001;    ///< s: most that the ticks of two hosts may be apart; left out: half a servo period
   std::size_t delta_limit = 1000;
   std::string here;              ///< the host on which this was loaded; empty: the runner's machine

@@ -18,6 +18,8 @@ AgentOrder some_order() {
   order.beat_port = 9350;
   order.key = new_beat_key();
   order.trace = true;
+  order.black_box = true;
+  order.motion = "/a folder/motion";
   return order;
 }
 

@@ -21,9 +21,9 @@ using Lines = std::vector<std::string>;
 /// `mrroc agent` and the runner's end of its channel.
 class RunningAgent {
  public:
-  RunningAgent()
+  explicit RunningAgent(const Lines& command = {"agent"})
       : ends_(make_ends()),
-        agent_("agent", MRROC_BINARY_DIR "/bin/mrroc", {"agent"}, ends_[1]),
+        agent_("agent", MRROC_BINARY_DIR "/bin/mrroc", command, ends_[1]),
         channel_(ends_[0], ends_[0]) {
     close(ends_[1]);
   }
@@ -78,6 +78,13 @@ TEST(Agent, EndsWhenItsRunnerGoesBeforeTheOrder) {
   agent.channel().finish();
   agent.hear_out();
   EXPECT_EQ(agent.process().exit_code(), 2);
+}
+
+TEST(Agent, DoesNotWaitForEverForItsOrder) {
+  RunningAgent agent({"agent", "--order-within", "0.25"});
+  agent.channel().write("host cell");  // it begins, and never says `go`
+  EXPECT_EQ(agent.hear_out(), (Lines{std::string{kAgentGreeting}, "failed 4 no order within 0.25 s", "ended"}));
+  EXPECT_EQ(agent.process().exit_code(), 4);
 }
 
 /// A simulator meets nobody before the start, who might be missed.

@@ -17,13 +17,15 @@ constexpr int kDomain = 90;
 constexpr int kPatience = 20000;  // ms
 
 RC_GTEST_PROP(Beat, OpensAsItWasSealed,
-              (bool from_runner, std::uint64_t sequence, std::int64_t sent, std::int64_t echo, std::int64_t held)) {
+              (bool from_runner, std::uint64_t sequence, std::int64_t sent, std::int64_t echo, std::int64_t held,
+               std::uint32_t presses, std::uint32_t resets)) {
   const BeatKey key = new_beat_key();
-  const auto datagram = seal({from_runner, sequence, sent, echo, held}, key);
+  const auto datagram = seal({from_runner, sequence, sent, echo, held, presses, resets}, key);
   const auto beat = open(datagram.data(), datagram.size(), key);
   RC_ASSERT(beat.has_value());
   RC_ASSERT(beat->from_runner == from_runner && beat->sequence == sequence && beat->sent == sent);
   RC_ASSERT(beat->echo == echo && beat->held == held);
+  RC_ASSERT(beat->presses == presses && beat->resets == resets);
 }
 
 RC_GTEST_PROP(Beat, IsNoneWithABitTurnedOver, (std::uint64_t sequence)) {
@@ -58,9 +60,10 @@ bool readable(int fd, int milliseconds) {
 
 TEST(HostLink, LearnsThePeersClock) {
   const in_addr here = ipv4_of("127.0.0.1");
+  clock::EmergencyStop nobodys;
   const BeatKey key = new_beat_key();
-  HostLink a(here, kDomain, key, true, 0.05);
-  HostLink b(here, kDomain, key, false, 0.05);
+  HostLink a(here, kDomain, key, true, 0.05, nobodys);
+  HostLink b(here, kDomain, key, false, 0.05, nobodys);
   EXPECT_NE(a.port(), b.port());
   a.start(here, b.port());
   b.start(here, a.port());
@@ -74,9 +77,10 @@ TEST(HostLink, LearnsThePeersClock) {
 
 TEST(HostLink, NoticesSilenceOnceItIsWatched) {
   const in_addr here = ipv4_of("127.0.0.1");
+  clock::EmergencyStop nobodys;
   const BeatKey key = new_beat_key();
-  HostLink a(here, kDomain, key, true, 0.2);
-  auto b = std::make_unique<HostLink>(here, kDomain, key, false, 0.2);
+  HostLink a(here, kDomain, key, true, 0.2, nobodys);
+  auto b = std::make_unique<HostLink>(here, kDomain, key, false, 0.2, nobodys);
   a.start(here, b->port());
   EXPECT_FALSE(readable(a.event_fd(), 500)) << "nobody watches yet";
   b->start(here, a.port());
@@ -91,8 +95,9 @@ TEST(HostLink, NoticesSilenceOnceItIsWatched) {
 
 TEST(HostLink, IsNotKeptAliveByAnotherKey) {
   const in_addr here = ipv4_of("127.0.0.1");
-  HostLink a(here, kDomain, new_beat_key(), true, 0.2);
-  HostLink stranger(here, kDomain, new_beat_key(), false, 0.2);
+  clock::EmergencyStop nobodys;
+  HostLink a(here, kDomain, new_beat_key(), true, 0.2, nobodys);
+  HostLink stranger(here, kDomain, new_beat_key(), false, 0.2, nobodys);
   a.start(here, stranger.port());
   stranger.start(here, a.port());
   a.watch();
@@ -100,6 +105,33 @@ TEST(HostLink, IsNotKeptAliveByAnotherKey) {
   EXPECT_EQ(a.figures().heard, 0U);
   EXPECT_GT(a.figures().refused, 0U);
   EXPECT_FALSE(a.offset());
+}
+
+TEST(HostLink, TellsTheEmergencyStopOfTheRunner) {
+  const in_addr here = ipv4_of("127.0.0.1");
+  const BeatKey key = new_beat_key();
+  clock::EmergencyStop runners, agents;
+  HostLink runner(here, kDomain, key, true, 0.2, runners);
+  HostLink agent(here, kDomain, key, false, 0.2, agents);
+  runners.press();
+  runner.start(here, agent.port());
+  agent.start(here, runner.port());
+  const auto await = [&](std::uint32_t presses, std::uint32_t resets) {
+    for (int look = 0; look < kPatience && (agents.presses() < presses || agents.resets() < resets); ++look)
+      poll(nullptr, 0, 1);
+    EXPECT_EQ(agents.presses(), presses);
+    EXPECT_EQ(agents.resets(), resets);
+  };
+  await(1, 0);  // what was pressed before the first beat, too
+  runners.reset();
+  await(1, 1);
+  runners.press();
+  runners.press();
+  await(3, 1);
+  agents.press();
+  const auto heard = runner.figures().heard;
+  for (int look = 0; look < kPatience && runner.figures().heard < heard + 3; ++look) poll(nullptr, 0, 1);
+  EXPECT_EQ(runners.presses(), 3U) << "an agent has no operator";
 }
 
 }  // namespace

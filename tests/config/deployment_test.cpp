@@ -327,7 +327,7 @@ TEST_F(DeploymentTest, ReadsHosts) {
   EXPECT_EQ(deployment.hosts[1].command, (std::vector<std::string>{"ssh", "-p", "22", "x"}));
   EXPECT_EQ(deployment.hosts[1].mrroc, "/opt/bin/mrroc");
   EXPECT_EQ(deployment.hosts[1].folder, "/t");
-  EXPECT_EQ(deployment.link_timeout, 0.05);
+  EXPECT_EQ(deployment.link_timeout, 0.04);
   EXPECT_EQ(deployment.clock_error, 0.002) << "half a servo period";
   ASSERT_EQ(deployment.hosts_used().size(), 1u);
   EXPECT_EQ(deployment.hosts_used()[0], &deployment.hosts[0]);

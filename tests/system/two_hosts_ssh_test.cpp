@@ -14,11 +14,10 @@
 
 #include "system/cable.hpp"
 #include "system/mrroc_run.hpp"
+#include "system/two_hosts.hpp"
 
 namespace mrroc::test {
 namespace {
-
-constexpr int kSystem = 4;
 
 void sh(const std::string& line) {
   if (std::system(line.c_str()) != 0) throw std::runtime_error(line);
@@ -92,11 +91,13 @@ class TwoHostsOverSsh : public testing::Test {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
 
-  MrrocRun& start(const std::string& address) {
+  MrrocRun& start(const std::string& address, const std::string& network = "security = false") {
     const auto file = folder_.write("hold.toml",
                                     "[deployment]\nname = \"hold\"\nclock = \"real\"\n"
-                                    "[network]\ninterface = \"cable0\"\nsecurity = false\n"
-                                    "[hosts.cell]\naddress = \"" +
+                                    "[network]\ninterface = \"cable0\"\n" +
+                                        network +
+                                        "\n"
+                                        "[hosts.cell]\naddress = \"" +
                                         address +
                                         "\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\nhost = \"cell\"\n"
                                         "program = \"" MRROC_BINARY_DIR "/tests/faulty_ecp\"\n");
@@ -130,7 +131,8 @@ class TwoHostsOverSsh : public testing::Test {
 };
 
 TEST_F(TwoHostsOverSsh, RunAndAreStoppedByTheOperator) {
-  MrrocRun& run = start(Cable::kAddressOfB);
+  run_mrroc({"keys", (folder_.path() / "keys").string()}, 0);
+  MrrocRun& run = start(Cable::kAddressOfB, "keys = \"keys\"");
   ASSERT_TRUE(run.wait_for_output("never")) << output();
   const std::vector<pid_t> pids = processes();
   EXPECT_GE(pids.size(), 5U);  // ssh, mp; the agent, arm, arm_edp
@@ -145,7 +147,7 @@ TEST_F(TwoHostsOverSsh, LeaveNothingWhenTheCableWithTheControlChannelIsCut) {
   const std::vector<pid_t> pids = processes();
   cable_->set({.cut = true});
   EXPECT_EQ(run.wait(), kSystem) << output();
-  EXPECT_NE(run.err().find("host cell: link lost: nothing heard for 0.05 s"), std::string::npos) << output();
+  EXPECT_NE(run.err().find("host cell: link lost: nothing heard for 0.04 s"), std::string::npos) << output();
   EXPECT_TRUE(all_end(pids)) << output();
 }
 
@@ -169,7 +171,7 @@ TEST_F(TwoHostsOverSsh, LeaveNoRobotToAStoppedAgent) {
   pids.erase(agent);
   ASSERT_EQ(kill(stopped, SIGSTOP), 0);
   EXPECT_EQ(run.wait(), kSystem) << output();
-  EXPECT_NE(run.err().find("host cell: link lost: nothing heard for 0.05 s"), std::string::npos) << output();
+  EXPECT_NE(run.err().find("host cell: link lost: nothing heard for 0.04 s"), std::string::npos) << output();
   EXPECT_TRUE(all_end(pids)) << output();
   EXPECT_GE(parent_of(stopped), 0) << "still there: they have ended by themselves";
   kill(stopped, SIGKILL);
