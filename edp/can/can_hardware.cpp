@@ -95,7 +95,10 @@ bool CanHardware::is_of_a_master(const can::Frame& frame) const noexcept {
 void CanHardware::dispatch(const can::Frame& frame) noexcept {
   if (frame.error) return take_error(frame);
   bus_off_ = false;
-  if (is_of_a_master(frame)) return find(BusError::foreign_master);
+  if (is_of_a_master(frame)) {
+    foreign_sync_ = foreign_sync_ || frame.id == kSync;  // what the drives answer now may be of its time, not of ours
+    return find(BusError::foreign_master);
+  }
   can::Frame next;
   for (Drive& drive : drives_) {
     if (!drive.take(frame, tick_, next)) continue;
@@ -144,8 +147,9 @@ void CanHardware::synchronise(Tick tick) noexcept {
   const bool answered =
       std::all_of(drives_.begin(), drives_.end(), [](const Drive& drive) { return drive.answered(); });
   // after a SYNC without an answer the next one may be that one's, come late
-  if (answered && answered_) measured_ = tick;
+  if (answered && answered_ && !foreign_sync_) measured_ = tick;
   answered_ = answered;
+  foreign_sync_ = false;
   for (Drive& drive : drives_) drive.close_cycle();
 }
 

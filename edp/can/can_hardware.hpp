@@ -83,6 +83,7 @@ class CanHardware : public Hardware {
   Tick tick_ = 0;
   std::int64_t origin_ = INT64_MAX;  ///< ns of the wall: tick 0, as the promptest SYNC shows it
   bool answered_ = true;             ///< by all drives, the last SYNC
+  bool foreign_sync_ = false;        ///< another master's, in this cycle
   Tick measured_ = 0;                ///< the last tick whose positions are neither guessed nor perhaps those of another
   double late_ = 0;                  ///< of this cycle's last answer, servo periods after its tick
   Tick heartbeat_ticks_ = 0;
