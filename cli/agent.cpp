@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <spdlog/fmt/fmt.h>
 #include <sys/epoll.h>
-#include <sys/signalfd.h>
 #include <syslog.h>
 #include <unistd.h>
 
@@ -30,16 +29,6 @@ constexpr std::int64_t kPatienceWithRunner = 5 * clock::kSecond / 2;  // to take
 constexpr double kPatienceWithStart = 10;      // s beyond the deployment's `start_timeout`, which is the runner's
 constexpr std::size_t kMostWaiting = 4 << 20;  // bytes that the runner has not taken
 
-int open_signals() {
-  sigset_t set;
-  sigemptyset(&set);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, number);
-  sigprocmask(SIG_BLOCK, &set, nullptr);
-  signal(SIGCHLD, SIG_DFL);  // whoever has started this may ignore it, and then nobody hears of a death
-  signal(SIGPIPE, SIG_IGN);  // a runner that is gone is seen when its channel is read
-  return signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
-}
-
 void add_to(int wake, int fd) {
   epoll_event event{};
   event.events = EPOLLIN;
@@ -62,19 +51,15 @@ void compare_files(const AgentOrder& order, const config::Deployment& deployment
 Agent::Agent(int in, int out, double patience_with_order)
     : patience_with_order_(patience_with_order),
       runner_(in, out),
-      signals_(open_signals()),
       wake_(epoll_create1(EPOLL_CLOEXEC)),
       crew_([this](const std::string& name, const std::string& line) {
         if (runner_.waiting() < kMostWaiting) runner_.write("line " + name + " " + line);
       }) {
   add_to(wake_, runner_.fd());
-  add_to(wake_, signals_);
+  add_to(wake_, signals_.descriptor());
 }
 
-Agent::~Agent() {
-  close(wake_);
-  close(signals_);
-}
+Agent::~Agent() { close(wake_); }
 
 process::ExitCode Agent::run() {
   runner_.write(std::string{kAgentGreeting});
@@ -175,6 +160,7 @@ void Agent::turn(int milliseconds) {
   crew_.wait(milliseconds, wake_);
   for (const std::string& line : runner_.read()) obey(line);
   // first the causes: what happens here may be but their consequence
+  if (!stopping_ && clock_->was_stopped()) fail(process::ExitCode::system, "its agent was stopped by a signal");
   if (!stopping_ && runner_.closed()) fail(process::ExitCode::system, "the runner is gone");
   if (!stopping_ && link_->lost()) {
     fail(process::ExitCode::system,
@@ -205,10 +191,9 @@ void Agent::obey(const std::string& line) {
 }
 
 void Agent::read_signals() {
-  signalfd_siginfo info;
-  while (read(signals_, &info, sizeof info) == static_cast<ssize_t>(sizeof info)) {
-    if (info.ssi_signo != SIGCHLD && !stopping_)
-      fail(process::ExitCode::system, "its agent was told to end by signal " + std::to_string(info.ssi_signo));
+  while (const int number = signals_.take()) {
+    if (number != SIGCHLD && !stopping_)
+      fail(process::ExitCode::system, "its agent was told to end by signal " + std::to_string(number));
   }
 }
 
@@ -226,9 +211,8 @@ void Agent::check_children() {
   if (child == nullptr) return;
   stopping_ = true;
   code_ = process::ExitCode::system;
-  std::string how = (child->ended() ? "died: " : "is ") + child->how_it_ended();
-  if (child->exit_code() && !child->last_line().empty()) how += ": " + child->last_line();
-  runner_.write("lost " + child->name() + " " + std::to_string(child->exit_code().value_or(-1)) + " " + how);
+  runner_.write("lost " + child->name() + " " + std::to_string(child->exit_code().value_or(-1)) + " " +
+                child->how_it_was_lost());
 }
 
 void Agent::fail(process::ExitCode code, const std::string& reason) {
@@ -246,11 +230,11 @@ void Agent::end_processes() {
                {.turn = [this] { turn_at_the_end(); },
                 .message = [this](const std::string& line) { runner_.write("line " + line); },
                 .failed = [this](const std::string& reason) { fail(process::ExitCode::system, reason); }});
-  crew_.wait(0, signals_);
+  crew_.wait(0, signals_.descriptor());
 }
 
 void Agent::turn_at_the_end() {
-  crew_.wait(kTurn, signals_);  // not the channel: one that is closed would wake it for ever
+  crew_.wait(kTurn, signals_.descriptor());  // not the channel: one that is closed would wake it for ever
   read_signals();
   runner_.read();
   runner_.flush();

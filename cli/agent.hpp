@@ -11,6 +11,7 @@
 #include "cli/host_link.hpp"
 #include "cli/line_channel.hpp"
 #include "cli/process_plan.hpp"
+#include "cli/signals.hpp"
 #include "cli/task_records.hpp"
 #include "clock/host.hpp"
 #include "process/exit_code.hpp"
@@ -54,7 +55,7 @@ class Agent {
 
   const double patience_with_order_;  // s
   LineChannel runner_;
-  int signals_ = -1;
+  Signals signals_;
   int wake_ = -1;  // epoll: the channel, signals, the link
   AgentOrder order_;
   config::Deployment deployment_;

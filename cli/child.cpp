@@ -143,6 +143,12 @@ std::string Child::how_it_ended() const {
   return "exit code " + std::to_string(WEXITSTATUS(status_));
 }
 
+std::string Child::how_it_was_lost() const {
+  std::string how = (ended_ ? "died: " : "is ") + how_it_ended();
+  if (exit_code() && !last_line_.empty()) how += ": " + last_line_;
+  return how;
+}
+
 std::optional<int> Child::exit_code() const noexcept {
   if (!ended_ || !WIFEXITED(status_)) return std::nullopt;
   return WEXITSTATUS(status_);

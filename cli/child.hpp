@@ -37,6 +37,8 @@ class Child {
   bool is_at_work() const;
   /// "exit code 3", "signal 9 (Killed)" or "stopped by signal 19 (Stopped (signal))".
   std::string how_it_ended() const;
+  /// When it is lost: "died: exit code 3: its last line", "is stopped by signal 19 (Stopped (signal))".
+  std::string how_it_was_lost() const;
   /// Nothing when it lives or a signal has ended it.
   std::optional<int> exit_code() const noexcept;
   /// The last line that `read_lines` has given; of a process that gives up, the reason.

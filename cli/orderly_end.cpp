@@ -2,6 +2,8 @@
 
 #include <signal.h>
 
+#include <algorithm>
+
 #include "clock/monotonic.hpp"
 
 namespace mrroc::cli {
@@ -11,6 +13,7 @@ namespace {
 constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;  // that robots get to stop
 constexpr std::int64_t kPatienceToEnd = 3 * clock::kSecond;   // that processes get to end by themselves
 constexpr std::int64_t kPatienceWithKilled = 3 * clock::kSecond;
+constexpr std::int64_t kPatienceWithHosts = 10 * clock::kSecond;  // longer than that of their agents
 
 void look_for_failures(Crew& crew, clock::ClockHost& clock, const EndListener& listener) {
   for (const clock::Part part : {clock::Part::drives, clock::Part::world}) {
@@ -53,6 +56,17 @@ void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndLi
   while (!crew.all_ended() && clock::monotonic_ns() < last) listener.turn();
   for (const std::string& name : crew.kill_rest())
     listener.message("process " + name + " is killed, but a debugger or the kernel holds it: not waiting for it");
+}
+
+void end_in_order(RemoteHosts& hosts, const EndListener& listener) {
+  const std::int64_t begin = clock::monotonic_ns();
+  // a trace takes as long as it takes
+  const auto patient = [&] { return clock::monotonic_ns() < std::max(begin, hosts.traced_at()) + kPatienceWithHosts; };
+  while (!hosts.all_ended() && patient()) listener.turn();
+  for (const std::string& name : hosts.kill_rest())
+    listener.message("host " + name + ": its agent does not end, killing the command that started it");
+  while (!hosts.all_ended()) listener.turn();
+  listener.turn();  // what they wrote last
 }
 
 }  // namespace mrroc::cli

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/crew.hpp"
+#include "cli/remote_hosts.hpp"
 #include "clock/host.hpp"
 
 namespace mrroc::cli {
@@ -21,5 +22,9 @@ struct EndListener {
 /// clock was; before that nothing moves. Returns when all have ended, or 3 s after they have been killed: a debugger,
 /// or a driver in the kernel, can keep a killed process. Main thread.
 void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndListener& listener);
+
+/// Waits until all other hosts, which have been told to stop, have ended their processes so and sent what they
+/// recorded; the commands that started agents which do not end within 10 s are killed. Main thread.
+void end_in_order(RemoteHosts& hosts, const EndListener& listener);
 
 }  // namespace mrroc::cli

@@ -24,7 +24,7 @@ constexpr std::size_t kMostKept = 1000;
 int open_anew(int fd) {
   struct stat status {};
   if (fstat(fd, &status) != 0 || (!S_ISFIFO(status.st_mode) && isatty(fd) == 0)) return -1;
-  return open(fmt::format("/proc/self/fd/{}", fd).c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  return ::open(fmt::format("/proc/self/fd/{}", fd).c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
 }
 
 }  // namespace

@@ -62,6 +62,18 @@ TEST_F(TwoHosts, NameAStoppedAgent) {
   expect_end(kSystem, "host cell: link lost: nothing heard for 2 s", pids);
 }
 
+/// Its processes have left by then: their ends are but a consequence.
+TEST_F(TwoHosts, NameAnAgentThatWasStoppedAndGoesOn) {
+  MrrocRun& run = start(write(hosts("hold", kPatientLink, {}, hold())));
+  ASSERT_TRUE(run.wait_for_output("never")) << output();
+  const std::vector<pid_t> pids = run.descendants();
+  const pid_t agent = parent_of(run.descendant("arm_edp"));
+  kill(agent, SIGSTOP);
+  pause_for(0.3);
+  kill(agent, SIGCONT);
+  expect_end(kSystem, "host cell: its agent was stopped by a signal", pids);
+}
+
 TEST_F(TwoHosts, LeaveNothingWhenTheRunnerIsKilled) {
   MrrocRun& run = start(write(hosts("hold", kPatientLink, {}, hold())));
   ASSERT_TRUE(run.wait_for_output("never")) << output();
