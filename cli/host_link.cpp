@@ -19,6 +19,7 @@ namespace mrroc::cli {
 namespace {
 
 constexpr int kBeatsInTimeout = 10;
+constexpr std::int64_t kPeriodToLearn = clock::kSecond / 250;  // the peer's clock is known after 128 beats
 constexpr int kPriority = 85;  // above the servo threads: a late sign of life would stop them all
 constexpr int kFirstPort = 7600;
 constexpr int kPortsOfDomain = 250;
@@ -99,7 +100,8 @@ void HostLink::run() {
     look_for_silence(now);
     if (now < due) continue;
     send(now);
-    due = std::max(due + period, now);
+    const bool learns = watched_since_ == 0;
+    due = std::max(due + (learns ? std::min(period, kPeriodToLearn) : period), now);
   }
 }
 

@@ -24,8 +24,9 @@ struct LinkFigures {
   std::int64_t certain_drift_ns = 0;
 };
 
-/// One end of the link between the runner and another host: a thread sends ten beats in the time-out, listens to the
-/// peer's, learns its clock from them and notices when they stay away. UDP, for TCP would go on repeating itself behind
+/// One end of the link between the runner and another host: a thread sends ten beats in the time-out (one every 4 ms
+/// until the start, to learn the clock soon), listens to the peer's, learns its clock from them and notices when they
+/// stay away. UDP, for TCP would go on repeating itself behind
 /// a cut; every beat is sealed. The runner's beats tell its emergency stop, too: the other end's follows it within a
 /// tenth of the time-out, later when beats are lost, and when all are, the link is. The main thread constructs it; any
 /// thread may ask.
