@@ -5,13 +5,17 @@
 #include <cmath>
 #include <limits>
 
+#include "mrroc/types.hpp"
+
 namespace mrroc {
 
-/// Evenly distributed over [low, high]; part of the rapidcheck case, so that a failure shrinks and replays.
-inline double any_between(double low, double high) {
-  constexpr int kSteps = 1 << 30;
-  return low + (high - low) * *rc::gen::inRange(0, kSteps) / (kSteps - 1);
-}
+/// 0..2^30 - 1, evenly distributed in small cases too; part of the rapidcheck case, so that a failure shrinks and
+/// replays.
+inline constexpr int kSteps = 1 << 30;
+inline int any_step() { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, kSteps)); }
+
+/// Evenly distributed over [low, high].
+inline double any_between(double low, double high) { return low + (high - low) * any_step() / (kSteps - 1); }
 
 /// Numbers of every size, infinities and NaN among them.
 inline double any_garbage() {
@@ -31,6 +35,12 @@ inline double any_garbage() {
     default:
       return mantissa;
   }
+}
+
+inline JointVector any_garbage_joints(Eigen::Index count) {
+  JointVector joints(count);
+  for (Eigen::Index i = 0; i < count; ++i) joints[i] = any_garbage();
+  return joints;
 }
 
 }  // namespace mrroc

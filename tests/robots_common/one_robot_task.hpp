@@ -8,7 +8,7 @@
 
 namespace mrroc {
 
-/// A process with one robot, whose link answers every command with `state`.
+/// A process with one robot, whose link keeps the last command in `sent` and answers with `state`.
 class OneRobotTask : public Task, private RobotLink {
  public:
   OneRobotTask(std::string name, std::string type) : name_(std::move(name)), type_(std::move(type)) {}
@@ -30,10 +30,11 @@ class OneRobotTask : public Task, private RobotLink {
   bool take_trigger() noexcept override { return false; }
   StepObserver* observer() noexcept override { return nullptr; }
 
+  RobotCommand sent;
   RobotState state;
 
  private:
-  void send(const RobotCommand& /*command*/) override {}
+  void send(const RobotCommand& command) override { sent = command; }
   void receive(RobotState& answer) override { answer = state; }
 
   std::string name_, type_;

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "robots_common/drive_model.hpp"
+#include "robots_common/regulator_tracking.hpp"
 #include "robots_conveyor/conveyor_fixture.hpp"
 
 namespace mrroc {
@@ -8,7 +8,7 @@ namespace {
 
 TEST(ConveyorServo, TheOriginalsLawTracksAlsoWithATickOfDelay) {
   for (const int delay : {0, 1}) {
-    const Tracking result = track(belt(), 100, delay);  // 79 rad/s at most
+    const Tracking result = track_by_regulator(belt(), 100, delay);  // 79 rad/s at most
     std::printf("delay %d: worst %.3f rad, final %.1e rad, peak %.1f A\n", delay, result.worst, result.final,
                 result.peak_current);
     EXPECT_GT(result.worst, 0.05);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "robots_common/drive_model.hpp"
 #include "robots_irb6/family/robot_under_test.hpp"
-#include "robots_irb6/family/tracking.hpp"
 
 namespace mrroc {
 namespace {
@@ -10,7 +10,7 @@ TEST(Irb6Servo, TheWristRollsFullGainDoesNotBearATickOfDelay) {
   AxisParameters axis = robot().parameters().axes[4];
   ASSERT_EQ(axis.name, "wrist_roll");
   axis.regulator_current_gain = 0.110;
-  EXPECT_GT(track(axis, 1).final, 0.1) << "the reason for the reduced gain is gone";
+  EXPECT_GT(track_by_servo(axis, 1).final, 0.1) << "the reason for the reduced gain is gone";
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ TEST(PolycrankKinematics, GarbageGivesACodeOrFiniteNumbers) {
     for (int row = 0; row < 3; ++row) {
       for (int column = keep_rotation ? 3 : 0; column < 4; ++column) pose.matrix()(row, column) = any_garbage();
     }
-    const JointVector garbage = any_garbage_joints();
+    const JointVector garbage = any_garbage_joints(7);
     JointVector joints = JointVector::Zero(7);
     const ErrorCode code = polycrank_model().inverse(pose, garbage, joints);
     RC_ASSERT(joints.allFinite());

@@ -112,7 +112,7 @@ TEST(SerialParallelKinematics, GarbageGivesACodeOrFiniteNumbers) {
     for (int row = 0; row < 3; ++row) {
       for (int column = keep_rotation ? 3 : 0; column < 4; ++column) pose.matrix()(row, column) = any_garbage();
     }
-    const JointVector near = any_garbage_joints();
+    const JointVector near = any_garbage_joints(6);
     JointVector joints = JointVector::Zero(6);
     const ErrorCode code = machine().inverse(pose, near, joints);
     RC_ASSERT(joints.allFinite());

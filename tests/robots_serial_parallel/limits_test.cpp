@@ -56,7 +56,7 @@ TEST(SerialParallelTransmission, AroundAPassiveLimitJointsKeepTheirMotorsForOneD
 
 TEST(SerialParallelTransmission, GarbageGivesACodeOrFiniteNumbers) {
   EXPECT_TRUE(rc::check([] {
-    const JointVector garbage = any_garbage_joints();
+    const JointVector garbage = any_garbage_joints(6);
     JointVector result = JointVector::Zero(6);
     const bool to_motors = machine().joints_to_motors(garbage, result) == ErrorCode::none;
     RC_ASSERT(result.allFinite());

@@ -1,14 +1,14 @@
 #include <gtest/gtest.h>
 
 #include "gripper_fixture.hpp"
-#include "robots_common/drive_model.hpp"
+#include "robots_common/regulator_tracking.hpp"
 
 namespace mrroc {
 namespace {
 
 TEST(GripperServo, TheOriginalsLawTracksAlsoWithATickOfDelay) {
   for (const int delay : {0, 1}) {
-    const Tracking result = track(opening_axis(), 400, delay);  // 314 rad/s at most
+    const Tracking result = track_by_regulator(opening_axis(), 400, delay);  // 314 rad/s at most
     std::printf("delay %d: worst %.2f rad (%.3f mm of a cube of 57 mm), final %.1e rad, peak %.1f mA\n", delay,
                 result.worst, 1000 * result.worst / 49793, result.final, 1000 * result.peak_current);
     EXPECT_GT(result.worst, 0.2);

@@ -89,7 +89,7 @@ TEST(KinematicsLaw, GarbageGivesACodeOrFiniteNumbers) {
     for (int row = 0; row < 3; ++row) {
       for (int column = keep_rotation ? 3 : 0; column < 4; ++column) pose.matrix()(row, column) = any_garbage();
     }
-    const JointVector near = any_garbage_joints();
+    const JointVector near = any_garbage_joints(robot().joint_count());
     JointVector joints = JointVector::Zero(near.size());
     const ErrorCode code = kinematics.inverse(pose, near, joints);
     RC_ASSERT(joints.allFinite());

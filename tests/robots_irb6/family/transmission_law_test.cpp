@@ -37,7 +37,7 @@ TEST(TransmissionLaw, MatrixIsTheDerivativeOfMotorsByJoints) {
 TEST(TransmissionLaw, GarbageGivesACodeOrFiniteNumbers) {
   EXPECT_TRUE(rc::check([] {
     const RobotModel& model = any_model();
-    const JointVector garbage = any_garbage_joints();
+    const JointVector garbage = any_garbage_joints(robot().joint_count());
     JointVector result = JointVector::Zero(garbage.size());
     const bool to_motors = model.joints_to_motors(garbage, result) == ErrorCode::none;
     RC_ASSERT(result.allFinite());
