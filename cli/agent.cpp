@@ -152,7 +152,7 @@ void Agent::supervise() {
     // until the start the runner's silence does not count, and it may have vanished
     if (!started_ && clock::monotonic_ns() > deadline)
       fail(process::ExitCode::system,
-           "not started in time: the runner has not said so for " + std::to_string(patience) + " s");
+           fmt::format("not started in time: the runner has not said so for {} s", patience));
   }
 }
 
@@ -164,7 +164,7 @@ void Agent::turn(int milliseconds) {
   if (!stopping_ && runner_.closed()) fail(process::ExitCode::system, "the runner is gone");
   if (!stopping_ && link_->lost()) {
     fail(process::ExitCode::system,
-         "link to the runner lost: nothing heard for " + std::to_string(deployment_.link_timeout) + " s");
+         fmt::format("link to the runner lost: nothing heard for {} s", deployment_.link_timeout));
   }
   read_signals();
   check_children();

@@ -24,12 +24,11 @@ struct LinkFigures {
   std::int64_t certain_drift_ns = 0;
 };
 
-/// One end of the link between the runner and another host: a thread sends ten beats in the time-out (one every 4 ms
-/// until the start, to learn the clock soon), listens to the peer's, learns its clock from them and notices when they
-/// stay away. UDP, for TCP would go on repeating itself behind
-/// a cut; every beat is sealed. The runner's beats tell its emergency stop, too: the other end's follows it within a
-/// tenth of the time-out, later when beats are lost, and when all are, the link is. The main thread constructs it; any
-/// thread may ask.
+/// One end of the link between the runner and another host: a thread sends a beat in each tenth of the time-out, at
+/// least every 50 ms (until the start every 4 ms, to learn the clock soon), listens to the peer's, learns its clock
+/// from them and notices when they stay away. UDP, for TCP would go on repeating itself behind a cut; every beat is
+/// sealed. The runner's beats tell its emergency stop, too: the other end's follows it within a tenth of the time-out,
+/// later when beats are lost, and when all are, the link is. The main thread constructs it; any thread may ask.
 class HostLink {
  public:
   /// Binds a port of `own` in those that a DDS domain leaves free: 7600 + 250 domain to 7649 + 250 domain.

@@ -92,7 +92,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
       ->expected(1);
   command->add_option("--shuffle-start", arguments->options.shuffle_seed,
                       "Start the processes in a random order with random delays, from this seed");
-  command->add_flag("--quiet", arguments->options.quiet, "Print errors only");
+  command->add_flag("--quiet", arguments->options.quiet, "No progress and no report");
   command->add_flag("--check", arguments->check, "Validate the deployment and show its processes; start nothing");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -1,5 +1,7 @@
 #include "cli/runner.hpp"
 
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,12 +23,6 @@ namespace mrroc::cli {
 namespace {
 
 constexpr double kHandShake = 0.1;  // s of one try to reach the MP
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 /// Those of one host; "": of this machine.
 std::vector<PlannedProcess> processes_on(const std::string& host, const std::vector<PlannedProcess>& plan) {
@@ -125,7 +121,7 @@ void Runner::pass_barrier() {
     if (!supervisor_.turn(Supervisor::kTurn)) return;
     if (operator_clock_->wall_seconds() > deadline) {
       supervisor_.fail(process::ExitCode::system,
-                       "not ready within " + std::to_string(deployment_.start_timeout) + " s: " + joined(missing));
+                       fmt::format("not ready within {} s: {}", deployment_.start_timeout, fmt::join(missing, ", ")));
       return;
     }
   }

@@ -1,6 +1,7 @@
 #include "cli/supervisor.hpp"
 
 #include <signal.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <utility>
@@ -185,7 +186,7 @@ void Supervisor::check_heartbeats() {
   if (ending_) return;
   if (const std::string name = heartbeats_.silent(watched_.wall.wall_seconds()); !name.empty())
     fail(process::ExitCode::system,
-         "process " + name + " is silent for " + std::to_string(watched_.deployment.heartbeat_timeout) + " s");
+         fmt::format("process {} is silent for {} s", name, watched_.deployment.heartbeat_timeout));
 }
 
 void Supervisor::check_clock() {

@@ -13,6 +13,8 @@ namespace {
 using namespace canopen;
 using can::BusError;
 
+constexpr double kBetweenStops = 0.1;  // s
+
 std::int64_t ns(double seconds) { return std::llround(seconds * 1e9); }
 
 /// What the drives send, and what only their master may.
@@ -46,7 +48,7 @@ CanHardware::CanHardware(config::DriveTable table, const RobotParameters& robot,
 CanHardware::~CanHardware() {
   for (Drive& drive : drives_) {
     drive.enable(false, tick_);
-    send(drive.command({}));
+    send(drive.command({0, drive.position(), 0}));
   }
   send(sync_frame());
   for (Drive& drive : drives_) send(nmt_frame(NmtCommand::enter_pre_operational, drive.node()));
@@ -103,7 +105,11 @@ void CanHardware::dispatch(const can::Frame& frame) noexcept {
   for (Drive& drive : drives_) {
     if (!drive.take(frame, tick_, next)) continue;
     const bool has_booted = frame.id == kHeartbeat + drive.node() && next.size != 0;
-    return has_booted ? begin_set_up(drive, next) : send(next);
+    if (has_booted) return begin_set_up(drive, next);
+    send(next);
+    // it watches our heartbeat from the first one on: it may not have power before
+    if (next == nmt_frame(NmtCommand::start, drive.node())) send_heartbeat();
+    return;
   }
 }
 
@@ -119,30 +125,36 @@ bool CanHardware::await_all(std::int64_t deadline) noexcept {
   return true;
 }
 
-/// One cycle's SYNC and its answers.
+void CanHardware::send_heartbeat() noexcept { send(heartbeat_frame(table_.master, NmtState::operational)); }
+
+/// Who has lost his set-points may still hear this: his 6007h says what he does then.
+void CanHardware::send_stops(Tick tick) noexcept {
+  if (tick < next_stop_) return;
+  for (const Drive& drive : drives_) {
+    if (!drive.defies()) continue;
+    send(nmt_frame(NmtCommand::stop, drive.node()));
+    next_stop_ = tick + static_cast<Tick>(std::ceil(kBetweenStops / period_));
+  }
+}
+
+/// One cycle's SYNC and its answers. What is asked by SDO comes after them: it would hold the SYNC up.
 void CanHardware::synchronise(Tick tick) noexcept {
   tick_ = tick;
-  const std::int64_t begin = clock::monotonic_ns();
-  const std::int64_t deadline = begin + ns(timing_.patience);
+  const std::int64_t patience = ns(timing_.patience);
+  const std::int64_t end_of_mail = clock::monotonic_ns() + patience;
   can::Frame frame;
   // what came since the last cycle
-  while (clock::monotonic_ns() < deadline && bus_->receive(frame, 0)) dispatch(frame);
-  if (tick >= last_heartbeat_ + heartbeat_ticks_ || tick == 0) {
-    send(heartbeat_frame(table_.master, NmtState::operational));
-    last_heartbeat_ = tick;
-    // who has lost his set-points may still hear this: his 6007h says what he does then
-    for (const Drive& drive : drives_)
-      if (drive.defies()) send(nmt_frame(NmtCommand::stop, drive.node()));
+  while (clock::monotonic_ns() < end_of_mail && bus_->receive(frame, 0)) dispatch(frame);
+  if (tick >= next_heartbeat_) {
+    send_heartbeat();
+    next_heartbeat_ = tick + heartbeat_ticks_;
   }
-  for (Drive& drive : drives_) {
-    if (drive.repeats(tick, frame)) begin_set_up(drive, frame);
-    if (drive.asks(tick, frame)) send(frame);
-    drive.expect();
-  }
+  send_stops(tick);
+  for (Drive& drive : drives_) drive.expect();
   const std::int64_t tick_begin = static_cast<std::int64_t>(tick) * ns(period_);
   origin_ = std::min(origin_, clock::monotonic_ns() - tick_begin);
   send(sync_frame());
-  await_all(deadline);
+  await_all(clock::monotonic_ns() + patience);
   late_ = static_cast<double>(clock::monotonic_ns() - origin_ - tick_begin) / (period_ * 1e9);
   const bool answered =
       std::all_of(drives_.begin(), drives_.end(), [](const Drive& drive) { return drive.answered(); });
@@ -150,7 +162,11 @@ void CanHardware::synchronise(Tick tick) noexcept {
   if (answered && answered_ && !foreign_sync_) measured_ = tick;
   answered_ = answered;
   foreign_sync_ = false;
-  for (Drive& drive : drives_) drive.close_cycle();
+  for (Drive& drive : drives_) {
+    drive.close_cycle();
+    if (drive.repeats(tick, frame)) begin_set_up(drive, frame);
+    if (drive.asks(tick, frame)) send(frame);
+  }
 }
 
 void CanHardware::read(Tick tick, HardwareInput& input) noexcept {

@@ -36,9 +36,10 @@ class CanHardware : public Hardware {
               Timing timing, bool synchronised);
   ~CanHardware() override;
 
-  /// Resets the drives' communication, waits for each to boot, clears a fault that it stands in, sets it up and starts
-  /// it, until all answer a SYNC. Throws HardwareError that names drive, node and what is wrong: no boot-up, no CiA 402
-  /// drive, a fault that stays, a setting that is refused, no answer.
+  /// Resets the drives' communication, waits for each to boot, takes the power of one that still has it, clears a fault
+  /// that it stands in, sets it up and starts it, until all answer a SYNC. Throws HardwareError that names drive, node
+  /// and what is wrong: no boot-up, no CiA 402 drive, power or a fault that stays, a setting that is refused, no
+  /// answer.
   void open() override;
   void enable(bool on) noexcept override;
   void reset_fault() noexcept override;
@@ -59,10 +60,15 @@ class CanHardware : public Hardware {
   void set_up_all();
   void check_modes(std::size_t axis, canopen::SdoClient& client) const;
   void set_up(std::size_t axis);
+  canopen::DriveState look_at(std::size_t axis, canopen::SdoClient& client);
+  void take_power(std::size_t axis, canopen::SdoClient& client);
   void clear_fault(std::size_t axis, canopen::SdoClient& client);
+  void free_pdos(std::size_t axis, canopen::SdoClient& client);
   void await_answers();
   void begin_set_up(const Drive& drive, const can::Frame& first) noexcept;
   void send(const can::Frame& frame) noexcept;
+  void send_heartbeat() noexcept;
+  void send_stops(Tick tick) noexcept;
   void find(can::BusError error) noexcept;
   void take_error(const can::Frame& frame) noexcept;
   bool is_of_a_master(const can::Frame& frame) const noexcept;
@@ -87,7 +93,8 @@ class CanHardware : public Hardware {
   Tick measured_ = 0;                ///< the last tick whose positions are neither guessed nor perhaps those of another
   double late_ = 0;                  ///< of this cycle's last answer, servo periods after its tick
   Tick heartbeat_ticks_ = 0;
-  Tick last_heartbeat_ = 0;
+  Tick next_heartbeat_ = 0;
+  Tick next_stop_ = 0;     ///< of drives that defy their controlword
   bool powering_ = false;  ///< `enable(true)` was asked for, and not all drives are on yet
   int homing_ = -1;        ///< axis
   JointVector position_, velocity_;

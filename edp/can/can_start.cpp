@@ -120,22 +120,42 @@ void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
                std::to_string(supported));
 }
 
+/// The drive's state, a moment after the last look.
+DriveState CanHardware::look_at(std::size_t axis, SdoClient& client) {
+  send(sync_frame());  // simulated drives may have no other time
+  can::Frame frame;
+  const std::int64_t next_look = clock::monotonic_ns() + kBetweenLooks;
+  while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) note(frame);
+  const auto statusword = upload_patiently(client, drives_[axis].node(), kStatusword);
+  return drive_state(static_cast<std::uint16_t>(can::get(statusword, 0, 2)));
+}
+
+/// Its 6007h, or a program of its maker's, may have kept it on: what is written into it now it would follow at once.
+void CanHardware::take_power(std::size_t axis, SdoClient& client) {
+  const auto has_power = [](DriveState state) {
+    return state == DriveState::operation_enabled || state == DriveState::quick_stop_active;
+  };
+  for (const std::uint16_t word : {kQuickStop, kDisableVoltage}) {
+    if (!has_power(look_at(axis, client))) return;
+    client.download(drives_[axis].node(), kControlword, word, 2);
+    const std::int64_t end = clock::monotonic_ns() + std::llround(table_.switch_on_time * clock::kSecond);
+    while (clock::monotonic_ns() < end)
+      if (!has_power(look_at(axis, client))) return;
+  }
+  fail(ErrorCode::drive_not_ready, axis, "keeps its power, whatever its controlword says");
+}
+
 /// An earlier run has left it without a heartbeat: where 6007h says so, it has slowed down and stands in a fault.
 void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
   const NodeId node = drives_[axis].node();
   const std::int64_t end = clock::monotonic_ns() + std::llround(table_.switch_on_time * clock::kSecond);
   for (;;) {
-    const DriveState state =
-        drive_state(static_cast<std::uint16_t>(can::get(upload_patiently(client, node, kStatusword), 0, 2)));
+    const DriveState state = look_at(axis, client);
     if (state != DriveState::fault && state != DriveState::fault_reaction_active) return;
     if (clock::monotonic_ns() > end) break;
     if (state == DriveState::fault)
       for (const std::uint16_t word : {kDisableVoltage, kFaultReset, kDisableVoltage})
         client.download(node, kControlword, word, 2);
-    send(sync_frame());  // simulated drives may have no other time
-    can::Frame frame;
-    const std::int64_t next_look = clock::monotonic_ns() + kBetweenLooks;
-    while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) note(frame);
   }
   std::uint16_t code = 0;
   try {
@@ -149,6 +169,16 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
        std::string("stays in its fault: error code ").append(number.data()).append(", ").append(error_text(code)));
 }
 
+/// A PDO in use keeps its identifier (CiA 301), and the drive may have one of its own from its last set-up (1010h).
+void CanHardware::free_pdos(std::size_t axis, SdoClient& client) {
+  const NodeId node = drives_[axis].node();
+  for (const std::uint16_t index :
+       {kReceivePdoParameters, kTransmitPdoParameters, static_cast<std::uint16_t>(kTransmitPdoParameters + 1)}) {
+    const auto identifier = static_cast<std::uint32_t>(can::get(client.upload(node, {index, 1}), 0, 4));
+    if ((identifier & kPdoNotUsed) == 0) client.download(node, {index, 1}, kPdoNotUsed | identifier, 4);
+  }
+}
+
 void CanHardware::set_up(std::size_t axis) {
   Drive& drive = drives_[axis];
   SdoClient client(*bus_, kPatienceWithSdo, [this](const can::Frame& frame) { note(frame); });
@@ -158,7 +188,10 @@ void CanHardware::set_up(std::size_t axis) {
       fail(ErrorCode::configuration, axis,
            "profile " + std::to_string(can::get(type, 0, 2)) + " in its device type, expected 402, a drive");
     check_modes(axis, client);
+    take_power(axis, client);
     clear_fault(axis, client);
+    send(nmt_frame(NmtCommand::enter_pre_operational, drive.node()));
+    free_pdos(axis, client);
   } catch (const SdoError& error) {
     if (!set_up_[axis]) return;  // it has booted meanwhile
     fail(error.abort() == SdoAbort::timeout ? ErrorCode::hardware_silent : ErrorCode::configuration, axis,

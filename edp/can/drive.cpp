@@ -42,7 +42,8 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
       pdos_(drive_pdos(table.mode)),
       setup_(entry.node, drive_settings(table, entry, period)),
       display_(entry.node, table.eds.find(kModeDisplay) != nullptr, period),
-      home_(home) {}
+      // an absolute encoder counts as its maker's home offset says, before homing and after it
+      home_(table.absolute_encoders ? 0 : home) {}
 
 bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept {
   next = {};
@@ -64,10 +65,12 @@ bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept 
   } else if (const auto emergency = emergency_of(frame); emergency && emergency->node == node_) {
     if (emergency->code != 0) emergency_ = emergency->code;
   } else if (frame.id == kSdoResponse + node_) {
-    if (setup_.take(frame, next))
+    if (setup_.take(frame, next)) {
       asked_ = tick;
-    else
+      position_lost_ = position_lost_ || setup_.forgotten();  // nobody has heard it boot
+    } else {
       display_.take(frame, next);
+    }
     if (setup_.status() == DriveSetup::Status::done) {
       setup_.give_up();
       begin(tick);
@@ -122,7 +125,6 @@ void Drive::count_answer() noexcept {
     return;
   }
   unasked_ = true;
-  ++surplus_;
 }
 
 void Drive::take_status(const can::Frame& frame) noexcept {
@@ -164,7 +166,10 @@ void Drive::expect() noexcept {
 void Drive::close_cycle() noexcept {
   if (state() == DriveState::operation_enabled) was_enabled_ = wanted_;
   if (running_) ++without_status_;
-  if (!unasked_ && surplus_ <= missed_max_) surplus_ = 0;
+  if (unasked_)
+    ++surplus_;
+  else if (surplus_ <= missed_max_)
+    surplus_ = 0;
   unasked_ = false;
   if (answered_) missed_ = 0;
   if (answered_ || !running_) return;
@@ -204,7 +209,8 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
   const bool never_on = wanted_ && now != DriveState::operation_enabled && !waiting_ && (was_enabled_ || late);
   const bool never_off = !wanted_ && has_power() && late;
   if (never_on || never_off) return {ErrorCode::drive_not_ready, static_cast<double>(statusword_)};
-  if (wanted_ && now == DriveState::operation_enabled && !display_.confirms() && mode_is_late(tick))
+  const bool waits_for_mode = now == DriveState::switched_on && !may_operate();
+  if (wanted_ && (now == DriveState::operation_enabled || waits_for_mode) && !display_.confirms() && mode_is_late(tick))
     return {ErrorCode::drive_not_ready, static_cast<double>(display_.shown()), static_cast<double>(display_.wanted())};
   if (mode_ == DriveMode::cyclic_position && (homing_ == Homing::none || homing_ == Homing::attained) &&
       now == DriveState::operation_enabled && (statusword_ & kFollowingError) != 0)

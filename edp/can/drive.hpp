@@ -18,9 +18,10 @@ class Drive {
   /// What is wrong with it; code none: nothing. Of a silent drive (hardware_silent) the value is a DriveSilence and the
   /// limit the SYNCs in a row that it may leave so. Of one that refuses to be set up anew (drive_restarted) the value
   /// is the object, index and sub-index in 24 bits, and the limit its SDO abort code. Of one that answers more often
-  /// than it is asked (encoder_fault) the value is how often, and the limit 0: two nodes have its number. Of a fault
-  /// (drive_fault) the value is the error code of its EMCY, 0 without one. Of one that is not ready (drive_not_ready)
-  /// the value is its statusword; where it is on but in another mode, the mode that it shows, and the limit ours.
+  /// than it is asked (encoder_fault) the value is in how many cycles, and the limit 0: two nodes have its number. Of a
+  /// fault (drive_fault) the value is the error code of its EMCY, 0 without one. Of one that is not ready
+  /// (drive_not_ready) the value is its statusword; where it is in another mode, the mode that it shows, and the limit
+  /// ours.
   struct Finding {
     ErrorCode code = ErrorCode::none;
     double value = 0;
@@ -89,7 +90,8 @@ class Drive {
   /// That of a tick in which the robot is being switched on: it holds where it has become on; only with `release` it
   /// goes the last step, in which it lets go of its brake.
   can::Frame hold(bool release) noexcept;
-  /// Whether `hold` could be with `release`: only that last step is left.
+  /// Whether `hold` could be with `release`: only that last step is left, and it is in its mode as far as it tells. One
+  /// that shows no mode (0) before it is on is believed.
   bool may_operate() const noexcept;
 
   DriveSetup& setup() noexcept { return setup_; }
@@ -156,7 +158,7 @@ class Drive {
   int without_status_ = 0;  ///< SYNCs since the last PDO of velocity and switches
   bool knows_switches_ = false;
   int owed_ = 0;          ///< answers that may still come
-  int surplus_ = 0;       ///< answers that nothing has asked for, in cycles one after the other
+  int surplus_ = 0;       ///< cycles, one after the other, with answers that nothing has asked for
   bool unasked_ = false;  ///< such a one has come in this cycle
   int unheard_ = 0;       ///< SYNCs in a row without any answer, be it a late one
   Tick heard_ = 0;        ///< its last heartbeat

@@ -53,7 +53,7 @@ void Drive::reset(Tick tick, can::Frame& next) noexcept {
   }
   running_ = known_ = false;
   statusword_ = 0;  // what it said before says nothing
-  next = setup_.start();
+  next = position_lost_ ? setup_.start() : setup_.resume();
   asked_ = tick;
 }
 
@@ -134,7 +134,8 @@ void Drive::follow_homing_run() noexcept {
 }
 
 bool Drive::may_operate() const noexcept {
-  return state() == DriveState::switched_on || state() == DriveState::operation_enabled;
+  if (state() == DriveState::operation_enabled) return true;
+  return state() == DriveState::switched_on && (display_.confirms() || display_.shown() == 0);
 }
 
 std::uint16_t Drive::controlword(bool release) noexcept {

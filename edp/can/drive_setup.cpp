@@ -142,8 +142,19 @@ DriveSetup::DriveSetup(NodeId node, std::vector<config::DriveSetting> settings)
 can::Frame DriveSetup::start() noexcept {
   place_ = 0;
   status_ = Status::writing;
+  looks_ = forgotten_ = false;
   return request();
 }
+
+can::Frame DriveSetup::resume() noexcept {
+  place_ = 0;
+  status_ = Status::writing;
+  looks_ = true;
+  forgotten_ = false;
+  return look();
+}
+
+can::Frame DriveSetup::look() noexcept { return transfer_.upload(node_, kProducerHeartbeat); }
 
 can::Frame DriveSetup::request() noexcept {
   std::array<std::uint8_t, 8> bytes{};
@@ -153,7 +164,15 @@ can::Frame DriveSetup::request() noexcept {
 
 bool DriveSetup::take(const can::Frame& frame, can::Frame& next) noexcept {
   if (status_ != Status::writing || !transfer_.take(frame, next)) return false;
-  if (transfer_.status() == SdoTransfer::Status::refused) {
+  if (looks_) {
+    if (transfer_.status() == SdoTransfer::Status::waiting) return true;
+    const auto beat = [](const config::DriveSetting& setting) { return setting.object == kProducerHeartbeat; };
+    const auto ours = std::find_if(settings_.begin(), settings_.end(), beat);
+    forgotten_ = transfer_.status() != SdoTransfer::Status::done || ours == settings_.end() ||
+                 static_cast<std::int64_t>(can::get(transfer_.value(), 0, 2)) != ours->value;
+    looks_ = false;
+    next = request();
+  } else if (transfer_.status() == SdoTransfer::Status::refused) {
     status_ = Status::refused;
   } else if (transfer_.status() == SdoTransfer::Status::done) {
     if (place_ + 1 == settings_.size()) {

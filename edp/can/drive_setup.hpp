@@ -37,8 +37,13 @@ class DriveSetup {
 
   /// Begins anew; gives the first request.
   can::Frame start() noexcept;
+  /// The same after a look at what the drive still knows of an earlier set-up, the period of its heartbeat.
+  can::Frame resume() noexcept;
+  /// That look has shown another period: the drive has restarted since. Values that a drive keeps without power (1010h)
+  /// look as if it had not.
+  bool forgotten() const noexcept { return forgotten_; }
   /// The request under way once more: it was lost, or its answer was. A value of more than four bytes begins anew.
-  can::Frame again() noexcept { return request(); }
+  can::Frame again() noexcept { return looks_ ? look() : request(); }
   /// Looks at a frame. True: it was an answer; `next` is to be sent when it has an identifier.
   bool take(const can::Frame& frame, can::Frame& next) noexcept;
   /// Nothing is wanted any more.
@@ -51,11 +56,13 @@ class DriveSetup {
 
  private:
   can::Frame request() noexcept;
+  can::Frame look() noexcept;
 
   canopen::NodeId node_;
   std::vector<config::DriveSetting> settings_;
   std::size_t place_ = 0;
   Status status_ = Status::idle;
+  bool looks_ = false, forgotten_ = false;
   canopen::SdoTransfer transfer_;
 };
 

@@ -7,19 +7,16 @@ namespace mrroc::can {
 BusError bus_error_of(const Frame& frame) noexcept {
   const std::uint32_t classes = frame.id;
   if ((classes & CAN_ERR_BUSOFF) != 0) return BusError::bus_off;
-  if ((classes & CAN_ERR_CRTL) != 0) {
-    const std::uint8_t controller = frame.data[1];
-    if ((controller & (CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) != 0) return BusError::passive;
-    if ((controller & (CAN_ERR_CRTL_RX_OVERFLOW | CAN_ERR_CRTL_TX_OVERFLOW)) != 0) return BusError::overflow;
-    if ((controller & (CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING)) != 0) return BusError::warning;
-    if ((controller & CAN_ERR_CRTL_ACTIVE) != 0) return BusError::recovered;
-  }
+  const std::uint8_t controller = (classes & CAN_ERR_CRTL) != 0 ? frame.data[1] : std::uint8_t{0};
+  if ((controller & (CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) != 0) return BusError::passive;
+  if ((controller & (CAN_ERR_CRTL_RX_OVERFLOW | CAN_ERR_CRTL_TX_OVERFLOW)) != 0) return BusError::overflow;
   // drivers tell a missing acknowledge in one way or the other
   const bool at_acknowledge = (classes & CAN_ERR_PROT) != 0 && frame.data[3] == CAN_ERR_PROT_LOC_ACK;
   if ((classes & CAN_ERR_ACK) != 0 || at_acknowledge) return BusError::no_acknowledge;
-  if ((classes & (CAN_ERR_PROT | CAN_ERR_BUSERROR)) != 0) return BusError::protocol;
   if ((classes & CAN_ERR_TRX) != 0) return BusError::transceiver;
-  if ((classes & CAN_ERR_RESTARTED) != 0) return BusError::recovered;
+  if ((controller & (CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING)) != 0) return BusError::warning;
+  if ((classes & (CAN_ERR_PROT | CAN_ERR_BUSERROR)) != 0) return BusError::protocol;
+  if ((controller & CAN_ERR_CRTL_ACTIVE) != 0 || (classes & CAN_ERR_RESTARTED) != 0) return BusError::recovered;
   return BusError::other;
 }
 

@@ -21,7 +21,7 @@ using canopen::DriveMode;
 using canopen::Object;
 
 /// Where the value of an object comes from that the EDP writes into every drive; null: it writes none.
-const char* source_of(Object object) {
+const char* source_of(Object object, bool absolute_encoders) {
   if (object == canopen::kConsumerHeartbeat) return "from the keys 'heartbeat' and 'master'";
   if (object == canopen::kProducerHeartbeat) return "from the key 'heartbeat'";
   if (object == canopen::kInterpolationTime || object == canopen::kInterpolationExponent)
@@ -30,7 +30,7 @@ const char* source_of(Object object) {
   if (object == canopen::kHomingMethod) return "from the drive's key 'homing_method'";
   if (object == canopen::kHomingSpeedSwitch) return "from the drive's key 'homing_speed_switch'";
   if (object == canopen::kHomingSpeedZero) return "from the drive's key 'homing_speed_zero'";
-  if (object == canopen::kHomeOffset) return "from motor_synchro of the robot's axis";
+  if (object == canopen::kHomeOffset && !absolute_encoders) return "as 0, and adds motor_synchro of the robot's axis";
   for (const Object cyclic :
        {canopen::kControlword, canopen::kTargetPosition, canopen::kTargetVelocity, canopen::kTargetTorque})
     if (object == cyclic) return "in every cycle";
@@ -46,10 +46,10 @@ bool is_of_own_pdo(Object object) {
          object.index == canopen::kTransmitPdoMapping + 1;
 }
 
-void refuse_own(const Table& table, const std::string& key, Object object) {
+void refuse_own(const Table& table, const std::string& key, Object object, bool absolute_encoders) {
   if (is_of_own_pdo(object))
     table.fail(key, "is of a PDO that the EDP sets up itself", "an object that it leaves alone");
-  if (const char* const source = source_of(object))
+  if (const char* const source = source_of(object, absolute_encoders))
     table.fail(key, std::string("is written by the EDP itself, ") + source, "an object that it leaves alone");
 }
 
@@ -75,7 +75,8 @@ void check_objects(const Table& table, const canopen::EdsFile& eds, DriveMode mo
   table.fail(key, message.substr(0, at), message.substr(at + kExpected.size()));
 }
 
-DriveSetting read_setting(const Table& table, const std::string& key, const canopen::EdsFile& eds) {
+DriveSetting read_setting(const Table& table, const std::string& key, const DriveTable& drives) {
+  const canopen::EdsFile& eds = drives.eds;
   DriveSetting setting;
   setting.name = key;
   try {
@@ -85,7 +86,7 @@ DriveSetting read_setting(const Table& table, const std::string& key, const cano
   }
   const canopen::ObjectEntry& entry = *eds.find(setting.object);
   if (!entry.writable()) table.fail(key, "may only be read", "an object that may be written");
-  refuse_own(table, key, setting.object);
+  refuse_own(table, key, setting.object, drives.absolute_encoders);
   const std::size_t size = canopen::size_of(entry.type);
   if (size == 0 || entry.type == canopen::DataType::real32)
     table.fail(key, "is of a type that is no whole number", "an object with a whole number");
@@ -120,12 +121,12 @@ canopen::EdsFile read_eds(const Table& table, DriveMode mode) {
   }
 }
 
-void read_settings(const Table& owner, const canopen::EdsFile& eds, std::vector<DriveSetting>& settings) {
+void read_settings(const Table& owner, const DriveTable& drives, std::vector<DriveSetting>& settings) {
   const auto table = owner.optional_table("objects");
   if (!table) return;
   std::vector<DriveSetting> own;
   for (const std::string& key : table->keys()) {
-    own.push_back(read_setting(*table, key, eds));
+    own.push_back(read_setting(*table, key, drives));
     const auto same = [&own](const DriveSetting& setting) { return setting.object == own.back().object; };
     if (const auto earlier = std::find_if(own.begin(), own.end() - 1, same); earlier != own.end() - 1)
       table->fail(key, "is the object of " + in_quotes(earlier->name), "each object once");

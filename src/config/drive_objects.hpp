@@ -16,9 +16,9 @@ std::filesystem::path eds_file(const Table& table);
 /// What it says. Throws ConfigurationError, also when it lacks an object that the cycle of `mode` needs.
 canopen::EdsFile read_eds(const Table& table, canopen::DriveMode mode);
 
-/// Appends the table `objects` of `owner`: objects by name or address, and the values to write. Throws
-/// ConfigurationError: no object of the EDS file, one that may not be written or that the EDP writes by itself, one
-/// given twice, a value that its type does not hold.
-void read_settings(const Table& owner, const canopen::EdsFile& eds, std::vector<DriveSetting>& settings);
+/// Appends the table `objects` of `owner`: objects by name or address, and the values to write. Of `drives` the EDS
+/// file and the kind of encoders are used. Throws ConfigurationError: no object of the EDS file, one that may not be
+/// written or that the EDP writes by itself, one given twice, a value that its type does not hold.
+void read_settings(const Table& owner, const DriveTable& drives, std::vector<DriveSetting>& settings);
 
 }  // namespace mrroc::config

@@ -39,12 +39,12 @@ double read_heartbeat(const Table& table, double usual) {
 }
 
 /// Onto the switch and off it as the robot's own synchronisation would: methods 3 and 5 take the first zero pulse off a
-/// switch that is closed up to the positive, or the negative, end. An axis without one has no usual method: "here" must
-/// be said by somebody who has looked.
-DriveHoming read_homing(const Table& table, const AxisParameters& axis) {
+/// switch that is closed up to the positive, or the negative, end of what the drive counts. An axis without one has no
+/// usual method: "here" must be said by somebody who has looked.
+DriveHoming read_homing(const Table& table, const AxisParameters& axis, bool reversed) {
   DriveHoming homing;
   if (axis.synchro_coarse == 0 && !table.has("homing_method")) return homing;
-  const auto method = table.integer_or("homing_method", axis.synchro_coarse > 0 ? 3 : 5, -128, 127);
+  const auto method = table.integer_or("homing_method", (axis.synchro_coarse > 0) != reversed ? 3 : 5, -128, 127);
   // CiA 402-2: the others are reserved
   if (method == 0 || method == 15 || method == 16 || method == 31 || method == 32 || method == 36 || method > 37)
     table.fail("homing_method", std::to_string(method) + " is none of CiA 402",
@@ -108,7 +108,7 @@ DriveEntry read_drive(const Table& table, const AxisParameters& axis, DriveMode 
     drive.position_gain = table.number("position_gain", {0, 1e4});
   else if (table.has("position_gain"))
     table.fail("position_gain", "a drive that gets no velocity", "mode = \"velocity\", or no such key");
-  drive.homing = read_homing(table, axis);
+  drive.homing = read_homing(table, axis, drive.units_per_turn < 0);
   drive.velocity_units_per_turn = read_velocity_units(table, drive);
   return drive;
 }
@@ -143,13 +143,13 @@ void check_node(const Table& table, canopen::NodeId node, const DriveTable& driv
 void read_drives(const Table& file, const RobotParameters& robot, DriveTable& drives) {
   const std::vector<Table> tables = file.tables("drives");
   std::vector<DriveSetting> common;
-  read_settings(file, drives.eds, common);
+  read_settings(file, drives, common);
   const std::vector<const Table*> sorted = by_axis(file, tables, robot);
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     DriveEntry drive = read_drive(*sorted[i], robot.axes[i], drives.mode);
     check_node(*sorted[i], drive.node, drives);
     drive.settings = common;
-    read_settings(*sorted[i], drives.eds, drive.settings);
+    read_settings(*sorted[i], drives, drive.settings);
     drives.drives.push_back(std::move(drive));
   }
 }

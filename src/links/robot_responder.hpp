@@ -9,7 +9,8 @@ namespace mrroc::links {
 /// The other end of `RobotRequester`, in the EDP or in a transparent ECP. The participant's thread calls it.
 class RobotResponder {
  public:
-  /// s; an older command moves nothing. Longer than any delivery on a working machine, shorter than the lease.
+  /// s; an older command moves nothing. For tests: the processes give the deployment's `heartbeat_timeout`
+  /// (docs/decisions/one_patience.md).
   static constexpr double kMaxAge = 0.25;
 
   RobotResponder(Domain& domain, clock::Clock& clock, const std::string& prefix, double max_age = kMaxAge);

@@ -50,6 +50,9 @@ TEST(BusErrors, TheGravestIsTold) {
   EXPECT_EQ(told(CAN_ERR_CRTL, CAN_ERR_CRTL_TX_WARNING), BusError::warning);
   EXPECT_EQ(told(CAN_ERR_CRTL, CAN_ERR_CRTL_ACTIVE), BusError::recovered);
   EXPECT_EQ(told(CAN_ERR_ACK, 0), BusError::no_acknowledge);
+  EXPECT_EQ(told(CAN_ERR_CRTL | CAN_ERR_ACK, CAN_ERR_CRTL_TX_WARNING), BusError::no_acknowledge);
+  EXPECT_EQ(told(CAN_ERR_CRTL | CAN_ERR_PROT | CAN_ERR_TRX, CAN_ERR_CRTL_TX_WARNING), BusError::transceiver);
+  EXPECT_EQ(told(CAN_ERR_CRTL | CAN_ERR_PROT, CAN_ERR_CRTL_ACTIVE), BusError::protocol);
   EXPECT_EQ(told(CAN_ERR_PROT | CAN_ERR_BUSERROR, 0), BusError::protocol);
   Frame at_acknowledge{CAN_ERR_PROT | CAN_ERR_BUSERROR, {0, 0, 0, CAN_ERR_PROT_LOC_ACK, 0, 0, 0, 0}};
   at_acknowledge.error = true;

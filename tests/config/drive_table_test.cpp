@@ -135,6 +135,7 @@ TEST_F(DriveTableTest, HomingIsThatOfTheAxisUnlessTold) {
   EXPECT_EQ(drives.drives[1].homing.speed_zero, 2);
   EXPECT_EQ(drives.drives[2].homing.method, 0) << "without a switch it has none";
   EXPECT_EQ(read(table("", "homing_method = -3\n")).drives[0].homing.method, -3);
+  EXPECT_EQ(read(table("", "reversed = true\n")).drives[0].homing.method, 3) << "methods are of the drive's counting";
 }
 
 TEST_F(DriveTableTest, ALoopThatTheEdpClosesGetsItsSetPointsAtOnce) {
@@ -356,8 +357,8 @@ TEST_F(DriveTableTest, RefusesSettingsThatNoDriveWouldTake) {
   EXPECT_EQ(with("'Max torque' = 1500\n'0x6072' = 1500"),
             "crane_drives.toml:5: objects.0x6072: is the object of 'Max torque', expected each object once");
   EXPECT_EQ(with("'Home offset' = 2147483648"),
-            "crane_drives.toml:4: objects.'Home offset': is written by the EDP itself, from motor_synchro of the "
-            "robot's axis, expected an object that it leaves alone");
+            "crane_drives.toml:4: objects.'Home offset': is written by the EDP itself, as 0, and adds "
+            "motor_synchro of the robot's axis, expected an object that it leaves alone");
 }
 
 TEST_F(DriveTableTest, RefusesSettingsThatTheEdpWritesItself) {
@@ -379,8 +380,9 @@ TEST_F(DriveTableTest, RefusesSettingsThatTheEdpWritesItself) {
             "crane_drives.toml:4: objects.Controlword: is written by the EDP itself, in every cycle, expected an "
             "object that it leaves alone");
   EXPECT_EQ(with("Home offset"),
-            "crane_drives.toml:4: objects.'Home offset': is written by the EDP itself, from motor_synchro of the "
-            "robot's axis, expected an object that it leaves alone");
+            "crane_drives.toml:4: objects.'Home offset': is written by the EDP itself, as 0, and adds "
+            "motor_synchro of the robot's axis, expected an object that it leaves alone");
+  EXPECT_EQ(message(table("absolute_encoders = true\n[objects]\n'Home offset' = 1\n")), "") << "it is the drive's own";
   EXPECT_EQ(with("Homing method"),
             "crane_drives.toml:4: objects.'Homing method': is written by the EDP itself, from the drive's key "
             "'homing_method', expected an object that it leaves alone");

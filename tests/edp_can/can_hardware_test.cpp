@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
+#include <vector>
 
 #include "can_rig.hpp"
 
@@ -140,7 +142,10 @@ TEST(CanHardware, AModeThatIsShownLateHoldsTheSwitchingOnUp) {
   rig.run(500);
   EXPECT_TRUE(rig.hardware->busy());
   EXPECT_EQ(rig.input.fault, ErrorCode::none);
-  rig.rack.with([](auto& nodes) { nodes[2].stay_in({}); });
+  rig.rack.with([](auto& nodes) {
+    for (const sim::DriveNode& node : nodes) EXPECT_FALSE(node.powered()) << "no brake is let go";
+    nodes[2].stay_in({});
+  });
   rig.run(10);
   EXPECT_FALSE(rig.hardware->busy());
   EXPECT_EQ(rig.input.fault, ErrorCode::none);
@@ -170,6 +175,33 @@ TEST(CanHardware, DrivesWithoutAModeDisplayAreBelieved) {
     rig.run(1100);
     EXPECT_EQ(rig.input.fault, ErrorCode::none);
   }
+}
+
+/// It watches our heartbeat from the first one on: before that nothing would stop it when this process dies.
+TEST(CanHardware, ADriveThatIsStartedAgainHearsAHeartbeatBeforeItGetsPower) {
+  config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
+  table.heartbeat = 10;
+  HeldGantry rig(table);
+  rig.hardware->open();
+  rig.run(20);
+  rig.rack.with([](auto& nodes) { nodes[1].boot(1); });
+  rig.run(5);
+  EXPECT_EQ(rig.input.fault, ErrorCode::drive_restarted);
+  std::vector<can::Frame> heard;
+  const auto ear = rig.bus.open();
+  rig.after_tick = [&] {
+    for (can::Frame frame; ear->receive(frame, 0);) heard.push_back(frame);
+  };
+  rig.hardware->reset_fault();
+  for (int i = 0; i < 2000 && rig.hardware->busy(); ++i) rig.run(1);
+  rig.run(5);
+  const auto start = std::find(heard.begin(), heard.end(), canopen::nmt_frame(canopen::NmtCommand::start, 2));
+  ASSERT_NE(start, heard.end());
+  const auto next = std::find_if(start, heard.end(), [&table](const can::Frame& frame) {
+    return frame.id == canopen::kHeartbeat + table.master || frame.id == canopen::kReceivePdo1 + 2;
+  });
+  ASSERT_NE(next, heard.end());
+  EXPECT_EQ(*next, canopen::heartbeat_frame(table.master, canopen::NmtState::operational));
 }
 
 /// A single drive is not told from a bus that is cut.

@@ -1,9 +1,12 @@
 // How the driver brings drives into service, in whatever state it finds them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <thread>
 
 #include "can_rig.hpp"
+#include "clock/monotonic.hpp"
 #include "edp/can/can_hardware.hpp"
 
 namespace mrroc::edp {
@@ -20,6 +23,12 @@ void let_pass(const TestBus& bus, const Rack& rack, std::uint64_t syncs) {
     other->send(canopen::sync_frame());
     while (rack.cycles() == before) std::this_thread::yield();
   }
+}
+
+bool powered_node(Rack& rack, std::uint32_t node) {
+  bool powered = false;
+  rack.with([&](auto& nodes) { powered = nodes[node - 1].powered(); });
+  return powered;
 }
 
 void expect_contains(const std::string& text, const std::string& part) {
@@ -41,6 +50,54 @@ TEST(CanStart, ASecondRunClearsTheFaultThatTheEndOfTheFirstHasLeft) {
       for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::fault) << "no master";
     });
   }
+}
+
+/// 6007h = 0: it goes on when its master is lost.
+TEST(CanStart, WhoStillHasPowerLosesItBeforeAnythingIsWrittenIntoIt) {
+  config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
+  for (config::DriveEntry& drive : table.drives) drive.settings.push_back({{0x6007, 0}, "6007h", 0, 2});
+  HeldGantry rig(table);
+  rig.hardware->open();
+  rig.hardware->enable(true);
+  rig.run(60);
+  const auto count = [&rig](auto predicate) {
+    int nodes_so = 0;
+    rig.rack.with(
+        [&](auto& nodes) { nodes_so = static_cast<int>(std::count_if(nodes.begin(), nodes.end(), predicate)); });
+    return nodes_so;
+  };
+  const auto powered = [](const sim::DriveNode& node) { return node.powered(); };
+  ASSERT_EQ(count(powered), 4);
+  std::atomic<bool> ended = false;
+  int written_under_power = 0;
+  const auto ear = rig.bus.open();
+  std::thread watch([&] {
+    can::Frame frame;
+    while (!ended) {
+      const bool written = ear->receive(frame, clock::monotonic_ns() + clock::kSecond / 100) &&
+                           frame.id > canopen::kSdoRequest && frame.id <= canopen::kSdoRequest + 4 &&
+                           (frame.data[0] & 0xe0) == 0x20;
+      const bool controlword = frame.data[1] == 0x40 && frame.data[2] == 0x60;
+      if (written && !controlword && powered_node(rig.rack, frame.id - canopen::kSdoRequest)) ++written_under_power;
+    }
+  });
+  CanHardware second(table, rig.model.parameters(), kCanPeriod, rig.bus.open(), kTestTiming, true);
+  second.open();
+  ended = true;
+  watch.join();
+  EXPECT_EQ(written_under_power, 0);
+  EXPECT_EQ(count(powered), 0);
+}
+
+/// As a drive keeps it that was told to store its parameters (1010h).
+TEST(CanStart, APdoThatHasAnotherIdentifierIsFreedFirst) {
+  const config::DriveTable good = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
+  config::DriveTable there = good;
+  there.eds = changed_eds("DefaultValue=$NODEID+0x180", "DefaultValue=$NODEID+0x480");
+  HeldGantry rig(good, there);
+  EXPECT_EQ(rig.refusal(), "");
+  rig.run(20);
+  EXPECT_EQ(rig.input.fault, ErrorCode::none) << describe(rig.input.fault);
 }
 
 TEST(CanStart, AFaultThatStaysEndsTheStart) {

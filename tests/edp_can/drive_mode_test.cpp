@@ -43,6 +43,35 @@ TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotOnYet) {
   EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
 }
 
+TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotLetGo) {
+  told_mode = 1;
+  drive.enable(true, tick);
+  const auto wait = [this](int cycles) {
+    for (int i = 0; i < cycles; ++i) {
+      drive.hold(drive.may_operate());
+      say(status_bits(DriveState::switched_on));
+    }
+  };
+  wait(500);
+  EXPECT_FALSE(drive.may_operate());
+  EXPECT_TRUE(drive.busy(tick));
+  told_mode = 0;  // one that shows none before it is on
+  wait(10);
+  EXPECT_TRUE(drive.may_operate());
+  drive.enable(true, tick);
+  told_mode = 1;
+  wait(10);
+  EXPECT_FALSE(drive.may_operate());
+  told_mode = 8;
+  wait(10);
+  EXPECT_TRUE(drive.may_operate());
+  drive.enable(true, tick);
+  told_mode = 1;
+  wait(1002);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+  EXPECT_EQ(text(), "axis 1 (x), tick 7: mode display 1, wanted 8");
+}
+
 TEST_F(DriveModeTest, WhoNeverShowsItIsNotReady) {
   told_mode = 1;
   switch_on();

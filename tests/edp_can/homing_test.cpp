@@ -50,6 +50,19 @@ TEST(DriveHoming, EveryAxisFindsItsZeroPulseByItself) {
   EXPECT_LT((rig.seen().joints - begin - JointVector::Constant(4, 0.1)).cwiseAbs().maxCoeff(), 1e-3);
 }
 
+/// Methods are named by the drive's own counting.
+TEST(DriveHoming, ADriveThatCountsBackwardsGoesTheSameWay) {
+  config::DriveTable table = table_for(Beside{}.parameters(), DriveMode::cyclic_position);
+  for (config::DriveEntry& drive : table.drives) {
+    drive.units_per_turn = drive.velocity_units_per_turn = -drive.units_per_turn;
+    drive.homing.method = drive.homing.method == 3 ? 5 : 3;
+  }
+  CanRig<Beside> rig(table, false);
+  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  ASSERT_NO_FATAL_FAILURE(expect_synchronisation(rig));
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(rig.seen().motors[i], -15.9, 0.3) << i;
+}
+
 /// It has no switches at all.
 class Unswitched : public Beside {
  public:

@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair{"#!/bin/sh\nkill -SEGV $$\n", "process arm died: signal 11 (Segmentation fault)"},
                     std::pair{"#!/bin/sh\necho no robot here >&2\nexit 9\n",
                               "process arm died: exit code 9: no robot here"},
-                    std::pair{"#!/bin/sh\nexec sleep 60\n", "not ready within 3.000000 s: arm"},
+                    std::pair{"#!/bin/sh\nexec sleep 60\n", "not ready within 3 s: arm"},
                     std::pair{"no program at all\n", "process arm died: exit code 127: cannot be executed"}),
     [](const auto& test) { return "Program" + std::to_string(test.index); });
 

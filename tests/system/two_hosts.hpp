@@ -20,7 +20,7 @@ inline constexpr int kSystem = 4;
 
 inline void pause_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-/// A machine that is busy with something else is silent for longer than the 50 ms that are usual.
+/// A machine that is busy with something else is silent for longer than the usual 40 ms (link_timeout).
 inline constexpr const char* kPatientLink = "link_timeout = 2\n";
 
 /// The operator and the MP on host a, robot, sensors and simulated world on host b, called `cell`.
