@@ -1,0 +1,164 @@
+// A drive's way to operation and back.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "drive_fixture.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+using namespace canopen;
+
+TEST_F(DriveTest, IsLedStepByStepToOperationEnabled) {
+  say(status_bits(DriveState::switch_on_disabled));
+  EXPECT_EQ(controlword(), kDisableVoltage) << "nobody wants it on";
+  drive.enable(true, tick);
+  EXPECT_EQ(controlword(), kShutdown);
+  say(status_bits(DriveState::ready_to_switch_on));
+  EXPECT_EQ(controlword(), kSwitchOn);
+  say(status_bits(DriveState::switched_on));
+  EXPECT_EQ(controlword(), kEnableOperation);
+  EXPECT_TRUE(drive.busy(tick));
+  say(status_bits(DriveState::operation_enabled));
+  EXPECT_FALSE(drive.busy(tick));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  drive.enable(false, tick);
+  EXPECT_EQ(controlword(), kQuickStop);
+  say(status_bits(DriveState::switch_on_disabled));
+  EXPECT_EQ(controlword(), kDisableVoltage);
+}
+
+TEST_F(DriveTest, AFaultIsResetByEdges) {
+  switch_on();
+  say(status_bits(DriveState::fault));
+  const Drive::Finding finding = drive.finding(tick);
+  EXPECT_EQ(finding.code, ErrorCode::drive_fault);
+  EXPECT_EQ(make_report({finding.code, 0, finding.value, finding.limit, 7}, Slide{}.parameters()).detail.view(),
+            "axis 1 (x), tick 7: fault, no EMCY");
+  can::Frame next;
+  drive.reset(tick, next);
+  EXPECT_TRUE(drive.busy(tick));
+  EXPECT_EQ(controlword(), kFaultReset);
+  EXPECT_EQ(controlword(), kDisableVoltage);
+  EXPECT_EQ(controlword(), kFaultReset);
+  say(status_bits(DriveState::switch_on_disabled));
+  EXPECT_EQ(controlword(), kDisableVoltage);
+  EXPECT_FALSE(drive.busy(tick));
+}
+
+TEST_F(DriveTest, AResetLetsAStopUnderWayEnd) {
+  beats = true;
+  switch_on();
+  drive.enable(false, tick);
+  EXPECT_EQ(controlword(), kQuickStop);
+  say(status_bits(DriveState::quick_stop_active));
+  can::Frame next;
+  drive.reset(tick, next);
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_TRUE(drive.busy(tick));
+    EXPECT_EQ(controlword(), kQuickStop);
+    say(status_bits(DriveState::quick_stop_active));
+  }
+  say(status_bits(DriveState::switch_on_disabled));
+  EXPECT_FALSE(drive.busy(tick));
+  EXPECT_EQ(controlword(), kDisableVoltage);
+  // however often it is reset: a stop that does not end loses the power
+  drive.enable(true, tick);
+  say(status_bits(DriveState::operation_enabled));
+  drive.enable(false, tick);
+  for (int i = 0; i < 1000; ++i) {
+    if (i % 100 == 0) drive.reset(tick, next);
+    EXPECT_EQ(controlword(), kQuickStop);
+    say(status_bits(DriveState::quick_stop_active));
+  }
+  EXPECT_EQ(controlword(), kDisableVoltage);
+}
+
+TEST_F(DriveTest, ADriveThatSwitchesItselfOffIsNotReady) {
+  switch_on();
+  say(status_bits(DriveState::switch_on_disabled));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+}
+
+TEST_F(DriveTest, TheLastStepToOperationIsTakenWhenItMay) {
+  beats = true;
+  drive.enable(true, tick);
+  const auto held = [this](bool release) { return can::get(drive.hold(release).bytes(), 0, 2); };
+  say(status_bits(DriveState::ready_to_switch_on), 100);
+  EXPECT_EQ(held(true), kSwitchOn);
+  EXPECT_FALSE(drive.may_operate());
+  say(status_bits(DriveState::switched_on), 100);
+  EXPECT_TRUE(drive.may_operate());
+  EXPECT_EQ(held(false), kSwitchOn);
+  for (int i = 0; i < 2000; ++i) say(status_bits(DriveState::switched_on), 100);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << "it is another one that is not ready";
+  EXPECT_EQ(held(true), kEnableOperation);
+  say(status_bits(DriveState::operation_enabled), 103);
+  say(status_bits(DriveState::operation_enabled), 110);
+  EXPECT_EQ(static_cast<std::int32_t>(can::get(drive.hold(true).bytes(), 2, 4)), 100) << "it holds where it became on";
+}
+
+TEST_F(DriveTest, AStopThatDoesNotEndLosesThePower) {
+  beats = true;
+  switch_on();
+  drive.enable(false, tick);
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_EQ(controlword(), kQuickStop);
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+    say(status_bits(DriveState::quick_stop_active));
+  }
+  say(status_bits(DriveState::quick_stop_active));
+  EXPECT_EQ(controlword(), kDisableVoltage);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+}
+
+TEST_F(DriveTest, WhoKeepsItsPowerAgainstItsControlwordDoesNotHearIt) {
+  beats = true;
+  const auto patience = static_cast<int>(Drive::kObeyTime / kCanPeriod);
+  switch_on();
+  EXPECT_FALSE(drive.defies());
+  drive.enable(false, tick);
+  for (int i = 0; i <= patience; ++i) {
+    EXPECT_FALSE(drive.defies()) << i;
+    EXPECT_EQ(controlword(), kQuickStop);
+    say(status_bits(DriveState::operation_enabled));
+  }
+  EXPECT_TRUE(drive.defies());
+  can::Frame next;
+  drive.take(heartbeat_frame(1, NmtState::stopped), tick, next);
+  EXPECT_FALSE(drive.defies()) << "it has been stopped";
+  drive.reset(tick, next);
+  EXPECT_EQ(next.id, 0x601u) << "and is set up anew";
+  // one that slows down has the time for it, and then that in which it is to let go
+  drive.begin(tick);
+  drive.enable(true, tick);
+  say(status_bits(DriveState::operation_enabled));
+  drive.enable(false, tick);
+  for (int i = 0; i <= 1000 + patience; ++i) {
+    EXPECT_FALSE(drive.defies()) << i;
+    controlword();
+    say(status_bits(DriveState::quick_stop_active));
+  }
+  EXPECT_TRUE(drive.defies());
+  say(status_bits(DriveState::switch_on_disabled));
+  controlword();
+  say(status_bits(DriveState::operation_enabled));
+  EXPECT_FALSE(drive.defies()) << "it gets its time again";
+}
+
+TEST_F(DriveTest, TheTimeToSwitchOnIsTheTables) {
+  beats = true;
+  table.switch_on_time = 3;
+  drive = Drive(table, table.drives[0], kCanPeriod, 0);
+  drive.begin(0);
+  drive.enable(true, tick);
+  for (int i = 0; i < 1500; ++i) say(status_bits(DriveState::ready_to_switch_on));
+  EXPECT_TRUE(drive.busy(tick));
+  say(status_bits(DriveState::ready_to_switch_on));
+  EXPECT_FALSE(drive.busy(tick));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+}
+
+}  // namespace
+}  // namespace mrroc::edp
