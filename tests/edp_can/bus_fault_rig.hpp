@@ -160,10 +160,10 @@ class Rig {
     for (int i = 0; i < 300; ++i) tick();  // the drives' own ramps and watchdogs
     const JointVector there = rack.shafts();
     for (int i = 0; i < 50; ++i) tick();
-    // without answers ticks are so short that the bus does not carry what is sent in them
-    paced_ = true;
-    for (int i = 0; i < 5; ++i) tick();
-    paced_ = false;
+    for (int i = 0; i < 5; ++i) {
+      tick();
+      ::usleep(2000);  // without answers ticks are so short that the bus does not carry what is sent in them
+    }
     moved = (rack.shafts() - there).cwiseAbs().maxCoeff();
   }
   /// The bus carries what was sent in the fault, which nobody paced, and what comes in order again.
