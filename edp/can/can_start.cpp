@@ -26,14 +26,23 @@ constexpr std::uint32_t kProfile402 = 402;
 
 bool is_boot_up(const can::Frame& frame, NodeId node) { return frame == heartbeat_frame(node, NmtState::boot_up); }
 
-/// One that boots just then does not answer.
-std::vector<std::uint8_t> upload_patiently(SdoClient& client, NodeId node, Object object) {
+/// What is asked or written by SDO, once more without an answer: a drive that boots just then gives none.
+template <class Transfer>
+auto patiently(Transfer transfer) {
   try {
-    return client.upload(node, object);
+    return transfer();
   } catch (const SdoError& error) {
     if (error.abort() != SdoAbort::timeout) throw;
   }
-  return client.upload(node, object);
+  return transfer();
+}
+
+std::vector<std::uint8_t> upload_patiently(SdoClient& client, NodeId node, Object object) {
+  return patiently([&] { return client.upload(node, object); });
+}
+
+void download_patiently(SdoClient& client, NodeId node, Object object, std::uint32_t value, std::uint8_t size) {
+  patiently([&] { client.download(node, object, value, size); });
 }
 
 }  // namespace
@@ -137,7 +146,7 @@ void CanHardware::take_power(std::size_t axis, SdoClient& client) {
   };
   for (const std::uint16_t word : {kQuickStop, kDisableVoltage}) {
     if (!has_power(look_at(axis, client))) return;
-    client.download(drives_[axis].node(), kControlword, word, 2);
+    download_patiently(client, drives_[axis].node(), kControlword, word, 2);
     const std::int64_t end = clock::monotonic_ns() + std::llround(table_.switch_on_time * clock::kSecond);
     while (clock::monotonic_ns() < end)
       if (!has_power(look_at(axis, client))) return;
@@ -155,7 +164,7 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
     if (clock::monotonic_ns() > end) break;
     if (state == DriveState::fault)
       for (const std::uint16_t word : {kDisableVoltage, kFaultReset, kDisableVoltage})
-        client.download(node, kControlword, word, 2);
+        download_patiently(client, node, kControlword, word, 2);
   }
   std::uint16_t code = 0;
   try {
@@ -174,8 +183,8 @@ void CanHardware::free_pdos(std::size_t axis, SdoClient& client) {
   const NodeId node = drives_[axis].node();
   for (const std::uint16_t index :
        {kReceivePdoParameters, kTransmitPdoParameters, static_cast<std::uint16_t>(kTransmitPdoParameters + 1)}) {
-    const auto identifier = static_cast<std::uint32_t>(can::get(client.upload(node, {index, 1}), 0, 4));
-    if ((identifier & kPdoNotUsed) == 0) client.download(node, {index, 1}, kPdoNotUsed | identifier, 4);
+    const auto identifier = static_cast<std::uint32_t>(can::get(upload_patiently(client, node, {index, 1}), 0, 4));
+    if ((identifier & kPdoNotUsed) == 0) download_patiently(client, node, {index, 1}, kPdoNotUsed | identifier, 4);
   }
 }
 
@@ -199,15 +208,25 @@ void CanHardware::set_up(std::size_t axis) {
   }
   begin_set_up(drive, drive.setup().start());
   std::int64_t deadline = clock::monotonic_ns() + kPatienceWithSdo;
+  bool asked_again = false;
   while (drive.setup().status() == DriveSetup::Status::writing) {
     can::Frame frame, next;
-    if (!bus_->receive(frame, deadline) || clock::monotonic_ns() > deadline)
-      fail(ErrorCode::hardware_silent, axis, "no answer to writing " + drive.setup().setting().name);
-    note(frame);
-    if (!set_up_[axis]) return drive.setup().give_up();  // to begin anew
-    drive.setup().take(frame, next);
+    if (bus_->receive(frame, deadline)) {
+      note(frame);
+      if (!set_up_[axis]) return drive.setup().give_up();  // to begin anew
+      drive.setup().take(frame, next);
+    }
+    if (next.size != 0) {
+      asked_again = false;
+    } else if (clock::monotonic_ns() > deadline) {
+      if (asked_again) fail(ErrorCode::hardware_silent, axis, "no answer to writing " + drive.setup().setting().name);
+      asked_again = true;  // a frame may be lost, and this process may have been without a processor
+      next = drive.setup().again();
+    } else {
+      continue;
+    }
     send(next);
-    if (next.size != 0) deadline = clock::monotonic_ns() + kPatienceWithSdo;
+    deadline = clock::monotonic_ns() + kPatienceWithSdo;
   }
   if (drive.setup().status() == DriveSetup::Status::refused)
     fail(ErrorCode::configuration, axis,

@@ -153,6 +153,21 @@ TEST(CanStart, WhoBootsOnceMoreWhileOthersAreSetUpIsSetUpAnew) {
   });
 }
 
+TEST(CanStart, AWriteThatIsLostIsWrittenAgain) {
+  HeldGantry rig;
+  const auto ear = rig.bus.open();
+  std::thread loss([&] {
+    can::Frame frame;
+    while (frame.id != canopen::kSdoRequest + 1 || frame.data[2] != 0x16) ear->receive(frame, INT64_MAX);  // 1600h
+    rig.rack.with([](auto& nodes) { nodes[0].lose_requests(1); });
+  });
+  EXPECT_EQ(rig.refusal(), "");
+  loss.join();
+  rig.rack.with([](auto& nodes) { nodes[0].lose_requests(1000); });
+  rig.connect();
+  expect_contains(rig.refusal(), "drive x, node 1: node 1, object 1000h:0: SDO protocol timed out");
+}
+
 TEST(CanStart, WhoBootsAgainAndAgainIsNotStarted) {
   HeldGantry rig;
   rig.rack.with([](auto& nodes) { nodes[1].boot_at_requests(true); });
