@@ -11,6 +11,7 @@
 #include "links/dds_log.hpp"
 #include "links/descriptors.hpp"
 #include "links/received_samples.hpp"
+#include "links/received_types.hpp"
 #include "links/security.hpp"
 #include "mrroc/errors.hpp"
 
@@ -104,6 +105,7 @@ Domain::Domain(DomainOptions options)
   const std::string configuration = dds_configuration(options_, interface_);
   install_dds_log();
   mend_received_samples();
+  mend_received_types();
   const auto before = open_descriptors();
   domain_ = dds_create_domain(static_cast<dds_domainid_t>(options_.id), configuration.c_str());
   if (domain_ < 0) refuse("creation", options_.id, domain_);

@@ -70,18 +70,26 @@ inline std::string forged_fragment(const Guid& writer, const Guid& reader, std::
   return packet.append(payload.data(), payload.size()).bytes();
 }
 
-/// "I am a participant with keys", by one whose identity token is of no class that there is (DDS
-/// Security 1.1, 7.4.1.3).
-inline std::string forged_identity(const Guid& participant) {
-  constexpr std::uint32_t kDiscovery = 0x3f, kStateless = 3U << 22, kSecure = 3U << 26;
-  const std::string token = Representation{}.text("DDS:Auth:none").word(0).word(0).bytes();
+constexpr std::uint32_t kPlainEndpoints = 0x3f, kSecureEndpoints = kPlainEndpoints | 3U << 22 | 3U << 26;
+constexpr int kTypeInformation = 0x0075, kIdentityToken = 0x1001;  // numbers of parameters
+
+/// "I am a participant", with these endpoints and one more parameter (RTPS 2.3, 8.5.3.2).
+inline std::string forged_announcement(const Guid& participant, std::uint32_t endpoints, int parameter,
+                                       const std::string& value) {
   Packet parameters(participant);
   const std::size_t header = parameters.bytes().size();
   parameters.half(0x0050).half(16).append(participant.data(), 16);
-  parameters.half(0x0058).half(4).word(kDiscovery | kStateless | kSecure);
-  parameters.half(0x1001).half(static_cast<int>(token.size())).append(token.data(), token.size()).half(1).half(0);
+  parameters.half(0x0058).half(4).word(endpoints);
+  parameters.half(parameter).half(static_cast<int>(value.size())).append(value.data(), value.size()).half(1).half(0);
   return forged_data(entity_of(participant, 0x000100c2), entity_of(participant, 0x000100c7), kParameters,
                      parameters.bytes().substr(header));
+}
+
+/// "I am a participant with keys", by one whose identity token is of no class that there is (DDS
+/// Security 1.1, 7.4.1.3).
+inline std::string forged_identity(const Guid& participant) {
+  return forged_announcement(participant, kSecureEndpoints, kIdentityToken,
+                             Representation{}.text("DDS:Auth:none").word(0).word(0).bytes());
 }
 
 /// "Let us prove our keys": a hand-shake's request, that nobody has asked for (DDS Security 1.1, 7.4.3 and 8.3.2.9.1).

@@ -23,6 +23,7 @@
 #include "links/test_clock.hpp"
 #include "links/test_domain.hpp"
 #include "links/test_keys.hpp"
+#include "messages.h"
 
 namespace mrroc::links {
 namespace {
@@ -30,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Tick kSilence = 2500;  // 5 s: a link whose replies stay away for so long is cut
-constexpr int kExchanges = 2000;
+constexpr std::uint32_t kExchanges = 2000;
 
 TEST(Security, ProcessesOfOneDeploymentTalk) {
   const TestKeys keys("cell");
@@ -111,7 +112,8 @@ TEST(Security, KeysAreGoodForTheTopicsOfTheirDeploymentOnly) {
 }
 
 /// Exchanges messages with a peer, `forge` being called before each of them with the peer's writer of states and a
-/// number that rises; the code of the error that cuts the link, none when it lives on.
+/// number that rises; the code of the error that cuts the link, none when it lives on. Without keys a link is given
+/// longer: it is cut when the thread that heard the stranger has had the processor.
 ErrorCode fate(const fs::path& keys, const std::function<std::string(const Guid&, std::uint32_t)>& forge) {
   FreeDomain number;
   const auto before = open_descriptors();
@@ -126,7 +128,7 @@ ErrorCode fate(const fs::path& keys, const std::function<std::string(const Guid&
       eventually([&] { return (writer = foreign_writer(domain.participant(), "cell/arm/state")).has_value(); }));
   return code_of(
       [&] {
-        for (std::uint32_t i = 0; i < kExchanges; ++i) {
+        for (std::uint32_t i = 0; i < (keys.empty() ? 50 * kExchanges : kExchanges); ++i) {
           if (i % 10 == 0) stranger.send(forge(*writer, i));
           RobotState state;
           link.send({});
@@ -226,6 +228,43 @@ TEST(Security, AHandshakeOfFragmentsThatSayTheyAreAKeyEndsNoProcess) {
     return std::vector{forged_fragment(writer, reader, 0, 1000, 2000, true),
                        forged_fragment(writer, reader, 1000, 2000, 2000, true)};
   });
+}
+
+/// What idlc has written of a type (XTypes 1.3, 7.6.3.2.1), its minimal or complete number being of a kind that
+/// there is not.
+std::string forged_type(std::uint8_t number_kind, std::uint8_t forged_kind) {
+  const auto& written = mrroc_wire_ProcessStatus_desc.type_information;
+  std::string type(reinterpret_cast<const char*>(written.data), written.sz);
+  const auto at = type.find(static_cast<char>(number_kind), 16);
+  EXPECT_NE(at, std::string::npos);
+  type[at] = static_cast<char>(forged_kind);
+  return type;
+}
+
+/// A participant, with keys or without, is told of participants whose descriptions name a type of no kind, and talks.
+void bears_types(const fs::path& keys) {
+  FreeDomain number;
+  const auto before = open_descriptors();
+  Domain domain({.id = number.id(), .lease = 20, .keys = keys});
+  const LoopbackSender stranger(ports_since(before));
+  constexpr std::uint8_t kMinimal = 0xf1, kComplete = 0xf2;
+  for (const std::uint8_t number_kind : {kMinimal, kComplete})
+    for (int kind = 0; kind <= 0xff; kind += 3) {
+      const auto forged_kind = static_cast<std::uint8_t>(kind);
+      const Guid participant{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, number_kind, forged_kind, 0, 0, 1, 0xc1};
+      stranger.send(forged_announcement(participant, kPlainEndpoints, kTypeInformation,
+                                        forged_type(number_kind, forged_kind)));
+    }
+  TestClock clock;
+  PeerProcess peer("respond", number.id(), "cell/arm", 20, keys);
+  RobotRequester link(domain, clock, "cell/arm", "peer", 10000);
+  EXPECT_NO_THROW(link.connect(kPatience));
+}
+
+TEST(Security, ATypeOfNoKindEndsNoProcess) {
+  const TestKeys keys("cell");
+  bears_types({});
+  bears_types(keys.folder());
 }
 
 TEST(Security, CycloneSetsNoTimerForAHandshake) {

@@ -1,0 +1,30 @@
+#include "links/received_types.hpp"
+
+// clang-format off: the second does not name what it needs of the first
+#include <dds/ddsi/ddsi_xqos.h>
+#include <dds/ddsi/ddsi_typelib.h>
+// clang-format on
+#include <dds/ddsi/ddsi_xt_impl.h>
+#include <dlfcn.h>
+
+namespace mrroc::links {
+namespace {
+
+using Valid = decltype(&ddsi_typeinfo_valid);
+
+Valid cyclone_valid() noexcept {
+  static const auto function = reinterpret_cast<Valid>(::dlsym(RTLD_NEXT, "ddsi_typeinfo_valid"));
+  return function;
+}
+
+}  // namespace
+
+void mend_received_types() noexcept { cyclone_valid(); }
+
+}  // namespace mrroc::links
+
+extern "C" bool ddsi_typeinfo_valid(const ddsi_typeinfo_t* type) {
+  return type->x.minimal.typeid_with_size.type_id._d == DDS_XTypes_EK_MINIMAL &&
+         type->x.complete.typeid_with_size.type_id._d == DDS_XTypes_EK_COMPLETE &&
+         mrroc::links::cyclone_valid()(type);
+}
