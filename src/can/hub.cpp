@@ -54,7 +54,9 @@ void Hub::accept() {
 bool Hub::relay(int from) {
   canfd_frame raw{};
   const ssize_t size = ::recv(from, &raw, sizeof raw, MSG_DONTWAIT);
-  if (size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR)) return false;
+  // who leaves with frames unread is told as a reset before what he has sent
+  const bool goes_on = size > 0 || (size < 0 && (errno == EAGAIN || errno == EINTR || errno == ECONNRESET));
+  if (!goes_on) return false;
   Frame frame;
   if (size < 0 || !from_raw(raw, static_cast<std::size_t>(size), frame)) return true;
   if (fault_ && !fault_(frame)) return true;

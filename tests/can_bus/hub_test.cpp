@@ -164,6 +164,21 @@ TEST_F(HubTest, WhoLeavesDisturbsNobody) {
   }
 }
 
+/// Its end of the socket is reset then, which is told before what it has sent.
+TEST_F(HubTest, WhatItHasSentArrivesAlsoOfOneThatLeavesFramesUnread) {
+  Hub hub(path_);
+  const auto stays = open_bus(hub.name());
+  for (std::uint32_t i = 1; i <= 20; ++i) {
+    auto leaves = open_bus(hub.name());
+    const auto later = open_bus(hub.name());
+    stays->send({i, {}});
+    ASSERT_EQ(next_frame(*later), (Frame{i, {}})) << "then the one that leaves has it, too";
+    for (std::uint32_t k = 1; k <= 10; ++k) leaves->send({0x100 + k, {}});
+    leaves.reset();
+    for (std::uint32_t k = 1; k <= 10; ++k) ASSERT_EQ(next_frame(*stays), (Frame{0x100 + k, {}})) << i;
+  }
+}
+
 TEST_F(HubTest, NothingIsReceivedWithoutFrames) {
   Hub hub(path_);
   const auto bus = open_bus(hub.name());

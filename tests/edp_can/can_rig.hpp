@@ -126,8 +126,9 @@ struct HeldGantry {
       : HeldGantry(table_for(Gantry{}.parameters(), mode)) {}
   /// The drives `there` are those on the bus.
   explicit HeldGantry(const config::DriveTable& wanted) : HeldGantry(wanted, wanted) {}
-  HeldGantry(const config::DriveTable& wanted, const config::DriveTable& there, bool synchronised = true)
-      : table(wanted), rack(there, model, bus, true), synchronised_(synchronised) {
+  HeldGantry(const config::DriveTable& wanted, const config::DriveTable& there, bool synchronised = true,
+             can::Hub::Fault fault = {})
+      : table(wanted), bus(std::move(fault)), rack(there, model, bus, true), synchronised_(synchronised) {
     connect();
   }
   /// A new run: the driver of the one before has ended.
