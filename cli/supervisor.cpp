@@ -160,12 +160,16 @@ void Supervisor::check_children() {
   if (watched_.crew.first_lost() == nullptr) return;
   // a second look: the cause came before what it caused, but may have been looked at too early
   Child* const child = watched_.crew.first_lost(watched_.faults.struck());
+  const int code = child->exit_code().value_or(-1);
+  const bool left =
+      code == static_cast<int>(process::ExitCode::success) || code == static_cast<int>(process::ExitCode::stopped);
+  if (left && watched_.clock.failed_with(child->name())) return check_clock();
   std::string how = child->how_it_was_lost();
   if (task_started_)
     how += " [tick " + std::to_string(std::min(watched_.clock.stop_tick(), watched_.clock.tick())) + "]";
   watched_.faults.tell_noticed(child->name());
   watched_.clock.participant_died(child->name());
-  process_lost(child->name(), child->exit_code().value_or(-1), how);
+  process_lost(child->name(), code, how);
 }
 
 void Supervisor::process_lost(const std::string& name, int exit_code, const std::string& how) {

@@ -211,6 +211,7 @@ void stop(ClockMemory& memory) noexcept {
 bool fail(ClockMemory& memory, std::string_view text) noexcept {
   if (memory.failing.exchange(1) != 0) return false;
   memory.error.assign(text);
+  for (ParticipantSlot& slot : memory.participants) slot.failed_with.store(slot.membership.load() == Membership::alive);
   return close(memory, State::failed);
 }
 

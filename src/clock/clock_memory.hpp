@@ -50,6 +50,7 @@ struct alignas(64) ParticipantSlot {
   std::atomic<std::uint64_t> delta{0};    // the delta in which the participant runs
   std::atomic<Wake> reason{Wake::tick};   // why it runs
   std::atomic<std::uint64_t> waits{0};    // participant; real: odd while it waits, 0 before the start
+  std::atomic<bool> failed_with{false};   // who fails the clock: it took part then
   Gate gate;                              // the participant sleeps on it
 };
 

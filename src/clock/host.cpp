@@ -125,6 +125,13 @@ void ClockHost::participant_died(std::string_view name) {
 
 void ClockHost::fail(std::string_view text) { clock::fail(*memory_, text); }
 
+bool ClockHost::failed_with(std::string_view name) const noexcept {
+  if (state() != State::failed) return false;
+  for (std::uint32_t i = 0; i < memory_->participant_count; ++i)
+    if (memory_->participants[i].name.view() == name) return memory_->participants[i].failed_with.load();
+  return false;
+}
+
 void ClockHost::stop() { clock::stop(*memory_); }
 
 void ClockHost::end() { clock::end(*memory_); }

@@ -73,6 +73,9 @@ class ClockHost {
   /// After `end`: waits for the host's thread, so that no event runs any more. Not from an event. The owner's thread.
   void join();
 
+  /// The clock has failed, and this participant took part until then: that it leaves is but a consequence.
+  bool failed_with(std::string_view name) const noexcept;
+
   State state() const noexcept { return memory_->state.load(); }
   /// Why it failed; empty when it has not.
   std::string error() const;

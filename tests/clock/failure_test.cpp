@@ -68,6 +68,10 @@ TEST(ClockFailure, ADeadEndNamesWhoWaits) {
   EXPECT_EQ(deployment.host.error(),
             "nothing can happen any more at tick 12: arm, belt waiting for mail that nobody is left to send; "
             "ended: press");
+  EXPECT_TRUE(deployment.host.failed_with("arm"));
+  EXPECT_TRUE(deployment.host.failed_with("belt"));
+  EXPECT_FALSE(deployment.host.failed_with("press")) << "it is the cause";
+  EXPECT_FALSE(deployment.host.failed_with("nobody"));
 }
 
 TEST(ClockFailure, FailEndsEveryWaitAndTheFirstCauseStays) {
