@@ -156,6 +156,7 @@ void CanHardware::synchronise(Tick tick) noexcept {
   send(sync_frame());
   await_all(clock::monotonic_ns() + patience);
   late_ = static_cast<double>(clock::monotonic_ns() - origin_ - tick_begin) / (period_ * 1e9);
+  for (Drive& drive : drives_) drive.close_cycle();
   const bool answered =
       std::all_of(drives_.begin(), drives_.end(), [](const Drive& drive) { return drive.answered(); });
   // after a SYNC without an answer the next one may be that one's, come late
@@ -163,7 +164,6 @@ void CanHardware::synchronise(Tick tick) noexcept {
   answered_ = answered;
   foreign_sync_ = false;
   for (Drive& drive : drives_) {
-    drive.close_cycle();
     if (drive.repeats(tick, frame)) begin_set_up(drive, frame);
     if (drive.asks(tick, frame)) send(frame);
   }

@@ -244,7 +244,10 @@ void CanHardware::await_answers() {
     const std::int64_t next_sync = clock::monotonic_ns() + between;
     send(sync_frame());
     await_all(clock::monotonic_ns() + kPatienceWithSdo / 10);
-    if (std::all_of(drives_.begin(), drives_.end(), ready)) return;
+    if (std::all_of(drives_.begin(), drives_.end(), ready)) {
+      for (Drive& drive : drives_) drive.close_cycle();
+      return;
+    }
     can::Frame frame;
     while (clock::monotonic_ns() < next_sync && bus_->receive(frame, next_sync)) dispatch(frame);
   }

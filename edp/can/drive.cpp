@@ -95,12 +95,12 @@ void Drive::judge(NmtState state, Tick tick) noexcept {
 std::int64_t Drive::unwrapped(std::int64_t raw) noexcept {
   constexpr std::int64_t kTurnOver = std::int64_t{1} << 32;
   constexpr std::int64_t kSmall = std::int64_t{1} << 24;
-  for (const std::int64_t wraps : {wraps_ - 1, wraps_ + 1}) {
-    if (std::abs(raw + wraps * kTurnOver - raw_) > kSmall) continue;
-    wraps_ = wraps;
+  for (const std::int64_t wraps : {said_.wraps - 1, said_.wraps + 1}) {
+    if (std::abs(raw + wraps * kTurnOver - said_.raw) > kSmall) continue;
+    said_.wraps = wraps;
     break;
   }
-  return raw + wraps_ * kTurnOver;
+  return raw + said_.wraps * kTurnOver;
 }
 
 void Drive::take_feedback(const can::Frame& frame) noexcept {
@@ -109,14 +109,15 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
       !pdos_.feedback.read(frame, kPositionActual, true, raw) ||
       !pdos_.feedback.read(frame, kTorqueActual, true, torque))
     return;  // too short: as if it had not come
+  if (!told_) before_ = said_;
+  told_ = true;
   count_answer();
-  statusword_ = static_cast<std::uint16_t>(status);
+  said_.statusword = static_cast<std::uint16_t>(status);
   take_position(raw);
-  if (state() != DriveState::operation_enabled) held_ = raw_;
-  current_ = static_cast<double>(torque) / kPerMille * rated_current_ * (reversed_ ? -1 : 1);
-  answered_ = known_ = true;
+  if (state() != DriveState::operation_enabled) said_.held = said_.raw;
+  said_.current = static_cast<double>(torque) / kPerMille * rated_current_ * (reversed_ ? -1 : 1);
+  answered_ = said_.known = true;
   unheard_ = 0;
-  follow_homing();
 }
 
 void Drive::count_answer() noexcept {
@@ -139,42 +140,49 @@ void Drive::take_status(const can::Frame& frame) noexcept {
 }
 
 void Drive::take_position(std::int64_t raw) noexcept {
-  if (!known_ && position_lost_) {
-    wraps_ = 0;
+  if (!said_.known && position_lost_) {
+    said_.wraps = 0;
     // it counts from where its power came on: until it is synchronised its axis is where it was
-    if (!absolute_) offset_ += static_cast<double>(raw_ - raw) * rad_per_unit_;
+    if (!absolute_) said_.offset += static_cast<double>(said_.raw - raw) * rad_per_unit_;
     position_lost_ = !absolute_;
   }
   raw = unwrapped(raw);
-  increment_ = known_ ? (raw - real_) / std::max<std::int64_t>(1, since_real_) : 0;
-  if (homing_ == Homing::running && std::abs(raw - raw_) > jump_) {
+  said_.increment = said_.known ? (raw - said_.real) / std::max<std::int64_t>(1, said_.since_real) : 0;
+  if (homing_ == Homing::running && std::abs(raw - said_.raw) > jump_) {
     // it counts from its home position now: what it has moved meanwhile is too little to matter
-    offset_ -= static_cast<double>(raw - raw_) * rad_per_unit_;
-    increment_ = 0;
+    said_.offset -= static_cast<double>(raw - said_.raw) * rad_per_unit_;
+    said_.increment = 0;
   }
-  raw_ = real_ = raw;
-  since_real_ = 0;
+  said_.raw = said_.real = raw;
+  said_.since_real = 0;
 }
 
 void Drive::expect() noexcept {
   answered_ = false;
   owed_ = std::min(owed_ + 1, kMostOwed);
-  ++since_real_;
+  ++said_.since_real;
+  ++before_.since_real;
 }
 
 /// What comes later than that shows that it lives, not that it can be regulated.
 void Drive::close_cycle() noexcept {
+  if (unasked_) {
+    said_ = before_;
+    answered_ = false;
+  } else if (told_) {
+    follow_homing();
+  }
   if (state() == DriveState::operation_enabled) was_enabled_ = wanted_;
   if (running_) ++without_status_;
   if (unasked_)
     ++surplus_;
   else if (surplus_ <= missed_max_)
     surplus_ = 0;
-  unasked_ = false;
+  told_ = unasked_ = false;
   if (answered_) missed_ = 0;
   if (answered_ || !running_) return;
   ++unheard_;
-  if (++missed_ <= missed_max_) raw_ += increment_;
+  if (++missed_ <= missed_max_) said_.raw += said_.increment;
 }
 
 AxisSwitches Drive::switches() const noexcept {
@@ -208,12 +216,12 @@ Drive::Finding Drive::finding(Tick tick) const noexcept {
   const bool late = tick > since_ + switch_on_ticks_;
   const bool never_on = wanted_ && now != DriveState::operation_enabled && !waiting_ && (was_enabled_ || late);
   const bool never_off = !wanted_ && has_power() && late;
-  if (never_on || never_off) return {ErrorCode::drive_not_ready, static_cast<double>(statusword_)};
+  if (never_on || never_off) return {ErrorCode::drive_not_ready, static_cast<double>(said_.statusword)};
   const bool waits_for_mode = now == DriveState::switched_on && !may_operate();
   if (wanted_ && (now == DriveState::operation_enabled || waits_for_mode) && !display_.confirms() && mode_is_late(tick))
     return {ErrorCode::drive_not_ready, static_cast<double>(display_.shown()), static_cast<double>(display_.wanted())};
   if (mode_ == DriveMode::cyclic_position && (homing_ == Homing::none || homing_ == Homing::attained) &&
-      now == DriveState::operation_enabled && (statusword_ & kFollowingError) != 0)
+      now == DriveState::operation_enabled && (said_.statusword & kFollowingError) != 0)
     return {ErrorCode::following_error};
   return {};
 }

@@ -49,14 +49,15 @@ class Drive {
   bool awaited() const noexcept { return !answered_ && speaks(); }
   /// Whether its switches are known: a PDO of them has come since it is in service.
   bool knows_switches() const noexcept { return knows_switches_; }
-  /// The time for answers is over: a missing position is guessed from the last two that have come.
+  /// The time for answers is over: a missing position is guessed from the last two that have come. Where more answers
+  /// than SYNCs have come two nodes have its number, and nobody knows which is right: as if none had come.
   void close_cycle() noexcept;
 
   // what it has said
-  canopen::DriveState state() const noexcept { return canopen::drive_state(statusword_); }
-  double position() const noexcept { return static_cast<double>(raw_) * rad_per_unit_ + offset_; }  ///< rad
-  double velocity() const noexcept { return velocity_; }                                            ///< rad/s
-  double current() const noexcept { return current_; }                                              ///< A
+  canopen::DriveState state() const noexcept { return canopen::drive_state(said_.statusword); }
+  double position() const noexcept { return static_cast<double>(said_.raw) * rad_per_unit_ + said_.offset; }  ///< rad
+  double velocity() const noexcept { return velocity_; }                                                      ///< rad/s
+  double current() const noexcept { return said_.current; }                                                   ///< A
   AxisSwitches switches() const noexcept;
   Finding finding(Tick tick) const noexcept;
 
@@ -79,9 +80,9 @@ class Drive {
   bool defies() const noexcept;
   void home() noexcept;
   Homing homing() const noexcept { return homing_; }
-  void add_origin(double shift) noexcept { offset_ += shift; }
+  void add_origin(double shift) noexcept { said_.offset += shift; }
   /// After homing has attained: what to add to its positions.
-  double homing_shift() const noexcept { return home_ - offset_; }
+  double homing_shift() const noexcept { return home_ - said_.offset; }
   /// False: it has restarted, its positions count from there.
   bool knows_position() const noexcept { return !position_lost_; }
   void position_known() noexcept { position_lost_ = false; }
@@ -105,6 +106,19 @@ class Drive {
   static constexpr double kLongestHoming = 300;  ///< then it has failed
 
  private:
+  /// By its answers.
+  struct Said {
+    std::uint16_t statusword = 0;
+    std::int64_t raw = 0;
+    std::int64_t real = 0;        ///< the last position that has come, `raw` where it is not guessed
+    std::int64_t since_real = 0;  ///< SYNCs that have been sent since
+    std::int64_t increment = 0;   ///< per SYNC
+    std::int64_t wraps = 0;       ///< of its 32 bits
+    std::int64_t held = 0;        ///< where it has become on
+    double offset = 0, current = 0;
+    bool known = false;
+  };
+
   void judge(canopen::NmtState state, Tick tick) noexcept;
   std::int64_t unwrapped(std::int64_t raw) noexcept;
   void take_feedback(const can::Frame& frame) noexcept;
@@ -143,23 +157,19 @@ class Drive {
   double home_;  ///< rad of the shaft where a drive that has homed counts from
 
   // said
-  std::uint16_t statusword_ = 0;
-  std::int64_t raw_ = 0;
-  std::int64_t real_ = 0;        ///< the last position that has come, raw_ where it is not guessed
-  std::int64_t since_real_ = 0;  ///< SYNCs that have been sent since
-  std::int64_t increment_ = 0;   ///< per SYNC
-  std::int64_t wraps_ = 0;       ///< of its 32 bits
-  std::int64_t held_ = 0;        ///< where it has become on
-  double offset_ = 0, velocity_ = 0, current_ = 0;
+  Said said_;
+  Said before_;  ///< what `said_` was before the first answer of this cycle
+  double velocity_ = 0;
   std::uint32_t inputs_ = 0;
   std::uint16_t emergency_ = 0;
-  bool answered_ = false, known_ = false, running_ = false, restarted_ = false, position_lost_ = false;
+  bool answered_ = false, running_ = false, restarted_ = false, position_lost_ = false;
   int missed_ = 0;          ///< SYNCs in a row that it has not answered in time
   int without_status_ = 0;  ///< SYNCs since the last PDO of velocity and switches
   bool knows_switches_ = false;
   int owed_ = 0;          ///< answers that may still come
   int surplus_ = 0;       ///< cycles, one after the other, with answers that nothing has asked for
-  bool unasked_ = false;  ///< such a one has come in this cycle
+  bool told_ = false;     ///< any answer has come in this cycle
+  bool unasked_ = false;  ///< one that nothing has asked for
   int unheard_ = 0;       ///< SYNCs in a row without any answer, be it a late one
   Tick heard_ = 0;        ///< its last heartbeat
   Tick begun_ = 0;

@@ -51,8 +51,8 @@ void Drive::reset(Tick tick, can::Frame& next) noexcept {
     heard_ = tick;
     return;
   }
-  running_ = known_ = false;
-  statusword_ = 0;  // what it said before says nothing
+  running_ = said_.known = false;
+  said_.statusword = 0;  // what it said before says nothing
   next = position_lost_ ? setup_.start() : setup_.resume();
   asked_ = tick;
 }
@@ -78,7 +78,7 @@ bool Drive::defies() const noexcept {
 }
 
 bool Drive::still_resetting() const noexcept {
-  return !running_ || !known_ || has_power() || state() == DriveState::fault ||
+  return !running_ || !said_.known || has_power() || state() == DriveState::fault ||
          state() == DriveState::fault_reaction_active;
 }
 
@@ -121,11 +121,11 @@ void Drive::follow_homing() noexcept {
 
 void Drive::follow_homing_run() noexcept {
   if (homing_ticks_ <= stale_ticks_) return;
-  const bool attained = (statusword_ & kHomingAttained) != 0;
+  const bool attained = (said_.statusword & kHomingAttained) != 0;
   if (!attained) homing_seen_ = true;
-  if ((statusword_ & kHomingError) != 0 || homing_ticks_ > homing_ticks_max_) {
+  if ((said_.statusword & kHomingError) != 0 || homing_ticks_ > homing_ticks_max_) {
     homing_ = Homing::failed;
-  } else if (attained && (statusword_ & kTargetReached) != 0 && (homing_seen_ || homing_ticks_ > instant_ticks_)) {
+  } else if (attained && (said_.statusword & kTargetReached) != 0 && (homing_seen_ || homing_ticks_ > instant_ticks_)) {
     homed_ = true;
     homing_ticks_ = 0;
     display_.want(mode_);
@@ -171,17 +171,17 @@ can::Frame Drive::command_frame(std::uint16_t controlword, double position, doub
 can::Frame Drive::command(const Target& target) noexcept {
   const std::uint16_t word = controlword(true);
   const bool on = state() == DriveState::operation_enabled && !homes();
-  if (!on) return command_frame(word, static_cast<double>(raw_), 0, 0);
+  if (!on) return command_frame(word, static_cast<double>(said_.raw), 0, 0);
   const double error = target.position - position();
-  return command_frame(word, (target.position - offset_) / rad_per_unit_,
+  return command_frame(word, (target.position - said_.offset) / rad_per_unit_,
                        (target.velocity + position_gain_ * error) / rad_per_velocity_unit_,
                        (reversed_ ? -1 : 1) * target.current / rated_current_ * kPerMille);
 }
 
 can::Frame Drive::hold(bool release) noexcept {
   const std::uint16_t word = controlword(release);
-  const double error = static_cast<double>(held_ - raw_) * rad_per_unit_;
-  return command_frame(word, static_cast<double>(held_), position_gain_ * error / rad_per_velocity_unit_, 0);
+  const double error = static_cast<double>(said_.held - said_.raw) * rad_per_unit_;
+  return command_frame(word, static_cast<double>(said_.held), position_gain_ * error / rad_per_velocity_unit_, 0);
 }
 
 }  // namespace mrroc::edp

@@ -66,6 +66,37 @@ TEST_F(DriveTest, AGuessIsMadeOfPositionsThatHaveComeNotOfGuesses) {
   EXPECT_DOUBLE_EQ(drive.position(), 38 * unit) << "one that comes late is as good to guess from";
 }
 
+/// Two nodes have its number, and either may be the last to answer.
+TEST_F(DriveTest, ACycleWithAnAnswerTooManySaysNothing) {
+  beats = true;
+  const std::uint16_t on = status_bits(DriveState::operation_enabled);
+  const double unit = 2 * std::numbers::pi / 4000;
+  for (const bool impostor_is_last : {false, true}) {
+    drive = Drive(table, table.drives[0], kCanPeriod, 0);
+    drive.begin(tick);
+    switch_on();
+    say(on, 4);
+    for (int i = 2; i <= 4; ++i) {
+      EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << i;
+      EXPECT_EQ(controlword(), kEnableOperation);
+      can::Frame next;
+      const can::Frame strange = feedback(0xd245, 123456789, 32000);
+      if (!impostor_is_last) drive.take(strange, tick, next);
+      drive.expect();
+      ++tick;
+      drive.take(feedback(on, 4 * i), tick, next);
+      drive.take(heartbeat_frame(1, NmtState::operational), tick, next);
+      if (impostor_is_last) drive.take(strange, tick, next);
+      drive.close_cycle();
+      EXPECT_FALSE(drive.answered());
+      EXPECT_NEAR(drive.position(), 4 * std::min(i, 3) * unit, 1e-9) << "guessed, for two cycles";
+      EXPECT_EQ(drive.current(), 0);
+    }
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::encoder_fault);
+    EXPECT_EQ(drive.finding(tick).value, 3);
+  }
+}
+
 TEST_F(DriveTest, SwitchesThatAreNotToldAreMissed) {
   switch_on();
   tells_switches = false;
