@@ -1,9 +1,7 @@
 #include "links/received_types.hpp"
 
-// clang-format off: the second does not name what it needs of the first
-#include <dds/ddsi/ddsi_xqos.h>
+#include <dds/ddsi/ddsi_plist.h>
 #include <dds/ddsi/ddsi_typelib.h>
-// clang-format on
 #include <dds/ddsi/ddsi_xt_impl.h>
 #include <dlfcn.h>
 
@@ -25,6 +23,5 @@ void mend_received_types() noexcept { cyclone_valid(); }
 
 extern "C" bool ddsi_typeinfo_valid(const ddsi_typeinfo_t* type) {
   return type->x.minimal.typeid_with_size.type_id._d == DDS_XTypes_EK_MINIMAL &&
-         type->x.complete.typeid_with_size.type_id._d == DDS_XTypes_EK_COMPLETE &&
-         mrroc::links::cyclone_valid()(type);
+         type->x.complete.typeid_with_size.type_id._d == DDS_XTypes_EK_COMPLETE && mrroc::links::cyclone_valid()(type);
 }

@@ -252,8 +252,8 @@ void bears_types(const fs::path& keys) {
     for (int kind = 0; kind <= 0xff; kind += 3) {
       const auto forged_kind = static_cast<std::uint8_t>(kind);
       const Guid participant{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, number_kind, forged_kind, 0, 0, 1, 0xc1};
-      stranger.send(forged_announcement(participant, kPlainEndpoints, kTypeInformation,
-                                        forged_type(number_kind, forged_kind)));
+      stranger.send(
+          forged_announcement(participant, kPlainEndpoints, kTypeInformation, forged_type(number_kind, forged_kind)));
     }
   TestClock clock;
   PeerProcess peer("respond", number.id(), "cell/arm", 20, keys);
