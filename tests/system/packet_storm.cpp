@@ -19,7 +19,8 @@ namespace {
 
 constexpr int kParticipants = 10;  // more than the deployments of the tests have
 constexpr std::size_t kMemory = 2000;
-constexpr int kBurst = 16;  // datagrams per millisecond
+constexpr int kStrangers = 4;  // for each participant
+constexpr int kBurst = 16;     // datagrams per millisecond
 constexpr auto kPause = std::chrono::milliseconds(1);
 
 int first_port(int domain) { return 7400 + 250 * domain; }
@@ -119,6 +120,17 @@ std::string PacketStorm::mutated(std::string packet) {
   return packet;
 }
 
+std::string PacketStorm::of_stranger(std::string packet) {
+  constexpr std::size_t kHeader = 8, kPrefix = 12;
+  if (packet.size() < kHeader + kPrefix) return packet;
+  const std::string sender = packet.substr(kHeader, kPrefix);
+  std::string stranger = sender;
+  stranger.back() = static_cast<char>(random_() % kStrangers);
+  for (auto at = packet.find(sender); at != std::string::npos; at = packet.find(sender, at + kPrefix))
+    packet.replace(at, kPrefix, stranger);
+  return packet;
+}
+
 std::string PacketStorm::datagram() {
   const auto kind = random_() % 100;
   if (kind < 5) return random_bytes(1500);
@@ -130,6 +142,7 @@ std::string PacketStorm::datagram() {
     return packet + random_bytes(200);
   }
   std::string packet = heard_[random_() % heard_.size()];
+  if (random_() % 2 == 0) packet = of_stranger(std::move(packet));
   if (kind < 75) return mutated(std::move(packet));
   if (kind < 90) packet.resize(random_() % (packet.size() + 1));
   return packet;

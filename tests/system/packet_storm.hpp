@@ -12,8 +12,9 @@ namespace mrroc::test {
 
 /// Floods the RTPS ports of a DDS domain of this machine with datagrams for as long as it lives: random bytes, RTPS
 /// headers with anything behind, and what the domain's own processes send to one another, overheard where the system
-/// allows it (a packet socket needs CAP_NET_RAW), as it is, mutated or truncated. The choices follow from the seed, as
-/// far as what is overheard is the same.
+/// allows it (a packet socket needs CAP_NET_RAW), as it is, mutated or truncated, and half of it as if strangers had
+/// sent it that have all that the domain's participants have. The choices follow from the seed, as far as what is
+/// overheard is the same.
 class PacketStorm {
  public:
   PacketStorm(int domain, std::uint32_t seed);
@@ -32,6 +33,8 @@ class PacketStorm {
   std::string datagram();
   std::string random_bytes(std::size_t most);
   std::string mutated(std::string packet);
+  /// As if one of a few more participants, told apart by the last byte of their GUID prefix, had sent it.
+  std::string of_stranger(std::string packet);
 
   const int domain_;
   std::mt19937 random_;
