@@ -4,7 +4,8 @@
 #include <dds/ddsi/q_protocol.h>
 #include <dds/ddsi/q_radmin.h>
 #include <dds/ddsi/q_rtps.h>
-#include <dlfcn.h>
+
+#include "links/cyclone_function.hpp"
 
 namespace mrroc::links {
 namespace {
@@ -12,18 +13,13 @@ namespace {
 using Reorder = decltype(&nn_reorder_rsample);
 using Gap = decltype(&nn_reorder_gap);
 
-template <class Function>
-Function of_cyclone(const char* name) noexcept {
-  return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
-}
-
 Reorder cyclone_reorder() noexcept {
-  static const auto function = of_cyclone<Reorder>("nn_reorder_rsample");
+  static const auto function = cyclone_function<Reorder>("nn_reorder_rsample");
   return function;
 }
 
 Gap cyclone_gap() noexcept {
-  static const auto function = of_cyclone<Gap>("nn_reorder_gap");
+  static const auto function = cyclone_function<Gap>("nn_reorder_gap");
   return function;
 }
 

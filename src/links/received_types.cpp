@@ -3,7 +3,8 @@
 #include <dds/ddsi/ddsi_plist.h>
 #include <dds/ddsi/ddsi_typelib.h>
 #include <dds/ddsi/ddsi_xt_impl.h>
-#include <dlfcn.h>
+
+#include "links/cyclone_function.hpp"
 
 namespace mrroc::links {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 using Valid = decltype(&ddsi_typeinfo_valid);
 
 Valid cyclone_valid() noexcept {
-  static const auto function = reinterpret_cast<Valid>(::dlsym(RTLD_NEXT, "ddsi_typeinfo_valid"));
+  static const auto function = cyclone_function<Valid>("ddsi_typeinfo_valid");
   return function;
 }
 

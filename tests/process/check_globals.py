@@ -25,6 +25,8 @@ ALLOWED = {
     "mrroc::links::(anonymous namespace)::plugin",
     "guard variable for mrroc::links::authentication_library(std::filesystem::__cxx11::path const&)::opened",
     "mrroc::links::authentication_library(std::filesystem::__cxx11::path const&)::opened",
+    "guard variable for mrroc::links::(anonymous namespace)::cyclone_valid()::function",
+    "mrroc::links::(anonymous namespace)::cyclone_valid()::function",
     "guard variable for mrroc::links::(anonymous namespace)::cyclone_reorder()::function",
     "mrroc::links::(anonymous namespace)::cyclone_reorder()::function",
     "guard variable for mrroc::links::(anonymous namespace)::cyclone_gap()::function",
