@@ -109,8 +109,8 @@ void Drive::take_feedback(const can::Frame& frame) noexcept {
       !pdos_.feedback.read(frame, kPositionActual, true, raw) ||
       !pdos_.feedback.read(frame, kTorqueActual, true, torque))
     return;  // too short: as if it had not come
-  if (!told_) before_ = said_;
-  told_ = true;
+  if (!spoke_) before_ = said_;
+  spoke_ = true;
   count_answer();
   said_.statusword = static_cast<std::uint16_t>(status);
   take_position(raw);
@@ -169,7 +169,7 @@ void Drive::close_cycle() noexcept {
   if (unasked_) {
     said_ = before_;
     answered_ = false;
-  } else if (told_) {
+  } else if (spoke_) {
     follow_homing();
   }
   if (state() == DriveState::operation_enabled) was_enabled_ = wanted_;
@@ -178,7 +178,7 @@ void Drive::close_cycle() noexcept {
     ++surplus_;
   else if (surplus_ <= missed_max_)
     surplus_ = 0;
-  told_ = unasked_ = false;
+  spoke_ = unasked_ = false;
   if (answered_) missed_ = 0;
   if (answered_ || !running_) return;
   ++unheard_;

@@ -168,7 +168,7 @@ class Drive {
   bool knows_switches_ = false;
   int owed_ = 0;          ///< answers that may still come
   int surplus_ = 0;       ///< cycles, one after the other, with answers that nothing has asked for
-  bool told_ = false;     ///< any answer has come in this cycle
+  bool spoke_ = false;    ///< any answer has come in this cycle
   bool unasked_ = false;  ///< one that nothing has asked for
   int unheard_ = 0;       ///< SYNCs in a row without any answer, be it a late one
   Tick heard_ = 0;        ///< its last heartbeat
