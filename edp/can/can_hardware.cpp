@@ -222,10 +222,12 @@ void CanHardware::reset_fault() noexcept {
   homing_ = -1;
   powering_ = false;
   bus_error_ = bus_off_ ? BusError::bus_off : BusError::none;
-  for (Drive& drive : drives_) {
+  for (std::size_t i = 0; i < drives_.size(); ++i) {
     can::Frame next;
-    drive.reset(tick_, next);
-    if (next.size != 0) begin_set_up(drive, next);
+    // of drives without power the servo wants them to be where it has seen them last and could believe it
+    drives_[i].believe(position_[static_cast<Eigen::Index>(i)]);
+    drives_[i].reset(tick_, next);
+    if (next.size != 0) begin_set_up(drives_[i], next);
   }
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 using namespace canopen;
 
+constexpr std::int64_t kTurnOver = std::int64_t{1} << 32;
 constexpr int kMostOwed = 16;  // answers that are under way on the slowest of buses
 
 Tick ticks(double time, double period) { return static_cast<Tick>(std::ceil(time / period)); }
@@ -93,7 +94,6 @@ void Drive::judge(NmtState state, Tick tick) noexcept {
 
 /// An axis that turns for hours passes the ends of 32 bits, by a small step; what jumps is taken as it is said.
 std::int64_t Drive::unwrapped(std::int64_t raw) noexcept {
-  constexpr std::int64_t kTurnOver = std::int64_t{1} << 32;
   constexpr std::int64_t kSmall = std::int64_t{1} << 24;
   for (const std::int64_t wraps : {said_.wraps - 1, said_.wraps + 1}) {
     if (std::abs(raw + wraps * kTurnOver - said_.raw) > kSmall) continue;
@@ -144,6 +144,7 @@ void Drive::take_position(std::int64_t raw) noexcept {
     said_.wraps = 0;
     // it counts from where its power came on: until it is synchronised its axis is where it was
     if (!absolute_) said_.offset += static_cast<double>(said_.raw - raw) * rad_per_unit_;
+    said_.raw = raw;
     position_lost_ = !absolute_;
   }
   raw = unwrapped(raw);
@@ -155,6 +156,12 @@ void Drive::take_position(std::int64_t raw) noexcept {
   }
   said_.raw = said_.real = raw;
   said_.since_real = 0;
+}
+
+/// What it said last may have been broken: it must not be what its next positions are compared with.
+void Drive::go_on_from(double position) noexcept {
+  said_.raw = said_.real = std::llround((position - said_.offset) / rad_per_unit_);
+  said_.wraps = (said_.raw + kTurnOver / 2) >> 32;
 }
 
 void Drive::expect() noexcept {

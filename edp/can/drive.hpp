@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "canopen/drive_state.hpp"
 #include "edp/can/drive_setup.hpp"
@@ -65,6 +66,8 @@ class Drive {
   /// It has been set up and started: from `tick` on it answers every SYNC.
   void begin(Tick tick) noexcept;
   void enable(bool on, Tick tick) noexcept;
+  /// Where the shaft is, rad, whatever has been said last: one that is set up anew goes on from there.
+  void believe(double position) noexcept { believed_ = position; }
   /// Clears what has been found and resets its fault, after a stop that is under way; a drive that has restarted is set
   /// up and started again, with `next` as the first request.
   void reset(Tick tick, can::Frame& next) noexcept;
@@ -125,6 +128,7 @@ class Drive {
   void count_answer() noexcept;
   void take_status(const can::Frame& frame) noexcept;
   void take_position(std::int64_t raw) noexcept;
+  void go_on_from(double position) noexcept;
   void follow_homing() noexcept;
   void follow_homing_run() noexcept;
   /// It is, or is to be, in the homing mode.
@@ -159,6 +163,7 @@ class Drive {
   // said
   Said said_;
   Said before_;  ///< what `said_` was before the first answer of this cycle
+  std::optional<double> believed_;
   double velocity_ = 0;
   std::uint32_t inputs_ = 0;
   std::uint16_t emergency_ = 0;

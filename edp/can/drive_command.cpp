@@ -53,6 +53,7 @@ void Drive::reset(Tick tick, can::Frame& next) noexcept {
   }
   running_ = said_.known = false;
   said_.statusword = 0;  // what it said before says nothing
+  if (believed_) go_on_from(*believed_);
   next = position_lost_ ? setup_.start() : setup_.resume();
   asked_ = tick;
 }

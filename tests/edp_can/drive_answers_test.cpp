@@ -141,6 +141,34 @@ TEST_F(DriveTest, ABootUpInServiceIsARestart) {
   EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
 }
 
+/// Its last positions may have been broken, as of one whose supply has failed.
+TEST_F(DriveTest, OneThatCountsAnewGoesOnFromWhereItIsBelievedToBe) {
+  const double unit = 2 * std::numbers::pi / 4000;
+  const std::int64_t turn_over = std::int64_t{1} << 32;
+  can::Frame next;
+  for (const std::int64_t believed : {1000L, -70000L, turn_over + 5, -3 * turn_over - 7}) {
+    switch_on();
+    say(status_bits(DriveState::operation_enabled), 1000);
+    say(status_bits(DriveState::operation_enabled), -2000000000);
+    drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+    drive.believe(static_cast<double>(believed) * unit);
+    drive.reset(tick, next);
+    drive.begin(tick);
+    say(status_bits(DriveState::switch_on_disabled), 3);
+    EXPECT_NEAR(drive.position(), static_cast<double>(believed) * unit, 1e-5);
+    say(status_bits(DriveState::switch_on_disabled), 7);
+    EXPECT_NEAR(drive.position(), static_cast<double>(believed + 4) * unit, 1e-5);
+    EXPECT_FALSE(drive.knows_position());
+    // one that has not restarted has counted on
+    drive.position_known();
+    for (int i = 0; i < 5; ++i) say_nothing();
+    drive.reset(tick, next);
+    drive.begin(tick);
+    say(status_bits(DriveState::switch_on_disabled), 9);
+    EXPECT_NEAR(drive.position(), static_cast<double>(believed + 6) * unit, 1e-5);
+  }
+}
+
 TEST_F(DriveTest, WhoeverBootsWhileNobodyServesHimHasLostHisPosition) {
   switch_on();
   for (int i = 0; i < 5; ++i) say_nothing();
