@@ -225,8 +225,7 @@ void CanHardware::reset_fault() noexcept {
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     can::Frame next;
     // of drives without power the servo wants them to be where it has seen them last and could believe it
-    drives_[i].believe(position_[static_cast<Eigen::Index>(i)]);
-    drives_[i].reset(tick_, next);
+    drives_[i].reset(tick_, position_[static_cast<Eigen::Index>(i)], next);
     if (next.size != 0) begin_set_up(drives_[i], next);
   }
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "canopen/drive_state.hpp"
 #include "edp/can/drive_setup.hpp"
@@ -66,11 +65,10 @@ class Drive {
   /// It has been set up and started: from `tick` on it answers every SYNC.
   void begin(Tick tick) noexcept;
   void enable(bool on, Tick tick) noexcept;
-  /// Where the shaft is, rad, whatever has been said last: one that is set up anew goes on from there.
-  void believe(double position) noexcept { believed_ = position; }
   /// Clears what has been found and resets its fault, after a stop that is under way; a drive that has restarted is set
-  /// up and started again, with `next` as the first request.
-  void reset(Tick tick, can::Frame& next) noexcept;
+  /// up and started again, with `next` as the first request. `position`: where its shaft is, rad, whatever it has said
+  /// last; one that counts anew goes on from there.
+  void reset(Tick tick, double position, can::Frame& next) noexcept;
   /// True, and `next` is to be sent: its set-up goes on, and the last request has not been answered for kAnswerTime.
   bool repeats(Tick tick, can::Frame& next) noexcept;
   /// True: it is to be asked for its mode, `request` is to be sent.
@@ -163,7 +161,6 @@ class Drive {
   // said
   Said said_;
   Said before_;  ///< what `said_` was before the first answer of this cycle
-  std::optional<double> believed_;
   double velocity_ = 0;
   std::uint32_t inputs_ = 0;
   std::uint16_t emergency_ = 0;

@@ -39,7 +39,7 @@ void Drive::enable(bool on, Tick tick) noexcept {
   display_.want(mode_);
 }
 
-void Drive::reset(Tick tick, can::Frame& next) noexcept {
+void Drive::reset(Tick tick, double position, can::Frame& next) noexcept {
   next = {};
   emergency_ = 0;
   surplus_ = 0;
@@ -53,7 +53,7 @@ void Drive::reset(Tick tick, can::Frame& next) noexcept {
   }
   running_ = said_.known = false;
   said_.statusword = 0;  // what it said before says nothing
-  if (believed_) go_on_from(*believed_);
+  go_on_from(position);
   next = position_lost_ ? setup_.start() : setup_.resume();
   asked_ = tick;
 }

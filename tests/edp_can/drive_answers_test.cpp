@@ -42,7 +42,7 @@ TEST_F(DriveTest, WhoAlwaysAnswersTooLateIsNotTakenForOneThatAnswers) {
   EXPECT_EQ(make_report(fault, Slide{}.parameters()).detail.view(),
             "axis 1 (x), tick 7: its answers come later than answer_time after more than 2 SYNCs in a row");
   can::Frame next;
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   EXPECT_EQ(next.id, 0u) << "it is in service, and need not be set up anew";
   EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent) << "nothing is better yet";
   say(status_bits(DriveState::operation_enabled), 40);
@@ -110,7 +110,7 @@ TEST_F(DriveTest, SwitchesThatAreNotToldAreMissed) {
   EXPECT_EQ(make_report({finding.code, 0, finding.value, finding.limit, 7}, Slide{}.parameters()).detail.view(),
             "axis 1 (x), tick 7: no TPDO 2, velocity and switches, after more than 12 SYNCs in a row");
   can::Frame next;
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
 }
 
@@ -137,7 +137,7 @@ TEST_F(DriveTest, ABootUpInServiceIsARestart) {
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
   EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_restarted);
   EXPECT_FALSE(drive.knows_position());
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
 }
 
@@ -151,8 +151,7 @@ TEST_F(DriveTest, OneThatCountsAnewGoesOnFromWhereItIsBelievedToBe) {
     say(status_bits(DriveState::operation_enabled), 1000);
     say(status_bits(DriveState::operation_enabled), -2000000000);
     drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
-    drive.believe(static_cast<double>(believed) * unit);
-    drive.reset(tick, next);
+    drive.reset(tick, static_cast<double>(believed) * unit, next);
     drive.begin(tick);
     say(status_bits(DriveState::switch_on_disabled), 3);
     EXPECT_NEAR(drive.position(), static_cast<double>(believed) * unit, 1e-5);
@@ -162,7 +161,7 @@ TEST_F(DriveTest, OneThatCountsAnewGoesOnFromWhereItIsBelievedToBe) {
     // one that has not restarted has counted on
     drive.position_known();
     for (int i = 0; i < 5; ++i) say_nothing();
-    drive.reset(tick, next);
+    drive.reset(tick, drive.position(), next);
     drive.begin(tick);
     say(status_bits(DriveState::switch_on_disabled), 9);
     EXPECT_NEAR(drive.position(), static_cast<double>(believed + 6) * unit, 1e-5);
@@ -174,7 +173,7 @@ TEST_F(DriveTest, WhoeverBootsWhileNobodyServesHimHasLostHisPosition) {
   for (int i = 0; i < 5; ++i) say_nothing();
   ASSERT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
   can::Frame next;
-  drive.reset(tick, next);  // nobody answers
+  drive.reset(tick, drive.position(), next);  // nobody answers
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
   EXPECT_FALSE(drive.knows_position());
   EXPECT_EQ(next.id, 0x601u) << "what it was told so far is forgotten: from the start";
@@ -206,7 +205,7 @@ TEST_F(DriveTest, WhoAnswersMoreOftenThanItIsAskedHasANamesake) {
   EXPECT_EQ(drive.finding(tick).value, 3) << "cycles";
   say(on);
   EXPECT_EQ(drive.finding(tick).code, ErrorCode::encoder_fault) << "until it is reset";
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   EXPECT_NE(drive.finding(tick).code, ErrorCode::encoder_fault);
 }
 
@@ -215,7 +214,7 @@ TEST_F(DriveTest, ARequestOfItsSetUpThatIsNotAnsweredIsSentAgain) {
   can::Frame next, again;
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
   EXPECT_FALSE(drive.repeats(tick + 1000, again)) << "it is not being set up";
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   ASSERT_EQ(next.id, 0x601u);
   const auto patience = static_cast<Tick>(Drive::kAnswerTime / kCanPeriod);
   EXPECT_FALSE(drive.repeats(tick + patience, again));
@@ -241,7 +240,7 @@ TEST_F(DriveTest, AnAxisStaysWhereItWasWhenItsDriveCountsAnew) {
   const double there = drive.position();
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   say(status_bits(DriveState::switch_on_disabled), 12);
   EXPECT_NEAR(drive.position(), there, 1e-9);
   EXPECT_FALSE(drive.knows_position());
@@ -257,7 +256,7 @@ TEST_F(DriveTest, AnAxisThatWasOnlySilentIsWhereItsDriveSays) {
   const double before = drive.position();
   for (int i = 0; i < 5; ++i) say_nothing();
   can::Frame next;
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   say(status_bits(DriveState::switch_on_disabled), -kEnd + 2);
   EXPECT_NEAR(drive.position() - before, 2 * 2 * std::numbers::pi / 4000, 1e-6);
 }
@@ -270,7 +269,7 @@ TEST_F(DriveTest, AnAxisWhoseDriveHasRestartedUnheardIsNotSynchronised) {
     switch_on();
     for (int i = 0; i < 5; ++i) say_nothing();
     can::Frame next;
-    drive.reset(tick, next);
+    drive.reset(tick, drive.position(), next);
     EXPECT_EQ(next, (can::Frame{0x601, {0x40, 0x17, 0x10, 0, 0, 0, 0, 0}}));
     EXPECT_TRUE(drive.knows_position());
     const auto period = static_cast<std::uint8_t>(restarted ? 0 : 1000 * table.heartbeat);
@@ -285,7 +284,7 @@ TEST_F(DriveTest, ADriveThatRefusesToBeSetUpAnewSaysWhatAndWhy) {
   switch_on();
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   const auto low = next.data[1], high = next.data[2], sub = next.data[3];
   drive.take({0x581, {0x80, low, high, sub, 0x22, 0x00, 0x00, 0x08}}, tick, next);
   Drive::Finding finding = drive.finding(tick);
@@ -296,7 +295,7 @@ TEST_F(DriveTest, ADriveThatRefusesToBeSetUpAnewSaysWhatAndWhy) {
   std::string expected = "axis 1 (x), tick 7: it refuses to be set up: object ";
   expected.append(object).append(", ").append(describe(SdoAbort{0x08000022}));
   EXPECT_EQ(text, expected);
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   EXPECT_EQ(drive.finding(tick).value, 0) << "it is tried again";
 }
 

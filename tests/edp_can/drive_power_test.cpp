@@ -37,7 +37,7 @@ TEST_F(DriveTest, AFaultIsResetByEdges) {
   EXPECT_EQ(make_report({finding.code, 0, finding.value, finding.limit, 7}, Slide{}.parameters()).detail.view(),
             "axis 1 (x), tick 7: fault, no EMCY");
   can::Frame next;
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   EXPECT_TRUE(drive.busy(tick));
   EXPECT_EQ(controlword(), kFaultReset);
   EXPECT_EQ(controlword(), kDisableVoltage);
@@ -54,7 +54,7 @@ TEST_F(DriveTest, AResetLetsAStopUnderWayEnd) {
   EXPECT_EQ(controlword(), kQuickStop);
   say(status_bits(DriveState::quick_stop_active));
   can::Frame next;
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   for (int i = 0; i < 50; ++i) {
     EXPECT_TRUE(drive.busy(tick));
     EXPECT_EQ(controlword(), kQuickStop);
@@ -68,7 +68,7 @@ TEST_F(DriveTest, AResetLetsAStopUnderWayEnd) {
   say(status_bits(DriveState::operation_enabled));
   drive.enable(false, tick);
   for (int i = 0; i < 1000; ++i) {
-    if (i % 100 == 0) drive.reset(tick, next);
+    if (i % 100 == 0) drive.reset(tick, drive.position(), next);
     EXPECT_EQ(controlword(), kQuickStop);
     say(status_bits(DriveState::quick_stop_active));
   }
@@ -128,7 +128,7 @@ TEST_F(DriveTest, WhoKeepsItsPowerAgainstItsControlwordDoesNotHearIt) {
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::stopped), tick, next);
   EXPECT_FALSE(drive.defies()) << "it has been stopped";
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   EXPECT_EQ(next.id, 0x601u) << "and is set up anew";
   // one that slows down has the time for it, and then that in which it is to let go
   drive.begin(tick);

@@ -93,7 +93,7 @@ TEST_F(DriveTest, AnEmergencyIsKeptUntilItIsReset) {
   EXPECT_EQ(drive.finding(tick).value, 0x3220);
   drive.take(to_frame({1, 0, 0, {}}), tick, next);
   EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_fault) << "it may have gone too soon to be seen";
-  drive.reset(tick, next);
+  drive.reset(tick, drive.position(), next);
   EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
 }
 
