@@ -17,6 +17,7 @@
 #include "links/dds_log.hpp"
 #include "links/descriptors.hpp"
 #include "links/forged_packets.hpp"
+#include "links/own_network.hpp"
 #include "links/peer_process.hpp"
 #include "links/robot_requester.hpp"
 #include "links/status_collector.hpp"
@@ -175,8 +176,13 @@ std::optional<NetworkInterface> outside_interface() {
 }
 
 TEST(Domain, OnANamedInterfaceItHearsThisOneAndItsOwnMachine) {
+  const OwnNetwork network;
+  ASSERT_TRUE(!network.laid() || network.complete()) << "expected iproute2, of scripts/install_dependencies, and veth";
   const auto interface = outside_interface();
-  if (!interface) GTEST_SKIP() << "this machine has the loopback device only";
+  if (!interface) GTEST_SKIP() << "no network namespace without root, and this machine has the loopback device only";
+  if (network.laid()) {
+    EXPECT_EQ(interface->address, OwnNetwork::kAddress);
+  }
   FreeDomain number;
   const auto before = open_descriptors();
   Domain domain({.id = number.id(), .interface = interface->device, .hosts = {interface->address}, .lease = 20});
