@@ -8,41 +8,12 @@
 #include <vector>
 
 #include "edp/stop_category.hpp"
-#include "rig.hpp"
+#include "safe_rig.hpp"
 
 namespace mrroc::edp {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr int kTerminal = 3;
-
-/// As Slide, with limits that a moving robot meets within a test.
-class WatchedSlide : public Slide {
- public:
-  WatchedSlide() { parameters_.axes[0].current_max_time = 0.1; }
-};
-using SafeRig = Rig<WatchedSlide>;
-
-RobotCommand recover_command() {
-  RobotCommand command;
-  command.kind = CommandKind::recover;
-  return command;
-}
-
-RobotCommand by(double way, std::uint16_t steps = 500) {
-  RobotCommand command = joint_command(one(way), steps, steps);
-  command.relative = true;
-  return command;
-}
-
-/// Recovers; the code that is answered.
-ErrorCode recover(SafeRig& rig) {
-  rig.replies.clear();
-  EXPECT_FALSE(rig.send(recover_command()));
-  rig.run(3);
-  EXPECT_EQ(rig.replies.size(), 1u);
-  return rig.replies.empty() ? ErrorCode::busy : rig.replies[0].state.error.code;
-}
 
 /// Ticks until the drives are off; every set-point on the way follows from the one before within the limits.
 void expect_smooth_stop(SafeRig& rig) {
@@ -156,88 +127,6 @@ TEST_P(Stops, TheRobotInTheEventsCategory) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Stops, testing::ValuesIn(kEvents),
                          [](const auto& test) { return std::string(test.param.name); });
-
-TEST(EmergencyStop, IsLatchedUntilItIsResetAndTheResetMovesNothing) {
-  SafeRig rig;
-  rig.send(by(0.5));
-  rig.run(200);
-  rig.operators.press();
-  rig.run(300);
-  ASSERT_FALSE(rig.hardware.powered);
-  const double stands = rig.seen().joints[0];
-  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "it has not been reset";
-  rig.effector.enable(true);
-  rig.run(5);
-  EXPECT_FALSE(rig.hardware.powered);
-
-  rig.operators.reset();
-  ASSERT_TRUE(rig.send(by(0.1)));
-  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::emergency_stop) << "the fault waits for recover";
-  rig.run(500);
-  EXPECT_FALSE(rig.hardware.powered);
-  EXPECT_EQ(rig.seen().joints[0], stands);
-
-  EXPECT_EQ(recover(rig), ErrorCode::none);
-  rig.run(500);
-  EXPECT_TRUE(rig.hardware.powered);
-  EXPECT_EQ(rig.seen().desired.position[0], stands) << "recovered, it holds";
-  ASSERT_FALSE(rig.send(by(0.1)));
-  rig.run(700);
-  EXPECT_NEAR(rig.seen().joints[0], stands + 0.1, 2e-4);
-}
-
-TEST(EmergencyStop, AnInputHasToBeLetGoAndThenReset) {
-  SafeRig rig(false);
-  rig.hardware.close(kTerminal);
-  rig.servo.use_emergency_terminal(kTerminal);
-  rig.run(1);
-  bool pressed = false;
-  rig.hardware.spoil = [&pressed](HardwareInput& input) { input.inputs.set(kTerminal, !pressed); };
-  rig.effector.enable(true);
-  rig.run(2);
-  ASSERT_TRUE(rig.hardware.powered);
-  pressed = true;
-  rig.run(2);
-  EXPECT_FALSE(rig.hardware.powered) << "at rest there is nothing to brake";
-  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop);
-  rig.operators.reset();
-  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "still pressed";
-  pressed = false;
-  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "the reset came too early";
-  rig.operators.reset();
-  EXPECT_EQ(recover(rig), ErrorCode::none);
-}
-
-TEST(EmergencyStop, HidesNoOtherFaultAndIsHiddenByNone) {
-  SafeRig rig;
-  rig.hardware.fault = ErrorCode::drive_fault;
-  rig.run(2);
-  rig.operators.press();
-  rig.hardware.fault = ErrorCode::none;
-  rig.run(2);
-  EXPECT_EQ(rig.seen().fault.code, ErrorCode::drive_fault);
-  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "what keeps the drives off now";
-}
-
-TEST(EmergencyLatch, NoPressIsMissedAndNoResetCountsThatComesTooEarly) {
-  clock::EmergencyStop stop;
-  EmergencyLatch latch;
-  latch.use(stop);
-  EXPECT_FALSE(latch.look({}));
-  stop.press();
-  stop.reset();  // both between two looks
-  EXPECT_TRUE(latch.look({}));
-  EXPECT_TRUE(latch.look({}));
-  stop.reset();
-  EXPECT_FALSE(latch.look({}));
-  stop.reset();
-  EXPECT_FALSE(latch.look({}));
-  stop.press();
-  EXPECT_TRUE(latch.look({})) << "a reset in advance is none";
-  stop.press();
-  stop.reset();
-  EXPECT_TRUE(latch.look({}));
-}
 
 TEST(OverCurrent, IsWhatLastsLongerThanItsTime) {
   SafeRig rig;
