@@ -13,12 +13,15 @@
 #include "cli/addresses.hpp"
 #include "cli/clock_options.hpp"
 #include "cli/orderly_end.hpp"
+#include "cli/outputs.hpp"
+#include "cli/resource_limits.hpp"
 #include "clock/monotonic.hpp"
 #include "config/local_host.hpp"
 #include "config/resources.hpp"
 #include "config/table.hpp"
 #include "process/arguments.hpp"
 #include "process/process.hpp"
+#include "process/trace_file.hpp"
 
 namespace mrroc::cli {
 
@@ -106,6 +109,7 @@ void Agent::prepare() {
   compare_files(order_, deployment_);
   for (const PlannedProcess& process : plan_processes(deployment_))
     if (process.host == order_.host) plan_.push_back(process);
+  check_limits(plan_.size());
   const in_addr runner = ipv4_of(order_.machines.front());
   const in_addr own = own_address_towards(runner);
   own_address_ = to_text(own);
@@ -119,6 +123,12 @@ void Agent::prepare() {
   if (deployment_.sim && deployment_.sim->host == order_.host)
     world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
   records_ = std::make_unique<TaskRecords>(order_, plan_);
+  const bool simulates = deployment_.sim && deployment_.sim->host == order_.host;
+  if (!order_.motion.empty() && simulates) {
+    motion_.emplace(claim_motion(order_.motion));
+    if (motion_->is_own_regular_file() && ftruncate(motion_->fd(), 0) != 0)
+      throw std::runtime_error("cannot write the motion file " + order_.motion.string());
+  }
 }
 
 void Agent::start_processes() {
@@ -132,7 +142,10 @@ void Agent::start_processes() {
     arguments.interface = own_address_;
     arguments.peers = order_.machines;
     if (deployment_.network.security) arguments.keys = deployment_.network.keys;
-    if (process.name == "sim") arguments.motion = order_.motion;
+    if (process.name == "sim" && motion_) {
+      arguments.motion = order_.motion;
+      arguments.motion_fd = motion_->fd();
+    }
     records_->add_to(arguments);
     crew_.start(process, process::to_command_line(arguments), arguments.descriptors());
   }
@@ -231,6 +244,12 @@ void Agent::end_processes() {
                 .message = [this](const std::string& line) { runner_.write("line " + line); },
                 .failed = [this](const std::string& reason) { fail(process::ExitCode::system, reason); }});
   crew_.wait(0, signals_.descriptor());
+  for (const PlannedProcess& process : plan_) {
+    const Child* const child = crew_.find(process.name);
+    if (child != nullptr && child->exit_code() == static_cast<int>(process::ExitCode::system) &&
+        child->last_line().starts_with(process::kTraceProblem))
+      fail(process::ExitCode::system, child->last_line());
+  }
 }
 
 void Agent::turn_at_the_end() {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "cli/signals.hpp"
 #include "cli/task_records.hpp"
 #include "clock/host.hpp"
+#include "process/claimed_file.hpp"
 #include "process/exit_code.hpp"
 #include "sim/mapped_world.hpp"
 
@@ -67,6 +69,7 @@ class Agent {
   std::unique_ptr<HostLink> link_;
   std::string own_address_;
   std::unique_ptr<TaskRecords> records_;
+  std::optional<process::ClaimedFile> motion_;  // of the simulator here
   Crew crew_;
   std::string missing_ = "?";  // as told last
   bool started_ = false;

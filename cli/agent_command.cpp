@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/agent.hpp"
+#include "command/number_option.hpp"
 
 namespace mrroc::cli {
 
@@ -12,7 +13,8 @@ void add_agent_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("agent", "Run processes of a deployment here for `mrroc run` elsewhere");
   command->group("");
   auto patience = std::make_shared<double>(Agent::kPatienceWithOrder);
-  command->add_option("--order-within", *patience, "Wait for the order so long, s")->capture_default_str();
+  command::add_number(*command, "--order-within", *patience, 0.0, 1e6, "Wait for the order so long, s")
+      ->capture_default_str();
   command->callback(
       [&exit_code, patience] { exit_code = static_cast<int>(Agent(STDIN_FILENO, STDOUT_FILENO, *patience).run()); });
 }

@@ -94,19 +94,27 @@ std::optional<std::int64_t> whole_number(const std::string& text) {
   return number;
 }
 
-std::vector<std::pair<std::string, std::string>> files_of(const config::Deployment& deployment) {
-  std::vector<std::pair<std::string, std::string>> files{{"deployment", hash_of(deployment.file)}};
-  if (!deployment.mp.states.empty()) files.emplace_back("mp.states", hash_of(deployment.mp.states));
-  if (deployment.sim) files.emplace_back("sim.scene", hash_of(deployment.sim->scene));
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const config::Deployment& deployment) {
+  std::vector<std::pair<std::string, std::filesystem::path>> files{{"deployment", deployment.file}};
+  if (!deployment.mp.states.empty()) files.emplace_back("mp.states", deployment.mp.states);
+  if (deployment.sim) files.emplace_back("sim.scene", deployment.sim->scene);
   for (const config::RobotEntry& robot : deployment.robots) {
     const std::string key = std::string("robots.").append(robot.name);
-    files.emplace_back(key + ".type", hash_of(config::robot_file(robot.type, robot.type + ".toml")));
-    if (!robot.can) continue;
-    files.emplace_back(key + ".can.drives", hash_of(robot.can->drives));
-    files.emplace_back(key + ".can.drives: eds", hash_of(config::eds_file(config::Table::load(robot.can->drives))));
+    files.emplace_back(key + ".type", config::robot_file(robot.type, robot.type + ".toml"));
+    if (robot.can) files.emplace_back(key + ".can.drives", robot.can->drives);
   }
   for (const config::SensorEntry& sensor : deployment.sensors)
-    if (!sensor.replay.empty()) files.emplace_back("sensors." + sensor.name + ".replay", hash_of(sensor.replay));
+    if (!sensor.replay.empty()) files.emplace_back("sensors." + sensor.name + ".replay", sensor.replay);
+  return files;
+}
+
+std::vector<std::pair<std::string, std::string>> files_of(const config::Deployment& deployment) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& [key, file] : input_files(deployment)) files.emplace_back(key, hash_of(file));
+  for (const config::RobotEntry& robot : deployment.robots)
+    if (robot.can)
+      files.emplace_back(std::string("robots.").append(robot.name) + ".can.drives: eds",
+                         hash_of(config::eds_file(config::Table::load(robot.can->drives))));
   return files;
 }
 

@@ -50,6 +50,9 @@ std::pair<std::string, std::string> split_word(const std::string& line);
 /// The whole text as a number; nothing when it is none.
 std::optional<std::int64_t> whole_number(const std::string& text);
 
+/// Key and path of the files that the deployment names, and of itself.
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const config::Deployment& deployment);
+
 /// Key and hash of every file that all machines must have alike: the deployment itself, the scene, the state machine,
 /// robots' parameters and tables of drives, what replayed sensors play. Throws ConfigurationError when one cannot be
 /// read.

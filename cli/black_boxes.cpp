@@ -7,30 +7,21 @@
 
 namespace mrroc::cli {
 
-namespace {
-
-/// The oldest time there is when there is no such file.
-std::filesystem::file_time_type write_time(const std::filesystem::path& file) {
-  std::error_code missing;
-  const auto time = std::filesystem::last_write_time(file, missing);
-  return missing ? std::filesystem::file_time_type::min() : time;
-}
-
-}  // namespace
-
 BlackBoxes::BlackBoxes(const std::filesystem::path& folder, const config::Deployment& deployment,
                        const std::vector<PlannedProcess>& processes)
-    : deployment_(deployment) {
-  if (folder.empty()) return;
+    : folder_(folder), deployment_(deployment) {
+  if (folder_.empty()) return;
   for (const PlannedProcess& process : processes) {
     if (!process.has_task) continue;
-    const std::filesystem::path file = process::black_box_path(folder, deployment, process.name);
-    Box& box = boxes_.emplace_back(Box{process.name, file, write_time(file), {}, {}});
+    Box& box = boxes_.emplace_back(Box{process.name, {}, {}});
     if (process.host.empty()) box.last_steps.emplace(process::SharedBlackBox::create());
   }
 }
 
-bool BlackBoxes::is_written(const Box& box) { return write_time(box.file) != box.before; }
+std::filesystem::path BlackBoxes::written(const Box& box) const {
+  const std::uint64_t number = box.last_steps ? box.last_steps->file() : 0;
+  return number == 0 ? "" : process::black_box_path(folder_, deployment_, box.process, number);
+}
 
 int BlackBoxes::fd_of(const std::string& process) const noexcept {
   for (const Box& box : boxes_)
@@ -46,7 +37,7 @@ void BlackBoxes::take(const std::string& process, const std::string& line) {
 std::string BlackBoxes::told() const {
   std::string text;
   for (const Box& box : boxes_)
-    if (is_written(box)) text += (text.empty() ? "; black box: " : ", ") + box.file.string();
+    if (const auto file = written(box); !file.empty()) text += (text.empty() ? "; black box: " : ", ") + file.string();
   return text;
 }
 
@@ -54,9 +45,11 @@ std::string BlackBoxes::save_rest() const try {
   std::string text;
   for (const Box& box : boxes_) {
     const std::vector<process::TextLine> lines = box.last_steps ? box.last_steps->lines() : box.told;
-    if (lines.empty() || is_written(box)) continue;
-    process::write_black_box(box.file, lines, deployment_, box.process, deployment_.clock != config::ClockMode::real);
-    text += (text.empty() ? "black box: " : ", ") + box.file.string();
+    if (lines.empty() || !written(box).empty()) continue;
+    const bool simulated = deployment_.clock != config::ClockMode::real;
+    const std::uint64_t number = process::write_black_box(folder_, lines, deployment_, box.process, simulated);
+    text += (text.empty() ? "black box: " : ", ") +
+            process::black_box_path(folder_, deployment_, box.process, number).string();
   }
   return text;
 } catch (const std::exception& failure) {

@@ -12,8 +12,7 @@ namespace mrroc::cli {
 
 /// The black boxes of a run's tasks. A task that fails writes its own; of the others the last steps are in memory of
 /// the runner's, which writes them when the run has failed for everybody. Those of a task on another host lie there,
-/// and its agent tells them at the end. Files of an earlier run may lie in their places: a file is this run's when it
-/// has been written since this object was made. Main thread.
+/// and its agent reports them at the end. Main thread.
 class BlackBoxes {
  public:
   /// `folder` empty: none is written. References must outlive it. Throws SystemError(resources): there is no memory.
@@ -33,13 +32,13 @@ class BlackBoxes {
  private:
   struct Box {
     std::string process;
-    std::filesystem::path file;
-    std::filesystem::file_time_type before;             ///< when the file was written before
     std::optional<process::SharedBlackBox> last_steps;  ///< none: it is on another host
     std::vector<process::TextLine> told;                ///< by that one
   };
-  static bool is_written(const Box& box);
+  /// The file that the task has written itself; empty: none.
+  std::filesystem::path written(const Box& box) const;
 
+  const std::filesystem::path folder_;
   const config::Deployment& deployment_;
   std::vector<Box> boxes_;
 };

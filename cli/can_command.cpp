@@ -1,43 +1,72 @@
 #include "cli/can_command.hpp"
 
+#include <poll.h>
 #include <signal.h>
 #include <spdlog/fmt/fmt.h>
+#include <time.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <memory>
+#include <string_view>
 
 #include "cli/can_monitor.hpp"
 #include "cli/can_scan.hpp"
+#include "command/number_option.hpp"
+#include "command/print.hpp"
+#include "command/printable.hpp"
 #include "config/robot_parameters_file.hpp"
 
 namespace mrroc::cli {
 
 namespace {
 
-/// Blocks ctrl-C and SIGTERM, and tells whether one has come.
+/// Blocks Ctrl-C and SIGTERM, and reports whether one has come.
 class Interruption {
  public:
   Interruption() {
-    sigset_t both;
-    sigemptyset(&both);
-    sigaddset(&both, SIGINT);
-    sigaddset(&both, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &both, nullptr);
+    sigemptyset(&both_);
+    sigaddset(&both_, SIGINT);
+    sigaddset(&both_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &both_, nullptr);
   }
   bool has_come() const {
     sigset_t pending;
     return sigpending(&pending) == 0 && (sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1);
   }
+  /// Takes what has come; the next one ends the process.
+  void release() {
+    constexpr timespec kNow{0, 0};
+    while (sigtimedwait(&both_, nullptr, &kNow) > 0) {
+    }
+    pthread_sigmask(SIG_UNBLOCK, &both_, nullptr);
+  }
+
+ private:
+  sigset_t both_;
 };
+
+/// Prints when the reader of the output takes more, or an interruption has come: a pipe without a reader must not keep
+/// the process from ending.
+void print_unless_interrupted(std::string_view text, Interruption& interruption) {
+  constexpr int kGlance = 50;  // ms
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  while (!interruption.has_come() && poll(&output, 1, kGlance) == 0) {
+  }
+  if (interruption.has_come()) interruption.release();
+  command::print(text);
+}
 
 int scan_interface(const std::string& interface, double patience) {
   const auto bus = can::open_bus(interface);
   const ScanResult result = scan(*bus, std::llround(patience * 1e9));
   if (result.nodes.empty()) {
-    fmt::print(stderr, "{}", silence_text(interface, result.error, patience));
+    fmt::print(stderr, "{}", command::printable_lines(silence_text(interface, result.error, patience)));
     return 1;
   }
-  fmt::print("{}", scan_text(result.nodes));
+  command::print(scan_text(result.nodes));
   return 0;
 }
 
@@ -58,10 +87,14 @@ config::DriveTable drives_of(const std::string& type, std::filesystem::path file
 void monitor_interface(const MonitorArguments& arguments) {
   FrameWords words = arguments.robot.empty() ? FrameWords() : FrameWords(drives_of(arguments.robot, arguments.drives));
   const auto bus = can::open_bus(arguments.interface);
-  const Interruption interruption;
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  Interruption interruption;
+  bool interrupted = false;
   monitor(
-      *bus, words, arguments.options, [&interruption] { return interruption.has_come(); }, stdout);
+      *bus, words, arguments.options, [&] { return interrupted || (interrupted = interruption.has_come()); },
+      [&](std::string_view text) {
+        interrupted = interrupted || interruption.has_come();
+        print_unless_interrupted(text, interruption);
+      });
 }
 
 constexpr const char* kInterface = "CAN interface, as can0; or unix:PATH, the bus of simulated drives";
@@ -74,8 +107,7 @@ void add_scan(CLI::App& can, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = can.add_subcommand("scan", "Ask every node of a CANopen network what it is");
   command->add_option("INTERFACE", arguments->interface, kInterface)->required();
-  command->add_option("--patience", arguments->patience, "s that an answer may take")
-      ->check(CLI::Range(0.01, 60.0))
+  command::add_number(*command, "--patience", arguments->patience, 0.01, 60.0, "s that an answer may take")
       ->capture_default_str();
   command->callback([arguments, &exit_code] { exit_code = scan_interface(arguments->interface, arguments->patience); });
 }
@@ -88,12 +120,12 @@ void add_monitor(CLI::App& can, int& exit_code) {
   CLI::Option* robot = command->add_option("--robot", arguments->robot, "Robot type: its drives are called by axis");
   command->add_option("--drives", arguments->drives, "Table of the robot's drives (TOML), not the type's own")
       ->needs(robot);
-  command->add_option("--count", options.count, "End after so many frames");
-  command->add_option("--seconds", options.seconds, "End after so long")->check(CLI::PositiveNumber);
+  command::add_number<std::uint64_t>(*command, "--count", options.count, 1, std::numeric_limits<std::uint64_t>::max(),
+                                     "End after so many frames");
+  command::add_number(*command, "--seconds", options.seconds, 0.001, 1e9, "End after so long");
   command->add_flag("--summary", options.summary,
                     "No line for each frame: at the end, or after Ctrl-C, how many of each, and the bus load");
-  command->add_option("--bit-rate", options.bit_rate, "bit/s, for the bus load")
-      ->check(CLI::Range(1e4, 1e7))
+  command::add_number(*command, "--bit-rate", options.bit_rate, 1e4, 1e7, "bit/s, for the bus load")
       ->capture_default_str();
   command->callback([arguments, &exit_code] {
     monitor_interface(*arguments);

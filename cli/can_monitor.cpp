@@ -20,7 +20,7 @@ double seconds_of(std::int64_t time) { return static_cast<double>(time) / 1e9; }
 }  // namespace
 
 void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, const std::function<bool()>& stop,
-             std::FILE* output) {
+             const std::function<void(std::string_view text)>& show) {
   const std::int64_t begin = clock::monotonic_ns();
   const std::int64_t end = begin + static_cast<std::int64_t>(std::min(options.seconds, kLongest) * 1e9);
   std::int64_t first = 0;
@@ -40,11 +40,9 @@ void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, co
     if (options.summary)
       summary.add(frame);
     else
-      fmt::print(output, "{:12.6f}  {}\n", seconds_of(now - first), line);
+      show(fmt::format("{:12.6f}  {}\n", seconds_of(now - first), line));
   }
-  if (options.summary)
-    fmt::print(output, "{}", summary.text(words, seconds_of(clock::monotonic_ns() - begin), options.bit_rate));
-  std::fflush(output);
+  if (options.summary) show(summary.text(words, seconds_of(clock::monotonic_ns() - begin), options.bit_rate));
   if (gone) throw std::runtime_error("the bus has gone: its hub has ended");
 }
 

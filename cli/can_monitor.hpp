@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <limits>
+#include <string_view>
 
 #include "can/bus.hpp"
 #include "cli/can_frame_words.hpp"
@@ -17,9 +17,10 @@ struct MonitorOptions {
   double bit_rate = 1e6;
 };
 
-/// Listens until the frames or the seconds are over, or `stop` says so: one line for each frame, s since the first one
-/// and the frame in words, or a summary. Sends nothing. Throws std::runtime_error when the bus has gone.
+/// Listens until the frames or the seconds are over, or `stop` returns true: gives `show` one line for each frame, s
+/// since the first one and the frame in words, or a summary. Sends nothing. Throws std::runtime_error when the bus has
+/// gone, and what `show` throws.
 void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, const std::function<bool()>& stop,
-             std::FILE* output);
+             const std::function<void(std::string_view text)>& show);
 
 }  // namespace mrroc::cli

@@ -31,7 +31,8 @@ constexpr int kPatienceWithKilled = 3000;    // ms; a debugger can keep a killed
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   signal(SIGPIPE, SIG_DFL);  // ignored by the runner, and that would be handed down
-  setpgid(0, 0);             // Ctrl-C is the runner's to forward
+  signal(SIGXFSZ, SIG_DFL);
+  setpgid(0, 0);  // Ctrl-C is the runner's to forward
   dup2(channel >= 0 ? channel : output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
   const int input = channel >= 0 ? channel : ::open("/dev/null", O_RDONLY);

@@ -48,11 +48,12 @@ bool Crew::all_ended() noexcept {
   return std::all_of(members_.begin(), members_.end(), [](Member& member) { return member.child.ended(); });
 }
 
-std::vector<Child*> Crew::failed(clock::Part part) noexcept {
+std::vector<Child*> Crew::failed(clock::Part part) {
   std::vector<Child*> found;
   for (Member& member : members_)
     if (member.part == part && member.child.lost() && member.child.exit_code().value_or(-1) != 0)
       found.push_back(&member.child);
+  for (Child* const child : found) listen(*child);
   return found;
 }
 

@@ -29,7 +29,8 @@ class Crew {
   Child* first_lost(const std::vector<std::string>& suspects = {});
   bool all_ended() noexcept;
   /// Those of this part that have not ended as they should: lost with an exit code, by a signal, or stopped by one.
-  std::vector<Child*> failed(clock::Part part) noexcept;
+  /// All that they have written is handed on.
+  std::vector<Child*> failed(clock::Part part);
   /// Whether no process of this part is at work any more.
   bool all_lost(clock::Part part) noexcept;
   void signal(int number) noexcept;

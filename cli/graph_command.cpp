@@ -4,16 +4,18 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include "cli/ask_programs.hpp"
 #include "cli/child.hpp"
+#include "command/print.hpp"
 #include "config/deployment.hpp"
+#include "config/deployment_text.hpp"
 #include "config/message_text.hpp"
 #include "config/state_machine.hpp"
 #include "config/table.hpp"
+#include "process/text_memory.hpp"
 
 namespace mrroc::cli {
 
@@ -32,23 +34,23 @@ std::filesystem::path find_program(const std::string& name) {
 /// Has Graphviz draw it; the format is the file's extension.
 void draw(const std::string& dot, const std::filesystem::path& picture) {
   const std::string format = "-T" + (picture.has_extension() ? picture.extension().string().substr(1) : "svg");
-  const std::string input = picture.string() + ".dot";
-  if (!(std::ofstream(input) << dot)) throw std::runtime_error("graph: " + input + " cannot be written");
-  Child child("dot", find_program("dot"), {format, "-o", picture.string(), input});
+  const process::TextMemory input(dot);
+  Child child("dot", find_program("dot"),
+              {format, "-o", picture.string(), "/proc/self/fd/" + std::to_string(input.fd())}, -1, {input.fd()});
   const std::string said = child.wait_for_output();
-  std::filesystem::remove(input);
   if (child.exit_code() != 0) throw std::runtime_error("graph: " + picture.string() + " could not be drawn: " + said);
 }
 
 int graph(const std::filesystem::path& file, const std::filesystem::path& picture) {
-  const config::Deployment deployment = config::load_deployment(file);
+  const config::DeploymentText source = config::read_deployment_text(file);
+  const config::Deployment deployment = config::load_deployment(source.is_file ? file : source.file, source.text);
   if (deployment.mp.states.empty())
     throw config::ConfigurationError(file, 0, "mp.states", "is missing: there is no state machine to draw",
                                      "the state machine's file");
   const std::string dot =
       config::to_dot(config::load_state_machine(deployment.mp.states, deployment, ask_programs(deployment)));
   if (picture.empty())
-    std::fputs(dot.c_str(), stdout);
+    command::print(dot);
   else
     draw(dot, picture);
   return 0;

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -61,8 +62,15 @@ std::string permissions(const std::string& subject, const std::string& topics) {
 void write(const fs::path& path, const std::string& text) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
   if (file < 0) refuse(path);
-  const bool written = ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  if (::close(file) != 0 || !written) refuse(path);
+  int problem = 0;
+  for (std::size_t done = 0; problem == 0 && done < text.size();) {
+    const ssize_t size = ::write(file, text.data() + done, text.size() - done);
+    if (size < 0 && errno != EINTR) problem = errno;
+    done += static_cast<std::size_t>(std::max<ssize_t>(size, 0));
+  }
+  if (::close(file) != 0 && problem == 0) problem = errno;
+  errno = problem;
+  if (problem != 0) refuse(path);
 }
 
 void fill(const fs::path& folder, const std::string& deployment) {

@@ -1,12 +1,12 @@
 #include "cli/keys_command.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <filesystem>
 #include <memory>
 #include <string>
 
 #include "cli/key_maker.hpp"
+#include "command/print.hpp"
+#include "config/deployment_text.hpp"
 #include "config/device_name.hpp"
 
 namespace mrroc::cli {
@@ -15,7 +15,9 @@ namespace {
 
 /// The name alone: the file may name the very keys that are to be made, and would be refused as a whole.
 std::string name_of_deployment(const std::filesystem::path& file) {
-  const config::Table general = config::Table::load(file).table("deployment");
+  const config::DeploymentText source = config::read_deployment_text(file);
+  const config::Table general =
+      config::Table::parse(source.is_file ? file : source.file, source.text).table("deployment");
   const std::string name = general.text("name");
   config::check_name(general, "name", name);
   return name;
@@ -24,8 +26,9 @@ std::string name_of_deployment(const std::filesystem::path& file) {
 void keys(const std::filesystem::path& folder, const std::filesystem::path& file) {
   const std::string deployment = file.empty() ? "" : name_of_deployment(file);
   make_keys(folder, deployment);
-  fmt::print("{}: keys for {}\n", folder.string(), deployment.empty() ? "any deployment" : "deployment " + deployment);
-  fmt::print("name them in the deployment file as `keys` of [network]; whoever has a copy can command the robots\n");
+  command::print(
+      folder.string() + ": keys for " + (deployment.empty() ? "any deployment" : "deployment " + deployment) +
+      "\nname them in the deployment file as `keys` of [network]; whoever has a copy can command the robots\n");
 }
 
 }  // namespace

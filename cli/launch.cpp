@@ -1,6 +1,5 @@
 #include "cli/launch.hpp"
 
-#include <cstdio>
 #include <stdexcept>
 
 #include "config/network_entry.hpp"
@@ -23,6 +22,7 @@ process::Arguments arguments_for(const PlannedProcess& process, const Surroundin
   const config::NetworkEntry& network = surroundings.deployment.network;
   process::Arguments arguments;
   arguments.deployment = surroundings.deployment.file;
+  arguments.deployment_fd = surroundings.deployment_fd;
   arguments.name = process.name;
   arguments.clock_fd = surroundings.clock_fd;
   arguments.world_fd = surroundings.world_fd;
@@ -30,12 +30,16 @@ process::Arguments arguments_for(const PlannedProcess& process, const Surroundin
   arguments.interface = interface_of(surroundings);
   if (network.security) arguments.keys = network.keys;
   arguments.peers = surroundings.peers;
-  arguments.trace = surroundings.trace.of(process);
+  arguments.trace_fd = surroundings.outputs.trace_of(process.name);
+  if (arguments.trace_fd >= 0) arguments.trace = options.trace;
   if (process.has_task) arguments.black_box = options.black_box;
   arguments.black_box_fd = surroundings.black_boxes.fd_of(process.name);
   if (process.name == "mp") arguments.behaviours = options.behaviours;
   if (process.name == "sim") arguments.snapshots = options.snapshots;
-  if (process.name == "sim") arguments.motion = options.motion;
+  if (process.name == "sim") {
+    arguments.motion = options.motion;
+    arguments.motion_fd = surroundings.outputs.motion();
+  }
   arguments.faults = options.faults;
   return arguments;
 }
@@ -51,19 +55,18 @@ links::DomainOptions domain_options(const Surroundings& surroundings) {
   return options;
 }
 
-void check_network(const config::NetworkEntry& network) {
-  if (network.security) {
-    try {
-      links::check_keys(network.keys);
-    } catch (const SystemError& error) {
-      throw std::runtime_error(error.detail());
-    }
-  } else if (config::beyond_loopback(network.interface)) {
-    std::fprintf(stderr,
-                 "warning: without security whoever reaches the interface %s can command the robots; make keys with "
-                 "`mrroc keys` (docs/security.md)\n",
-                 network.interface.c_str());
+std::string check_network(const config::NetworkEntry& network) {
+  if (!network.security) {
+    if (!config::beyond_loopback(network.interface)) return "";
+    return "warning: without security whoever reaches the interface " + network.interface +
+           " can command the robots; make keys with `mrroc keys` (docs/security.md)";
   }
+  try {
+    links::check_keys(network.keys);
+  } catch (const SystemError& error) {
+    throw std::runtime_error(error.detail());
+  }
+  return "";
 }
 
 }  // namespace mrroc::cli

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "cli/black_boxes.hpp"
+#include "cli/outputs.hpp"
 #include "cli/process_plan.hpp"
 #include "cli/run_options.hpp"
-#include "cli/trace_parts.hpp"
 #include "config/deployment.hpp"
 #include "links/domain.hpp"
 #include "process/arguments.hpp"
@@ -17,11 +17,12 @@ namespace mrroc::cli {
 struct Surroundings {
   const config::Deployment& deployment;
   const RunOptions& options;
-  const TraceParts& trace;
+  const Outputs& outputs;
   const BlackBoxes& black_boxes;
   int domain = 0;
   std::string own_address;         ///< the interface, where the deployment names none but has several hosts
   std::vector<std::string> peers;  ///< the other machines
+  int deployment_fd = -1;          ///< its text
   int clock_fd = -1;
   int world_fd = -1;
 };
@@ -31,8 +32,8 @@ process::Arguments arguments_for(const PlannedProcess& process, const Surroundin
 /// How the runner itself takes part in the communication.
 links::DomainOptions domain_options(const Surroundings& surroundings);
 
-/// Keys that are none are told before anything is started; that nobody keeps strangers out, too: on stderr. Throws
-/// std::runtime_error: the mistake is the user's, nothing has moved.
-void check_network(const config::NetworkEntry& network);
+/// Checks the keys before anything is started. Returns a warning when no keys keep unknown participants out; empty:
+/// none. Throws std::runtime_error: the mistake is the user's, nothing has moved.
+std::string check_network(const config::NetworkEntry& network);
 
 }  // namespace mrroc::cli

@@ -1,38 +1,43 @@
-#include <cstdio>
-#include <exception>
+#include <signal.h>
+#include <unistd.h>
 
-#include "cli/agent_command.hpp"
-#include "cli/can_command.hpp"
-#include "cli/graph_command.hpp"
-#include "cli/keys_command.hpp"
-#include "cli/run_command.hpp"
-#include "cli/trace_command.hpp"
-#include "config/table.hpp"
+#include <exception>
+#include <string>
+
+#include "cli/command_line.hpp"
+#include "cli/output.hpp"
+#include "clock/monotonic.hpp"
+#include "command/parse_command.hpp"
+#include "command/printable.hpp"
 #include "mrroc/errors.hpp"
 #include "process/exit_code.hpp"
 
+namespace {
+
 using mrroc::process::ExitCode;
 
+constexpr std::int64_t kPatienceWithReader = 2 * mrroc::clock::kSecond;
+
+/// After a run its signals stay blocked: an error must not wait for a reader that has stopped.
+int fail(ExitCode code, const std::exception& error) {
+  mrroc::cli::Output err(STDERR_FILENO);
+  err.write("mrroc: " + mrroc::command::printable_lines(error.what()) + "\n");
+  err.drain(mrroc::clock::monotonic_ns() + kPatienceWithReader);
+  return static_cast<int>(code);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  CLI::App app{"MRROC++: program several robots and their sensors as one system"};
-  app.require_subcommand(1);
+  signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
+  CLI::App app;
   int exit_code = 0;
   try {
-    mrroc::cli::add_run_command(app, exit_code);
-    mrroc::cli::add_trace_command(app, exit_code);
-    mrroc::cli::add_graph_command(app, exit_code);
-    mrroc::cli::add_keys_command(app, exit_code);
-    mrroc::cli::add_agent_command(app, exit_code);
-    mrroc::cli::add_can_command(app, exit_code);
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    mrroc::cli::describe_command(app, exit_code);
+    return mrroc::command::parse_command(app, argc, argv).value_or(exit_code);
   } catch (const mrroc::Error& error) {
-    std::fprintf(stderr, "mrroc: %s\n", error.what());
-    return static_cast<int>(mrroc::process::exit_code(error.error_class()));
+    return fail(mrroc::process::exit_code(error.error_class()), error);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "mrroc: %s\n", error.what());
-    return static_cast<int>(ExitCode::usage);
+    return fail(ExitCode::usage, error);
   }
-  return exit_code;
 }

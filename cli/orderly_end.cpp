@@ -19,7 +19,9 @@ void look_for_failures(Crew& crew, clock::ClockHost& clock, const EndListener& l
   for (const clock::Part part : {clock::Part::drives, clock::Part::world}) {
     for (Child* const child : crew.failed(part)) {
       clock.participant_died(child->name());
-      listener.failed("process " + child->name() + " failed at the end: " + child->how_it_ended());
+      const std::string& said = child->last_line();
+      listener.failed("process " + child->name() + " failed at the end: " + child->how_it_ended() +
+                      (child->exit_code() && !said.empty() ? ": " + said : ""));
     }
   }
 }
@@ -50,7 +52,7 @@ void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndLi
   crew.signal(SIGTERM);
   clock.end();
   const std::int64_t deadline = clock::monotonic_ns() + kPatienceToEnd;
-  while (!crew.all_ended() && clock::monotonic_ns() < deadline) listener.turn();
+  while (!crew.all_ended() && clock::monotonic_ns() < deadline && !listener.hurried()) listener.turn();
   for (const std::string& name : crew.kill_rest()) listener.message("process " + name + " does not end, killing it");
   const std::int64_t last = clock::monotonic_ns() + kPatienceWithKilled;
   while (!crew.all_ended() && clock::monotonic_ns() < last) listener.turn();
@@ -62,7 +64,7 @@ void end_in_order(RemoteHosts& hosts, const EndListener& listener) {
   const std::int64_t begin = clock::monotonic_ns();
   // a trace takes as long as it takes
   const auto patient = [&] { return clock::monotonic_ns() < std::max(begin, hosts.traced_at()) + kPatienceWithHosts; };
-  while (!hosts.all_ended() && patient()) listener.turn();
+  while (!hosts.all_ended() && patient() && !listener.hurried()) listener.turn();
   for (const std::string& name : hosts.kill_rest())
     listener.message("host " + name + ": its agent does not end, killing the command that started it");
   while (!hosts.all_ended()) listener.turn();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "clock/monotonic.hpp"
+#include "command/printable.hpp"
 
 namespace mrroc::cli {
 
@@ -31,18 +32,19 @@ const char* text_of(links::ProcessState state) {
 
 std::string activity_of(const links::ProcessStatus& status) {
   if (status.instruction == 0) return "";
-  return fmt::format("{} {:<28} step {:>5}", status.instruction, status.activity.view(), status.step);
+  return fmt::format("{} {:<28} step {:>5}", status.instruction, command::printable(status.activity.view()),
+                     status.step);
 }
 
 }  // namespace
 
-Progress::Progress(std::vector<std::string> processes, double servo_period, bool quiet)
-    : out_(STDOUT_FILENO),
+Progress::Progress(std::vector<std::string> processes, double servo_period, bool quiet, int output)
+    : out_(output),
       err_(STDERR_FILENO),
       names_(std::move(processes)),
       servo_period_(servo_period),
       quiet_(quiet),
-      live_(!quiet && isatty(STDOUT_FILENO) != 0) {}
+      live_(!quiet && isatty(output) != 0) {}
 
 Progress::~Progress() {
   const std::int64_t deadline = clock::monotonic_ns() + kPatienceWithReader;
@@ -69,13 +71,13 @@ void Progress::print_change(const links::ProcessStatus& before, const links::Pro
 }
 
 void Progress::message(const std::string& text) {
-  out_.write(erasure() + text + "\n");
+  out_.write(erasure() + command::printable_lines(text) + "\n");
   draw();
 }
 
 void Progress::error(const std::string& text) {
   out_.write(erasure());
-  err_.write(text + "\n");
+  err_.write(command::printable_lines(text) + "\n");
   draw();
 }
 

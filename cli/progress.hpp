@@ -11,11 +11,11 @@ namespace mrroc::cli {
 
 /// What the operator sees while a deployment runs: on a terminal one live line per process, redrawn in place; otherwise
 /// one plain line for each change of a process's state or instruction. It never waits for who reads, and an output that
-/// fails is no failure of the run. Main thread.
+/// fails is no failure of the run. Text from elsewhere is made printable. Main thread.
 class Progress {
  public:
-  /// `quiet`: shows nothing but messages.
-  Progress(std::vector<std::string> processes, double servo_period, bool quiet);
+  /// `quiet`: shows nothing but messages. `output`: the descriptor of all but the errors, which go to stderr.
+  Progress(std::vector<std::string> processes, double servo_period, bool quiet, int output = 1);
   /// Waits up to 2 s for what is not written yet.
   ~Progress();
   Progress(const Progress&) = delete;
@@ -43,7 +43,7 @@ class Progress {
   std::vector<std::string> names_;
   double servo_period_;
   bool quiet_;
-  bool live_;  // stdout is a terminal
+  bool live_;  // the output is a terminal
   bool paused_ = false;
   std::map<std::string, links::ProcessStatus> statuses_;
   std::size_t drawn_lines_ = 0;

@@ -1,11 +1,13 @@
 #include "cli/run_command.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
-#include <cstdio>
+#include <cstdint>
+#include <limits>
 
 #include "cli/ask_programs.hpp"
 #include "cli/runner.hpp"
+#include "command/number_option.hpp"
+#include "command/print.hpp"
+#include "config/deployment_text.hpp"
 #include "config/description.hpp"
 #include "config/state_machine.hpp"
 #include "config/table.hpp"
@@ -27,9 +29,13 @@ config::ClockMode clock_mode(const std::string& name) {
 }
 
 /// What the command line may not ask of a deployment on several machines.
-void check_hosts(const config::Deployment& deployment, const RunArguments& arguments) {
+void check_hosts(const config::Deployment& deployment, const RunArguments& arguments,
+                 const config::DeploymentText& source) {
   const auto used = deployment.hosts_used();
   if (used.empty()) return;
+  if (!source.is_file)
+    throw config::ConfigurationError(arguments.file, 0, "", "host '" + used.front()->name + "' is another machine",
+                                     "a file that every machine has");
   if (deployment.clock != config::ClockMode::real)
     throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
                                      "host '" + used.front()->name + "' is another machine", "--clock real");
@@ -49,10 +55,14 @@ void check_drives(const config::Deployment& deployment, const RunArguments& argu
 }
 
 int run(const RunArguments& arguments) {
-  config::Deployment deployment = config::load_deployment(arguments.file);
+  const config::DeploymentText source = config::read_deployment_text(arguments.file);
+  // messages name a file as it was given
+  config::Deployment deployment = config::load_deployment(source.is_file ? arguments.file : source.file, source.text);
   RunOptions options = arguments.options;
+  options.text = source.text;
+  options.attended = !source.from_stdin;
   if (!arguments.clock.empty()) deployment.clock = clock_mode(arguments.clock);
-  check_hosts(deployment, arguments);
+  check_hosts(deployment, arguments, source);
   check_drives(deployment, arguments);
   if (!deployment.mp.states.empty()) {
     const config::ProgramsByRobot programs = ask_programs(deployment);
@@ -60,7 +70,7 @@ int run(const RunArguments& arguments) {
     options.behaviours = config::to_text(programs);
   }
   if (arguments.check) {
-    fmt::print("{}\n", config::describe(deployment));
+    command::print(config::describe(deployment) + "\n");
     return 0;
   }
   return static_cast<int>(Runner(deployment, options).run());
@@ -90,8 +100,9 @@ void add_run_command(CLI::App& app, int& exit_code) {
                    "Inject a fault, e.g. \"kill ecp:arm at step 120\" (docs/fault-injection.md); may be given again")
       ->take_all()
       ->expected(1);
-  command->add_option("--shuffle-start", arguments->options.shuffle_seed,
-                      "Start the processes in a random order with random delays, from this seed");
+  command::add_number<std::uint64_t>(*command, "--shuffle-start", arguments->options.shuffle_seed, 0,
+                                     std::numeric_limits<std::uint64_t>::max(),
+                                     "Start the processes in a random order with random delays, from this seed");
   command->add_flag("--quiet", arguments->options.quiet, "No progress and no report");
   command->add_flag("--check", arguments->check, "Validate the deployment and show its processes; start nothing");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

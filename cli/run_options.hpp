@@ -16,6 +16,8 @@ struct RunOptions {
   std::filesystem::path motion;     ///< file for the motion of the simulated world's robots; empty: none
   std::vector<std::string> faults;  ///< to be injected: faults::parse_fault
   std::string behaviours;           ///< what the ECP programs have, for a state machine (config::ProgramsByRobot)
+  std::string text;                 ///< of the deployment, as it was read
+  bool attended = true;             ///< false: the standard input was the deployment, nothing is typed there
   bool quiet = false;
   /// Starts the processes in a random order with random delays (0 to 0.3 s) drawn from this seed: a test of the
   /// barrier.

@@ -13,10 +13,12 @@
 #include "cli/launch.hpp"
 #include "cli/orderly_end.hpp"
 #include "cli/report.hpp"
+#include "cli/resource_limits.hpp"
 #include "cli/run_result.hpp"
 #include "clock/realtime.hpp"
 #include "config/resources.hpp"
 #include "mrroc/errors.hpp"
+#include "process/trace_file.hpp"
 
 namespace mrroc::cli {
 
@@ -32,14 +34,21 @@ std::vector<PlannedProcess> processes_on(const std::string& host, const std::vec
   return found;
 }
 
+/// The text, when the limits of this process leave room for what a run needs.
+const std::string& within_limits(const std::vector<PlannedProcess>& plan, const std::string& text) {
+  check_limits(processes_on("", plan).size());
+  return text;
+}
+
 }  // namespace
 
 Runner::Runner(const config::Deployment& deployment, RunOptions options)
     : deployment_(deployment),
       options_(std::move(options)),
       plan_(plan_processes(deployment_)),
+      text_(within_limits(plan_, options_.text)),
       black_boxes_(options_.black_box, deployment_, plan_),
-      progress_(names_of(plan_), deployment_.servo_period, options_.quiet),
+      progress_(names_of(plan_), deployment_.servo_period, options_.quiet, descriptor_for_progress(options_.trace)),
       domain_lock_(deployment_.domain),
       clock_(clock_options(deployment_, names_of(processes_on("", plan_)))),
       operator_clock_(clock_.operator_clock()),
@@ -47,7 +56,7 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       faults_(options_.faults, plan_, clock_, crew_, deployment_.clock != config::ClockMode::real,
               [this](const std::string& line) { progress_.message(line); }),
       supervisor_({deployment_, plan_, clock_, *operator_clock_, crew_, faults_, black_boxes_, progress_}),
-      input_(STDIN_FILENO) {
+      input_(options_.attended ? STDIN_FILENO : -1) {
   if (deployment_.sim && deployment_.sim->host.empty())
     world_ = std::make_unique<sim::MappedWorld>(sim::MappedWorld::create());
 }
@@ -59,23 +68,19 @@ Runner::~Runner() {
 
 process::ExitCode Runner::run() {
   check_somebody_answers(deployment_, input_.attended());
-  check_network(deployment_.network);
-  // before anything is started: a run whose trace is lost would be in vain
-  const TraceParts trace(options_.trace, plan_);
-  if (!options_.snapshots.empty()) std::filesystem::create_directories(options_.snapshots);
+  if (const std::string warning = check_network(deployment_.network); !warning.empty()) progress_.error(warning);
+  // before anything is started: a run whose outputs are lost would be in vain
+  Outputs outputs(options_, deployment_, plan_, [this](int milliseconds) { return supervisor_.turn(milliseconds); });
+  if (!supervisor_.ending()) outputs.begin();
   // lockstep is serial by nature: one CPU for all is several times faster than two
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
   supervisor_.guard([&] {
-    start_processes(trace);
+    if (!supervisor_.ending()) start_processes(outputs);
     if (!supervisor_.ending()) pass_barrier();
     if (!supervisor_.ending()) supervisor_.supervise();
   });
   end_processes();
-  try {
-    trace.join(plan_, deployment_.clock);
-  } catch (const std::exception& error) {
-    supervisor_.fail(process::ExitCode::system, error.what());  // a success is none without its trace
-  }
+  join_trace(outputs);
   RunResult result = supervisor_.result();
   if (hosts_) result.hosts = hosts_->summaries();
   // a task that has failed has written its own; here are those that died, or were ended because of it
@@ -85,22 +90,42 @@ process::ExitCode Runner::run() {
   return result.code;
 }
 
-void Runner::start_processes(const TraceParts& trace) {
+/// A success without its trace is a failure.
+void Runner::join_trace(Outputs& outputs) {
+  for (const PlannedProcess& process : plan_) {
+    const Child* const child = crew_.find(process.name);
+    // a task that could not write its part has reported that last
+    if (child != nullptr && child->exit_code() == static_cast<int>(process::ExitCode::system) &&
+        child->last_line().starts_with(process::kTraceProblem))
+      supervisor_.fail(process::ExitCode::system, child->last_line());
+  }
+  try {
+    outputs.join_trace(deployment_.clock, [this](int milliseconds) {
+      supervisor_.watch_operator(milliseconds);
+      return !supervisor_.hurried();
+    });
+  } catch (const std::exception& error) {
+    supervisor_.fail(supervisor_.hurried() ? process::ExitCode::stopped : process::ExitCode::system, error.what());
+  }
+}
+
+void Runner::start_processes(Outputs& outputs) {
   // a program may lie elsewhere than the others: it finds them, and the data files, where the runner does
   config::hand_down_directories();
   std::vector<PlannedProcess> order = plan_;
   std::mt19937_64 random(options_.shuffle_seed.value_or(0));
   if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);
-  hosts_ = std::make_unique<RemoteHosts>(deployment_, host_listener(trace), operator_clock_->emergency_stop());
+  hosts_ = std::make_unique<RemoteHosts>(deployment_, host_listener(outputs), operator_clock_->emergency_stop());
   supervisor_.watch(*hosts_);
   hosts_->start_agents(common_order());
   const Surroundings surroundings{.deployment = deployment_,
                                   .options = options_,
-                                  .trace = trace,
+                                  .outputs = outputs,
                                   .black_boxes = black_boxes_,
                                   .domain = domain_lock_.domain(),
                                   .own_address = hosts_->own_address(),
                                   .peers = hosts_->machines(),
+                                  .deployment_fd = text_.fd(),
                                   .clock_fd = clock_.fd(),
                                   .world_fd = world_ ? world_->fd() : -1};
   for (const PlannedProcess& process : order) {
@@ -132,18 +157,16 @@ void Runner::pass_barrier() {
   clock_.start(hosts_->start());
 }
 
-HostListener Runner::host_listener(const TraceParts& trace) {
-  for (const PlannedProcess& process : plan_) {
-    const std::filesystem::path part = trace.of(process);
-    if (!process.host.empty() && !part.empty()) remote_traces_[process.name].open(part);
-  }
+HostListener Runner::host_listener(Outputs& outputs) {
   HostListener listener;
   listener.message = [this](const std::string& line) { progress_.message(line); };
   listener.lost = [this](const std::string& name, int exit_code, const std::string& how) {
     supervisor_.process_lost(name, exit_code, how);
   };
   listener.failed = [this](process::ExitCode code, const std::string& reason) { supervisor_.fail(code, reason); };
-  listener.trace = [this](const std::string& name, const std::string& line) { remote_traces_[name] << line << '\n'; };
+  listener.trace = [parts = outputs.parts()](const std::string& name, const std::string& line) {
+    if (parts != nullptr) parts->take(name, line);
+  };
   listener.last_step = [this](const std::string& name, const std::string& line) { black_boxes_.take(name, line); };
   return listener;
 }
@@ -181,11 +204,11 @@ void Runner::end_processes() {
   const EndListener listener{
       .turn = [this] { supervisor_.turn_at_the_end(); },
       .message = [this](const std::string& line) { progress_.message(line); },
-      .failed = [this](const std::string& reason) { supervisor_.fail(process::ExitCode::system, reason); }};
+      .failed = [this](const std::string& reason) { supervisor_.fail(process::ExitCode::system, reason); },
+      .hurried = [this] { return supervisor_.hurried(); }};
   if (hosts_) supervisor_.guard([this] { hosts_->stop(); });
   end_in_order(crew_, clock_, supervisor_.task_started(), listener);
   if (hosts_) supervisor_.guard([&] { end_in_order(*hosts_, listener); });
-  remote_traces_.clear();
   supervisor_.guard([this] { supervisor_.turn(0); });
   if (supervisor_.task_started()) faults_.tell_left();
   progress_.finish();

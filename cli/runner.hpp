@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,17 +9,18 @@
 #include "cli/crew.hpp"
 #include "cli/domain_lock.hpp"
 #include "cli/fault_injector.hpp"
+#include "cli/outputs.hpp"
 #include "cli/process_plan.hpp"
 #include "cli/progress.hpp"
 #include "cli/remote_hosts.hpp"
 #include "cli/run_links.hpp"
 #include "cli/run_options.hpp"
 #include "cli/supervisor.hpp"
-#include "cli/trace_parts.hpp"
 #include "cli/typed_lines.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
 #include "process/exit_code.hpp"
+#include "process/text_memory.hpp"
 #include "sim/mapped_world.hpp"
 
 namespace mrroc::cli {
@@ -30,19 +29,22 @@ namespace mrroc::cli {
 /// supervisor watch over them, and ends every process whatever happens. Main thread.
 class Runner {
  public:
+  /// Throws std::runtime_error and SystemError when the deployment cannot be started so; nothing has been started then.
   Runner(const config::Deployment& deployment, RunOptions options);
   ~Runner();
   /// The outcome of the task, whatever becomes of what is said about it.
   process::ExitCode run();
 
  private:
-  void start_processes(const TraceParts& trace);
+  void start_processes(Outputs& outputs);
   void pass_barrier();
   /// Shakes hands with the MP, and sees meanwhile who dies and what the operator wants; false when all is to end.
   bool connect_to_mp(double deadline);
   void end_processes();
   /// What is done when another host reports something.
-  HostListener host_listener(const TraceParts& trace);
+  HostListener host_listener(Outputs& outputs);
+  /// Writes the trace; the reason why it is not complete becomes that of the run.
+  void join_trace(Outputs& outputs);
   /// What all other hosts are told alike.
   AgentOrder common_order() const;
   /// The processes here, and what the other hosts wait for.
@@ -51,6 +53,7 @@ class Runner {
   config::Deployment deployment_;
   RunOptions options_;
   std::vector<PlannedProcess> plan_;
+  process::TextMemory text_;  // of the deployment
   BlackBoxes black_boxes_;
   Progress progress_;
   DomainLock domain_lock_;
@@ -60,7 +63,6 @@ class Runner {
   Crew crew_;
   FaultInjector faults_;
   Supervisor supervisor_;
-  std::map<std::string, std::ofstream> remote_traces_;  // parts that come from other hosts
   std::unique_ptr<RemoteHosts> hosts_;
   TypedLines input_;
   std::unique_ptr<RunLinks> links_;

@@ -16,6 +16,7 @@ int open_signals(std::initializer_list<int> others) {
   sigprocmask(SIG_BLOCK, &set, nullptr);
   signal(SIGCHLD, SIG_DFL);  // whoever has started this may ignore it, and then nobody hears of a death
   signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
   return signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
 }
 

@@ -6,7 +6,8 @@ namespace mrroc::cli {
 
 /// The signals that whoever starts processes hears instead of dying of them: those that ask it to end (SIGINT, SIGTERM,
 /// SIGHUP), SIGCHLD and `others`; from then on they are blocked. SIGPIPE is ignored: who does not read what it says is
-/// found gone otherwise. Main thread, before it starts a thread or a process.
+/// found gone otherwise; so is SIGXFSZ: a file size limit is an error of the write. Main thread, before it starts a
+/// thread or a process.
 class Signals {
  public:
   explicit Signals(std::initializer_list<int> others = {});

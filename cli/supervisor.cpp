@@ -1,5 +1,6 @@
 #include "cli/supervisor.hpp"
 
+#include <poll.h>
 #include <signal.h>
 #include <spdlog/fmt/fmt.h>
 
@@ -88,7 +89,10 @@ void Supervisor::read_signals() {
 }
 
 void Supervisor::interrupt_by_operator() {
-  if (ending_) return;
+  if (ending_) {
+    hurried_ = true;
+    return;
+  }
   ++interrupts_;
   if (interrupts_ > 1 || !task_started_) {
     fail(process::ExitCode::stopped, "ended by the operator");
@@ -205,6 +209,14 @@ void Supervisor::fail(process::ExitCode code, std::string reason) {
   result_.code = code;
   result_.reason = std::move(reason);
   watched_.progress.error("mrroc: " + watched_.deployment.name + ": " + result_.reason);
+}
+
+void Supervisor::watch_operator(int milliseconds) {
+  ending_ = true;
+  pollfd signal{signals_.descriptor(), POLLIN, 0};
+  poll(&signal, 1, milliseconds);
+  read_signals();
+  watched_.progress.draw();
 }
 
 void Supervisor::turn_at_the_end() {

@@ -59,9 +59,13 @@ class Supervisor {
   void supervise();
   /// A turn while processes end, from which nothing may keep them.
   void turn_at_the_end();
+  /// Waits at most `milliseconds` for the operator's signals, when all processes have ended, and writes what is shown.
+  void watch_operator(int milliseconds);
   /// Takes a step; what it throws is why the run fails.
   void guard(const std::function<void()>& step);
 
+  /// The operator has asked for the end while the run was ending: nothing that only takes time is waited for.
+  bool hurried() const noexcept { return hurried_; }
   /// The task has ended or failed: processes may go.
   bool ending() const noexcept { return ending_; }
   /// Why the run fails; a later reason is but a consequence.
@@ -94,6 +98,7 @@ class Supervisor {
   RunLinks* links_ = nullptr;
   int interrupts_ = 0;
   bool ending_ = false;
+  bool hurried_ = false;
   bool task_started_ = false;
   double started_at_ = 0;  // s of wall time
   RunResult result_;

@@ -18,18 +18,23 @@ TaskRecords::TaskRecords(const AgentOrder& order, const std::vector<PlannedProce
   if (!order.trace) return;
   std::string pattern = std::filesystem::temp_directory_path() / "mrroc_agent_XXXXXX";
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder for traces");
-  traces_ = pattern;
+  folder_ = pattern;
+  for (const std::string& task : tasks_)
+    traces_.emplace(task, process::ClaimedFile::create([&](std::uint64_t) { return folder_ / task; }, "the trace"));
 }
 
 TaskRecords::~TaskRecords() {
-  if (traces_.empty()) return;
+  if (folder_.empty()) return;
   std::error_code none;
-  std::filesystem::remove_all(traces_, none);
+  std::filesystem::remove_all(folder_, none);
 }
 
 void TaskRecords::add_to(process::Arguments& arguments) const {
   if (std::find(tasks_.begin(), tasks_.end(), arguments.name) == tasks_.end()) return;
-  if (!traces_.empty()) arguments.trace = traces_ / arguments.name;
+  if (const auto trace = traces_.find(arguments.name); trace != traces_.end()) {
+    arguments.trace = trace->second.path();
+    arguments.trace_fd = trace->second.fd();
+  }
   if (const auto found = last_steps_.find(arguments.name); found != last_steps_.end())
     arguments.black_box_fd = found->second.fd();
 }
@@ -38,9 +43,8 @@ void TaskRecords::send(LineChannel& runner) const {
   for (const auto& [task, steps] : last_steps_)
     for (const process::TextLine& line : steps.lines())
       runner.write("last_step " + task + " " + std::string{line.view()});
-  if (traces_.empty()) return;
-  for (const std::string& task : tasks_) {
-    std::ifstream file(traces_ / task);
+  for (const auto& [task, trace] : traces_) {
+    std::ifstream file(trace.path());
     // of one that was killed the last line may be half a line
     for (std::string line; std::getline(file, line) && !file.eof();) runner.write("trace " + task + " " + line);
   }

@@ -9,6 +9,7 @@
 #include "cli/line_channel.hpp"
 #include "cli/process_plan.hpp"
 #include "process/arguments.hpp"
+#include "process/claimed_file.hpp"
 #include "process/shared_black_box.hpp"
 
 namespace mrroc::cli {
@@ -29,7 +30,8 @@ class TaskRecords {
   void send(LineChannel& runner) const;
 
  private:
-  std::filesystem::path traces_;  // folder; empty: none
+  std::filesystem::path folder_;                        // of the traces; empty: none
+  std::map<std::string, process::ClaimedFile> traces_;  // by process
   std::vector<std::string> tasks_;
   std::map<std::string, process::SharedBlackBox> last_steps_;  // by process
 };

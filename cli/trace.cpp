@@ -1,9 +1,7 @@
 #include "cli/trace.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -56,25 +54,23 @@ class Part {
 
 }  // namespace
 
-void create_trace(const std::filesystem::path& trace) {
-  if (!std::ofstream(trace))
-    throw std::runtime_error("cannot write the trace " + trace.string() + ": " + std::strerror(errno));
-}
-
-void merge_traces(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& merged,
-                  config::ClockMode clock) {
+void merge_traces(const std::vector<std::filesystem::path>& parts, config::ClockMode clock,
+                  const std::function<void(std::string_view text)>& write) {
+  constexpr std::size_t kPiece = 65536;
   std::vector<std::filesystem::path> sorted = parts;
   std::sort(sorted.begin(), sorted.end());
   std::vector<Part> open(sorted.begin(), sorted.end());
-  std::ofstream file(merged);
-  file << kTraceHeader << name_of(clock) << '\n';
+  std::string text = std::string{kTraceHeader} + name_of(clock) + "\n";
   const auto earlier = [](const Part& a, const Part& b) { return !a.ended() && (b.ended() || a.tick() < b.tick()); };
-  for (auto first = open.begin(); file && !open.empty(); first->next()) {
+  for (auto first = open.begin(); !open.empty(); first->next()) {
     first = std::min_element(open.begin(), open.end(), earlier);  // the first of those that are equally early
     if (first->ended()) break;
-    file << first->text() << '\n';
+    text.append(first->text()).push_back('\n');
+    if (text.size() < kPiece) continue;
+    write(text);
+    text.clear();
   }
-  if (!file.flush()) throw std::runtime_error("cannot write the trace " + merged.string());
+  write(text);
 }
 
 std::string hash_trace(const std::filesystem::path& trace) {

@@ -4,6 +4,7 @@
 
 #include "cli/trace.hpp"
 #include "cli/trace/check.hpp"
+#include "command/print.hpp"
 #include "process/exit_code.hpp"
 
 namespace mrroc::cli {
@@ -19,21 +20,21 @@ std::string count_of(std::uint64_t number, const std::string& what) {
 int check(const std::filesystem::path& file, bool all) {
   std::uint64_t told = 0;
   const trace::Verdict verdict = trace::check_trace(file, [&](const std::string& violation) {
-    if (all || told < kShown) fmt::print("{}\n", violation);
+    if (all || told < kShown) command::print(violation + "\n");
     ++told;
   });
-  for (const std::string& note : verdict.notes) fmt::print("{}\n", note);
+  for (const std::string& note : verdict.notes) command::print(note + "\n");
   const std::string looked_at =
       fmt::format("{}: {} of {} of {}", file.filename().string(), count_of(verdict.lines, "step"),
                   count_of(verdict.instructions, "instruction"),
                   fmt::format("{} {}", verdict.processes, verdict.processes == 1 ? "process" : "processes"));
   if (verdict.violations == 0) {
-    fmt::print("{}: {} rules hold\n", looked_at, verdict.rules);
+    command::print(fmt::format("{}: {} rules hold\n", looked_at, verdict.rules));
     return static_cast<int>(process::ExitCode::success);
   }
   const std::string more =
       told > kShown && !all ? fmt::format(", the first {} are shown (--all: every one)", kShown) : "";
-  fmt::print("{}: {}{}\n", looked_at, count_of(verdict.violations, "violation"), more);
+  command::print(fmt::format("{}: {}{}\n", looked_at, count_of(verdict.violations, "violation"), more));
   return static_cast<int>(process::ExitCode::task_failed);
 }
 
@@ -42,7 +43,7 @@ void add_hash(CLI::App& command, int& exit_code) {
   CLI::App* hash = command.add_subcommand("hash", "Print the hash of a trace: equal traces, equal hashes");
   hash->add_option("FILE", *file, "Trace file")->required();
   hash->callback([file, &exit_code] {
-    fmt::print("{}\n", hash_trace(*file));
+    command::print(hash_trace(*file) + "\n");
     exit_code = 0;
   });
 }
@@ -60,7 +61,7 @@ void add_check(CLI::App& command, int& exit_code) {
   check_command->add_flag("--rules", arguments->rules, "List the rules and the equations they state")->excludes(file);
   check_command->callback([arguments, file, &exit_code] {
     if (arguments->rules) {
-      fmt::print("{}", trace::text_of_rules());
+      command::print(trace::text_of_rules());
       exit_code = 0;
       return;
     }

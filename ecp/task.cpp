@@ -108,8 +108,7 @@ void serve(process::Process& process, const TaskFactory& factory) {
 
 int run(int argc, char** argv, const TaskFactory& factory) {
   if (argc == 2 && std::string_view{argv[1]} == "--behaviours") {  // what a state machine's file is checked against
-    std::fputs(config::to_text(Behaviours::declared()).c_str(), stdout);
-    return 0;
+    return std::fputs(config::to_text(Behaviours::declared()).c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0 : 4;
   }
   return process::run_process(argc, argv, links::ProcessRole::ecp,
                               [&factory](process::Process& process) { serve(process, factory); });

@@ -1,9 +1,16 @@
 #include "edp/describe.hpp"
 
 #include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <random>
 
+#include "command/number_option.hpp"
+#include "command/parse_command.hpp"
+#include "command/print.hpp"
+#include "command/printable.hpp"
 #include "edp/postures.hpp"
 #include "mrroc/tool_kinematics.hpp"
 
@@ -40,11 +47,7 @@ void print_limits(const RobotParameters& parameters) {
   }
 }
 
-}  // namespace
-
-bool describes(std::string_view argument) noexcept { return argument == "limits" || argument == "workspace"; }
-
-int describe(int argc, char** argv, const RobotModels& models) {
+int describe_robot(int argc, char** argv, const RobotModels& models) {
   int points = 10'000;
   std::uint64_t seed = 1;
   std::string name{models.front()->name()};
@@ -52,20 +55,36 @@ int describe(int argc, char** argv, const RobotModels& models) {
   app.require_subcommand(1);
   const CLI::App* limits = app.add_subcommand("limits", "Markdown table of the axes' limits");
   CLI::App* workspace = app.add_subcommand("workspace", "random tool positions within the limits, x y z in m");
-  workspace->add_option("--points", points, "how many")->check(CLI::Range(1, 10'000'000));
-  workspace->add_option("--seed", seed, "of the random joints");
+  command::add_number(*workspace, "--points", points, 1, 10'000'000, "how many");
+  command::add_number<std::uint64_t>(*workspace, "--seed", seed, 0, std::numeric_limits<std::uint64_t>::max(),
+                                     "of the random joints");
   workspace->add_option("--model", name, "kinematic model");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto exit_code = command::parse_command(app, argc, argv)) return *exit_code;
   if (limits->parsed()) {
     print_limits(models.front()->parameters());
+    command::finish_output();
     return 0;
   }
   for (const auto& model : models) {
     if (model->name() != name) continue;
-    return print_workspace(*model, points, seed) ? 0 : 2;
+    const bool whole = print_workspace(*model, points, seed);
+    command::finish_output();
+    return whole ? 0 : 2;
   }
   std::fprintf(stderr, "no model '%s' of %s\n", name.c_str(), models.front()->parameters().type.c_str());
   return 2;
+}
+
+}  // namespace
+
+bool describes(std::string_view argument) noexcept { return argument == "limits" || argument == "workspace"; }
+
+int describe(int argc, char** argv, const RobotModels& models) try {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
+  return describe_robot(argc, argv, models);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", command::printable_lines(error.what()).c_str());
+  return 4;
 }
 
 }  // namespace mrroc::edp

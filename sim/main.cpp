@@ -21,24 +21,38 @@ using mrroc::Tick;
 /// Ticks between two world snapshots: 0.1 s at 2 ms.
 constexpr Tick kSnapshotTicks = 50;
 
-/// What is written of the world as it goes: snapshots and the robots' motion, where they are asked for.
+/// What is written of the world as it goes: snapshots and the robots' motion, where they are asked for. One that cannot
+/// be written does not stop the world, in which robots move: it is the failure of the process at its end.
 class Records {
  public:
-  Records(const mrroc::process::Process& process, const mrroc::sim::Simulation& simulation,
+  Records(mrroc::process::Process& process, const mrroc::sim::Simulation& simulation,
           const mrroc::sim::WorldMemory& memory)
-      : simulation_(simulation), snapshots_(process.arguments().snapshots) {
-    if (const auto& path = process.arguments().motion; !path.empty())
-      motion_.emplace(path, process.deployment(), memory);
+      : process_(process), simulation_(simulation), snapshots_(process.arguments().snapshots) {
+    if (const auto& arguments = process.arguments(); arguments.motion_fd >= 0)
+      motion_.emplace(arguments.motion_fd, arguments.motion, process.deployment(), memory);
   }
+  ~Records() {
+    if (!motion_) return;
+    if (const std::string problem = motion_->close(); !problem.empty()) process_.fail_at_end(problem);
+  }
+  Records(const Records&) = delete;
+  Records& operator=(const Records&) = delete;
+
   void write(Tick tick) {
     if (motion_) motion_->write(tick);
     if (snapshots_.empty() || tick % kSnapshotTicks != 0) return;
     std::string name = std::to_string(tick);
     name.insert(0, 8 - std::min<std::size_t>(8, name.size()), '0');
-    mrroc::sim::save_state(snapshots_ / (name + ".state"), simulation_.state());
+    try {
+      mrroc::sim::save_state(snapshots_ / (name + ".state"), simulation_.state());
+    } catch (const mrroc::SystemError& error) {
+      process_.fail_at_end(error.what());
+      snapshots_.clear();
+    }
   }
 
  private:
+  mrroc::process::Process& process_;
   const mrroc::sim::Simulation& simulation_;
   std::filesystem::path snapshots_;
   std::optional<mrroc::sim::MotionFile> motion_;

@@ -1,22 +1,50 @@
 #include "sim/motion_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
 
 namespace mrroc::sim {
 
-MotionFile::MotionFile(const std::filesystem::path& path, const config::Deployment& deployment,
+namespace {
+
+std::string problem(const std::filesystem::path& path, int reason) {
+  return "cannot write the motion file " + path.string() + ": " + std::strerror(reason);
+}
+
+/// A stream of its own on a copy of the descriptor.
+std::FILE* stream_on(int fd) {
+  const int copy = fcntl(fd, F_DUPFD_CLOEXEC, 3);
+  std::FILE* const stream = copy < 0 ? nullptr : fdopen(copy, "w");
+  if (stream == nullptr && copy >= 0) ::close(copy);
+  return stream;
+}
+
+}  // namespace
+
+MotionFile::MotionFile(int fd, std::filesystem::path path, const config::Deployment& deployment,
                        const WorldMemory& memory)
-    : deployment_(deployment), memory_(memory), file_(std::fopen(path.c_str(), "we")) {
-  if (file_ == nullptr)
-    throw std::runtime_error("motion file " + path.string() + ": " + std::strerror(errno) +
-                             ", expected a file to write");
+    : deployment_(deployment), memory_(memory), path_(std::move(path)), file_(stream_on(fd)) {
+  if (file_ == nullptr) throw std::runtime_error(problem(path_, errno));
   for (const config::RobotEntry& robot : deployment_.robots)
     if (robot.in_world()) write_limits(robot);
+}
+
+MotionFile::~MotionFile() {
+  if (file_ != nullptr) close();
+}
+
+std::string MotionFile::close() {
+  if (failure_ == 0 && std::fflush(file_) != 0) failure_ = errno;
+  if (std::fclose(std::exchange(file_, nullptr)) != 0 && failure_ == 0) failure_ = errno;
+  return failure_ == 0 ? "" : problem(path_, failure_);
 }
 
 void MotionFile::write_limits(const config::RobotEntry& robot) {
@@ -29,13 +57,8 @@ void MotionFile::write_limits(const config::RobotEntry& robot) {
   std::fputc('\n', file_);
 }
 
-MotionFile::~MotionFile() {
-  const bool failed = std::ferror(file_) != 0;
-  if (std::fclose(file_) != 0 || failed)
-    std::fprintf(stderr, "motion file: %s, it is not whole\n", std::strerror(errno));
-}
-
 void MotionFile::write(Tick tick) {
+  if (failure_ != 0) return;
   for (std::size_t i = 0; i < deployment_.robots.size(); ++i) {
     const config::RobotEntry& robot = deployment_.robots[i];
     JointMeasurement measurement{};
@@ -45,7 +68,7 @@ void MotionFile::write(Tick tick) {
     std::fprintf(file_, "%llu %s %d", static_cast<unsigned long long>(tick), robot.name.c_str(), drive.enabled == 0);
     for (std::uint32_t j = 0; j < drive.joint_count; ++j) std::fprintf(file_, " %.9g", measurement.position[j]);
     for (std::uint32_t j = 0; j < drive.joint_count; ++j) std::fprintf(file_, " %.9g", measurement.velocity[j]);
-    std::fputc('\n', file_);
+    if (std::fputc('\n', file_) == EOF || std::ferror(file_) != 0) failure_ = errno;
   }
 }
 

@@ -21,21 +21,27 @@ namespace mrroc::sim {
 /// The simulation's thread.
 class MotionFile {
  public:
-  /// References must outlive it. Throws std::runtime_error when the file cannot be written.
-  MotionFile(const std::filesystem::path& path, const config::Deployment& deployment, const WorldMemory& memory);
+  /// Writes to a copy of the descriptor `fd`; `path` is its name in messages. References must outlive it. Throws
+  /// std::runtime_error when it cannot be opened.
+  MotionFile(int fd, std::filesystem::path path, const config::Deployment& deployment, const WorldMemory& memory);
   ~MotionFile();
   MotionFile(const MotionFile&) = delete;
   MotionFile& operator=(const MotionFile&) = delete;
 
   /// Appends the measurements of tick `tick`.
   void write(Tick tick);
+  /// Writes what is kept. Returns why the file is not complete: "cannot write the motion file m: No space left on
+  /// device"; empty: it is. Once, after the last write().
+  std::string close();
 
  private:
   void write_limits(const config::RobotEntry& robot);
 
   const config::Deployment& deployment_;
   const WorldMemory& memory_;
+  const std::filesystem::path path_;
   std::FILE* file_;
+  int failure_ = 0;  // errno of the first write that failed: nothing is written after it
 };
 
 }  // namespace mrroc::sim

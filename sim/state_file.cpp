@@ -22,6 +22,7 @@ void save_state(const std::filesystem::path& file, const WorldState& state) {
   std::filesystem::path unfinished = file;
   unfinished += ".part";
   {
+    errno = 0;
     std::ofstream out(unfinished);
     out.imbue(std::locale::classic());
     out << std::setprecision(17) << kTitle << '\n'
@@ -29,7 +30,10 @@ void save_state(const std::filesystem::path& file, const WorldState& state) {
     for (const double value : state.positions) out << value << '\n';
     out.close();
     if (!out) {
-      throw SystemError(ErrorCode::resources, "cannot write " + unfinished.string() + ": " + std::strerror(errno));
+      const std::string reason = std::strerror(errno != 0 ? errno : EIO);
+      std::error_code ignored;
+      std::filesystem::remove(unfinished, ignored);
+      throw SystemError(ErrorCode::resources, "cannot write " + unfinished.string() + ": " + reason);
     }
   }
   std::error_code error;

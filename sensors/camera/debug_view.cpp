@@ -3,12 +3,17 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iomanip>
+#include <locale>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <span>
+#include <sstream>
 #include <utility>
+#include <vector>
 
+#include "command/write_file.hpp"
+#include "config/table.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::vsp {
@@ -72,13 +77,21 @@ DebugView::DebugView(const std::filesystem::path& folder, std::string sensor, in
     : folder_(folder), sensor_(std::move(sensor)), every_(every), intrinsics_(intrinsics) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
-  std::ofstream file(folder_ / (sensor_ + ".toml"));
-  file << std::setprecision(17) << "width = " << intrinsics.width << "\nheight = " << intrinsics.height
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(17) << "width = " << intrinsics.width << "\nheight = " << intrinsics.height
        << "\nintrinsics = [" << intrinsics.fx << ", " << intrinsics.fy << ", " << intrinsics.cx << ", " << intrinsics.cy
        << "]\n";
-  file.close();
-  if (!file) {
-    throw SystemError(ErrorCode::resources, "cannot write into the folder of pictures " + folder_.string(),
+  const std::filesystem::path file = folder_ / (sensor_ + ".toml");
+  try {
+    description_.emplace(file, "the description of the pictures");
+    const std::string bytes = text.str();
+    command::write_file(file, std::as_bytes(std::span(bytes)));
+  } catch (const process::FileInUse& in_use) {
+    throw config::ConfigurationError(folder_, 0, sensor_, in_use.what(), "");
+  } catch (const std::runtime_error& failure) {
+    throw SystemError(ErrorCode::resources,
+                      "cannot write into the folder of pictures " + folder_.string() + ": " + failure.what(),
                       {"", sensor_, 0, 0});
   }
 }
@@ -100,15 +113,21 @@ void DebugView::write(const cv::Mat& picture, Tick tick) {
   std::snprintf(name.data(), name.size(), "%.31s_%08llu.png", sensor_.c_str(), static_cast<unsigned long long>(tick));
   cv::Mat bgr;
   cv::cvtColor(picture, bgr, cv::COLOR_RGB2BGR);
-  bool written = false;
+  std::vector<unsigned char> png;
+  const std::filesystem::path file = folder_ / name.data();
+  std::string reason = "it cannot be encoded";
   try {
-    written = cv::imwrite((folder_ / name.data()).string(), bgr);
-  } catch (const cv::Exception&) {
-    written = false;
+    if (cv::imencode(".png", bgr, png)) {
+      command::write_file(file, std::as_bytes(std::span(png)));
+      return;
+    }
+  } catch (const SystemError& error) {
+    reason = error.detail();
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);  // half a picture
   }
-  if (written || told_) return;
-  told_ = true;
-  std::fprintf(stderr, "%s: cannot write the picture %s\n", sensor_.c_str(), (folder_ / name.data()).c_str());
+  if (!std::exchange(told_, true))
+    std::fprintf(stderr, "%s: cannot write the picture %s: %s\n", sensor_.c_str(), file.c_str(), reason.c_str());
 }
 
 }  // namespace mrroc::vsp

@@ -2,20 +2,24 @@
 
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
 
 #include "mrroc/sensor_link.hpp"
+#include "process/claimed_file.hpp"
 #include "sensors/camera/detection.hpp"
 
 namespace mrroc::vsp {
 
 /// Pictures of what a camera has found, for people: `<folder>/<sensor>_<tick>.png` (the tick with eight digits) of
 /// every n-th reading, with the outline, the axes of the pose (x red, y green, z blue) and the reading's figures; and
-/// `<sensor>.toml` with the camera's intrinsics. A picture that cannot be written is told once on stderr and costs no
-/// reading.
+/// `<sensor>.toml` with the camera's intrinsics, which is claimed for as long as this object lives: no other run writes
+/// pictures of a sensor of this name into the folder meanwhile. A picture that cannot be written is told once on stderr
+/// and costs no reading.
 class DebugView {
  public:
-  /// Makes the folder; throws SystemError(resources) when it cannot.
+  /// Makes the folder. Throws ConfigurationError when another process writes the pictures of such a sensor there,
+  /// SystemError(resources) when it cannot be written.
   DebugView(const std::filesystem::path& folder, std::string sensor, int every, const Intrinsics& intrinsics);
 
   /// `found`: null when nothing was. `v`: the reading that came of it, in `frame`.
@@ -28,6 +32,7 @@ class DebugView {
   std::string sensor_;
   int every_;
   Intrinsics intrinsics_;
+  std::optional<process::ClaimedFile> description_;
   std::uint64_t readings_ = 0;
   bool told_ = false;
 };

@@ -150,8 +150,10 @@ std::vector<const HostEntry*> Deployment::hosts_used() const {
   return used;
 }
 
-Deployment load_deployment(const std::filesystem::path& file) {
-  const Table root = Table::load(file);
+Deployment load_deployment(const std::filesystem::path& file) { return load_deployment(file, read_file(file)); }
+
+Deployment load_deployment(const std::filesystem::path& file, const std::string& text) {
+  const Table root = Table::parse(file, text);
   root.only({"deployment", "hosts", "mp", "robots", "sensors", "sim", "network", "events", "answers"});
   Deployment deployment;
   deployment.file = std::filesystem::absolute(file);

@@ -166,5 +166,7 @@ struct Deployment {
 /// only: reads the files named, and asks the resolver for every `host` that is no [hosts] table. Programs are looked
 /// for on the host that this machine is in the deployment: `this_host()`.
 Deployment load_deployment(const std::filesystem::path& file);
+/// The same of a text that was read before (deployment_text.hpp).
+Deployment load_deployment(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace mrroc::config

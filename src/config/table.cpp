@@ -135,8 +135,9 @@ struct Table::Node {
 
 Table::Table(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
 
-Table Table::load(const std::filesystem::path& file) {
-  const std::string text = read_file(file);
+Table Table::load(const std::filesystem::path& file) { return parse(file, read_file(file)); }
+
+Table Table::parse(const std::filesystem::path& file, const std::string& text) {
   check_lines(file, text);
   try {
     const auto document = std::make_shared<const Document>(Document{file, toml::parse(text)});

@@ -35,6 +35,8 @@ class Table {
  public:
   /// Parses a TOML file; a syntax error or an unreadable file is a ConfigurationError.
   static Table load(const std::filesystem::path& file);
+  /// The same of a text that was read before; `file` is its name in messages.
+  static Table parse(const std::filesystem::path& file, const std::string& text);
 
   bool has(std::string_view key) const;
   std::string text(std::string_view key) const;

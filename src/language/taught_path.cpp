@@ -1,8 +1,13 @@
 #include "mrroc/taught_path.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
@@ -38,9 +43,21 @@ std::string text_of(double value) {
 }
 
 [[noreturn]] void cannot_write(const std::string& file) {
-  throw NonFatalError(ErrorCode::invalid_argument, file +
-                                                       ": cannot be written, expected a folder that is there and "
-                                                       "may be written to");
+  const std::string reason = errno != 0 ? std::string{": "} + std::strerror(errno) : "";
+  throw NonFatalError(ErrorCode::invalid_argument, file + ": cannot be written" + reason +
+                                                       ", expected a folder that is there and may be written to");
+}
+
+/// An empty file with a name of its own: another run may save the same path at the same time.
+std::string new_file_beside(const std::string& file) {
+  for (int number = 1;; ++number) {
+    const std::string name = file + "." + std::to_string(::getpid()) + "-" + std::to_string(number) + ".new";
+    const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd < 0 && errno == EEXIST) continue;
+    if (fd < 0) cannot_write(file);
+    ::close(fd);
+    return name;
+  }
 }
 
 /// A file that is read, and the place in it.
@@ -149,13 +166,18 @@ void save(const TaughtPath& path, const Robot& robot, const std::string& file) {
     }
     text += joined(cells) + "\n";
   }
-  const std::string unfinished = file + ".new";
+  const std::string unfinished = new_file_beside(file);
+  errno = 0;
   std::ofstream out(unfinished, std::ios::binary);
   out << text;
   out.close();
   std::error_code error;
   if (out) std::filesystem::rename(unfinished, file, error);
-  if (!out || error) cannot_write(file);
+  if (out && !error) return;
+  const int reason = error ? error.value() : errno;
+  std::filesystem::remove(unfinished, error);
+  errno = reason;
+  cannot_write(file);
 }
 
 TaughtPath load_taught_path(const std::string& file, const Robot& robot) {

@@ -1,7 +1,11 @@
 #include "process/arguments.hpp"
 
 #include <CLI/CLI.hpp>
+#include <sstream>
 #include <stdexcept>
+
+#include "command/print.hpp"
+#include "command/version.hpp"
 
 namespace mrroc::process {
 
@@ -14,12 +18,15 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
     words.push_back(value);
   };
   if (arguments.world_fd >= 0) add("--world-fd", std::to_string(arguments.world_fd));
+  if (arguments.deployment_fd >= 0) add("--deployment-fd", std::to_string(arguments.deployment_fd));
   if (!arguments.trace.empty()) add("--trace", arguments.trace.string());
+  if (arguments.trace_fd >= 0) add("--trace-fd", std::to_string(arguments.trace_fd));
   if (!arguments.behaviours.empty()) add("--behaviours-of-programs", arguments.behaviours);
   if (!arguments.black_box.empty()) add("--black-box", arguments.black_box.string());
   if (arguments.black_box_fd >= 0) add("--black-box-fd", std::to_string(arguments.black_box_fd));
   if (!arguments.snapshots.empty()) add("--snapshots", arguments.snapshots.string());
   if (!arguments.motion.empty()) add("--motion", arguments.motion.string());
+  if (arguments.motion_fd >= 0) add("--motion-fd", std::to_string(arguments.motion_fd));
   for (const std::string& fault : arguments.faults) add("--inject", fault);
   if (!arguments.interface.empty()) add("--interface", arguments.interface);
   for (const std::string& peer : arguments.peers) add("--peers", peer);
@@ -29,31 +36,41 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
 
 std::vector<int> Arguments::descriptors() const {
   std::vector<int> handed;
-  for (const int fd : {clock_fd, world_fd, black_box_fd})
+  for (const int fd : {clock_fd, world_fd, black_box_fd, deployment_fd, trace_fd, motion_fd})
     if (fd >= 0) handed.push_back(fd);
   return handed;
 }
 
-Arguments parse_arguments(int argc, char** argv) {
+std::optional<Arguments> parse_arguments(int argc, char** argv) {
   Arguments arguments;
   CLI::App app{"A process of an MRROC++ deployment. It is started by `mrroc run FILE`, not by hand."};
+  app.name(std::filesystem::path(argv[0]).filename().string());
+  app.set_version_flag("--version", command::version_text(app.get_name()), "Print the version and exit");
   app.add_option("--deployment", arguments.deployment)->required();
   app.add_option("--name", arguments.name)->required();
   app.add_option("--clock-fd", arguments.clock_fd)->required();
   app.add_option("--world-fd", arguments.world_fd);
   app.add_option("--domain", arguments.domain)->required();
+  app.add_option("--deployment-fd", arguments.deployment_fd);
   app.add_option("--trace", arguments.trace);
+  app.add_option("--trace-fd", arguments.trace_fd);
   app.add_option("--behaviours-of-programs", arguments.behaviours);
   app.add_option("--black-box", arguments.black_box);
   app.add_option("--black-box-fd", arguments.black_box_fd);
   app.add_option("--snapshots", arguments.snapshots);
   app.add_option("--motion", arguments.motion);
+  app.add_option("--motion-fd", arguments.motion_fd);
   app.add_option("--inject", arguments.faults)->take_all()->expected(1);
   app.add_option("--interface", arguments.interface);
   app.add_option("--peers", arguments.peers);
   app.add_option("--keys", arguments.keys);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    std::ostringstream text;
+    app.exit(asked, text, text);
+    command::print(text.str());
+    return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw std::runtime_error(std::string{error.what()} + "; this program is started by `mrroc run FILE`");
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,29 +11,33 @@ namespace mrroc::process {
 /// How the runner tells a process who it is: written by `to_command_line`, read by `parse_arguments`.
 struct Arguments {
   std::filesystem::path deployment;
+  int deployment_fd = -1;           ///< its text, as the runner has read it (memfd, handed down); -1: in the file
   std::string name;                 ///< of the process, e.g. `arm` (ECP), `arm_edp`, `wrist`
   int clock_fd = -1;                ///< memory of the clock (memfd, handed down)
   int world_fd = -1;                ///< memory of the simulated world; -1: there is none
   int domain = 0;                   ///< DDS domain
-  std::filesystem::path trace;      ///< this process's trace file; empty: no trace
+  std::filesystem::path trace;      ///< name of the trace in messages; empty: no trace
+  int trace_fd = -1;                ///< the file for this process's part of it (handed down)
   std::string behaviours;           ///< of every ECP program, for the MP of a state machine (config::ProgramsByRobot)
   std::filesystem::path black_box;  ///< folder for the black box of a task that fails; empty: none is written
   int black_box_fd = -1;            ///< memory of its last steps (SharedBlackBox, handed down); -1: there is none
   std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); empty: none
   std::filesystem::path motion;     ///< file for the motion of the world's robots (sim only); empty: none
+  int motion_fd = -1;               ///< the same, open (handed down)
   std::vector<std::string> faults;  ///< to be injected into the run, see faults::parse_fault
   // as links::DomainOptions has them
   std::string interface;           ///< device or own address by which the peers are reached; empty: loopback
   std::vector<std::string> peers;  ///< names or addresses of the machines that take part; empty: this one
   std::filesystem::path keys;      ///< folder of the deployment's keys; empty: no DDS Security
 
-  /// Those of clock, world and black box that there are: the process shall get them, and nobody else.
+  /// Those that are not -1: the process gets them, and no other process.
   std::vector<int> descriptors() const;
 };
 
 std::vector<std::string> to_command_line(const Arguments& arguments);
 
-/// Throws config::ConfigurationError-like std::runtime_error with usage when called by hand without the runner.
-Arguments parse_arguments(int argc, char** argv);
+/// The arguments; nothing after --help or --version, which it prints. Throws std::runtime_error with the usage when the
+/// program is started by hand, without the runner.
+std::optional<Arguments> parse_arguments(int argc, char** argv);
 
 }  // namespace mrroc::process

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "config/deployment.hpp"
@@ -9,17 +11,19 @@
 
 namespace mrroc::process {
 
-/// Where the black box of a process is written: FOLDER/DEPLOYMENT-PROCESS.trace.
+/// Where the black box of a process is written: FOLDER/DEPLOYMENT-PROCESS.trace, the next ones, of number 2, 3, ...,
+/// FOLDER/DEPLOYMENT-PROCESS-2.trace, ...
 std::filesystem::path black_box_path(const std::filesystem::path& folder, const config::Deployment& deployment,
-                                     const std::string& process);
+                                     const std::string& process, std::uint64_t number = 1);
 
 /// Writes the steps of a black box as a trace (docs/trace.md) whose first line says that it begins in the middle of a
-/// run; what stood in the file is overwritten, a missing folder is made. `simulated`: the clock that the process runs
-/// by. Throws std::runtime_error when it cannot be written.
-void write_black_box(const std::filesystem::path& file, const BlackBox& box, const config::Deployment& deployment,
-                     const std::string& process, bool simulated);
+/// run. The file is a new one, of the least number that is free: no black box is overwritten, whichever processes and
+/// runs write at the same time. Makes a missing folder. `simulated`: the clock that the process runs by. Returns the
+/// number. Throws std::runtime_error when it cannot be written; then no file remains.
+std::uint64_t write_black_box(const std::filesystem::path& folder, const BlackBox& box,
+                              const config::Deployment& deployment, const std::string& process, bool simulated);
 /// The same with steps that are lines of a trace already.
-void write_black_box(const std::filesystem::path& file, const std::vector<TextLine>& lines,
-                     const config::Deployment& deployment, const std::string& process, bool simulated);
+std::uint64_t write_black_box(const std::filesystem::path& folder, const std::vector<TextLine>& lines,
+                              const config::Deployment& deployment, const std::string& process, bool simulated);
 
 }  // namespace mrroc::process

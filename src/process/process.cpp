@@ -13,6 +13,7 @@
 #include "clock/realtime.hpp"
 #include "config/table.hpp"
 #include "mrroc/stopped.hpp"
+#include "process/text_memory.hpp"
 
 namespace mrroc::process {
 
@@ -38,8 +39,9 @@ void install_signal_handlers() {
   action.sa_handler = on_signal;
   sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGINT, &action, nullptr);
-  // a closed pipe to the runner is no reason to die in the middle of a motion
+  // a closed pipe to the runner is no reason to die in the middle of a motion, nor is a file size limit
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 links::ProcessStatus first_status(const Arguments& arguments, links::ProcessRole role) {
@@ -95,6 +97,12 @@ clock::Part part_of(links::ProcessRole role) {
 /// What the runner has handed down is for this process: what a task starts shall hold neither clock nor world.
 void keep_from_children(int fd) { fcntl(fd, F_SETFD, FD_CLOEXEC); }
 
+/// From the text that the runner hands down: the file may have changed since, or be the runner's alone.
+config::Deployment load(const Arguments& arguments) {
+  if (arguments.deployment_fd < 0) return config::load_deployment(arguments.deployment);
+  return config::load_deployment(arguments.deployment, read_text(arguments.deployment_fd));
+}
+
 bool serves(links::ProcessRole role) {
   return role == links::ProcessRole::edp || role == links::ProcessRole::vsp || role == links::ProcessRole::sim;
 }
@@ -102,7 +110,7 @@ bool serves(links::ProcessRole role) {
 }  // namespace
 
 Process::Process(const Arguments& arguments, links::ProcessRole role)
-    : arguments_(arguments), deployment_(config::load_deployment(arguments.deployment)), faults_(arguments.faults) {
+    : arguments_(arguments), deployment_(load(arguments)), faults_(arguments.faults) {
   for (const int fd : arguments.descriptors()) keep_from_children(fd);
   clock_ = clock::attach_clock(arguments.clock_fd, arguments.name, part_of(role));
   if (role == links::ProcessRole::mp) {
@@ -125,6 +133,10 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
 }
 
 Process::~Process() { interruptible = nullptr; }
+
+void Process::fail_at_end(std::string reason) {
+  if (failure_at_end_.empty()) failure_at_end_ = std::move(reason);
+}
 
 void Process::start() {
   status_->state(links::ProcessState::ready);
@@ -153,21 +165,34 @@ ExitCode exit_code(const std::exception& error) noexcept {
   return exit_code(report_of(error).error_class);
 }
 
+namespace {
+
+/// The end of a body that has ended well; the exit code of the process. Null: it was not set up.
+int end(Process* process, ExitCode code, bool report = true) {
+  if (process == nullptr) return static_cast<int>(code);
+  if (report) process->status().state(links::ProcessState::ended);
+  if (process->failure_at_end().empty()) return static_cast<int>(code);
+  std::fprintf(stderr, "%s\n", process->failure_at_end().c_str());
+  return static_cast<int>(ExitCode::system);
+}
+
+}  // namespace
+
 int run_process(int argc, char** argv, links::ProcessRole role, const std::function<void(Process&)>& body) {
   std::unique_ptr<Process> process;
   install_signal_handlers();
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a pipe's buffer would keep what a task prints until it ends
   try {
-    process = std::make_unique<Process>(parse_arguments(argc, argv), role);
+    const std::optional<Arguments> arguments = parse_arguments(argc, argv);
+    if (!arguments) return static_cast<int>(ExitCode::success);
+    process = std::make_unique<Process>(*arguments, role);
     body(*process);
-    process->status().state(links::ProcessState::ended);
-    return static_cast<int>(ExitCode::success);
-  } catch (const Stopped& stopped) {
-    if (process) process->status().state(links::ProcessState::ended);
-    return static_cast<int>(serves(role) ? ExitCode::success : ExitCode::stopped);
+    return end(process.get(), ExitCode::success);
+  } catch (const Stopped&) {
+    return end(process.get(), serves(role) ? ExitCode::success : ExitCode::stopped);
   } catch (const std::exception& error) {
     // when all are asked to end, some find their peers gone: that is no failure of their own
-    if (asked_to_end) return static_cast<int>(ExitCode::stopped);
+    if (asked_to_end) return end(process.get(), ExitCode::stopped, false);
     std::fprintf(stderr, "%s\n", error.what());
     if (process) process->status().failed(report_of(error));
     return static_cast<int>(process ? exit_code(error) : ExitCode::usage);

@@ -37,6 +37,11 @@ class Process {
   /// "<deployment>/<path>", the common beginning of topic names.
   std::string topic(const std::string& path) const { return deployment_.name + "/" + path; }
 
+  /// What keeps this process from a success although its body ends well: an output that is not complete. The first
+  /// reason counts; it is reported when the body has ended.
+  void fail_at_end(std::string reason);
+  const std::string& failure_at_end() const noexcept { return failure_at_end_; }
+
   /// The start-up barrier: says "ready" and waits until every process of the deployment is. Throws Stopped when asked
   /// to end.
   void start();
@@ -50,6 +55,7 @@ class Process {
   std::unique_ptr<links::Domain> domain_;
   std::unique_ptr<links::StatusPublisher> publisher_;
   std::unique_ptr<StatusBoard> status_;
+  std::string failure_at_end_;
 };
 
 /// main() of every process: reads the arguments, installs signal handlers (SIGTERM, SIGINT: the clock is interrupted),

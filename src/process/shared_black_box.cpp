@@ -20,6 +20,7 @@ namespace mrroc::process {
 /// All zero, as the kernel gives it, is an empty one.
 struct SharedBlackBox::Memory {
   std::atomic<std::uint64_t> written;                ///< lines since the task began
+  std::atomic<std::uint64_t> file;                   ///< number of the task's own black box file
   std::array<TextLine, BlackBox::kSteps + 1> lines;  ///< one more than is kept: that one may be half written
 };
 
@@ -70,6 +71,12 @@ void SharedBlackBox::record(const TextLine& line) noexcept {
   memory_->lines[memory_->written.load(std::memory_order_relaxed) % memory_->lines.size()] = line;
   memory_->written.fetch_add(1, std::memory_order_release);
 }
+
+void SharedBlackBox::note_file(std::uint64_t number) noexcept { memory_->file.store(number); }
+
+std::uint64_t SharedBlackBox::file() const noexcept { return memory_->file.load(); }
+
+std::size_t SharedBlackBox::memory_size() noexcept { return sizeof(Memory); }
 
 std::vector<TextLine> SharedBlackBox::lines() const {
   const std::uint64_t written = memory_->written.load(std::memory_order_acquire);

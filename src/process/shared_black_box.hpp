@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "process/text_line.hpp"
@@ -24,6 +26,12 @@ class SharedBlackBox {
 
   /// Keeps a copy of the line in place of the oldest one. The task's thread; neither allocates nor blocks.
   void record(const TextLine& line) noexcept;
+
+  /// The number of the file that the task has written its black box to (black_box_path); 0: none.
+  void note_file(std::uint64_t number) noexcept;
+  std::uint64_t file() const noexcept;
+  /// Bytes of memory of each.
+  static std::size_t memory_size() noexcept;
 
   /// The last lines that are whole, at most BlackBox::kSteps, the oldest first. Anywhere, once the process that wrote
   /// them has ended.

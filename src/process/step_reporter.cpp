@@ -174,8 +174,15 @@ void format_step(TextLine& line, const config::Deployment& deployment, std::stri
 
 StepReporter::StepReporter(Process& process) : process_(process) {
   if (const int fd = process.arguments().black_box_fd; fd >= 0) last_steps_.emplace(SharedBlackBox::attach(fd));
-  const std::filesystem::path& path = process.arguments().trace;
-  if (!path.empty()) trace_ = std::make_unique<TraceFile>(path, process.name(), process.clock().simulated());
+  const Arguments& arguments = process.arguments();
+  if (arguments.trace_fd >= 0)
+    trace_ =
+        std::make_unique<TraceFile>(arguments.trace_fd, arguments.trace, process.name(), process.clock().simulated());
+}
+
+StepReporter::~StepReporter() {
+  if (trace_ == nullptr) return;
+  if (const std::string problem = trace_->close(); !problem.empty()) process_.fail_at_end(problem);
 }
 
 void StepReporter::on_step(const StepRecord& record) noexcept {

@@ -16,6 +16,10 @@ namespace mrroc::process {
 class StepReporter : public StepObserver {
  public:
   explicit StepReporter(Process& process);
+  /// A trace that is not complete becomes the failure of its process.
+  ~StepReporter() override;
+  StepReporter(const StepReporter&) = delete;
+  StepReporter& operator=(const StepReporter&) = delete;
   void on_step(const StepRecord& record) noexcept override;
 
  private:

@@ -153,9 +153,10 @@ std::string TaskProcess::save_black_box(const Error* error) const try {
   const BlackBox& box = error != nullptr && error->black_box() != nullptr ? *error->black_box() : black_box();
   const std::filesystem::path& folder = process_.arguments().black_box;
   if (folder.empty() || box.empty()) return "";
-  const std::filesystem::path file = black_box_path(folder, process_.deployment(), process_name());
-  write_black_box(file, box, process_.deployment(), process_name(), process_.clock().simulated());
-  return "; black box: " + file.string();
+  const std::uint64_t number =
+      write_black_box(folder, box, process_.deployment(), process_name(), process_.clock().simulated());
+  if (const int fd = process_.arguments().black_box_fd; fd >= 0) SharedBlackBox::attach(fd).note_file(number);
+  return "; black box: " + black_box_path(folder, process_.deployment(), process_name(), number).string();
 } catch (const std::exception& failure) {
   return std::string{"; "} + failure.what();
 }

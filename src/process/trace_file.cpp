@@ -1,5 +1,8 @@
 #include "process/trace_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -7,22 +10,51 @@
 
 namespace mrroc::process {
 
+namespace {
+
+std::string problem(const std::filesystem::path& path, int reason) {
+  return std::string{kTraceProblem} + path.string() + ": " + std::strerror(reason);
+}
+
+/// A stream of its own on a copy of the descriptor.
+std::FILE* stream_on(int fd) {
+  const int copy = fcntl(fd, F_DUPFD_CLOEXEC, 3);
+  std::FILE* const stream = copy < 0 ? nullptr : fdopen(copy, "w");
+  if (stream == nullptr && copy >= 0) ::close(copy);
+  return stream;
+}
+
+}  // namespace
+
 TraceFile::TraceFile(const std::filesystem::path& path, std::string process, bool lossless)
-    : file_(std::fopen(path.c_str(), "we")), process_(std::move(process)), lossless_(lossless), ring_(kLines) {
-  if (file_ == nullptr)
-    throw std::runtime_error("cannot write the trace " + path.string() + ": " + std::strerror(errno));
+    : path_(path),
+      file_(std::fopen(path.c_str(), "we")),
+      process_(std::move(process)),
+      lossless_(lossless),
+      ring_(kLines) {
+  if (file_ == nullptr) throw std::runtime_error(problem(path_, errno));
+  thread_ = std::thread([this] { run(); });
+}
+
+TraceFile::TraceFile(int fd, std::filesystem::path path, std::string process, bool lossless)
+    : path_(std::move(path)), file_(stream_on(fd)), process_(std::move(process)), lossless_(lossless), ring_(kLines) {
+  if (file_ == nullptr) throw std::runtime_error(problem(path_, errno));
   thread_ = std::thread([this] { run(); });
 }
 
 TraceFile::~TraceFile() {
+  if (file_ != nullptr) close();
+}
+
+std::string TraceFile::close() {
   ended_ = true;
   wake();
   thread_.join();
-  const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
-  std::fprintf(file_, "# process=%s lines=%llu dropped=%llu cut=%llu\n", process_.c_str(), number(written_),
-               number(dropped_), number(cut_));
-  const bool failed = std::ferror(file_) != 0;
-  if (std::fclose(file_) != 0 || failed) std::fprintf(stderr, "the trace is not complete: %s\n", std::strerror(errno));
+  write("# process=" + process_ + " lines=" + std::to_string(written_.load()) + " dropped=" + std::to_string(dropped_) +
+        " cut=" + std::to_string(cut_) + "\n");
+  if (failure_ == 0 && std::fflush(file_) != 0) failure_ = errno;
+  if (std::fclose(std::exchange(file_, nullptr)) != 0 && failure_ == 0) failure_ = errno;
+  return failure_ == 0 ? "" : problem(path_, failure_);
 }
 
 TextLine* TraceFile::begin() noexcept {
@@ -65,12 +97,16 @@ void TraceFile::run() {
 void TraceFile::drain() {
   while (read_.load(std::memory_order_relaxed) < written_.load(std::memory_order_acquire)) {
     const TextLine& line = ring_[read_.load(std::memory_order_relaxed) % kLines];
-    std::fwrite(line.view().data(), 1, line.view().size(), file_);
-    std::fputc('\n', file_);
+    write(line.view());
+    write("\n");
     read_.fetch_add(1, std::memory_order_release);
     read_.notify_one();
   }
-  std::fflush(file_);
+  if (failure_ == 0 && std::fflush(file_) != 0) failure_ = errno;
+}
+
+void TraceFile::write(std::string_view text) noexcept {
+  if (failure_ == 0 && std::fwrite(text.data(), 1, text.size(), file_) != text.size()) failure_ = errno;
 }
 
 }  // namespace mrroc::process

@@ -23,23 +23,48 @@ class Trace : public testing::Test {
     return folder_ / name;
   }
 
+  static void merge(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& merged,
+                    config::ClockMode clock) {
+    std::ofstream file(merged, std::ios::binary);
+    merge_traces(parts, clock, [&file](std::string_view text) { file << text; });
+  }
+
   std::filesystem::path folder_ =
       std::filesystem::path(testing::TempDir()) / ("mrroc_trace" + std::to_string(getpid()));
 };
 
 TEST_F(Trace, WhatAKilledRunHasLeftIsNoPartOfTheNext) {
-  const auto stale = write("t.arm.part", "tick=1 process=arm step=0\n");
+  const std::string text = "tick=1 process=arm step=0\n";
+  const auto stale = write("t.arm.part", text);
   const PlannedProcess arm{.name = "arm", .program = {}, .has_task = true};
-  const TraceParts parts(folder_ / "t", {arm});
-  EXPECT_EQ(parts.of(arm), stale);
-  EXPECT_FALSE(std::filesystem::exists(stale));
+  const auto wait = [](int) { return true; };
+  TraceOutput output(folder_ / "t", 0, wait);
+  TraceParts parts(output, {arm});
+  const std::string own = "tick=2 process=arm step=0\n";
+  ASSERT_EQ(::write(parts.fd_of("arm"), own.data(), own.size()), static_cast<ssize_t>(own.size()));
+  parts.join(output, config::ClockMode::lockstep, wait);
+  EXPECT_EQ(test::text_of(folder_ / "t"), "# mrroc trace 2 clock=lockstep\n" + own);
+  EXPECT_EQ(test::text_of(stale), text) << "it is not this run's to remove";
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "t.arm.2.part"));
+}
+
+TEST_F(Trace, PartsStayWhenTheTraceIsLost) {
+  const PlannedProcess arm{.name = "arm", .program = {}, .has_task = true};
+  const auto wait = [](int) { return true; };
+  TraceOutput output(folder_ / "t", 0, wait);
+  TraceParts parts(output, {arm});
+  std::filesystem::remove(folder_ / "t");
+  write("t", "another program's");
+  EXPECT_THROW(parts.join(output, config::ClockMode::lockstep, wait), std::runtime_error);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "t.arm.part"));
+  EXPECT_EQ(test::text_of(folder_ / "t"), "another program's");
 }
 
 TEST_F(Trace, PartsAreMergedByTickThenProcessThenOrder) {
   const auto b = write("t.b.part", "tick=1 process=b step=0\ntick=9 process=b step=1\ntick=9 process=b step=2\n");
   const auto a = write("t.a.part", "tick=1 process=a step=0\ntick=10 process=a step=1\n");
   const auto merged = folder_ / "t";
-  merge_traces({b, a}, merged, config::ClockMode::lockstep);
+  merge({b, a}, merged, config::ClockMode::lockstep);
   EXPECT_EQ(
       test::text_of(merged),
       "# mrroc trace 2 clock=lockstep\ntick=1 process=a step=0\ntick=1 process=b step=0\ntick=9 process=b step=1\n"
@@ -49,7 +74,7 @@ TEST_F(Trace, PartsAreMergedByTickThenProcessThenOrder) {
 TEST_F(Trace, ALineWithoutATickStaysBelowTheOneBefore) {
   const auto a = write("t.a.part", "tick=5 process=a step=0\n# process=a lines=1 dropped=3 cut=0\n");
   const auto b = write("t.b.part", "tick=1 process=b step=0\ntick=7 process=b step=1\n");
-  merge_traces({a, b}, folder_ / "t", config::ClockMode::lockstep);
+  merge({a, b}, folder_ / "t", config::ClockMode::lockstep);
   EXPECT_EQ(test::text_of(folder_ / "t"),
             "# mrroc trace 2 clock=lockstep\ntick=1 process=b step=0\ntick=5 process=a step=0\n# process=a lines=1 "
             "dropped=3 cut=0\n"
@@ -59,7 +84,7 @@ TEST_F(Trace, ALineWithoutATickStaysBelowTheOneBefore) {
 TEST_F(Trace, ALineWithAnOlderTickStaysBelowTheOneBefore) {
   const auto a = write("t.a.part", "tick=5 process=a step=0\ntick=3 process=a step=1\n");
   const auto b = write("t.b.part", "tick=4 process=b step=0\n");
-  merge_traces({a, b}, folder_ / "t", config::ClockMode::real);
+  merge({a, b}, folder_ / "t", config::ClockMode::real);
   EXPECT_EQ(test::text_of(folder_ / "t"),
             "# mrroc trace 2 clock=real\ntick=4 process=b step=0\ntick=5 process=a step=0\ntick=3 process=a step=1\n");
 }
@@ -89,14 +114,14 @@ TEST_F(Trace, AnyPartsAreMergedAsIfAllTheirLinesHadBeenSorted) {
     std::stable_sort(all.begin(), all.end(), [](const Sorted& a, const Sorted& b) { return a.tick < b.tick; });
     std::string expected = "# mrroc trace 2 clock=paced\n";
     for (const Sorted& line : all) expected += line.text;
-    merge_traces(parts, folder_ / "t", config::ClockMode::paced);
+    merge(parts, folder_ / "t", config::ClockMode::paced);
     RC_ASSERT(test::text_of(folder_ / "t") == expected);
   }));
 }
 
 TEST_F(Trace, ALineThatAKilledProcessHasNotFinishedIsLeftOut) {
   const auto a = write("t.a.part", "tick=5 process=a step=0\ntick=15 proc");
-  merge_traces({a}, folder_ / "t", config::ClockMode::lockstep);
+  merge({a}, folder_ / "t", config::ClockMode::lockstep);
   EXPECT_EQ(test::text_of(folder_ / "t"), "# mrroc trace 2 clock=lockstep\ntick=5 process=a step=0\n");
 }
 

@@ -10,21 +10,24 @@ Arguments parse(const std::vector<std::string>& words) {
   copies.insert(copies.end(), words.begin(), words.end());
   std::vector<char*> argv;
   for (std::string& word : copies) argv.push_back(word.data());
-  return parse_arguments(static_cast<int>(argv.size()), argv.data());
+  return parse_arguments(static_cast<int>(argv.size()), argv.data()).value();
 }
 
 TEST(Arguments, TheCommandLineReadsBack) {
   const Arguments arguments{"press.toml",
+                            6,
                             "arm",
                             3,
                             4,
                             17,
                             "t.arm",
+                            7,
                             "left on Go x:number:8\nleft tells Here\n",
                             "boxes",
                             5,
                             "shots",
                             "motion",
+                            8,
                             {"kill ecp:arm at tick 5", "kill mp at tick 6"},
                             "eth1",
                             {"10.0.0.2", "lab-pc-2"},
@@ -35,6 +38,9 @@ TEST(Arguments, TheCommandLineReadsBack) {
   EXPECT_EQ(read.clock_fd, 3);
   EXPECT_EQ(read.world_fd, 4);
   EXPECT_EQ(read.domain, 17);
+  EXPECT_EQ(read.deployment_fd, 6);
+  EXPECT_EQ(read.trace_fd, 7);
+  EXPECT_EQ(read.motion_fd, 8);
   EXPECT_EQ(read.trace, arguments.trace);
   EXPECT_EQ(read.behaviours, arguments.behaviours);
   EXPECT_EQ(read.black_box, arguments.black_box);
@@ -45,7 +51,7 @@ TEST(Arguments, TheCommandLineReadsBack) {
   EXPECT_EQ(read.interface, "eth1");
   EXPECT_EQ(read.peers, arguments.peers);
   EXPECT_EQ(read.keys, arguments.keys);
-  EXPECT_EQ(read.descriptors(), (std::vector<int>{3, 4, 5}));
+  EXPECT_EQ(read.descriptors(), (std::vector<int>{3, 4, 5, 6, 7, 8}));
 }
 
 TEST(Arguments, WithoutTheRunnerTheProgramSaysHowItIsStarted) {

@@ -1,7 +1,11 @@
 #include "process/trace_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <string>
 
@@ -69,6 +73,45 @@ TEST(TraceFile, AFileThatCannotBeWrittenIsNamed) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string{error.what()}.find("/proc/no/such/file"), std::string::npos);
   }
+}
+
+TEST(TraceFile, AFullDiskIsReportedAtTheEndWithItsReason) {
+  TraceFile trace("/dev/full", "arm", true);
+  for (int i = 0; i < 1000; ++i) {
+    *trace.begin() << "line";
+    trace.commit();
+  }
+  EXPECT_EQ(trace.close(), "cannot write the trace /dev/full: No space left on device");
+}
+
+TEST(TraceFile, AFileSizeLimitIsReportedAtTheEndWithItsReason) {
+  const std::filesystem::path path = scratch("limited");
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{1024, before.rlim_max};
+  std::signal(SIGXFSZ, SIG_IGN);  // as every process of a deployment does
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  TraceFile trace(path, "arm", true);
+  for (int i = 0; i < 1000; ++i) {
+    *trace.begin() << "line";
+    trace.commit();
+  }
+  const std::string problem = trace.close();
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(problem, "cannot write the trace " + path.string() + ": File too large");
+  std::filesystem::remove(path);
+}
+
+TEST(TraceFile, AnOpenFileStaysItsOwners) {
+  const std::filesystem::path path = scratch("open");
+  const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  EXPECT_EQ(TraceFile(fd, "name", "arm", true).close(), "");
+  EXPECT_EQ(write(fd, "more\n", 5), 5);
+  close(fd);
+  std::ifstream file(path);
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_EQ(text, "# process=arm lines=0 dropped=0 cut=0\nmore\n");
+  std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <sys/stat.h>
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace mrroc::process {
+
+/// Which file a path or a descriptor leads to, by whatever links.
+struct FileIdentity {
+  dev_t device = 0;
+  ino_t number = 0;
+  bool operator==(const FileIdentity&) const = default;
+};
+
+/// Another claim has the file.
+class FileInUse : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file that this object alone writes: opened, not emptied, and locked (flock(2)) against every other claim, of this
+/// process, of another one and, where the file system tells its hosts, of another host. The kernel releases the lock
+/// when the last process that has the descriptor ends, however it ends: a file that was left behind is free. Devices
+/// (/dev/null, a terminal) are not locked. Any thread.
+class ClaimedFile {
+ public:
+  /// Opens a file for writing, and creates it when it is missing. Does not wait for the reader of a FIFO: `waits` tells
+  /// that there is none. `/dev/fd/N`, `/dev/stdout` and their like are the open descriptor itself, from where it is.
+  /// `what` is what the caller calls it, "the trace". Throws std::runtime_error that names it, the file and the reason;
+  /// FileInUse that names the process that has it.
+  ClaimedFile(std::filesystem::path path, const std::string& what);
+  /// Creates the first of `name(1)`, `name(2)`, ... that does not exist. Throws std::runtime_error when none can be.
+  static ClaimedFile create(const std::function<std::filesystem::path(std::uint64_t number)>& name,
+                            const std::string& what);
+  /// A folder that exists: what is written into it by other names than its own is the caller's to keep apart.
+  static ClaimedFile folder(std::filesystem::path path, const std::string& what);
+  ~ClaimedFile();
+  ClaimedFile(ClaimedFile&& other) noexcept;
+  ClaimedFile& operator=(ClaimedFile&&) = delete;
+
+  /// -1: it is a FIFO without a reader.
+  int fd() const noexcept { return fd_; }
+  bool waits() const noexcept { return fd_ < 0; }
+  const std::filesystem::path& path() const noexcept { return path_; }
+  /// Of `create`: the number of the name.
+  std::uint64_t number() const noexcept { return number_; }
+  const FileIdentity& identity() const noexcept { return identity_; }
+  /// A regular file of its own name, not what a descriptor leads to: it may be emptied.
+  bool is_own_regular_file() const noexcept { return own_ && S_ISREG(mode_); }
+  mode_t mode() const noexcept { return mode_; }
+  /// The path still leads to this file: nothing has removed or replaced it.
+  bool in_place() const noexcept;
+  /// Closes it, which may be when a file system reports a full disk. Returns 0, or the errno.
+  int close() noexcept;
+
+ private:
+  ClaimedFile() = default;
+  void lock(const std::string& what);
+  [[noreturn]] void refuse(const std::string& what, const std::string& why);
+
+  std::filesystem::path path_;
+  int fd_ = -1;
+  int lock_ = -1;  // fd_, or another one of the same file where fd_ is shared with other processes
+  bool own_ = true;
+  std::uint64_t number_ = 0;
+  mode_t mode_ = 0;
+  FileIdentity identity_;
+};
+
+/// The descriptor that `/dev/stdout`, `/dev/fd/N`, `/proc/self/fd/N` or a symbolic link to one names; -1: another path.
+int named_descriptor(const std::filesystem::path& path);
+
+/// Which file the path leads to; nothing that exists: all zero.
+FileIdentity identity_of(const std::filesystem::path& path) noexcept;
+FileIdentity identity_of(int fd) noexcept;
+
+}  // namespace mrroc::process
