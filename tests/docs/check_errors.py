@@ -20,7 +20,7 @@ PARTS = {  # word in the table: folders
     "EDP": ["edp", "robots"],
     "VSP": ["vsp", "sensors"],
     "simulator": ["sim"],
-    "mrroc run": ["cli"],
+    "mrroc run": ["cli", "src/command"],
 }
 CODES_THEMSELVES = ("include/mrroc/errors.hpp", "src/language/errors.cpp")
 
