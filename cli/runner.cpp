@@ -80,12 +80,12 @@ process::ExitCode Runner::run() {
     if (!supervisor_.ending()) supervisor_.supervise();
   });
   end_processes();
+  // a task that has failed has written its own; here are those that died, or were ended because of it
+  if (supervisor_.result().code == process::ExitCode::system)
+    if (const std::string line = black_boxes_.save_rest(); !line.empty()) progress_.message(line);
   join_trace(outputs);
   RunResult result = supervisor_.result();
   if (hosts_) result.hosts = hosts_->summaries();
-  // a task that has failed has written its own; here are those that died, or were ended because of it
-  if (result.code == process::ExitCode::system)
-    if (const std::string line = black_boxes_.save_rest(); !line.empty()) progress_.message(line);
   if (!options_.quiet) progress_.message(report_of(deployment_, result));
   return result.code;
 }

@@ -19,18 +19,24 @@ std::string stem_of(const TraceOutput& output, const std::string& process) {
   return std::filesystem::temp_directory_path() / ("mrroc-" + std::to_string(getpid()) + "." + process);
 }
 
+process::ClaimedFile new_part(const std::string& stem) {
+  const auto name = [&stem](std::uint64_t number) {
+    std::string file = stem;
+    if (number > 1) file.append(".").append(std::to_string(number));
+    return file.append(".part");
+  };
+  return process::ClaimedFile::create(name, "the trace");
+}
+
 }  // namespace
 
 TraceParts::TraceParts(const TraceOutput& output, const std::vector<PlannedProcess>& processes) {
-  for (const PlannedProcess& process : processes) {
-    if (!process.has_task) continue;
-    const std::string stem = stem_of(output, process.name);
-    const auto name = [&stem](std::uint64_t number) {
-      std::string file = stem;
-      if (number > 1) file.append(".").append(std::to_string(number));
-      return file.append(".part");
-    };
-    parts_.emplace(process.name, process::ClaimedFile::create(name, "the trace"));
+  try {
+    for (const PlannedProcess& process : processes)
+      if (process.has_task) parts_.emplace(process.name, new_part(stem_of(output, process.name)));
+  } catch (...) {
+    remove();
+    throw;
   }
 }
 

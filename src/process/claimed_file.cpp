@@ -15,6 +15,8 @@
 #include <string_view>
 #include <utility>
 
+#include "command/printable.hpp"
+
 namespace mrroc::process {
 
 namespace {
@@ -31,7 +33,7 @@ std::string command_of(const std::string& pid) {
   for (char& character : words)
     if (character == '\0') character = ' ';
   while (!words.empty() && words.back() == ' ') words.pop_back();
-  return words.empty() ? "" : " (" + words.substr(0, 200) + ")";
+  return words.empty() ? "" : " (" + command::printable(words.substr(0, 200)) + ")";
 }
 
 /// The process that holds the lock, by the kernel's list (proc(5), /proc/locks).

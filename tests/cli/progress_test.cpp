@@ -28,5 +28,21 @@ TEST(Progress, TellsOfTheStateAndTheInstructionThatOneStatusBrings) {
   EXPECT_EQ(shown.find("never", at + 1), std::string::npos) << "once";
 }
 
+TEST(Progress, WhatATaskPrintsCommandsNoTerminal) {
+  testing::internal::CaptureStdout();
+  {
+    Progress progress({"arm"}, 0.002, false);
+    progress.message("arm | \x1b[2J50%\r60%");
+    links::ProcessStatus status;
+    status.process.assign("arm");
+    status.instruction = 1;
+    status.activity.assign("\x1b]0;title\x07");
+    progress.update(status);
+  }
+  const std::string shown = testing::internal::GetCapturedStdout();
+  for (const char control : {'\x1b', '\r', '\x07'}) EXPECT_EQ(shown.find(control), std::string::npos) << shown;
+  EXPECT_NE(shown.find("arm | \\x1b[2J50%\\x0d60%\n"), std::string::npos) << shown;
+}
+
 }  // namespace
 }  // namespace mrroc::cli

@@ -1,0 +1,287 @@
+// What a run writes is whole and of one run, or the run is refused before it begins; signals end it at every moment.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "system/mrroc_run.hpp"
+#include "text_of.hpp"
+
+namespace mrroc::test {
+namespace {
+
+constexpr int kUsage = 2;
+constexpr int kSystem = 4;
+constexpr int kStopped = 5;
+
+/// A deployment that takes a second in lockstep.
+std::string short_deployment() {
+  return "[deployment]\nname = \"short\"\n[robots.arm]\ntype = \"irb6\"\nprogram = \"irb6_demo\"\nhardware = "
+         "\"loopback\"\n";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+class Outputs : public testing::Test {
+ protected:
+  Outputs()
+      : hold(folder_.write("hold.toml", faulty_deployment("hold", "real"))),
+        brief(folder_.write("short.toml", short_deployment())) {}
+
+  std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
+  /// Runs a script of bash in the folder, with $MRROC, $HOLD and $SHORT, for a minute at most. Returns its exit code;
+  /// what it says is in `said`.
+  int bash(const std::string& script) {
+    const std::string file = folder_.write("script", script).string();
+    const std::string command = "cd '" + folder_.path().string() +
+                                "' && export SHORT=short.toml MRROC='" MRROC_BINARY_DIR
+                                "/bin/mrroc' && timeout --kill-after=5 60 bash '" +
+                                file + "' > said 2>&1 < /dev/null";
+    const int status = std::system(command.c_str());
+    said = text_of(at("said"));
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  void expect_refused(const std::vector<std::string>& arguments, const std::string& reason) {
+    MrrocRun run(arguments);
+    EXPECT_EQ(run.wait(), kUsage) << run.err();
+    EXPECT_TRUE(has(run.err(), reason)) << run.err();
+    EXPECT_FALSE(has(run.out(), "ready")) << run.out();
+  }
+
+  ScratchFolder folder_;
+  const std::filesystem::path hold, brief;
+  std::string said;
+};
+
+TEST_F(Outputs, ARunIsRefusedWhatAnotherOneWrites) {
+  MrrocRun first({"run", hold.string(), "--trace", at("t").string()});
+  ASSERT_TRUE(first.wait_for_output("running")) << first.err();
+  std::filesystem::create_symlink(at("t"), at("link"));
+  std::filesystem::create_hard_link(at("t"), at("twin"));
+  const std::string reason = "is being written by process " + std::to_string(first.pid());
+  for (const char* name : {"t", "./t", "link", "twin", "t.arm.part"})
+    expect_refused({"run", brief.string(), "--trace", at(name).string()}, reason);
+  first.signal(SIGINT);
+  EXPECT_EQ(first.wait(), kStopped) << first.err();
+  expect_laws(at("t"));
+  EXPECT_FALSE(text_of(at("t")).empty());
+  run_mrroc({"run", brief.string(), "--quiet", "--trace", at("t").string()}, 0);
+}
+
+TEST_F(Outputs, TheSimulatorsFilesAreClaimedToo) {
+  const std::string task = "tasks/draw/draw.toml";
+  MrrocRun first({"run", task, "--clock", "real", "--motion", at("m").string(), "--snapshots", at("s").string()});
+  ASSERT_TRUE(first.wait_for_output("running")) << first.err();
+  const std::string reason = "is being written by process " + std::to_string(first.pid());
+  expect_refused({"run", task, "--motion", at("m").string()}, reason);
+  expect_refused({"run", task, "--snapshots", at("s").string() + "/."}, reason);
+  expect_refused({"run", task, "--trace", at("m").string()}, reason);
+  first.signal(SIGKILL);
+  first.wait();
+  const auto free = [&] {
+    return MrrocRun({"run", task, "--motion", at("m").string(), "--trace", "/no/such/t"}).wait();
+  };
+  EXPECT_EQ(free(), kUsage) << "for the trace, not for the motion file of a killed run";
+}
+
+TEST_F(Outputs, AKilledRunIsInNobodysWay) {
+  MrrocRun first({"run", hold.string(), "--trace", at("t").string()});
+  ASSERT_TRUE(first.wait_for_output("running")) << first.err();
+  const std::vector<pid_t> pids = first.children();
+  first.signal(SIGKILL);
+  first.wait();
+  ASSERT_TRUE(all_end(pids));
+  run_mrroc({"run", brief.string(), "--quiet", "--trace", at("t").string()}, 0);
+  EXPECT_TRUE(std::filesystem::exists(at("t.arm.part"))) << "what the killed one has written";
+  EXPECT_FALSE(std::filesystem::exists(at("t.arm.2.part")));
+}
+
+TEST_F(Outputs, TwoAtOnceAreWholeOrRefused) {
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(
+        bash(R"(for i in 1 2 3; do $MRROC run $SHORT --quiet --trace same --black-box "" > out$i 2>&1 & pid[$i]=$!; done
+      good=0; for i in 1 2 3; do wait ${pid[$i]}; rc=$?; test $rc = 0 -o $rc = 2 || exit 9; test $rc = 0 && good=$((good + 1)); done
+      test $good -ge 1 && $MRROC trace check same && grep -c ^tick= same && ! ls same.*part)"),
+        0)
+        << said;
+  }
+}
+
+TEST_F(Outputs, TheSameFileTwiceIsRefused) {
+  const std::string text = text_of(brief);
+  expect_refused({"run", brief.string(), "--trace", brief.string()}, "is the file of deployment, too");
+  std::filesystem::create_symlink(brief, at("link"));
+  expect_refused({"run", brief.string(), "--trace", at("link").string()}, "is the file of deployment, too");
+  expect_refused({"run", brief.string(), "--motion", brief.string()}, "is the file of deployment, too");
+  expect_refused({"run", brief.string(), "--trace", at("x").string(), "--motion", at("./x").string()}, "--motion");
+  expect_refused({"run", brief.string(), "--trace", at("y").string(), "--black-box", at("y").string()}, "--trace");
+  expect_refused({"run", brief.string(), "--trace", "tasks/draw/draw.toml", "--trace", at("x").string()}, "--trace");
+  EXPECT_EQ(text_of(brief), text);
+}
+
+TEST_F(Outputs, AStreamGetsTheWholeTrace) {
+  ASSERT_EQ(bash(R"($MRROC run $SHORT --quiet --trace t)"), 0) << said;
+  const std::string trace = text_of(at("t"));
+  EXPECT_EQ(bash(R"(mkfifo f; cat f > got & $MRROC run $SHORT --quiet --trace f || exit; wait; cmp t got)"), 0) << said;
+  EXPECT_EQ(bash(R"((sleep 2; cat f > got) & $MRROC run $SHORT --quiet --trace f || exit; wait; cmp t got)"), 0)
+      << "a reader that comes later: " << said;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace >(gzip > got.gz) || exit; sleep 0.5; zcat got.gz | cmp t -)"), 0)
+      << said;
+  EXPECT_EQ(
+      bash(R"($MRROC run $SHORT --trace /dev/stdout > got 2> progress || exit; cmp t got && grep -q ready progress)"),
+      0)
+      << said;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace /dev/stdout 2> progress | cmp t -)"), 0) << said;
+  EXPECT_EQ(bash(R"(echo first > got; exec 3>> got; $MRROC run $SHORT --quiet --trace /dev/fd/3 || exit; exec 3>&-
+      tail -n +2 got | cmp t - && head -1 got | grep -q first)"),
+            0)
+      << said;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace /dev/null)"), 0) << said;
+}
+
+TEST_F(Outputs, TextOfTheRunBetweenTheLinesOfItsTraceIsRefused) {
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace /dev/stdout > got 2>&1; test $? = 2 && ! grep -q tick= got)"), 0) << said;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace log > out 2> log; test $? = 2)"), 0) << said;
+}
+
+TEST_F(Outputs, SignalsEndARunWhoseTraceHasNoReader) {
+  for (const char* signal : {"INT", "TERM", "HUP"}) {
+    EXPECT_EQ(
+        bash(std::string{
+                 R"(mkfifo f 2> /dev/null; set -m; $MRROC run $SHORT --quiet --trace f & pid=$!; sleep 1; kill -)"} +
+             signal + R"( $pid; wait $pid; test $? = 5)"),
+        0)
+        << signal << said;
+  }
+  EXPECT_EQ(
+      bash(
+          R"(sed '/^name/a start_timeout = 1' $SHORT > soon.toml; mkfifo g; $MRROC run soon.toml --trace g; test $? = 2)"),
+      0)
+      << said;
+  EXPECT_TRUE(has(said, "no process reads the FIFO")) << said;
+}
+
+TEST_F(Outputs, SignalsEndARunWhoseReaderHasStopped) {
+  EXPECT_EQ(bash(R"(mkfifo f; sleep 50 < f & reader=$!; set -m; $MRROC run $SHORT --trace f > log 2>&1 & pid=$!
+      for i in $(seq 100); do kill -0 $pid || break; pgrep -P $pid > /dev/null && started=1
+        test "$started" && ! pgrep -P $pid > /dev/null && break; sleep 0.1; done
+      sleep 0.5; kill -0 $pid || exit 8; kill -INT $pid; wait $pid; rc=$?; kill $reader; cat log; test $rc = 5)"),
+            0)
+      << said;
+}
+
+TEST_F(Outputs, AReaderThatLeavesIsAnError) {
+  EXPECT_EQ(bash(R"(mkfifo f; head -c 10 f > got & $MRROC run $SHORT --quiet --trace f; test $? = 4)"), 0) << said;
+  EXPECT_TRUE(has(said, "cannot write the trace f: Broken pipe")) << said;
+}
+
+TEST_F(Outputs, AFullDiskAndAFileSizeLimitHaveOneEnd) {
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace /dev/full)"), kSystem) << said;
+  EXPECT_TRUE(has(said, "mrroc: short: cannot write the trace /dev/full: No space left on device")) << said;
+  EXPECT_EQ(bash(R"(ulimit -f 1; $MRROC run $SHORT --quiet --trace t)"), kSystem) << said;
+  EXPECT_TRUE(has(said, "file size limit")) << said;
+  // enough for the memory that the processes share and for a part of the trace, not for the whole
+  folder_.write("pair.toml", short_deployment() +
+                                 "[robots.other]\ntype = \"irb6\"\nprogram = \"irb6_demo\"\nhardware = "
+                                 "\"loopback\"\n");
+  EXPECT_EQ(bash(R"(ulimit -f 900; $MRROC run pair.toml --quiet --trace t; rc=$?; ls t.*.part; exit $rc)"), kSystem)
+      << said;
+  EXPECT_TRUE(has(said, "mrroc: short: cannot write the trace t: File too large")) << said;
+  EXPECT_TRUE(has(said, "t.other.part")) << said;
+  // not even for a part: the process reports it
+  EXPECT_EQ(bash("ulimit -f 900; cd " MRROC_SOURCE_DIR
+                 "; $MRROC run tasks/draw/draw.toml --quiet --black-box none --trace $OLDPWD/t"),
+            kSystem)
+      << said;
+  EXPECT_TRUE(has(said, "mrroc: draw: cannot write the trace " + at("t").string() + ": File too large")) << said;
+  EXPECT_FALSE(std::filesystem::exists(at("mrroc-black-box"))) << "no task has failed";
+}
+
+TEST_F(Outputs, AMotionFileThatIsNotCompleteIsAnError) {
+  EXPECT_EQ(
+      bash("cd " MRROC_SOURCE_DIR "; $MRROC run tasks/draw/draw.toml --quiet --black-box \"\" --motion /dev/full"),
+      kSystem)
+      << said;
+  EXPECT_TRUE(has(said, "cannot write the motion file /dev/full: No space left on device")) << said;
+}
+
+TEST_F(Outputs, ABlackBoxIsNeverOverwritten) {
+  folder_.write("fail.toml", faulty_deployment("exception"));
+  EXPECT_EQ(
+      bash(
+          R"(for i in 1 2 3; do $MRROC run fail.toml --quiet & done; wait; $MRROC run fail.toml --quiet; ls mrroc-black-box)"),
+      0)
+      << said;
+  for (const char* name : {"exception-arm", "exception-arm-2", "exception-arm-3", "exception-arm-4"})
+    EXPECT_TRUE(std::filesystem::exists(at("mrroc-black-box") / (std::string{name} + ".trace"))) << name << said;
+  EXPECT_TRUE(has(said, "black box: mrroc-black-box/exception-arm-4.trace")) << said;
+}
+
+TEST_F(Outputs, ADeploymentMayComeFromAStream) {
+  for (const char* command :
+       {"$MRROC run /dev/stdin --quiet < $SHORT", "cat $SHORT | $MRROC run - --quiet",
+        "$MRROC run <(cat $SHORT) --quiet", "exec 4< $SHORT; $MRROC run /dev/fd/4 --quiet",
+        "mkfifo p; cat $SHORT > p & $MRROC run p --quiet", "$MRROC run --check - < $SHORT | grep -q irb6"})
+    EXPECT_EQ(bash(command), 0) << command << said;
+  EXPECT_EQ(bash("echo 'name = ' | $MRROC run - --quiet"), kUsage) << said;
+  EXPECT_TRUE(has(said, "/stdin:1")) << said;
+  EXPECT_EQ(bash("$MRROC run - --quiet < /dev/zero"), kUsage) << said;
+  EXPECT_EQ(bash("$MRROC run . --quiet"), kUsage) << said;
+}
+
+TEST_F(Outputs, EveryProcessReadsTheDeploymentThatTheRunnerHasRead) {
+  MrrocRun run({"run", brief.string(), "--shuffle-start", "3"});
+  while (run.children().empty() && !run.has_ended()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::filesystem::remove(brief);
+  EXPECT_EQ(run.wait(), 0) << run.out() << run.err();
+}
+
+TEST_F(Outputs, WhatIsPrintedOntoAFullDiskFails) {
+  ASSERT_EQ(bash("$MRROC run $SHORT --quiet --trace t"), 0) << said;
+  for (const char* words : {"run --check $SHORT", "trace hash t", "trace check t", "trace check --rules", "--help",
+                            "run --help", "--version", "keys k"})
+    EXPECT_EQ(bash(std::string{"$MRROC "} + words + " > /dev/full"), kSystem) << words << said;
+}
+
+TEST_F(Outputs, OptionsAreTakenAsTheyAreWritten) {
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --black-box= --trace t && test -s t)"), 0) << said;
+  EXPECT_EQ(bash(R"($MRROC run --trace= --black-box= $SHORT --quiet)"), 0) << said;
+  EXPECT_EQ(bash("$MRROC --version | grep -qx 'mrroc " MRROC_VERSION "'"), 0) << said;
+  for (const char* program : {"mrroc_sim", "mrroc_mp", "mrroc_ecp", "irb6_edp", "irb6_drives", "irb6_demo",
+                              "mrroc_render", "press_ecp", "force_torque_vsp", "camera_marker"})
+    EXPECT_EQ(bash(std::string{MRROC_BINARY_DIR "/bin/"} + program + " --version | grep -q '" + program +
+                   " (MRROC++) " MRROC_VERSION "'"),
+              0)
+        << program << said;
+  for (const char* words :
+       {"--shuffle-start -1", "--shuffle-start 1.5", "--shuffle-start 18446744073709551616",
+        "--shuffle-start=", "--quiet=no", "--trace a --trace b", "--unknown", "--clock fast", "--clock="})
+    EXPECT_EQ(bash(std::string{"$MRROC run $SHORT --check "} + words), kUsage) << words << said;
+  EXPECT_EQ(bash("$MRROC can scan can0 --patience nan"), kUsage) << said;
+  EXPECT_EQ(bash("$MRROC can monitor can0 --count -5"), kUsage) << said;
+}
+
+TEST_F(Outputs, TooFewOpenFilesAreNamed) {
+  for (const int limit : {8, 12, 16, 22, 30, 40, 50, 60, 80}) {
+    const int code = bash("ulimit -n " + std::to_string(limit) + "; $MRROC run $SHORT --quiet --trace t");
+    EXPECT_TRUE(code == 0 || code == kUsage || code == kSystem) << limit << ": " << code << said;
+    EXPECT_TRUE(code == 0 || has(said, "open files")) << limit << said;
+    EXPECT_FALSE(has(said, "died")) << limit << said;
+  }
+}
+
+TEST_F(Outputs, ControlCharactersAreShownAsTheirBytes) {
+  EXPECT_EQ(bash(R"($MRROC run $'no\e[31m.toml' || $MRROC $'\e[31m' || $MRROC run $SHORT --trace $'/no/\e[31m/t' ||
+      $MRROC trace hash $'\e[31m' || printf 'name = "\033[31m"\n' | $MRROC run -)"),
+            kUsage);
+  EXPECT_FALSE(has(said, "\x1b")) << said;
+  EXPECT_TRUE(has(said, "\\x1b[31m")) << said;
+}
+
+}  // namespace
+}  // namespace mrroc::test
