@@ -1,31 +1,46 @@
 # The few commands that people need. Everything else is CMake: `cmake --preset release`, `cmake --build build`.
-.PHONY: help demo test build asan tsan format clean
+.PHONY: help demo check test build package asan tsan format clean
+
+# a test takes two slots, one that mostly waits takes one: docs/testing.md
+slots := $(shell expr 2 '*' $$(nproc))
 
 help: ## this list
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 10
 
-demo: build ## install what is missing, build, run tasks/press, draw its pictures under build/
-	@tasks/press/demo
+demo: ## install and build what tasks/press needs, run it, draw its pictures under build/
+	@scripts/phase "install packages" scripts/install_dependencies demo
+	@scripts/phase "configure" cmake --preset demo
+	@scripts/phase "build" cmake --build --preset demo
+	@scripts/phase "run press" tasks/press/demo
+
+check: ## install what is missing, build and run the fast tests
+	@scripts/install_dependencies
+	@cmake --preset release
+	@cmake --build --preset fast
+	@ctest --preset release -L fast -j $(slots)
 
 test: build ## install what is missing, build, run every test
-	@ctest --preset release -j 2
+	@ctest --preset release -j $(slots)
 
 build: ## install what is missing and build
 	@scripts/install_dependencies
 	@cmake --preset release
 	@cmake --build --preset release
 
+package: build ## make the Debian packages build/*.deb
+	@cd build && cpack -G DEB
+
 asan: ## build and test with the address and undefined-behaviour sanitizers
 	@scripts/install_dependencies
 	@cmake --preset asan
 	@cmake --build --preset asan
-	@ctest --preset asan -j 2
+	@ctest --preset asan -j $(slots)
 
 tsan: ## build and test with the thread sanitizer
 	@scripts/install_dependencies
 	@cmake --preset tsan
 	@cmake --build --preset tsan
-	@ctest --preset tsan -j 2
+	@ctest --preset tsan -j $(slots)
 
 format: ## format every C++ file
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format -i

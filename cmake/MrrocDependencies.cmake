@@ -1,4 +1,5 @@
-# Every third-party library that the project uses, each as one imported target. `scripts/install_dependencies` brings them.
+# Every third-party library that the project uses, each as one imported target. `scripts/install_dependencies` installs them.
+# Libraries of one sensor type are in its folder.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(CycloneDDS 0.10 REQUIRED)
@@ -7,17 +8,12 @@ find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(PNG REQUIRED)
 find_package(tinyxml2 REQUIRED)
-find_package(urdfdom REQUIRED)
 
 set(OpenGL_GL_PREFERENCE GLVND)
 find_package(OpenGL REQUIRED COMPONENTS EGL)
 find_package(mujoco 2.2.2 REQUIRED)
 # Debian's export names a folder of a package that it does not depend on (libqhull-dev)
 set_target_properties(mujoco::mujoco PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "")
-
-find_package(orocos_kdl REQUIRED) # sets variables only
-add_library(mrroc_kdl INTERFACE)
-target_link_libraries(mrroc_kdl INTERFACE ${orocos_kdl_LIBRARIES} Eigen3::Eigen)
 
 find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
 
@@ -31,6 +27,13 @@ set(BUILD_TESTS OFF CACHE BOOL "" FORCE)
 set(BUILD_SHARED_LIBS OFF CACHE BOOL "" FORCE)
 add_subdirectory(${MRROC_RUCKIG} ${CMAKE_BINARY_DIR}/ruckig EXCLUDE_FROM_ALL SYSTEM)
 
+# what tests and benchmarks compare our own kinematics with
+if(MRROC_TESTS OR MRROC_BENCH)
+  find_package(urdfdom REQUIRED)
+  find_package(orocos_kdl REQUIRED) # sets variables only
+  add_library(mrroc_kdl INTERFACE)
+  target_link_libraries(mrroc_kdl INTERFACE ${orocos_kdl_LIBRARIES} Eigen3::Eigen)
+endif()
 if(MRROC_TESTS)
   find_package(GTest REQUIRED)
   find_package(rapidcheck REQUIRED)
