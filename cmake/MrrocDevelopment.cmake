@@ -26,9 +26,42 @@ function(mrroc_test_headers)
   target_precompile_headers(mrroc_test_headers PRIVATE <gtest/gtest.h> <rapidcheck.h> <Eigen/Geometry>)
 endfunction()
 
-# mrroc_test(NAME SOURCES ... LINKS ... [LABELS ...] [TIMEOUT s] [SERIAL]): one GoogleTest executable, one ctest entry.
+# mrroc_describe_test(NAME [SLOW] [SERIAL] [TIMEOUT s] [SLOTS n] [LABELS ...]): what ctest must know of a test, the same for all kinds.
+#   SLOW     label slow, else fast; a test with the label system (whole deployments) is slow: `make check` runs the fast ones
+#   SERIAL   needs real time: never beside another SERIAL test; it mostly waits, so that other tests run meanwhile
+#   SLOTS    of `ctest -j`, two for each processor: 2, of a SERIAL test 1
+# Tests with a long TIMEOUT start first.
+function(mrroc_describe_test name)
+  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS" "LABELS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  set(cost ${ARG_TIMEOUT})
+  if(MRROC_SANITIZE)
+    math(EXPR ARG_TIMEOUT "4 * ${ARG_TIMEOUT}") # what takes a minute takes ten with the thread sanitizer
+  endif()
+  if(NOT ARG_SLOTS)
+    set(ARG_SLOTS $<IF:$<BOOL:${ARG_SERIAL}>,1,2>)
+  endif()
+  set(speed fast)
+  if(ARG_SLOW OR "system" IN_LIST ARG_LABELS)
+    set(speed slow)
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} COST ${cost} PROCESSORS ${ARG_SLOTS} LABELS "${ARG_LABELS};${speed}")
+  if(ARG_SERIAL)
+    set_tests_properties(${name} PROPERTIES RESOURCE_LOCK real_time)
+  endif()
+  if(speed STREQUAL fast AND TARGET ${name})
+    add_dependencies(fast_tests ${name})
+  endif()
+endfunction()
+
+# builds what the fast tests need
+add_custom_target(fast_tests)
+
+# mrroc_test(NAME SOURCES ... LINKS ... [LABELS ...] [TIMEOUT s] [SLOW] [SERIAL]): one GoogleTest executable, one ctest entry.
 function(mrroc_test name)
-  cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
@@ -40,21 +73,19 @@ function(mrroc_test name)
   endif()
   target_precompile_headers(${name} REUSE_FROM mrroc_test_headers)
   add_test(NAME ${name} COMMAND ${name})
-  if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 300)
-  endif()
-  if(MRROC_SANITIZE)
-    math(EXPR ARG_TIMEOUT "4 * ${ARG_TIMEOUT}") # what takes a minute takes ten with the thread sanitizer
-  endif()
-  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
-  if(ARG_SERIAL)
-    set_tests_properties(${name} PROPERTIES RUN_SERIAL ON)
-  endif()
+  mrroc_describe_test(${name} ${ARGN})
+endfunction()
+
+# mrroc_script_test(NAME COMMAND ... [LABELS ...] [TIMEOUT s] [SLOW] [SERIAL] [SLOTS n]): one ctest entry that runs a command.
+function(mrroc_script_test name)
+  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS" "COMMAND;LABELS" ${ARGN})
+  add_test(NAME ${name} COMMAND ${ARG_COMMAND} COMMAND_EXPAND_LISTS)
+  mrroc_describe_test(${name} ${ARGN})
 endfunction()
 
 # mrroc_socket_test(NAME TIMEOUT s COMMAND ... [VARIABLES N=V ...] [LABELS ...] [ENVIRONMENT ...]): one ctest entry whose command, with these variables
 # of its environment, has the CAN interfaces can0 and can1: in a guest where this kernel has none. Not with a sanitizer, for whose shadow memory a
-# guest's processes have no room.
+# guest's processes have no room. One guest at a time: all of them run on the last processor.
 function(mrroc_socket_test name)
   if(MRROC_SANITIZE)
     return()
@@ -63,5 +94,6 @@ function(mrroc_socket_test name)
   list(TRANSFORM ARG_VARIABLES PREPEND "--env;")
   math(EXPR longest "${ARG_TIMEOUT} + 60")
   add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/tests/can/with_can --timeout ${ARG_TIMEOUT} ${ARG_VARIABLES} -- ${ARG_COMMAND})
-  set_tests_properties(${name} PROPERTIES TIMEOUT ${longest} RUN_SERIAL ON LABELS "${ARG_LABELS}" ENVIRONMENT "${ARG_ENVIRONMENT}")
+  mrroc_describe_test(${name} SLOW TIMEOUT ${longest} SLOTS 2 LABELS ${ARG_LABELS})
+  set_tests_properties(${name} PROPERTIES RESOURCE_LOCK can_guest ENVIRONMENT "${ARG_ENVIRONMENT}")
 endfunction()
