@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "config/network_entry.hpp"
+#include "links/network_interface.hpp"
 #include "links/security.hpp"
 #include "mrroc/errors.hpp"
 
@@ -56,6 +57,11 @@ links::DomainOptions domain_options(const Surroundings& surroundings) {
 }
 
 std::string check_network(const config::NetworkEntry& network) {
+  try {
+    links::find_interface(network.interface);
+  } catch (const SystemError& error) {
+    throw std::runtime_error(error.detail());
+  }
   if (!network.security) {
     if (!config::beyond_loopback(network.interface)) return "";
     return "warning: without security whoever reaches the interface " + network.interface +

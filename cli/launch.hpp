@@ -32,8 +32,9 @@ process::Arguments arguments_for(const PlannedProcess& process, const Surroundin
 /// How the runner itself takes part in the communication.
 links::DomainOptions domain_options(const Surroundings& surroundings);
 
-/// Checks the keys before anything is started. Returns a warning when no keys keep unknown participants out; empty:
-/// none. Throws std::runtime_error: the mistake is the user's, nothing has moved.
+/// Refuses an interface that is missing, down or without an address, and invalid keys, before anything starts. Returns a
+/// warning when no keys keep unknown participants out; empty: none. Throws std::runtime_error: the mistake is the
+/// user's, nothing has moved.
 std::string check_network(const config::NetworkEntry& network);
 
 }  // namespace mrroc::cli

@@ -11,6 +11,7 @@
 #include "command/printable.hpp"
 #include "mrroc/errors.hpp"
 #include "process/exit_code.hpp"
+#include "process/standard_files.hpp"
 
 namespace {
 
@@ -29,6 +30,7 @@ int fail(ExitCode code, const std::exception& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  mrroc::process::open_standard_files();
   signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
   CLI::App app;
   int exit_code = 0;

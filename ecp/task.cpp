@@ -4,6 +4,7 @@
 #include "mrroc/ecp.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/build_scope.hpp"
+#include "process/standard_files.hpp"
 
 namespace mrroc::ecp {
 
@@ -107,6 +108,7 @@ void serve(process::Process& process, const TaskFactory& factory) {
 }  // namespace
 
 int run(int argc, char** argv, const TaskFactory& factory) {
+  process::open_standard_files();
   if (argc == 2 && std::string_view{argv[1]} == "--behaviours") {  // what a state machine's file is checked against
     return std::fputs(config::to_text(Behaviours::declared()).c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0 : 4;
   }

@@ -21,6 +21,7 @@
 #include "links/state_feed.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
+#include "process/standard_files.hpp"
 #include "sim/mapped_world.hpp"
 
 namespace mrroc::edp {
@@ -242,6 +243,7 @@ class Shell {
 }  // namespace
 
 int run(int argc, char** argv, const ModelFactory& factory) {
+  process::open_standard_files();
   if (argc > 1 && describes(argv[1])) return describe(argc, argv, factory());
   return process::run_process(argc, argv, links::ProcessRole::edp, [&factory](process::Process& process) {
     // on the heap: the hand-over's queues are larger than a stack should be

@@ -3,6 +3,7 @@
 #include "mrroc/mp.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/build_scope.hpp"
+#include "process/standard_files.hpp"
 
 namespace mrroc::mp {
 
@@ -238,6 +239,7 @@ void serve(process::Process& process, const TaskFactory& factory) {
 }  // namespace
 
 int run(int argc, char** argv, const TaskFactory& factory) {
+  process::open_standard_files();
   return process::run_process(argc, argv, links::ProcessRole::mp,
                               [&factory](process::Process& process) { serve(process, factory); });
 }

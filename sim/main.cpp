@@ -9,6 +9,7 @@
 #include "mrroc/errors.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
+#include "process/standard_files.hpp"
 #include "sim/mapped_world.hpp"
 #include "sim/motion_file.hpp"
 #include "sim/simulation.hpp"
@@ -140,5 +141,6 @@ void serve(mrroc::process::Process& process) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  mrroc::process::open_standard_files();
   return mrroc::process::run_process(argc, argv, mrroc::links::ProcessRole::sim, serve);
 }

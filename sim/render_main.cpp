@@ -10,6 +10,7 @@
 #include "command/parse_command.hpp"
 #include "command/printable.hpp"
 #include "config/deployment.hpp"
+#include "process/standard_files.hpp"
 #include "sim/camera.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
@@ -24,6 +25,7 @@ mrroc::sim::WorldState home_state(const mrroc::config::Deployment& deployment) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  mrroc::process::open_standard_files();
   signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
   std::string deployment_file, state_file, camera, out;
   int width = 1280, height = 720;

@@ -6,6 +6,7 @@
 #include "links/state_follower.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
+#include "process/standard_files.hpp"
 #include "sim/mapped_world.hpp"
 #include "vsp/make_source.hpp"
 #include "vsp/sampler.hpp"
@@ -105,6 +106,7 @@ class Shell : private ReadingSink {
 }  // namespace
 
 int run(int argc, char** argv, const SensorFactory& factory) {
+  process::open_standard_files();
   return process::run_process(argc, argv, links::ProcessRole::vsp,
                               [&factory](process::Process& process) { Shell(process, factory).serve(); });
 }

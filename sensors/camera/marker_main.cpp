@@ -13,6 +13,7 @@
 #include "command/parse_command.hpp"
 #include "command/printable.hpp"
 #include "command/write_file.hpp"
+#include "process/standard_files.hpp"
 #include "sensors/camera/keys.hpp"
 #include "sensors/camera/marker_dictionary.hpp"
 
@@ -49,6 +50,7 @@ int draw(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+  mrroc::process::open_standard_files();
   signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
   return draw(argc, argv);
 } catch (const std::exception& error) {

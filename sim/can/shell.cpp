@@ -14,6 +14,7 @@
 #include "edp/mujoco_hardware.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
+#include "process/standard_files.hpp"
 #include "sim/can/drive_rack.hpp"
 #include "sim/can/injected_drives.hpp"
 #include "sim/mapped_world.hpp"
@@ -132,6 +133,7 @@ class Drives {
 }  // namespace
 
 int run(int argc, char** argv, const ModelFactory& factory) {
+  process::open_standard_files();
   return process::run_process(argc, argv, links::ProcessRole::sim, [&factory](process::Process& process) {
     std::make_unique<Drives>(process, factory)->serve();
   });

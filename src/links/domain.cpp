@@ -13,6 +13,7 @@
 #include "links/received_samples.hpp"
 #include "links/received_types.hpp"
 #include "links/security.hpp"
+#include "links/socket_limit.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::links {
@@ -75,26 +76,23 @@ std::string dds_configuration(const DomainOptions& options, const NetworkInterfa
   if (!options.hosts.empty() && options.interface.empty()) {
     throw SystemError(ErrorCode::configuration, "hosts are named, but no network interface to reach them by");
   }
-  std::string peers;
-  if (!options.hosts.empty()) {
-    // with peers named Cyclone forgets its own machine
-    peers = "<Peer Address=\"" + interface.address + "\"/>";
-    for (const std::string& host : options.hosts) {
-      check_host(host);
-      if (host != interface.address) peers += "<Peer Address=\"" + host + "\"/>";
-    }
-    peers = "<Peers>" + peers + "</Peers>";
+  // never left to Cyclone: it adds its own address only to an interface that has no flag MULTICAST, and only when no
+  // peer is given
+  std::string peers = "<Peer Address=\"" + interface.address + "\"/>";
+  for (const std::string& host : options.hosts) {
+    check_host(host);
+    if (host != interface.address) peers += "<Peer Address=\"" + host + "\"/>";
   }
   const double lease = options.lease > 0 ? std::max(1.0, 2 * options.lease) : kSimulatedLease;
   return "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface address=\"" + interface.address +
-         "\"/></Interfaces><AllowMulticast>false</AllowMulticast></General>"
+         "\" multicast=\"false\"/></Interfaces><AllowMulticast>false</AllowMulticast></General>"
          "<SharedMemory><Enable>false</Enable></SharedMemory>"
          // without multicast an index of its own is what lets a process be found, and its number is the last index
          "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
          "<MaxAutoParticipantIndex>" +
          std::to_string(kLastIndex) + "</MaxAutoParticipantIndex><LeaseDuration>" +
-         std::to_string(static_cast<long>(lease * 1000)) + "ms</LeaseDuration>" + peers +
-         "</Discovery>"
+         std::to_string(static_cast<long>(lease * 1000)) + "ms</LeaseDuration><Peers>" + peers +
+         "</Peers></Discovery>"
          // how long a writer that ends waits for readers to acknowledge: a dead peer shall not hold it for a second
          "<Internal><WriterLingerDuration>100ms</WriterLingerDuration>" +
          (options.hosts.empty() ? "" : kRepairOverCables) + "</Internal></Domain></CycloneDDS>";
@@ -107,13 +105,14 @@ Domain::Domain(DomainOptions options)
   mend_received_samples();
   mend_received_types();
   const auto before = open_descriptors();
+  const SocketLimit limit(interface_);
   domain_ = dds_create_domain(static_cast<dds_domainid_t>(options_.id), configuration.c_str());
   if (domain_ < 0) refuse("creation", options_.id, domain_);
   try {
-    // the sockets are there: nobody is told of this process before they are sealed
-    seal_descriptors(before, interface_);
+    // before any process learns of this one
+    seal_descriptors(before);
     create_participant();
-    seal_descriptors(before, interface_);
+    seal_descriptors(before);
   } catch (...) {
     dds_delete(domain_);
     throw;

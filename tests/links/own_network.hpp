@@ -1,41 +1,53 @@
 #pragma once
 
-#include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sched.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "privileges.hpp"
 
 namespace mrroc::links {
 
-/// A network namespace of this thread and of whatever it starts, while it lives: the loopback device, and one more with
-/// the address kAddress. Needs root.
-class OwnNetwork {
- public:
-  static constexpr const char* kAddress = "192.0.2.1";  // TEST-NET-1
-
-  OwnNetwork() : home_(::open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEXEC)) {
-    laid_ = home_ >= 0 && ::unshare(CLONE_NEWNET) == 0;
-    if (!laid_) return;
-    complete_ = std::system(
-                    "PATH=$PATH:/usr/sbin:/sbin; ip link set lo up && ip link add own0 type veth peer name own1 && "
-                    "ip address add 192.0.2.1/24 dev own0 && ip link set own1 up && ip link set own0 up") == 0;
+/// Runs iproute2 in the network namespace of the caller.
+inline void ip(const std::string& arguments) {
+  if (std::system(("PATH=$PATH:/usr/sbin:/sbin; ip " + arguments).c_str()) != 0) {
+    throw std::runtime_error("ip " + arguments);
   }
-  ~OwnNetwork() {
-    if (laid_) ::setns(home_, CLONE_NEWNET);
-    if (home_ >= 0) ::close(home_);
+}
+
+/// Runs `body()` in a child process with a network namespace of its own, in which only the loopback device exists and
+/// is up. The child is root there, as an ordinary user by a user namespace. What fails in it fails the calling test.
+template <class Body>
+void in_own_network(Body body) {
+  std::fflush(nullptr);
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    try {
+      test::become_root();
+      if (::unshare(CLONE_NEWNET) != 0) throw std::runtime_error(std::string{"namespace: "} + std::strerror(errno));
+      ip("link set lo up");
+      body();
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what();
+    }
+    std::fflush(nullptr);
+    ::_exit(::testing::Test::HasFailure() ? 1 : 0);
   }
-  OwnNetwork(const OwnNetwork&) = delete;
-  OwnNetwork& operator=(const OwnNetwork&) = delete;
-
-  /// False: the kernel has refused the namespace.
-  bool laid() const noexcept { return laid_; }
-  /// It has its devices.
-  bool complete() const noexcept { return complete_; }
-
- private:
-  int home_;
-  bool laid_ = false, complete_ = false;
-};
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0) << "in the child process";
+}
 
 }  // namespace mrroc::links

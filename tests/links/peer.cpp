@@ -1,11 +1,12 @@
-// The other process of the tests: links_peer ROLE DOMAIN PREFIX LEASE [CLOCK_FD | HOST | KEYS]. It runs until it is
-// killed or its parent is gone.
+// The other process of the tests: links_peer ROLE DOMAIN PREFIX LEASE [CLOCK_FD | INTERFACE,HOST... | KEYS]. It runs
+// until it is killed or its parent is gone.
 
 #include <sys/prctl.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -91,8 +92,9 @@ int main(int argc, char** argv) {
   options.lease = std::stod(arguments.at(3));
   const std::string& prefix = arguments.at(2);
   if (role == "remote") {
-    options.interface = arguments.at(4);
-    options.hosts = {arguments.at(4)};
+    std::istringstream words(arguments.at(4));
+    std::getline(words, options.interface, ',');
+    for (std::string host; std::getline(words, host, ',');) options.hosts.push_back(host);
   }
   const bool commands = role == "commander" || role == "foreigner";
   if (role == "respond" || role == "status" || commands) options.keys = arguments.at(4);

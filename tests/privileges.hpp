@@ -1,0 +1,39 @@
+#pragma once
+
+#include <linux/capability.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace mrroc::test {
+
+/// Makes this process, while it has one thread, root of a user namespace that contains its own user only: it may create
+/// other namespaces then. Does nothing for root. Throws std::runtime_error where the kernel allows no user namespaces.
+inline void become_root() {
+  const uid_t user = ::geteuid();
+  const gid_t group = ::getegid();
+  if (user == 0) return;
+  if (::unshare(CLONE_NEWUSER) != 0) throw std::runtime_error(std::string{"user namespace: "} + std::strerror(errno));
+  std::ofstream("/proc/self/setgroups") << "deny";
+  std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
+  std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
+}
+
+/// Takes every capability from this process, and from what it executes from now on.
+inline void drop_capabilities() {
+  for (int capability = 0; ::prctl(PR_CAPBSET_READ, capability, 0, 0, 0) >= 0; ++capability) {
+    ::prctl(PR_CAPBSET_DROP, capability, 0, 0, 0);
+  }
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  __user_cap_data_struct none[2]{};
+  if (::syscall(SYS_capset, &header, none) != 0) throw std::runtime_error("capset");
+}
+
+}  // namespace mrroc::test
