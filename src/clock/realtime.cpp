@@ -2,11 +2,31 @@
 
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 
 #include <cerrno>
 #include <cstring>
 
 namespace mrroc::clock {
+
+namespace {
+
+/// With a finite limit that suffices now, what the process maps later, such as the stack of a thread, would be refused.
+/// So it is taken only without a limit. A limit of 0 holds for everyone but who has CAP_IPC_LOCK.
+bool lock_memory() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;
+  const rlimit before = limit;
+  limit.rlim_cur = limit.rlim_max == RLIM_INFINITY ? RLIM_INFINITY : 0;
+  if (::setrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;
+  const bool locked = ::mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
+  const int problem = errno;
+  if (!locked || limit.rlim_cur == 0) ::setrlimit(RLIMIT_MEMLOCK, &before);
+  errno = problem;
+  return locked;
+}
+
+}  // namespace
 
 std::string request_realtime(int priority) {
   std::string warning;
@@ -17,8 +37,7 @@ std::string request_realtime(int priority) {
   parameters.sched_priority = priority;
   if (::sched_setscheduler(0, SCHED_FIFO, &parameters) != 0)
     refused("SCHED_FIFO " + std::to_string(priority), "grant CAP_SYS_NICE or raise RLIMIT_RTPRIO");
-  if (::mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0)
-    refused("locked memory", "grant CAP_IPC_LOCK or raise RLIMIT_MEMLOCK");
+  if (!lock_memory()) refused("locked memory", "grant CAP_IPC_LOCK or an unlimited RLIMIT_MEMLOCK");
   return warning;
 }
 

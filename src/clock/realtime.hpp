@@ -5,9 +5,10 @@
 namespace mrroc::clock {
 
 /// Makes the calling thread SCHED_FIFO at `priority` (1..99) and locks the process's memory, present and future, as
-/// pages are touched. Threads created by it afterwards inherit the class and priority. Returns an empty text when all
-/// was granted, otherwise a warning that names what was refused, why, and what to grant. To be called once, before the
-/// DDS domain is created and the servo thread is started.
+/// pages are touched. Memory is locked only where no limit can refuse what is mapped later: with CAP_IPC_LOCK, or where
+/// RLIMIT_MEMLOCK is unlimited or may be raised so. Threads created by it afterwards inherit the class and priority.
+/// Returns an empty text when all was granted, otherwise a warning that names what was refused, why, and what to grant.
+/// To be called once, before the DDS domain is created and the servo thread is started.
 std::string request_realtime(int priority);
 
 /// Pins the calling thread, and the threads and processes that it starts from now on, to the CPU on which it runs:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <sched.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include "clock/child.hpp"
 #include "clock/monotonic.hpp"
 #include "clock/realtime.hpp"
+#include "privileges.hpp"
 
 namespace mrroc::clock {
 namespace {
@@ -95,6 +97,26 @@ TEST(Realtime, EitherItIsGrantedOrTheWarningSaysWhatIsMissing) {
     if (request_realtime(10).find("SCHED_FIFO 10 refused (Operation not permitted)") == std::string::npos) ::_exit(2);
   });
   EXPECT_TRUE(without_rights.join());
+}
+
+TEST(Realtime, MemoryIsNotLockedBelowALimitThatLaterMemoryWouldMeet) {
+  for (const rlim_t wanted : {rlim_t{0}, rlim_t{64} << 10, rlim_t{64} << 20, rlim_t{256} << 20, rlim_t{1} << 30}) {
+    Child child([wanted] {
+      test::drop_capabilities();
+      rlimit limit{};
+      ::getrlimit(RLIMIT_MEMLOCK, &limit);
+      limit.rlim_cur = limit.rlim_max = std::min(limit.rlim_max, wanted);
+      if (::setrlimit(RLIMIT_MEMLOCK, &limit) != 0) ::_exit(1);
+      if (request_realtime(10).find("locked memory refused") == std::string::npos) ::_exit(2);
+      rlimit after{};
+      ::getrlimit(RLIMIT_MEMLOCK, &after);
+      if (after.rlim_cur != limit.rlim_cur) ::_exit(3);
+      constexpr std::size_t kLarge = std::size_t{2} << 30;
+      if (::mmap(nullptr, kLarge, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) == MAP_FAILED)
+        ::_exit(4);
+    });
+    EXPECT_TRUE(child.join()) << wanted;
+  }
 }
 
 TEST(Realtime, PinnedProcessesAndTheirChildrenHaveOneCpu) {
