@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "privileges.hpp"
 #include "system/cable.hpp"
 #include "system/mrroc_run.hpp"
 
@@ -86,10 +87,11 @@ std::optional<double> time_of(const Fault& fault, std::uint64_t seed) {
 }  // namespace
 
 /// cable_detection [SEEDS]: press_mp with the MP on one host and everything else on another (network namespaces with a
-/// cable, which takes root), with keys, under the real clock; the cable is cut, or a process of either host killed or
-/// halted, SEEDS (20) times each at a random moment. Prints the wall time until `mrroc run` tells of it. Fails when one
-/// is not noticed within 50 ms.
+/// cable, as root or in a user namespace), with keys, under the real clock; the cable is cut, or a process of either
+/// host killed or halted, SEEDS (20) times each at a random moment. Prints the wall time until `mrroc run` tells of it.
+/// Fails when one is not noticed within 50 ms.
 int main(int argc, char** argv) {
+  enter_own_network();
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 20;
   std::printf(
       "two hosts, real clock: to the runner's notice, ms, p50 / worst of %d\n\n| fault | noticed |\n|---|---|\n",

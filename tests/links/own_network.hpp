@@ -35,9 +35,7 @@ void in_own_network(Body body) {
   if (child == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     try {
-      test::become_root();
-      if (::unshare(CLONE_NEWNET) != 0) throw std::runtime_error(std::string{"namespace: "} + std::strerror(errno));
-      ip("link set lo up");
+      test::enter_own_network();
       body();
     } catch (const std::exception& error) {
       ADD_FAILURE() << error.what();

@@ -224,16 +224,4 @@ void Cable::receive(int end, std::vector<Frame>& queue) {
   }
 }
 
-std::string lay(std::optional<Cable>& cable, std::uint64_t seed) {
-  try {
-    cable.emplace(seed);
-    return "";
-  } catch (const std::system_error& error) {
-    const char* const wish = std::getenv("MRROC_TEST_CABLE");
-    const bool refused = error.code().value() == EPERM || error.code().value() == ENOSYS;
-    if (!refused || (wish != nullptr && std::string{wish} == "required")) throw;
-    return std::string{error.what()} + " (network namespaces need root)";
-  }
-}
-
 }  // namespace mrroc::test

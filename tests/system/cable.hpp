@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <random>
 #include <string>
 #include <thread>
@@ -64,8 +63,9 @@ class Inside {
 /// checksums themselves, as before real cables.
 class Cable {
  public:
-  /// Throws std::system_error where the kernel refuses namespaces.
-  explicit Cable(std::uint64_t seed);
+  /// As root, of a user namespace at least (privileges.hpp). Throws std::system_error where the kernel refuses
+  /// namespaces.
+  explicit Cable(std::uint64_t seed = 1);
   ~Cable();
   Cable(const Cable&) = delete;
   Cable& operator=(const Cable&) = delete;
@@ -96,9 +96,5 @@ class Cable {
   std::atomic<bool> ended_{false};
   std::thread thread_;
 };
-
-/// Lays a cable. Where the kernel refuses, which takes root: why, for the test to be skipped; the environment's
-/// MRROC_TEST_CABLE=required (CI) lets nobody skip it: std::system_error.
-std::string lay(std::optional<Cable>& cable, std::uint64_t seed = 1);
 
 }  // namespace mrroc::test

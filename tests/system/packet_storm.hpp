@@ -11,10 +11,10 @@
 namespace mrroc::test {
 
 /// Floods the RTPS ports of a DDS domain of this machine with datagrams for as long as it lives: random bytes, RTPS
-/// headers with anything behind, and what the domain's own processes send to one another, overheard where the system
-/// allows it (a packet socket needs CAP_NET_RAW), as it is, mutated or truncated, and half of it as if strangers had
-/// sent it that have all that the domain's participants have. The choices follow from the seed, as far as what is
-/// overheard is the same.
+/// headers with anything behind, and what the domain's own processes send to one another, overheard by
+/// a packet socket (which needs CAP_NET_RAW in the network namespace), as it is, mutated or truncated, and half of it
+/// as if strangers had sent it that have all that the domain's participants have. The choices follow from the seed, as
+/// far as what is overheard is the same.
 class PacketStorm {
  public:
   PacketStorm(int domain, std::uint32_t seed);
@@ -24,8 +24,6 @@ class PacketStorm {
 
   long sent() const noexcept { return sent_; }
   long overheard() const noexcept { return overheard_; }
-  /// Whether the system lets it listen.
-  bool listens() const noexcept { return ear_ >= 0; }
 
  private:
   void blow();

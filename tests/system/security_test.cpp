@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "links/test_domain.hpp"
 #include "mrroc/testing.hpp"
+#include "privileges.hpp"
 #include "system/mrroc_run.hpp"
 #include "system/packet_storm.hpp"
 
@@ -21,6 +23,13 @@ constexpr int kSuccess = 0;
 constexpr int kUsage = 2;
 constexpr int kSystem = 4;
 constexpr int kStopped = 5;
+
+/// A network namespace of the test's own, in which it may open packet sockets; before the first test, while there is
+/// one thread.
+struct OwnNetwork : testing::Environment {
+  void SetUp() override { enter_own_network(); }
+};
+[[maybe_unused]] const testing::Environment* const network_of_test = testing::AddGlobalTestEnvironment(new OwnNetwork);
 
 /// The deployment of the task `press`, in a file of its own, with `more` at its end.
 fs::path press_with(const ScratchFolder& folder, const std::string& more, int domain = -1) {
@@ -81,18 +90,17 @@ TEST(Keys, AreNeverOverwritten) {
 
 TEST(Network, WithoutSecurityADeploymentBeyondLoopbackWarns) {
   const ScratchFolder folder;
-  // TEST-NET-1: no machine's own; the warning comes first, the refusal of the address then
-  const std::string open = "[network]\ninterface = \"192.0.2.249\"\nsecurity = false\n";
-  const std::string output = run_mrroc({"run", press_with(folder, open).string()}, kSystem);
+  const std::string open = "[network]\ninterface = \"192.0.2.249\"\nsecurity = false\n";  // TEST-NET-1
+  const std::string file = press_with(folder, open).string();
+  EXPECT_NE(run_mrroc({"run", file}, kUsage).find("network interface '192.0.2.249': expected a device"),
+            std::string::npos);
+  ASSERT_EQ(std::system("PATH=$PATH:/usr/sbin:/sbin; ip link add own0 type veth peer name own1 && "
+                        "ip address add 192.0.2.249/24 dev own0 && ip link set own0 up"),
+            0);
+  const std::string output = run_mrroc({"run", file}, kSuccess);
   EXPECT_NE(output.find("warning: without security whoever reaches the interface 192.0.2.249 can command the robots"),
             std::string::npos)
       << output;
-  EXPECT_NE(output.find("network interface '192.0.2.249': expected a device or an own address, one of lo (127.0.0.1)"),
-            std::string::npos)
-      << output;
-  const std::string loopback =
-      run_mrroc({"run", press_with(folder, "[network]\ninterface = \"lo\"\n").string()}, kSuccess);
-  EXPECT_EQ(loopback.find("without security"), std::string::npos) << loopback;
 }
 
 /// Descriptors of a process on the deployment's anonymous memory.
@@ -169,7 +177,7 @@ TEST_P(Storm, LockstepGoesOnOrStopsWithItsOwnCode) {
     std::printf("seed %u: exit code %d, %ld datagrams, %ld overheard\n%s", seed, run.exit_code, storm.sent(),
                 storm.overheard(), run.output.c_str());
     EXPECT_GT(storm.sent(), 1000);
-    EXPECT_TRUE(!storm.listens() || storm.overheard() > 100) << storm.overheard();
+    EXPECT_GT(storm.overheard(), 100);
     EXPECT_TRUE(run.exit_code == kSuccess || run.exit_code == kSystem) << run.exit_code << run.output;
     expect_no_crash(run.output);
     // the hand-shake by which keys are proved is not signed yet: only before the start can a storm spoil a secured run

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "privileges.hpp"
+
 namespace mrroc::test {
 
 namespace {
@@ -12,10 +14,16 @@ std::string in_toml(const std::vector<std::string>& words) {
   return "[" + text + "]";
 }
 
+/// Before the first test, while there is one thread.
+struct Root : testing::Environment {
+  void SetUp() override { enter_own_network(); }
+};
+[[maybe_unused]] const testing::Environment* const root_of_namespace = testing::AddGlobalTestEnvironment(new Root);
+
 }  // namespace
 
 void TwoHosts::SetUp() {
-  if (const std::string refusal = lay(cable_); !refusal.empty()) GTEST_SKIP() << refusal;
+  cable_.emplace();
   if (with_keys()) run_mrroc({"keys", file("keys").string()}, 0);
 }
 

@@ -23,8 +23,8 @@ void sh(const std::string& line) {
   if (std::system(line.c_str()) != 0) throw std::runtime_error(line);
 }
 
-/// A real sshd in host b of the cable, with keys of its own, that knows the user of this test. Where it keeps its
-/// things under /run is its own, too.
+/// A real sshd in host b of the cable, with keys of its own and one user, the one that it runs as: it is root nowhere.
+/// Its /run and its /etc/passwd are its own, too.
 class SshServer {
  public:
   SshServer(const Cable& cable, const std::filesystem::path& folder) {
@@ -34,17 +34,20 @@ class SshServer {
     sh("printf '" + std::string{Cable::kAddressOfB} + " ' | cat - " + path + "/host_key.pub > " + path +
        "/known_hosts");
     std::ofstream(folder / "ssh_config") << "IdentityFile " << path << "/user_key\nIdentitiesOnly yes\n"
-                                         << "UserKnownHostsFile " << path << "/known_hosts\n";
+                                         << "UserKnownHostsFile " << path << "/known_hosts\nUser lab\n";
+    sh("(cat /etc/passwd; echo lab:x:1000:1000::" + path + ":/bin/sh) > " + path + "/passwd");
     // the ssh that `mrroc run` finds: the real one, told where this test's keys are
     std::filesystem::create_directory(folder / "bin");
     std::ofstream(folder / "bin" / "ssh") << "#!/bin/sh\nexec /usr/bin/ssh -F " << path << "/ssh_config \"$@\"\n";
     std::filesystem::permissions(folder / "bin" / "ssh", std::filesystem::perms::owner_all);
     const std::string server =
-        "mount -t tmpfs tmpfs /run && mkdir /run/sshd && exec /usr/sbin/sshd -D -e -f /dev/null "
-        "-h " +
+        "mount -t tmpfs tmpfs /run && mkdir /run/sshd && mount --bind " + path +
+        "/passwd /etc/passwd && exec unshare --user --map-user=1000 --map-group=1000 -- /usr/sbin/sshd -D -e "
+        "-f /dev/null -h " +
         path + "/host_key -o AuthorizedKeysFile=" + path + "/authorized_keys -o StrictModes=no -o PidFile=none 2> " +
         path + "/sshd.log";
     const Inside inside(cable.b());
+    std::ofstream("/proc/sys/net/ipv4/ip_unprivileged_port_start") << 0;
     pid_ = fork();
     if (pid_ == 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -76,7 +79,7 @@ class TwoHostsOverSsh : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(std::filesystem::exists("/usr/sbin/sshd")) << "scripts/install_dependencies has openssh-server";
-    if (const std::string refusal = lay(cable_); !refusal.empty()) GTEST_SKIP() << refusal;
+    cable_.emplace();
     server_.emplace(*cable_, folder_.path());
     const std::string path = std::getenv("PATH");
     setenv("PATH", ((folder_.path() / "bin").string() + ":" + path).c_str(), 1);

@@ -1,0 +1,291 @@
+"""Deployments run under the conditions in which people and services start them: as users of every kind, with and
+without a home, on loopback devices of every kind, with closed standard files. As an ordinary user and as root.
+
+surroundings_test.py BUILD_FOLDER SOURCE_FOLDER
+"""
+
+import contextlib
+import itertools
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+BUILD, SOURCE = (pathlib.Path(folder).resolve() for folder in sys.argv[1:3])
+MRROC = str(BUILD / "bin/mrroc")
+STRANGER = 54321  # a user of whom no file of this machine knows
+PATIENCE = 240
+os.environ["PATH"] += ":/usr/sbin:/sbin"
+
+ARM = """
+[robots.arm]
+type = "irb6"
+hardware = "loopback"
+program = "{build}/tests/faulty_ecp"
+"""
+HOST = """
+[hosts.cell]
+address = "127.0.0.1"
+command = ["env"]
+"""
+
+
+def deployment(folder, clock="lockstep", more="", robot="", name="robot_type"):
+    """A task that is over at once, by an error of its own: exit code 1."""
+    file = folder / f"{name}.toml"
+    general = f'[deployment]\nname = "{name}"\nclock = "{clock}"\nstart_timeout = 60\nheartbeat_timeout = 5\nlink_timeout = 5\n'
+    file.write_text(general + more + ARM.format(build=BUILD) + robot, encoding="utf-8")
+    return str(file)
+
+
+def without_capabilities():
+    return ["setpriv", "--inh-caps=-all", "--bounding-set=-all", "--"]
+
+
+def as_nobody_known():
+    """A user without an entry in /etc/passwd and without capabilities."""
+    return ["unshare", "--user", f"--map-user={STRANGER}", f"--map-group={STRANGER}", "--"]
+
+
+def in_own_network(script):
+    return ["unshare", "--user", "--map-root-user", "--net", "--", "sh", "-c", script + ' && exec "$@"', "sh"]
+
+
+def run(command, **options):
+    options.setdefault("timeout", PATIENCE)
+    options.setdefault("stdin", subprocess.DEVNULL)
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False, **options)
+
+
+def other_users():
+    """Commands that become another user who may enter the build folder; for root only."""
+    if os.geteuid() != 0:
+        return []
+    users = [["setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups", "--inh-caps=-all", "--bounding-set=-all", "--"]
+             for user in (65534, STRANGER)]
+    return [user for user in users if run([*user, MRROC, "--help"]).returncode == 0]
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="mrroc_surroundings_"))
+        self.folder.chmod(0o777)
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def expect(self, command, code, text="", **options):
+        options.setdefault("cwd", self.folder)
+        done = run(command, **options)
+        self.assertEqual(done.returncode, code, f"{command}\n{done.stdout}{done.stderr}")
+        self.assertIn(text, done.stdout + done.stderr)
+        return done
+
+
+class Users(Case):
+    """No part of a run needs root or a capability."""
+
+    def users(self):
+        return [without_capabilities() if os.geteuid() == 0 else [], as_nobody_known(), *other_users()]
+
+    def test_every_clock(self):
+        for user, clock in itertools.product(self.users(), ("lockstep", "paced", "real")):
+            with self.subTest(user=user, clock=clock):
+                self.expect([*user, MRROC, "run", deployment(self.folder, clock), "--black-box", ""], 1, "robot_type")
+
+    def test_keys_and_two_hosts(self):
+        for number, user in enumerate(self.users()):
+            with self.subTest(user=user):
+                keys = self.folder / f"keys{number}"
+                self.expect([*user, MRROC, "keys", str(keys)], 0)
+                network = f'[network]\nkeys = "{keys}"\n'
+                self.expect([*user, MRROC, "run", deployment(self.folder, more=network), "--black-box", ""], 1)
+                hosts = deployment(self.folder, "real", network + HOST, 'host = "cell"\n')
+                self.expect([*user, MRROC, "run", hosts, "--black-box", ""], 1, "robot_type")
+
+    def test_physics_in_a_container(self):
+        """As `docker run --user`: no entry in /etc/passwd, no home, a folder that may not be written."""
+        environment = {"PATH": os.environ["PATH"]}
+        press = str(SOURCE / "tasks/press/press.toml")
+        self.expect([*as_nobody_known(), MRROC, "run", press, "--black-box", ""], 0, "press succeeded", cwd="/", env=environment)
+
+    def test_homes(self):
+        for home in ({}, {"HOME": ""}, {"HOME": "/nonexistent"}, {"HOME": "/proc"}, {"HOME": "/", "XDG_RUNTIME_DIR": "/nonexistent"}):
+            with self.subTest(home=home):
+                environment = {name: value for name, value in os.environ.items() if name not in ("HOME", "XDG_RUNTIME_DIR", "USER")}
+                self.expect([*as_nobody_known(), MRROC, "run", deployment(self.folder), "--black-box", ""], 1, "robot_type",
+                            env={**environment, **home})
+
+    def test_limits_of_locked_memory(self):
+        """None, one that suffices at first only, and one that may be raised: the run goes as without."""
+        for limit in ("0", str(64 << 10), str(100 << 20), str(500 << 20), "0:unlimited"):
+            with self.subTest(limit=limit):
+                file = deployment(self.folder, "real")
+                prefix = ["prlimit", f"--memlock={limit if ':' in limit else f'{limit}:{limit}'}", *without_capabilities()]
+                if os.geteuid() != 0:
+                    hard = run(["sh", "-c", "ulimit -H -l"]).stdout.strip()
+                    if hard != "unlimited" and (limit.endswith("unlimited") or int(limit) > int(hard) << 10):
+                        continue  # its limit is lower: one of the others
+                    prefix = prefix[:2]
+                self.expect([*prefix, MRROC, "run", file, "--black-box", ""], 1, "robot_type")
+
+    def test_two_users_at_once(self):
+        users = (self.users() + self.users())[-3:]
+        runs = [subprocess.Popen([*user, MRROC, "run", deployment(self.folder, name="robot_type"), "--black-box", ""], cwd=self.folder,
+                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) for user in users]
+        for one in runs:
+            output, _ = one.communicate(timeout=PATIENCE)
+            self.assertEqual(one.returncode, 1, output)
+
+
+class Networks(Case):
+    """As root of a user namespace, in a network of its own."""
+
+    def test_loopback_of_every_kind(self):
+        for script in ("ip link set lo up", "ip link set lo up multicast on", "ip link set lo up mtu 576 multicast on",
+                       "ip link set lo up && ip address add 10.9.9.9/32 dev lo",
+                       "ip address add 10.9.9.9/32 dev lo && ip link set lo up multicast on",
+                       "ip link set lo up allmulticast on multicast on"):
+            with self.subTest(script=script):
+                self.expect([*in_own_network(script), MRROC, "run", deployment(self.folder), "--black-box", ""], 1, "robot_type")
+
+    def test_cards(self):
+        card = "ip link set lo up && ip link add card0 type veth peer name card1 && ip link set card1 up && ip link set card0 up && "
+        for name, script in (("card0", "ip address add 10.0.0.2/24 dev card0"),
+                             ("card0", "ip address add 10.0.0.2/24 dev card0 && ip link set card0 multicast off"),
+                             ("10.0.1.2", "ip address add 10.0.0.2/24 dev card0 && ip address add 10.0.1.2/24 dev card0"),
+                             ("card0", "ip address add 10.0.0.2/24 dev card0 && ip link set card0 mtu 576"),
+                             ("card0", "ip address add 10.0.0.2/24 dev card0 && ip link set card0 mtu 9000"),
+                             ("card0", "ip address add 10.8.0.2 peer 10.8.0.1 dev card0 && ip link set card0 arp off multicast off")):
+            with self.subTest(script=script):
+                file = deployment(self.folder, more=f'[network]\ninterface = "{name}"\nsecurity = false\n')
+                self.expect([*in_own_network(card + script), MRROC, "run", file, "--black-box", ""], 1, "robot_type")
+        if os.geteuid() == 0 and os.access("/dev/net/tun", os.W_OK):  # who may have a tunnel
+            script = ("ip link set lo up && ip tuntap add dev tun0 mode tun && ip address add 10.8.0.2 peer 10.8.0.1 dev tun0 && "
+                      "ip link set tun0 up multicast off")
+            file = deployment(self.folder, more='[network]\ninterface = "tun0"\nsecurity = false\n')
+            network = ["unshare", "--net", "--", "sh", "-c", script + ' && exec "$@"', "sh"]
+            self.expect([*network, MRROC, "run", file, "--black-box", ""], 1, "robot_type")
+
+    def test_interfaces_that_cannot_be_used(self):
+        card = "ip link set lo up && ip link add card0 type veth peer name card1 && "
+        for name, script, text in (("", "true", "'lo' is down"), ("lo", "true", "'lo' is down"),
+                                   ("card0", card + "ip address add 10.0.0.2/24 dev card0", "'card0' is down"),
+                                   ("10.0.0.2", card + "ip address add 10.0.0.2/24 dev card0", "'card0' is down"),
+                                   ("card0", card + "ip link set card0 up", "'card0' has no IPv4 address"),
+                                   ("card7", card + "true", "'card7'")):
+            with self.subTest(name=name):
+                network = f'[network]\ninterface = "{name}"\nsecurity = false\n' if name else ""
+                file = deployment(self.folder, more=network)
+                self.expect([*in_own_network(script), MRROC, "run", file, "--black-box", ""], 2, text)
+
+
+SUBSETS = [subset for count in (1, 2, 3) for subset in itertools.combinations((0, 1, 2), count)]
+
+
+LOOK = """
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+__attribute__((destructor)) static void look(void) {
+  FILE* seen = fopen(getenv("SEEN"), "a");
+  for (int fd = 0; fd < 3; ++fd) {
+    char link[20], name[200] = "";
+    sprintf(link, "/proc/self/fd/%d", fd);
+    if (readlink(link, name, sizeof name - 1) < 0) sprintf(name, "closed");
+    fprintf(seen, "%s\\n", name);
+  }
+  fclose(seen);
+}
+"""
+
+
+def closing(subset, command):
+    """The command with these descriptors closed."""
+    return ["sh", "-c", 'exec "$@" ' + " ".join("<&-" if fd == 0 else f"{fd}>&-" for fd in subset), "sh", *command]
+
+
+class StandardFiles(Case):
+    """With any of the descriptors 0 to 2 closed as with /dev/null."""
+
+    def same(self, subset, command, **options):
+        options.setdefault("cwd", self.folder)
+        given = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "stdin": subprocess.DEVNULL, "timeout": PATIENCE}
+        done = subprocess.run(closing(subset, command), check=False, **given, **options)
+        expected = subprocess.run(command, check=False, **given, **options)
+        self.assertEqual(done.returncode, expected.returncode, (subset, command))
+        return done.returncode
+
+    def test_every_program(self):
+        """At its end each program has /dev/null where a file was closed: a library that is loaded into it looks."""
+        (self.folder / "look.c").write_text(LOOK, encoding="ascii")
+        look = self.folder / "look.so"
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", look, self.folder / "look.c"], check=True)
+        programs = sorted(path for path in (BUILD / "bin").iterdir() if os.access(path, os.X_OK) and path.is_file())
+        self.assertGreater(len(programs), 9)
+        for program in programs:
+            seen = self.folder / program.name
+            environment = {**os.environ, "SEEN": str(seen), "ASAN_OPTIONS": "verify_asan_link_order=0"}
+            for subset in SUBSETS:
+                code = self.same(subset, ["env", f"LD_PRELOAD={look}", str(program), "--help"], env=environment)
+                self.assertIn(code, (0, 2), program)
+            self.assertEqual(seen.read_text(encoding="ascii"), 2 * len(SUBSETS) * "/dev/null\n/dev/null\n/dev/null\n", program)
+
+    def test_verbs(self):
+        trace = self.folder / "trace"
+        file = deployment(self.folder)
+        run([MRROC, "run", file, "--black-box", "", "--trace", str(trace)], cwd=self.folder)
+        for subset in SUBSETS:
+            for verb in (["run", file, "--check"], ["trace", "hash", str(trace)], ["trace", "check", str(trace)], ["agent"]):
+                self.same(subset, [MRROC, *verb])
+            keys = self.folder / ("keys" + "".join(map(str, subset)))
+            code = subprocess.run(closing(subset, [MRROC, "keys", str(keys)]), check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+            self.assertEqual((code, (keys / "identity.pem").exists()), (0, True))
+
+    def test_runs(self):
+        for subset, clock in [*((subset, "lockstep") for subset in SUBSETS), ((0,), "real"), ((0, 1, 2), "real"), ((0, 1, 2), "paced")]:
+            with self.subTest(subset=subset, clock=clock):
+                command = closing(subset, [MRROC, "run", deployment(self.folder, clock), "--black-box", ""])
+                done = run(command, cwd=self.folder)
+                self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+
+    def test_processes_of_a_run(self):
+        """Whatever is closed, every process of the run has the three files, and none of them is one of ours."""
+        for subset in SUBSETS:
+            with self.subTest(subset=subset):
+                file = deployment(self.folder, "real", name="never")
+                runner = subprocess.Popen(closing(subset, [MRROC, "run", file, "--black-box", ""]), cwd=self.folder, stdin=subprocess.DEVNULL,
+                                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                try:
+                    deadline = time.monotonic() + PATIENCE
+                    while len(processes := family(runner.pid)) < 4 and time.monotonic() < deadline:
+                        time.sleep(0.01)
+                    self.assertGreaterEqual(len(processes), 4)  # the runner, MP, ECP and EDP
+                    for pid, fd in itertools.product(processes, range(3)):
+                        target = os.readlink(f"/proc/{pid}/fd/{fd}")
+                        self.assertTrue(target == "/dev/null" or target.startswith("pipe:"), (pid, fd, target))
+                    for fd in subset:
+                        self.assertEqual(os.readlink(f"/proc/{runner.pid}/fd/{fd}"), "/dev/null")
+                finally:
+                    runner.send_signal(signal.SIGINT)
+                    with contextlib.suppress(subprocess.TimeoutExpired):
+                        runner.communicate(timeout=60)
+                    runner.kill()
+                self.assertEqual(runner.wait(), 5)
+
+
+def family(pid):
+    """The process and its children that execute a program of their own by now."""
+    try:
+        children = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="ascii").split()
+    except FileNotFoundError:
+        return []
+    programs = [int(child) for child in children if "--name" in pathlib.Path(f"/proc/{child}/cmdline").read_text(encoding="utf-8")]
+    return [pid, *programs]
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)
