@@ -60,6 +60,7 @@ Outcome Instruction::run() {
   } catch (Error& error) {
     error.complete_origin({task_->process_name(), "", step_, newest_tick()});
     observe(ending_of(error.error_class()));
+    if (error.error_class() != ErrorClass::system) rest_after_error();  // else an exchange may be under way
     error.attach(std::make_shared<const BlackBox>(task_->black_box()));
     throw;
   } catch (const Stopped&) {
@@ -162,6 +163,23 @@ void Instruction::hold() {
 
 void Instruction::come_to_rest() {
   while (moving()) hold();
+}
+
+void Instruction::rest_after_error() {
+  std::vector<Robot*> moving = robots_;
+  const auto is_done = [](const Robot* robot) {
+    return rests(robot->state()) || robot->state().error.error_class != ErrorClass::none;
+  };
+  std::erase_if(moving, [](const Robot* robot) { return rests(robot->state()); });
+  try {
+    while (!moving.empty()) {
+      for (Robot* robot : moving) robot->reset_command(CommandKind::hold);
+      for (Robot* robot : moving) robot->send();
+      for (Robot* robot : moving) robot->receive();
+      std::erase_if(moving, is_done);
+    }
+  } catch (const Error&) {  // the next instruction meets it again
+  }
 }
 
 void Instruction::resume_after_late_command() {
