@@ -36,8 +36,9 @@ class Task {
   /// Name of the robot meant by `requested`: in an ECP, its own robot when empty. Throws NonFatalError when there is
   /// none.
   virtual std::string robot_name(const std::string& requested) const = 0;
-  /// The link to robot `name` of type `type` (its EDP or ECP). Throws NonFatalError when the deployment has no such
-  /// robot, or has it as another type. Called while the task object is built; the link lives as long as the task.
+  /// The link to robot `name` of type `type` (its EDP or ECP). Throws NonFatalError(invalid_argument) when the
+  /// deployment has no such robot, has it as another type, or the task runs already and has no link to it: links are
+  /// opened while the task object is built, and live as long as it. Later calls get the same link.
   virtual RobotLink& robot_link(const std::string& name, const std::string& type) = 0;
   /// The link to sensor `name` of type `type`, likewise. `interactive` tells how it is deployed.
   virtual SensorLink& sensor_link(const std::string& name, const std::string& type, bool& interactive) = 0;

@@ -46,29 +46,39 @@ TaskProcess::~TaskProcess() = default;
 
 RobotLink& TaskProcess::robot_link(const std::string& name, const std::string& type) {
   find_entry(process_.deployment().robots, name, type, "robot", process_.name());
-  auto& link = robots_[name];
-  if (link == nullptr) {
-    link = std::make_unique<links::RobotRequester>(process_.domain(), process_.clock(), robot_topic(name),
-                                                   robot_peer(name), patience());
+  if (!robots_.contains(name)) {
+    check_not_started("robot", name);
+    const auto& link = robots_[name] = std::make_unique<links::RobotRequester>(
+        process_.domain(), process_.clock(), robot_topic(name), robot_peer(name), patience());
+    if (auto faults = process_.faults().of(process_.name(), process_.clock()); !faults.empty())
+      faulty_.try_emplace(name, *link, std::move(faults), process_.clock(), patience());
   }
-  auto faults = process_.faults().of(process_.name(), process_.clock());
-  if (faults.empty()) return *link;
-  return faulty_.try_emplace(name, *link, std::move(faults), process_.clock(), patience()).first->second;
+  if (const auto faulty = faulty_.find(name); faulty != faulty_.end()) return faulty->second;
+  return *robots_.at(name);
 }
 
 SensorLink& TaskProcess::sensor_link(const std::string& name, const std::string& type, bool& interactive) {
   const config::SensorEntry& entry = find_entry(process_.deployment().sensors, name, type, "sensor", process_.name());
   interactive = entry.interactive;
-  auto& link = sensors_[name];
-  if (link == nullptr) {
+  if (!sensors_.contains(name)) {
+    check_not_started("sensor", name);
     links::SensorRequesterOptions options;
     options.published = !entry.interactive;
     options.polled = entry.polled;
     options.timeout = patience();
-    link = std::make_unique<links::SensorRequester>(process_.domain(), process_.clock(), process_.topic(name),
-                                                    process_.name(), name, options);
+    sensors_[name] = std::make_unique<links::SensorRequester>(process_.domain(), process_.clock(), process_.topic(name),
+                                                              process_.name(), name, options);
   }
-  return *link;
+  return *sensors_.at(name);
+}
+
+void TaskProcess::check_not_started(const char* kind, const std::string& name) const {
+  if (!connected_) return;
+  throw NonFatalError(ErrorCode::invalid_argument,
+                      std::string{kind} + " '" + name +
+                          "' is made while the task runs, expected a member of the task class or an object made in "
+                          "its constructor: links are opened before the start",
+                      {process_name(), name, 0, tick()});
 }
 
 Tick TaskProcess::patience() const {
@@ -76,6 +86,7 @@ Tick TaskProcess::patience() const {
 }
 
 void TaskProcess::connect_links() {
+  connected_ = true;
   const double timeout = process_.deployment().start_timeout;
   for (auto& [name, link] : robots_) link->connect(timeout);
   for (auto& [name, link] : sensors_) link->connect(timeout);

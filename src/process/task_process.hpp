@@ -94,6 +94,8 @@ class TaskProcess : public Task {
   /// Writes the error's black box, or else the task's, as it is now. What to tell of it; nothing when there is none.
   std::string save_black_box(const Error* error) const;
   double put_question(links::OperatorQuestion question, const std::string& text);
+  /// Throws NonFatalError(invalid_argument) once the links are connected.
+  void check_not_started(const char* kind, const std::string& name) const;
   /// Ticks after which a peer that does not answer counts as silent.
   Tick patience() const;
 
@@ -104,6 +106,9 @@ class TaskProcess : public Task {
   Parcel started_;
   bool running_ = false;  // since `start` came, until the end is reported
   std::unique_ptr<StepReporter> reporter_;
+  /// Links cannot be opened any more: the other side waits for its clients before the start only. From then on the
+  /// maps below stay as they are.
+  bool connected_ = false;
   std::map<std::string, std::unique_ptr<links::RobotRequester>> robots_;
   std::map<std::string, FaultyRobotLink> faulty_;
   std::map<std::string, std::unique_ptr<links::SensorRequester>> sensors_;
