@@ -56,6 +56,9 @@ class Hardware {
   /// True: the drives wait for `write` of every tick, so a servo that is late executes each of its ticks; false: they
   /// go on, and it executes the present one only.
   virtual bool waits() const noexcept { return false; }
+  /// True: the drives follow the currents of `write`; false: they follow `set_points` and regulate on their own. A
+  /// current that no drive follows is no evidence that an axis is stuck (MotionWatch).
+  virtual bool follows_current() const noexcept { return false; }
   /// Positions at tick `tick`. What it does not write is NaN before, and so found out. Servo thread.
   virtual void read(Tick tick, HardwareInput& input) noexcept = 0;
   /// Set-points of the shafts (rad, rad/s) at this tick, for drives that regulate by themselves; the others follow the

@@ -27,6 +27,7 @@ class InjectedHardware final : public Hardware {
     hardware_->set_points(position, velocity);
   }
   bool waits() const noexcept override { return hardware_->waits(); }
+  bool follows_current() const noexcept override { return hardware_->follows_current(); }
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
   void set_outputs(const Signals& outputs) noexcept override { hardware_->set_outputs(outputs); }

@@ -29,6 +29,7 @@ class LoopbackHardware : public Hardware {
   void enable(bool on) noexcept override;
   /// A plant model has the servo's time.
   bool waits() const noexcept override { return true; }
+  bool follows_current() const noexcept override { return true; }
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
   void set_outputs(const Signals& outputs) noexcept override { terminals_ = outputs; }

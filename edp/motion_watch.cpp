@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
+double increment(const AxisParameters& axis) noexcept { return 2 * std::numbers::pi / axis.encoder_increments; }
+
 /// rad/s of a free drive that had `speed` a period before, pushed by `current` all that time.
 double next_speed(const AxisParameters& axis, double speed, double current, double period) noexcept {
   const double push = std::copysign(std::max(std::abs(current) - axis.stuck_current, 0.0), current);
@@ -26,7 +28,7 @@ Fault MotionWatch::look(const RobotModel& model, const Seen& seen, Taken taken, 
     return {};
   }
   const Fault fast = look_at_speed(model.parameters().axes, seen.joints, taken, homing);
-  const Fault stuck = look_at_shafts(model, seen);
+  const Fault stuck = look_at_shafts(model, seen, homing);
   if (fast.code != ErrorCode::none || !moves) return fast;
   return stuck;
 }
@@ -36,12 +38,12 @@ void MotionWatch::begin(const RobotModel& model, const Seen& seen, Taken taken) 
   readings_ = 1;
   speed_ = seen.velocity;
   motors_ = seen.motors;
-  desired_there_ = seen.desired_motors;
+  desired_there_ = desired_last_ = seen.desired_motors;
   current_there_ = seen.current;
   pushed_.setZero(seen.motors.size());
   JointVector increments(seen.motors.size());
   for (Eigen::Index i = 0; i < increments.size(); ++i)
-    increments[i] = 2 * std::numbers::pi / model.parameters().axes[static_cast<std::size_t>(i)].encoder_increments;
+    increments[i] = increment(model.parameters().axes[static_cast<std::size_t>(i)]);
   const JointMatrix ratio = model.transmission(seen.joints).inverse();
   tremble_ = kTremble * (ratio.cwiseAbs() * increments);
 }
@@ -73,7 +75,7 @@ Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const 
   return fault;
 }
 
-Fault MotionWatch::look_at_shafts(const RobotModel& model, const Seen& seen) noexcept {
+Fault MotionWatch::look_at_shafts(const RobotModel& model, const Seen& seen, int homing) noexcept {
   Fault fault;
   for (Eigen::Index i = seen.motors.size(); i-- > 0;) {
     if (seen.motors[i] != motors_[i]) {
@@ -86,8 +88,13 @@ Fault MotionWatch::look_at_shafts(const RobotModel& model, const Seen& seen) noe
     const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
     const double way = std::abs(seen.desired_motors[i] - desired_there_[i]);
     if (!(way <= axis.stuck_max)) fault = {ErrorCode::axis_stuck, static_cast<int>(i), way, axis.stuck_max};
-    pushed_[i] = next_speed(axis, pushed_[i], seen.current[i] - current_there_[i], period_);
+    // a drive that homes moves on its own, in every mode
+    const bool asked = seen.given || (seen.desired_motors[i] != desired_last_[i] && way > kTremble * increment(axis));
+    const bool on_its_own = i == homing || !asked;
+    if (on_its_own) current_there_[i] = seen.current[i];
+    pushed_[i] = on_its_own ? 0 : next_speed(axis, pushed_[i], seen.current[i] - current_there_[i], period_);
   }
+  desired_last_ = seen.desired_motors;
   return fault.code != ErrorCode::none || pushed_.isZero(0) ? fault : look_at_push(model, seen.joints);
 }
 

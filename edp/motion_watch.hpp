@@ -15,8 +15,13 @@ namespace mrroc::edp {
 /// - a shaft that reads the very same position while its set-point goes on by `stuck_max` is jammed, or its encoder has
 /// died and the regulator will push it faster and faster;
 /// - so is one that reads the very same position while its current has changed by what brings the free drive, its rotor
-/// and its friction, to a speed at which a joint is faster than kPushed times its velocity limit. The set-point need
-/// not go on for that: the regulator adds up the part of an increment by which a dead encoder stands beside it.
+/// and its friction, to a speed at which a joint is faster than kPushed times its velocity limit. The current is the
+/// one that the drive was given, or, of drives that regulate on their own, the measured one.
+///
+/// With drives that follow the current the set-point need not move for that: the servo's regulator adds up the part of
+/// an increment by which a dead encoder stands beside it. A drive that regulates on its own holds a resting set-point
+/// with whatever current the load, friction and its own resolution ask for, and watches its own encoder: its current
+/// is judged only while the set-point moves, and has moved by more than kTremble increments.
 ///
 /// The servo's thread; allocates nothing, never throws.
 class MotionWatch {
@@ -38,7 +43,8 @@ class MotionWatch {
     const JointVector& velocity;        ///< of the joints, from the last two readings, rad/s or m/s
     const JointVector& motors;          ///< shafts as they were read, rad
     const JointVector& desired_motors;  ///< their set-points
-    const JointVector& current;         ///< that the drives were given last, A
+    const JointVector& current;         ///< A, positive along the shafts' positions: given last, else measured
+    bool given = true;                  ///< `current` was given to drives that follow it; false: measured
   };
   /// When a reading was taken: at its tick or up to `late` servo periods after it. Drives on a bus measure when they
   /// are asked or keep time by themselves, so a servo that wakes late does not know which. In doubt a motion is slow.
@@ -54,7 +60,7 @@ class MotionWatch {
   void begin(const RobotModel& model, const Seen& seen, Taken taken) noexcept;
   Fault look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken,
                       int homing) noexcept;
-  Fault look_at_shafts(const RobotModel& model, const Seen& seen) noexcept;
+  Fault look_at_shafts(const RobotModel& model, const Seen& seen, int homing) noexcept;
   Fault look_at_push(const RobotModel& model, const JointVector& joints) const noexcept;
 
   double period_;
@@ -68,6 +74,7 @@ class MotionWatch {
   JointVector tremble_;        ///< of a joint, rad or m, that kTremble increments of all shafts make
   JointVector motors_;         ///< where each shaft came to last
   JointVector desired_there_;  ///< its set-point when it came there
+  JointVector desired_last_;   ///< its set-point of the tick before
   JointVector current_there_;  ///< its current then
   JointVector pushed_;         ///< shaft speed that the change of its current would have brought since, rad/s
 };

@@ -39,6 +39,7 @@ class MujocoHardware : public Hardware {
   void enable(bool on) noexcept override { enabled_ = on; }
   /// The world waits for the drives of every tick.
   bool waits() const noexcept override { return true; }
+  bool follows_current() const noexcept override { return true; }
   /// Fault `hardware_silent`: the world has not reached the tick (then the last known motors are given); in real time
   /// it is not waited for again before it has gone on. `drive_fault`: the joints are where the transmission cannot
   /// reach.

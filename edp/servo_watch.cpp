@@ -84,9 +84,12 @@ void Servo::watch(Tick tick) noexcept {
   const bool moves = enabled_ && !stopping_;
   const Fault in_motion = find_in_motion();
   if (moves) find_fault(in_motion);
-  if (enabled_)
-    find_fault(motion_.look(*model_, {joints_, velocity_, measured_motors_, desired_motors_, current_},
-                            {input_.tick, input_.late}, moves, homing_axis()));
+  if (enabled_) {
+    const bool given = hardware_.follows_current();
+    find_fault(motion_.look(
+        *model_, {joints_, velocity_, measured_motors_, desired_motors_, given ? current_ : input_.current, given},
+        {input_.tick, input_.late}, moves, homing_axis()));
+  }
   if (found_.code != ErrorCode::none) latch(found_.code, found_.axis, found_.value, found_.limit, tick);
   if (enabled_ && fault_.code != ErrorCode::none)
     stop(stop_category(found_.code != ErrorCode::none ? found_.code : fault_.code));

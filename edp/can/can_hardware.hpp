@@ -44,6 +44,8 @@ class CanHardware : public Hardware {
   void enable(bool on) noexcept override;
   void reset_fault() noexcept override;
   bool busy() const noexcept override;
+  /// In mode torque.
+  bool follows_current() const noexcept override { return table_.mode == canopen::DriveMode::cyclic_torque; }
   void read(Tick tick, HardwareInput& input) noexcept override;
   void set_points(const JointVector& position, const JointVector& velocity) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;

@@ -21,6 +21,8 @@ inline AxisParameters test_axis(const char* name) {
   axis.encoder_increments = 4000;
   axis.current_max = 20;
   axis.following_error_max = 30;
+  axis.stuck_max = 0.08 * axis.following_error_max;  // as in a robot's file that does not give it
+  axis.stuck_current = 0;
   axis.regulator_a = 0.412429378531;
   axis.regulator_b0 = 2.594932 * 0.6;
   axis.regulator_b1 = 2.504769 * 0.6;
@@ -134,6 +136,33 @@ class PlanarArm : public GearedModel {
     return jacobian;
   }
   static constexpr double kUpper = 0.5, kFore = 0.4;
+};
+
+/// Three axes that cross: yaw, pitch, yaw. Without pitch it cannot turn about the axis at right angles to both.
+class Wrist : public GearedModel {
+ public:
+  Wrist() {
+    parameters_.type = "wrist";
+    parameters_.axes = {test_axis("yaw"), test_axis("pitch"), test_axis("roll")};
+    parameters_.home = (JointVector(3) << 0, 0.001, 0).finished();
+  }
+  Pose flange(const JointVector& joints) const noexcept override {
+    return Pose(yaw(joints[0]) * pitch(joints[1]) * yaw(joints[2]));
+  }
+  ErrorCode inverse(const Pose& pose, const JointVector&, JointVector& joints) const noexcept override {
+    joints = pose.linear().eulerAngles(2, 1, 2);
+    return flange(joints).isApprox(pose, 1e-9) ? ErrorCode::none : ErrorCode::out_of_workspace;
+  }
+  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d&) const noexcept override {
+    Jacobian jacobian = Jacobian::Zero(6, 3);
+    jacobian.bottomRows<3>() << Eigen::Vector3d::UnitZ(), yaw(joints[0]) * Eigen::Vector3d::UnitY(),
+        yaw(joints[0]) * pitch(joints[1]) * Eigen::Vector3d::UnitZ();
+    return jacobian;
+  }
+
+ private:
+  static Eigen::AngleAxisd yaw(double angle) { return {angle, Eigen::Vector3d::UnitZ()}; }
+  static Eigen::AngleAxisd pitch(double angle) { return {angle, Eigen::Vector3d::UnitY()}; }
 };
 
 }  // namespace mrroc::edp

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "can_rig.hpp"
+#include "repetitions.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -31,6 +32,37 @@ TEST_P(EveryMode, TheRobotGoesWhereItIsSent) {
   EXPECT_LT((rig.seen().joints - begin - way).cwiseAbs().maxCoeff() * GearedModel::kGear, 20 * kIncrement);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
   EXPECT_LT((rig.rack.shafts() - rig.seen().motors).cwiseAbs().maxCoeff(), 20 * kIncrement) << "what the plant says";
+}
+
+TEST_P(EveryMode, AnAxisAtRestIsNotStuck) {
+  CanRig<Gantry> rig(GetParam());
+  ASSERT_FALSE(rig.send(relative_joints((JointVector(4) << 0.0123, -0.0077, 0.02, 0.0001).finished(), 300)));
+  rig.run(test::repetitions(Tick{12'000}));
+  EXPECT_EQ(rig.seen().fault.code, ErrorCode::none) << describe(rig.seen().fault.code);
+}
+
+TEST_P(EveryMode, AnAxisThatReadsTheSameInMotionIsStuck) {
+  for (const std::size_t axis : {0u, 1u, 3u}) {
+    for (const double way : {0.05, 0.4}) {
+      SCOPED_TRACE(testing::Message() << "axis " << axis << ", " << way << " rad");
+      CanRig<Gantry> rig(GetParam());
+      ASSERT_FALSE(rig.send(relative_joints(JointVector::Constant(4, way), 600)));
+      rig.run(200);
+      ASSERT_EQ(rig.seen().fault.code, ErrorCode::none);
+      const double begin = rig.seen().desired.position[static_cast<Eigen::Index>(axis)];
+      double end = begin;
+      rig.rack.with([axis](auto& nodes) { nodes[axis].freeze(true); });
+      for (int i = 0; i < 300 && rig.seen().fault.code == ErrorCode::none; ++i) {
+        end = rig.seen().desired.position[static_cast<Eigen::Index>(axis)];
+        rig.tick();
+      }
+      EXPECT_EQ(rig.seen().fault.code, ErrorCode::axis_stuck) << describe(rig.seen().fault.code);
+      EXPECT_EQ(rig.seen().fault.axis, static_cast<int>(axis));
+      const AxisParameters& parameters = rig.model.parameters().axes[axis];
+      EXPECT_LE(std::abs(end - begin) * GearedModel::kGear,
+                parameters.stuck_max + 2 * parameters.velocity_max * GearedModel::kGear * kCanPeriod);
+    }
+  }
 }
 
 TEST_P(EveryMode, WhoIsSwitchedOffInMotionIsStoppedByHisDrives) {
