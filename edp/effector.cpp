@@ -290,6 +290,7 @@ void Effector::fill(const Snapshot& snapshot, const DesiredState& end, Tick end_
   state.model = model_;
   state.tool = tool_;
   state.wrench = mount_ ? seen_from(mount_->inverse() * tool_, snapshot.wrench) : Wrench::Zero();
+  state.lost = snapshot.lost;
   state.inputs = snapshot.inputs;
   state.outputs = snapshot.outputs;
   state.regulators = snapshot.regulators;

@@ -181,6 +181,7 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.outputs = outputs_;
   snapshot_.regulators = regulator_set_;
   snapshot_.wrench = force_.wrench();
+  snapshot_.lost = running_ && active_.kind == Macrostep::Kind::force ? force_motion_.lost() : 0;
   snapshot_.interruptions = interruptions_;
   snapshot_.interruption = interruption_;
   snapshot_.orders = orders_;

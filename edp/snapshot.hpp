@@ -34,6 +34,7 @@ struct Snapshot {
   Tick end_tick = 0;           ///< when `end` is reached; `tick` when the robot rests
   std::uint64_t finished = 0;  ///< ticket of the last macrostep that ended or was given up
   Wrench wrench = Wrench::Zero();  ///< axes and origin of the force sensor's frame
+  double lost = 0;                 ///< as in RobotState
   Signals inputs, outputs;
   std::uint8_t regulators = 0;      ///< set in use
   std::uint32_t interruptions = 0;  ///< counts the motions that were given up for `interruption`

@@ -35,6 +35,7 @@ struct RobotEntry {
   bool moving = false;            ///< at `desired_tick`
   std::uint64_t late = 0;         ///< late commands since the start
   Numbers wrench;                 ///< none where it is zero
+  double lost = 0;                ///< part of a force motion's twist, 0..1
   ErrorClass error = ErrorClass::none;
   std::string error_code;  ///< in words
   std::optional<CommandEntry> command;

@@ -144,6 +144,7 @@ RobotEntry take_robot(Fields& fields) {
   robot.moving = fields.take(" moving");
   if (fields.take(" late=")) robot.late = fields.count("late");
   if (fields.take(" wrench=")) robot.wrench = fields.finite_numbers("wrench", 6);
+  if (fields.take(" lost=")) robot.lost = fields.finite_numbers("lost", 1)[0];
   robot.error = take_error(fields, robot.error_code);
   if (fields.take(" command=")) robot.command = parse_command(fields.word());
   return robot;

@@ -37,6 +37,9 @@ struct RobotState {
   /// That the environment exerts on the tool, in tool axes about the tool frame's origin, N and N m; zero where the
   /// deployment gives the robot no force sensor, or it has not measured.
   Wrench wrench = Wrench::Zero();
+  /// Of the twist that the force law asks for at `tick`, the part that a force motion does not follow: out of the
+  /// robot's reach, beyond its joints' speed limits, or taken by a singularity. 0..1; 0 in every other motion.
+  double lost = 0;
   Signals inputs;               ///< of the robot's controller, at `tick`
   Signals outputs;              ///< as they are set
   std::uint8_t regulators = 0;  ///< regulator set in use: its place in RobotParameters::regulators, 0 the robot's own

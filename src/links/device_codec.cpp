@@ -85,6 +85,7 @@ void encode(const RobotState& message, mrroc_wire_RobotState& wire) noexcept {
   wire.model = message.model;
   encode_frame(message.tool, wire.tool);
   Eigen::Map<Wrench>{wire.wrench} = message.wrench;
+  wire.lost = message.lost;
   encode_signals(message.inputs, wire.inputs);
   encode_signals(message.outputs, wire.outputs);
   wire.regulators = message.regulators;
@@ -113,6 +114,7 @@ bool decode(const mrroc_wire_RobotState& wire, RobotState& message) noexcept {
   message.model = wire.model;
   decode_frame(wire.tool, message.tool);
   message.wrench = Eigen::Map<const Wrench>{wire.wrench};
+  message.lost = wire.lost;
   decode_signals(wire.inputs, message.inputs);
   decode_signals(wire.outputs, message.outputs);
   message.regulators = wire.regulators;

@@ -109,6 +109,7 @@ void write_robot(TextLine& line, const std::string& name, const RobotState& stat
   if (moves(state)) line << " moving";
   if (state.late_commands != 0) line << " late=" << std::uint64_t{state.late_commands};
   if (!state.wrench.isZero(0)) write_vector(line << " wrench=", state.wrench);
+  if (state.lost != 0) line << " lost=" << state.lost;
   write_error(line, state.error);
 }
 

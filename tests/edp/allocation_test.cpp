@@ -65,6 +65,29 @@ TEST(Allocation, TheServoTickAndTheCommsSideAllocateNothing) {
   EXPECT_GT(rig.seen().counters.stops, 5u);
 }
 
+TEST(Allocation, AForceMotionBesideASingularityAllocatesNothing) {
+  ForceRig<Wrist> rig;
+  rig.sensor.stiffness = 0;
+  RobotCommand command;
+  command.kind = CommandKind::force;
+  for (int i = 0; i < 6; ++i) command.force.guarded(i);
+  command.force.contact(3, -1);
+  rig.replies.reserve(1000);
+  double lost = 0;
+  ErrorCode code = ErrorCode::none;
+  {
+    const Counting scope;
+    for (int i = 0; i < 60 && code == ErrorCode::none; ++i) {
+      const RobotState state = rig.exchange(command);
+      lost = std::max(lost, state.lost);
+      code = state.error.code;
+    }
+  }
+  EXPECT_EQ(allocations, 0u);
+  EXPECT_GT(lost, 0.5);
+  EXPECT_EQ(code, ErrorCode::singular);
+}
+
 TEST(Allocation, NothingThatStopsTheRobotAllocates) {
   Rig<Gantry> rig;
   rig.model.change().axes[1].current_max_time = 0.02;

@@ -42,8 +42,8 @@ inline bool same(const RobotState& a, const RobotState& b) {
          same_matrix(a.desired_pose.matrix(), b.desired_pose.matrix()) && a.synchronised == b.synchronised &&
          a.enabled == b.enabled && a.late_commands == b.late_commands && same(a.error, b.error) &&
          a.macrostep_start == b.macrostep_start && a.model == b.model &&
-         same_matrix(a.tool.matrix(), b.tool.matrix()) && same_matrix(a.wrench, b.wrench) && a.inputs == b.inputs &&
-         a.outputs == b.outputs && a.regulators == b.regulators;
+         same_matrix(a.tool.matrix(), b.tool.matrix()) && same_matrix(a.wrench, b.wrench) && a.lost == b.lost &&
+         a.inputs == b.inputs && a.outputs == b.outputs && a.regulators == b.regulators;
 }
 inline bool same(const SensorRequest& a, const SensorRequest& b) {
   return a.kind == b.kind && a.measure_at == b.measure_at;
@@ -184,7 +184,7 @@ struct Arbitrary<mrroc::RobotState> {
                          gen::set(&T::desired_acceleration), gen::set(&T::desired_pose), gen::set(&T::synchronised),
                          gen::set(&T::enabled), gen::set(&T::late_commands), gen::set(&T::error),
                          gen::set(&T::macrostep_start), gen::set(&T::model), gen::set(&T::tool), gen::set(&T::wrench),
-                         gen::set(&T::inputs), gen::set(&T::outputs), gen::set(&T::regulators));
+                         gen::set(&T::lost), gen::set(&T::inputs), gen::set(&T::outputs), gen::set(&T::regulators));
   }
 };
 

@@ -83,6 +83,7 @@ TEST_F(Reported, StateCommandAndReadingsAreRead) {
   arm.state.desired_pose.translation() = Eigen::Vector3d(0.1, 0.2, 0.3);
   arm.state.late_commands = 4;
   arm.state.wrench[2] = -3;
+  arm.state.lost = 0.125;
   arm.errors[0] = {ErrorClass::hardware, ErrorCode::drive_fault, {}};
   receive();
   robot_list[0]->reset_command(CommandKind::joint);
@@ -99,6 +100,8 @@ TEST_F(Reported, StateCommandAndReadingsAreRead) {
   EXPECT_EQ(read.robots[0].desired_pose[2], 0.3);
   EXPECT_EQ(read.robots[0].late, 4U);
   EXPECT_EQ(read.robots[0].wrench[2], -3);
+  EXPECT_EQ(read.robots[0].lost, 0.125);
+  EXPECT_EQ(read.robots[1].lost, 0);
   EXPECT_EQ(read.robots[0].error, ErrorClass::hardware);
   EXPECT_EQ(read.robots[0].error_code, "a drive reports a fault");
   EXPECT_EQ(read.robots[0].command->target, (cli::trace::Numbers{1.0 / 3, 1.0 / 3}));

@@ -1,0 +1,3 @@
+mrroc_bench(force_near_singularity SOURCES force/main.cpp
+  LINKS mrroc_edp mrroc_robot_conveyor mrroc_robot_irb6 mrroc_robot_irb60 mrroc_robot_irb6_five_axis mrroc_robot_irb6_track
+        mrroc_robot_polycrank mrroc_robot_serial_parallel mrroc_robot_two_finger_gripper)
