@@ -31,6 +31,11 @@ ALLOWED = {
     "mrroc::links::(anonymous namespace)::cyclone_reorder()::function",
     "guard variable for mrroc::links::(anonymous namespace)::cyclone_gap()::function",
     "mrroc::links::(anonymous namespace)::cyclone_gap()::function",
+    # how the sockets are limited that Cyclone binds in this thread
+    "guard variable for mrroc::links::(anonymous namespace)::cyclone_bind()::function",
+    "mrroc::links::(anonymous namespace)::cyclone_bind()::function",
+    "mrroc::links::(anonymous namespace)::limit_device",
+    "mrroc::links::(anonymous namespace)::limit_other",
     # what a program's behaviours are, entered before main
     "guard variable for mrroc::ecp::(anonymous namespace)::entered()::behaviours",
     "mrroc::ecp::(anonymous namespace)::entered()::behaviours",
