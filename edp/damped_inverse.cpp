@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "edp/moving_pose.hpp"
 
@@ -14,11 +15,16 @@ using Six = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kZero = 1e-14;  // of the largest eigenvalue: smaller ones are zero
 
-const Six kWeights = (Six() << 1, 1, 1, kTwistLength, kTwistLength, kTwistLength).finished();
+/// W twist, or W J.
+template <class Rows>
+Rows weighted(Rows rows) noexcept {
+  rows.template bottomRows<3>() *= kTwistLength;
+  return rows;
+}
 
 }  // namespace
 
-double speed_of(const Twist& twist) noexcept { return kWeights.cwiseProduct(twist).norm(); }
+double speed_of(const Twist& twist) noexcept { return weighted(twist).norm(); }
 
 DampedVelocity damped_joint_velocity(const ToolKinematics& kinematics, const JointVector& joints,
                                      const Twist& twist) noexcept {
@@ -30,7 +36,8 @@ DampedVelocity damped_joint_velocity(const ToolKinematics& kinematics, const Joi
     jacobian.col(kept).setZero();
     --free_joints;
   }
-  const Jacobian a = kWeights.asDiagonal() * jacobian;
+  if (free_joints == 0) return result;
+  const Jacobian a = weighted(jacobian);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(a.lazyProduct(a.transpose()).eval());
   const Six& squares = eigen.eigenvalues();  // ascending
 
@@ -48,14 +55,13 @@ DampedVelocity damped_joint_velocity(const ToolKinematics& kinematics, const Joi
   const double least = kLostPart * *std::max_element(speed.begin(), speed.end());
   if (*std::min_element(speed.begin() + first, speed.end()) >= least) return result;
 
-  const Twist wanted = free_joints < 6 ? Twist(jacobian * result.velocity) : twist;
-  const Six weighted = kWeights.cwiseProduct(wanted);
+  const Six wanted = weighted(free_joints < 6 ? Twist(jacobian * result.velocity) : twist);
   Six followed = Six::Zero();
   for (int i = first; i < 6; ++i) {
     const double part = std::min(1.0, speed[static_cast<std::size_t>(i)] / least);
     if (part == 0) continue;
     const auto direction = eigen.eigenvectors().col(i);
-    followed += part * part / squares[i] * direction.dot(weighted) * direction;
+    followed += part * part / squares[i] * direction.dot(wanted) * direction;
   }
   result.velocity = a.transpose() * followed;
   result.damped = true;
