@@ -37,6 +37,9 @@ Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment
   if (!options.snapshots.empty()) {
     std::filesystem::create_directories(options.snapshots);
     snapshots_.emplace(process::ClaimedFile::folder(options.snapshots, "the snapshots"));
+    if (access(options.snapshots.c_str(), W_OK | X_OK) != 0)
+      throw std::runtime_error("cannot write the snapshots " + options.snapshots.string() + ": " +
+                               std::strerror(errno));
   }
   if (!options.black_box.empty()) check_apart("--black-box", options.black_box);
 }
@@ -61,8 +64,8 @@ void Outputs::begin() {
     throw std::runtime_error("cannot write the motion file " + motion_->path().string() + ": " + std::strerror(errno));
 }
 
-void Outputs::join_trace(config::ClockMode clock, const TraceOutput::Wait& wait) {
-  if (parts_) parts_->join(*trace_, clock, wait);
+void Outputs::join_trace(config::ClockMode clock, const TraceOutput::Continue& go_on) {
+  if (parts_) parts_->join(*trace_, clock, go_on);
 }
 
 }  // namespace mrroc::cli

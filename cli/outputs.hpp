@@ -36,7 +36,7 @@ class Outputs {
   /// Null: no trace is written.
   TraceParts* parts() noexcept { return parts_ ? &*parts_ : nullptr; }
   /// At the end of the run. Throws as TraceParts::join.
-  void join_trace(config::ClockMode clock, const TraceOutput::Wait& wait);
+  void join_trace(config::ClockMode clock, const TraceOutput::Continue& go_on);
 
  private:
   void check_apart(const std::string& option, const std::filesystem::path& path) const;

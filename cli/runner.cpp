@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "cli/clock_options.hpp"
 #include "cli/launch.hpp"
@@ -24,7 +25,8 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr double kHandShake = 0.1;  // s of one try to reach the MP
+constexpr double kHandShake = 0.1;         // s of one try to reach the MP
+constexpr double kPatienceWithReader = 2;  // s that a reader of the trace may take nothing when the operator waits
 
 /// Those of one host; "": of this machine.
 std::vector<PlannedProcess> processes_on(const std::string& host, const std::vector<PlannedProcess>& plan) {
@@ -70,7 +72,11 @@ process::ExitCode Runner::run() {
   check_somebody_answers(deployment_, input_.attended());
   if (const std::string warning = check_network(deployment_.network); !warning.empty()) progress_.error(warning);
   // before anything is started: a run whose outputs are lost would be in vain
-  Outputs outputs(options_, deployment_, plan_, [this](int milliseconds) { return supervisor_.turn(milliseconds); });
+  bool waits = false;
+  Outputs outputs(options_, deployment_, plan_, [&](int milliseconds) {
+    if (!std::exchange(waits, true)) progress_.message("waiting for a reader of the trace " + options_.trace.string());
+    return supervisor_.turn(milliseconds);
+  });
   if (!supervisor_.ending()) outputs.begin();
   // lockstep is serial by nature: one CPU for all is several times faster than two
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
@@ -100,12 +106,15 @@ void Runner::join_trace(Outputs& outputs) {
       supervisor_.fail(process::ExitCode::system, child->last_line());
   }
   try {
-    outputs.join_trace(deployment_.clock, [this](int milliseconds) {
-      supervisor_.watch_operator(milliseconds);
-      return !supervisor_.hurried();
+    outputs.join_trace(deployment_.clock, [this](double stalled) {
+      supervisor_.watch_operator(0);
+      return !supervisor_.hurried() && !(supervisor_.interrupted() && stalled > kPatienceWithReader);
     });
   } catch (const std::exception& error) {
-    supervisor_.fail(supervisor_.hurried() ? process::ExitCode::stopped : process::ExitCode::system, error.what());
+    if (supervisor_.result().code == process::ExitCode::success)
+      supervisor_.fail(supervisor_.hurried() ? process::ExitCode::stopped : process::ExitCode::system, error.what());
+    else
+      progress_.error("mrroc: " + deployment_.name + ": " + error.what());  // no consequence of why the run has failed
   }
 }
 

@@ -64,6 +64,8 @@ class Supervisor {
   /// Takes a step; what it throws is why the run fails.
   void guard(const std::function<void()>& step);
 
+  /// The operator has asked for the end.
+  bool interrupted() const noexcept { return interrupts_ > 0 || hurried_; }
   /// The operator has asked for the end while the run was ending: nothing that only takes time is waited for.
   bool hurried() const noexcept { return hurried_; }
   /// The task has ended or failed: processes may go.

@@ -18,7 +18,7 @@ namespace mrroc::cli {
 namespace {
 
 constexpr const char* kWhat = "the trace";
-constexpr int kGlance = 20;  // ms between two questions whether to wait
+constexpr int kGlance = 20;  // ms between two questions whether to continue
 
 /// Whether what `fd` and the path lead to is one file in which the texts of two writers would mix.
 bool would_mix(int fd, const std::filesystem::path& path) {
@@ -46,11 +46,12 @@ void TraceOutput::clear() {
   if (is_file() && ftruncate(file_->fd(), 0) != 0) fail(std::strerror(errno));
 }
 
-void TraceOutput::write(std::string_view text, const Wait& wait) {
+void TraceOutput::write(std::string_view text, const Continue& go_on) {
+  std::int64_t taken = clock::monotonic_ns();
   while (!text.empty()) {
     pollfd output{file_->fd(), POLLOUT, 0};
     if (poll(&output, 1, kGlance) == 0) {
-      if (!wait(0)) fail("ended by the operator");
+      if (!go_on(static_cast<double>(clock::monotonic_ns() - taken) * 1e-9)) fail("ended by the operator");
       continue;
     }
     // no more than a pipe takes at once when it takes anything: a descriptor from outside may block
@@ -59,8 +60,9 @@ void TraceOutput::write(std::string_view text, const Wait& wait) {
     if (size < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (size <= 0) fail(size < 0 ? std::strerror(errno) : "nothing was taken");
     text.remove_prefix(static_cast<std::size_t>(size));
+    taken = clock::monotonic_ns();
   }
-  if (!wait(0)) fail("ended by the operator");
+  if (!go_on(0)) fail("ended by the operator");
 }
 
 void TraceOutput::close() {

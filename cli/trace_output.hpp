@@ -10,11 +10,13 @@
 namespace mrroc::cli {
 
 /// Where the trace of a run is written at its end: a file, or a stream, which is a FIFO, a pipe behind `/dev/fd/N`, or
-/// a device. Never waits without asking whether to: `wait` spends so many milliseconds on other things and returns
-/// false when the operator wants the end. Main thread.
+/// a device. Never waits without asking whether to. Main thread.
 class TraceOutput {
  public:
+  /// Spends so many milliseconds on other things; returns false when the operator wants the end.
   using Wait = std::function<bool(int milliseconds)>;
+  /// Is asked before each wait, and after each piece of text, with how long nothing has been taken, s; false ends it.
+  using Continue = std::function<bool(double stalled)>;
 
   /// Opens and claims it. Waits up to `patience` s for the reader of a FIFO; when the operator ends that it is not
   /// opened. Throws std::runtime_error that names it and the reason.
@@ -26,8 +28,8 @@ class TraceOutput {
   const process::ClaimedFile& file() const noexcept { return *file_; }
 
   void clear();
-  /// Throws std::runtime_error when it cannot be written, or `wait` ends it.
-  void write(std::string_view text, const Wait& wait);
+  /// Throws std::runtime_error when it cannot be written, or `go_on` ends it.
+  void write(std::string_view text, const Continue& go_on);
   /// Throws std::runtime_error when it is not complete, or the path leads to another file by now.
   void close();
 

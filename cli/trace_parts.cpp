@@ -56,13 +56,13 @@ void TraceParts::take(const std::string& process, const std::string& line) {
   }
 }
 
-void TraceParts::join(TraceOutput& output, config::ClockMode clock, const TraceOutput::Wait& wait) try {
+void TraceParts::join(TraceOutput& output, config::ClockMode clock, const TraceOutput::Continue& go_on) try {
   if (failure_ != 0)
     throw std::runtime_error("cannot write the trace " + output.file().path().string() + ": " +
                              std::strerror(failure_));
   std::vector<std::filesystem::path> files;
   for (const auto& [process, part] : parts_) files.push_back(part.path());
-  merge_traces(files, clock, [&](std::string_view text) { output.write(text, wait); });
+  merge_traces(files, clock, [&](std::string_view text) { output.write(text, go_on); });
   output.close();
   remove();
 } catch (const std::runtime_error& error) {

@@ -26,7 +26,7 @@ class TraceParts {
   void take(const std::string& process, const std::string& line);
   /// Joins the parts to the trace and removes them; on an error they stay. Throws std::runtime_error that names the
   /// trace, the reason and where the parts are.
-  void join(TraceOutput& output, config::ClockMode clock, const TraceOutput::Wait& wait);
+  void join(TraceOutput& output, config::ClockMode clock, const TraceOutput::Continue& go_on);
   /// Removes the files of a run that has not begun.
   void remove();
 

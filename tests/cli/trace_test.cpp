@@ -42,7 +42,7 @@ TEST_F(Trace, WhatAKilledRunHasLeftIsNoPartOfTheNext) {
   TraceParts parts(output, {arm});
   const std::string own = "tick=2 process=arm step=0\n";
   ASSERT_EQ(::write(parts.fd_of("arm"), own.data(), own.size()), static_cast<ssize_t>(own.size()));
-  parts.join(output, config::ClockMode::lockstep, wait);
+  parts.join(output, config::ClockMode::lockstep, [](double) { return true; });
   EXPECT_EQ(test::text_of(folder_ / "t"), "# mrroc trace 2 clock=lockstep\n" + own);
   EXPECT_EQ(test::text_of(stale), text) << "it is not this run's to remove";
   EXPECT_FALSE(std::filesystem::exists(folder_ / "t.arm.2.part"));
@@ -55,7 +55,7 @@ TEST_F(Trace, PartsStayWhenTheTraceIsLost) {
   TraceParts parts(output, {arm});
   std::filesystem::remove(folder_ / "t");
   write("t", "another program's");
-  EXPECT_THROW(parts.join(output, config::ClockMode::lockstep, wait), std::runtime_error);
+  EXPECT_THROW(parts.join(output, config::ClockMode::lockstep, [](double) { return true; }), std::runtime_error);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "t.arm.part"));
   EXPECT_EQ(test::text_of(folder_ / "t"), "another program's");
 }

@@ -175,6 +175,15 @@ TEST_F(Outputs, SignalsEndARunWhoseReaderHasStopped) {
       << said;
 }
 
+TEST_F(Outputs, OneSignalDuringTheTaskEndsARunWhoseReaderHasStopped) {
+  EXPECT_EQ(
+      bash(R"(mkfifo f; sleep 50 < f & reader=$!; set -m; $MRROC run $SHORT --trace f --clock real > log 2>&1 & pid=$!
+      for i in $(seq 100); do grep -q "arm .*step" log && break; sleep 0.1; done
+      kill -TERM $pid; wait $pid; rc=$?; kill $reader; cat log; test $rc = 5)"),
+      0)
+      << said;
+}
+
 TEST_F(Outputs, AReaderThatLeavesIsAnError) {
   EXPECT_EQ(bash(R"(mkfifo f; head -c 10 f > got & $MRROC run $SHORT --quiet --trace f; test $? = 4)"), 0) << said;
   EXPECT_TRUE(has(said, "cannot write the trace f: Broken pipe")) << said;
