@@ -11,9 +11,12 @@ namespace mrroc::cli {
 
 namespace {
 
+/// Of the addresses of a named device the one that leads to the hosts: they may have no way to another one.
 std::string interface_of(const Surroundings& surroundings) {
   const std::string& named = surroundings.deployment.network.interface;
-  return named.empty() ? surroundings.own_address : named;
+  const std::string& own = surroundings.own_address;
+  if (named.empty() || own.empty()) return named.empty() ? own : named;
+  return links::find_interface(named).address == named ? named : own;
 }
 
 }  // namespace

@@ -156,6 +156,12 @@ void Cable::set(const CableFaults& faults) {
   faults_ = faults;
 }
 
+void Cable::set_mtu(int bytes) const {
+  const std::string mtu = " mtu " + std::to_string(bytes);
+  for (const char* const end : {"end0", "end1"}) middle_.ip("link set " + std::string{end} + mtu);
+  for (const Namespace* const host : {&a_, &b_}) host->ip("link set " + std::string{kDevice} + mtu);
+}
+
 Cable::Counts Cable::counts() const {
   const std::lock_guard lock(mutex_);
   return counts_;

@@ -77,6 +77,8 @@ class Cable {
   static constexpr const char* kAddressOfB = "10.77.0.2";
 
   void set(const CableFaults& faults);
+  /// Of all devices on the way; 1500 bytes at first.
+  void set_mtu(int bytes) const;
   struct Counts {
     std::uint64_t carried = 0, lost = 0, duplicated = 0, reordered = 0, corrupted = 0;
   };

@@ -24,6 +24,48 @@ TEST_F(TwoHostsWithKeys, DoATaskTogether) {
   expect_laws(trace);
 }
 
+/// Devices as people have them; the addresses of the hosts stay.
+struct Devices {
+  const char* name;
+  std::vector<std::string> a, b;  ///< commands of iproute2 on the hosts
+  int mtu = 1500;
+  const char* interface = Cable::kDevice;
+};
+
+void PrintTo(const Devices& devices, std::ostream* out) { *out << devices.name; }
+
+class TwoHostsWithDevices : public TwoHosts, public testing::WithParamInterface<Devices> {};
+
+TEST_P(TwoHostsWithDevices, WorkTogether) {
+  const Devices& devices = GetParam();
+  for (const std::string& command : devices.a) cable_->a().ip(command);
+  for (const std::string& command : devices.b) cable_->b().ip(command);
+  cable_->set_mtu(devices.mtu);
+  std::string text = hosts("robot_type", kPatientLink, {}, hold());  // the task ends with an error of its own
+  const std::string usual = "interface = \"cable0\"";
+  text.replace(text.find(usual), usual.size(), std::string{"interface = \""} + devices.interface + "\"");
+  start(write(text));
+  EXPECT_EQ(run_->wait(), 1) << output();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Devices, TwoHostsWithDevices,
+    testing::Values(Devices{"WithoutMulticast", {"link set cable0 multicast off"}, {"link set cable0 multicast off"}},
+                    Devices{"WithoutMulticastOnOneHost", {"link set cable0 multicast off"}, {}},
+                    Devices{"OfMtu576", {}, {}, 576}, Devices{"OfMtu9000", {}, {}, 9000},
+                    Devices{"WithAnotherAddressFirst",
+                            {"address flush dev cable0", "address add 192.168.7.1/24 dev cable0",
+                             "address add 10.77.0.1/24 dev cable0"},
+                            {"address flush dev cable0", "address add 192.168.8.1/24 dev cable0",
+                             "address add 10.77.0.2/24 dev cable0"}},
+                    Devices{"ByAddress", {"address add 192.168.7.1/24 dev cable0"}, {}, 1500, Cable::kAddressOfA},
+                    Devices{"PointToPoint",
+                            {"address flush dev cable0", "link set cable0 multicast off",
+                             "address add 10.77.0.1 peer 10.77.0.2 dev cable0"},
+                            {"address flush dev cable0", "link set cable0 multicast off",
+                             "address add 10.77.0.2 peer 10.77.0.1 dev cable0"}}),
+    [](const auto& test) { return test.param.name; });
+
 TEST_F(TwoHosts, HaveClocksOfTheirOwn) {
   // host b has been up for a thousand seconds more
   std::vector<std::string> command = cable_->b().command();
