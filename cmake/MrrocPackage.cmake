@@ -1,9 +1,9 @@
 # What find_package(mrroc) finds: in the build folder at once, and in an installation (`cmake --install build --prefix ...`). Both
-# have the same layout: bin/, lib/cmake/mrroc/, lib/mrroc/ (archives), include/mrroc/, share/mrroc/.
+# have the same layout: bin/, lib/cmake/mrroc/, lib/mrroc/ (archives), include/mrroc/, share/mrroc/; an installation has libexec/mrroc/, too.
 include(CMakePackageConfigHelpers)
 
 # Ruckig is linked into our own library and comes along privately: an installation may meet another one
-install(TARGETS ruckig EXPORT mrroc ARCHIVE DESTINATION lib/mrroc)
+install(TARGETS ruckig EXPORT mrroc ARCHIVE DESTINATION lib/mrroc COMPONENT development)
 
 set(package ${CMAKE_BINARY_DIR}/lib/cmake/mrroc)
 configure_file(cmake/mrrocConfig.cmake ${package}/mrrocConfig.cmake COPYONLY)
@@ -12,17 +12,17 @@ configure_file(cmake/MrrocSensorClass.cmake ${package}/MrrocSensorClass.cmake CO
 write_basic_package_version_file(${package}/mrrocConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 export(EXPORT mrroc NAMESPACE mrroc:: FILE ${package}/mrrocLibraries.cmake)
 
-install(EXPORT mrroc NAMESPACE mrroc:: FILE mrrocLibraries.cmake DESTINATION lib/cmake/mrroc)
+install(EXPORT mrroc NAMESPACE mrroc:: FILE mrrocLibraries.cmake DESTINATION lib/cmake/mrroc COMPONENT development)
 install(FILES ${package}/mrrocConfig.cmake ${package}/MrrocTargets.cmake ${package}/MrrocSensorClass.cmake
-  ${package}/mrrocConfigVersion.cmake DESTINATION lib/cmake/mrroc)
+  ${package}/mrrocConfigVersion.cmake DESTINATION lib/cmake/mrroc COMPONENT development)
 
 # headers as they are included: "mrroc/move.hpp", "config/table.hpp", "robots/irb6/irb6_model.hpp"
 file(GLOB type_headers robots/*/include sensors/*/include)
 list(TRANSFORM type_headers APPEND /)
-install(DIRECTORY include/ src/ mp/include/ ecp/include/ testing/include/ ${type_headers} DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
-install(DIRECTORY edp vsp robots sensors DESTINATION include/mrroc
+install(DIRECTORY include/ src/ mp/include/ ecp/include/ testing/include/ ${type_headers} DESTINATION include/mrroc COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY edp vsp robots sensors DESTINATION include/mrroc COMPONENT development
   FILES_MATCHING PATTERN "*.hpp" PATTERN include EXCLUDE PATTERN description EXCLUDE)
-install(FILES sim/mapped_world.hpp sim/world_memory.hpp DESTINATION include/mrroc/sim)
+install(FILES sim/mapped_world.hpp sim/world_memory.hpp DESTINATION include/mrroc/sim COMPONENT development)
 
-install(DIRECTORY tasks DESTINATION share/mrroc
-  FILES_MATCHING PATTERN "*.toml" PATTERN "*.xml" PATTERN "*.txt" PATTERN CMakeLists.txt EXCLUDE)
+install(DIRECTORY tasks DESTINATION share/mrroc COMPONENT runtime
+  PATTERN "*.[ch]pp" EXCLUDE PATTERN CMakeLists.txt EXCLUDE PATTERN "*.py" EXCLUDE PATTERN "*.gp" EXCLUDE PATTERN demo EXCLUDE)

@@ -1,7 +1,8 @@
 include(${CMAKE_CURRENT_LIST_DIR}/MrrocSensorClass.cmake)
 
 # The framework's few kinds of target, for its own folders and, after find_package(mrroc), for those of its users. Programs go to
-# bin/ and data to share/mrroc/ of the build folder, as in an installation: `mrroc run` finds them there.
+# bin/ and data to share/mrroc/ of the build folder: `mrroc run` finds them there. In an installation bin/ has the commands only,
+# and libexec/mrroc/ the programs that `mrroc run` starts. Components of an installation: runtime, development.
 
 # mrroc_library(NAME SOURCES ... [LINKS ...] [PRIVATE_LINKS ...] [INTERNAL]): one static library. Includes read "folder/file.hpp";
 # the folder's include/ is public too. INTERNAL: of our own programs only, not part of the package.
@@ -18,26 +19,26 @@ function(mrroc_library name)
   target_compile_options(${name} PRIVATE ${MRROC_WARNINGS})
   target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
   if(NOT ARG_INTERNAL)
-    install(TARGETS ${name} EXPORT ${PROJECT_NAME} ARCHIVE DESTINATION lib/mrroc)
+    install(TARGETS ${name} EXPORT ${PROJECT_NAME} ARCHIVE DESTINATION lib/mrroc COMPONENT development)
   endif()
 endfunction()
 
-# mrroc_program(NAME SOURCES ... LINKS ...): one program, in bin/.
+# mrroc_program(NAME [COMMAND] SOURCES ... LINKS ...): one program, in bin/; COMMAND: that people type, others are installed in libexec/mrroc/.
 function(mrroc_program name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "COMMAND" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
   target_compile_options(${name} PRIVATE ${MRROC_WARNINGS})
   target_link_libraries(${name} PRIVATE ${ARG_LINKS})
-  install(TARGETS ${name} RUNTIME DESTINATION bin)
+  install(TARGETS ${name} RUNTIME DESTINATION $<IF:$<BOOL:${ARG_COMMAND}>,bin,libexec/mrroc> COMPONENT runtime)
 endfunction()
 
 # mrroc_data(KIND NAME): makes this folder's data files part of share/mrroc/<kind>/<name>, as an installation would.
 function(mrroc_data kind name)
   file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/mrroc/${kind})
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_BINARY_DIR}/share/mrroc/${kind}/${name} SYMBOLIC)
-  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION share/mrroc/${kind}/${name}
-    PATTERN "*.[ch]pp" EXCLUDE PATTERN CMakeLists.txt EXCLUDE PATTERN include EXCLUDE)
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION share/mrroc/${kind}/${name} COMPONENT runtime
+    PATTERN "*.[ch]pp" EXCLUDE PATTERN CMakeLists.txt EXCLUDE PATTERN include EXCLUDE PATTERN description EXCLUDE PATTERN "*.py" EXCLUDE)
 endfunction()
 
 # mrroc_add_robot(NAME SOURCES ... [LINKS ...] [EDP edp_main.cpp] [DEMO demo.cpp [SENSORS type ...]]): a robot's folder. The library
@@ -74,7 +75,7 @@ function(mrroc_add_sensor type)
   endif()
   mrroc_library(mrroc_sensor_${type} SOURCES ${ARG_CLIENT} LINKS mrroc::language)
   target_include_directories(mrroc_sensor_${type} PUBLIC $<BUILD_INTERFACE:${made}>)
-  install(DIRECTORY ${made}/ DESTINATION include/mrroc)
+  install(DIRECTORY ${made}/ DESTINATION include/mrroc COMPONENT development)
   mrroc_data(sensors ${type})
   if(ARG_SOURCES)
     mrroc_library(mrroc_sensor_${type}_vsp SOURCES ${ARG_SOURCES} LINKS mrroc::vsp)

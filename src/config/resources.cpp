@@ -15,15 +15,14 @@ constexpr const char* kPrograms = "MRROC_PROGRAMS";
 constexpr const char* kHost = "MRROC_HOST";
 
 /// The folders that environment variable `name` lists, absolute; else `fallback`.
-std::vector<fs::path> folders(const char* name, const fs::path& fallback) {
+std::vector<fs::path> folders(const char* name, const std::vector<fs::path>& fallback) {
   const char* value = std::getenv(name);
   std::istringstream list(value != nullptr ? value : "");
   std::vector<fs::path> found;
   for (std::string folder; std::getline(list, folder, ':');) {
     if (!folder.empty()) found.push_back(fs::absolute(folder));
   }
-  if (found.empty()) found.push_back(fallback);
-  return found;
+  return found.empty() ? fallback : found;
 }
 
 void set_list(const char* name, const std::vector<fs::path>& folders) {
@@ -35,7 +34,17 @@ void set_list(const char* name, const std::vector<fs::path>& folders) {
   setenv(name, list.c_str(), 1);
 }
 
+/// Of an installation, from the prefix on: the programs that `mrroc run` starts.
+constexpr const char* kInstalledPrograms = "libexec/mrroc";
+
 fs::path executable_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+
+/// The folder that has bin/ or libexec/mrroc/ with the running executable, and share/mrroc/.
+fs::path prefix() {
+  const fs::path folder = executable_folder();
+  const fs::path above = folder.parent_path();
+  return folder == above.parent_path() / kInstalledPrograms ? above.parent_path() : above;
+}
 
 /// A type is there if its folder holds its parameter file.
 bool holds_type(const fs::path& folder) {
@@ -56,11 +65,15 @@ std::vector<std::string> types(const char* kind) {
 
 }  // namespace
 
-std::vector<fs::path> share_directories() {
-  return folders(kShare, executable_folder().parent_path() / "share" / "mrroc");
-}
+std::vector<fs::path> share_directories() { return folders(kShare, {prefix() / "share" / "mrroc"}); }
 
-std::vector<fs::path> program_directories() { return folders(kPrograms, executable_folder()); }
+std::vector<fs::path> program_directories() {
+  std::vector<fs::path> own{executable_folder()};
+  const fs::path installed = prefix() / kInstalledPrograms;
+  std::error_code none;
+  if (own.front() != installed && fs::is_directory(installed, none)) own.push_back(installed);
+  return folders(kPrograms, own);
+}
 
 std::vector<std::string> robot_types() { return types("robots"); }
 

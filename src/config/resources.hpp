@@ -9,11 +9,11 @@
 /// holds what is looked for is taken.
 namespace mrroc::config {
 
-/// Folders with robots/<type>/ and sensors/<type>/: $MRROC_SHARE, else share/mrroc beside the bin folder of the running
-/// executable.
+/// Folders with robots/<type>/ and sensors/<type>/: $MRROC_SHARE, else share/mrroc of the prefix under which the
+/// running executable is in bin/ or libexec/mrroc/.
 std::vector<std::filesystem::path> share_directories();
 
-/// Folders of executables: $MRROC_PROGRAMS, else that of the running one.
+/// Folders of executables: $MRROC_PROGRAMS, else that of the running one, then libexec/mrroc of the same prefix.
 std::vector<std::filesystem::path> program_directories();
 
 /// Names of the robot (sensor) types that there are, sorted.

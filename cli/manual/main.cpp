@@ -1,0 +1,22 @@
+#include <cstdio>
+#include <string>
+
+#include "cli/command_line.hpp"
+#include "cli/manual/bash_completion.hpp"
+#include "cli/manual/manual_page.hpp"
+
+/// Prints what is made from the description of the command `mrroc`: `mrroc_manual man` or `mrroc_manual bash`.
+int main(int count, char** arguments) {
+  const std::string kind = count == 2 ? arguments[1] : "";
+  CLI::App app;
+  mrroc::cli::describe_command(app);
+  if (kind == "man") {
+    std::fputs(mrroc::cli::manual_page(app, MRROC_VERSION).c_str(), stdout);
+  } else if (kind == "bash") {
+    std::fputs(mrroc::cli::bash_completion(app).c_str(), stdout);
+  } else {
+    std::fputs("usage: mrroc_manual man|bash\n", stderr);
+    return 2;
+  }
+  return 0;
+}
