@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <mrroc/conditions/digital_input.hpp>
 #include <mrroc/ecp.hpp>
@@ -13,6 +14,18 @@
 
 using namespace mrroc;
 
+/// A folder of this run alone, whoever else teaches on this machine; removed at its end.
+struct OwnFolder {
+  OwnFolder() {
+    if (::mkdtemp(path.data()) == nullptr) throw SystemError(ErrorCode::resources, path + ": cannot be created");
+  }
+  ~OwnFolder() { std::filesystem::remove_all(path); }
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
+
+  std::string path = std::filesystem::temp_directory_path() / "mrroc_teach_XXXXXX";
+};
+
 /// Teaches an arm twice: places by jog, the operator says how far; a way by leading the tool by its handle. Both are
 /// saved, loaded and replayed.
 class Teach : public ecp::Task {
@@ -21,7 +34,7 @@ class Teach : public ecp::Task {
   OperatorInput amount{*this, "amount"};  // mm or degrees
 
   static constexpr int kLamp = 0, kButton = 0;  // terminals of the arm's controller
-  const std::string folder = std::filesystem::temp_directory_path();
+  const OwnFolder folder;
 
   /// What the operator asks for, until he is done.
   TaughtPath jog() {
@@ -74,7 +87,7 @@ class Teach : public ecp::Task {
   void run() override {
     arm.set_tool(Pose(Eigen::Translation3d(0.25, 0, 0.25)));  // the handle
     Move({arm}, {}, JointLine{arm, arm.parameters().home});
-    save(jog(), arm, folder + "/teach_places.csv");
+    save(jog(), arm, folder.path + "/teach_places.csv");
 
     Guidance guidance;
     guidance.damping = 100;
@@ -82,10 +95,10 @@ class Teach : public ecp::Task {
     guidance.load = weigh();
     Move({arm}, {}, JointLine{arm, arm.parameters().home});
     Move({arm}, {}, Hold{arm, 0.5});
-    save(lead(guidance), arm, folder + "/teach_way.csv");
+    save(lead(guidance), arm, folder.path + "/teach_way.csv");
 
-    Move({arm}, {}, Replay{arm, load_taught_path(folder + "/teach_places.csv", arm), 0.8});
-    Replay way{arm, load_taught_path(folder + "/teach_way.csv", arm)};
+    Move({arm}, {}, Replay{arm, load_taught_path(folder.path + "/teach_places.csv", arm), 0.8});
+    Replay way{arm, load_taught_path(folder.path + "/teach_way.csv", arm)};
     Move({arm}, {}, way);
     std::printf("replayed at %.2f of the taught speed\n", way.rate());
     Move({arm}, {}, JointLine{arm, arm.parameters().home});

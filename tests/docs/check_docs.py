@@ -6,8 +6,10 @@ Usage: check_docs.py SOURCE_DIR BINARY_DIR
 
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import tomllib
 
 # run by CI itself, or the subject of the page: running them here would run the tests within the tests
@@ -37,6 +39,7 @@ def main():
     problems = []
     code = [squeeze(text) for text in sources(root)]
     commands = 0
+    scratch = tempfile.mkdtemp(prefix="mrroc_docs_")  # what is in /tmp may be another user's
     for page in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:
         text = page.read_text(encoding="utf-8")
         name = page.relative_to(root)
@@ -53,9 +56,8 @@ def main():
                 if not command.strip() or command.startswith(NOT_RUN_HERE):
                     continue
                 commands += 1
-                done = subprocess.run(
-                    command.replace("build/", f"{binary}/"), shell=True, cwd=root, capture_output=True, text=True, check=False
-                )
+                here = command.replace("build/", f"{binary}/").replace("/tmp/", f"{scratch}/")
+                done = subprocess.run(here, shell=True, cwd=root, capture_output=True, text=True, check=False)
                 if done.returncode != 0:
                     problems.append(f"{name}:{line}: {command}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
         # a lambda in a code block looks like a link: its lines count, its text does not
@@ -64,6 +66,7 @@ def main():
             if not (page.parent / match.group(1)).exists():
                 line = prose[: match.start()].count("\n") + 1
                 problems.append(f"{name}:{line}: {match.group(1)} does not exist")
+    shutil.rmtree(scratch)
     print("\n".join(problems) or f"{commands} commands run, every snippet and link found")
     return 1 if problems or commands == 0 else 0
 
