@@ -51,7 +51,7 @@ endfunction()
 #   SLOTS    of `ctest -j`, two for each processor: 2, of a SERIAL test 1
 # Tests with a long TIMEOUT start first.
 function(mrroc_describe_test name)
-  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS" "LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS" "LABELS;SOURCES;LINKS;COMMAND" ${ARGN}) # of the callers, too
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
