@@ -53,7 +53,9 @@ DampedVelocity damped_joint_velocity(const ToolKinematics& kinematics, const Joi
     speed[static_cast<std::size_t>(i)] = 1 / slowest;
   }
   const double least = kLostPart * *std::max_element(speed.begin(), speed.end());
-  if (*std::min_element(speed.begin() + first, speed.end()) >= least) return result;
+  const double weakest = *std::min_element(speed.begin() + first, speed.end());
+  result.near = weakest < kNear * least;
+  if (weakest >= least) return result;
 
   const Six wanted = weighted(free_joints < 6 ? Twist(jacobian * result.velocity) : twist);
   Six followed = Six::Zero();

@@ -7,7 +7,8 @@ namespace mrroc::edp {
 /// Joint velocities for a twist of the tool, damped near a singularity.
 struct DampedVelocity {
   JointVector velocity;  ///< rad/s or m/s
-  bool damped = false;   ///< a direction of the tool is nearly lost, and its part of the twist is reduced
+  bool damped = false;   ///< a direction of the tool is nearly lost (s_i < e), and its part of the twist is reduced
+  bool near = false;     ///< of a singularity: some s_i < kNear e
 };
 
 /// A rotation weighs as the motion of a point at this distance from the tool frame's origin, m.
@@ -15,6 +16,9 @@ inline constexpr double kTwistLength = 0.25;
 /// A direction is nearly lost when the tool is slower along it, at the speed limit of a joint, than this part of its
 /// speed along its fastest direction. At home the robots of this project have 1/33 or more.
 inline constexpr double kLostPart = 1.0 / 40;
+
+/// Twice the speed at which the damping begins still counts as beside a singularity.
+inline constexpr double kNear = 2;
 
 /// The size of a twist, m/s: the norm of (v, kTwistLength w).
 double speed_of(const Twist& twist) noexcept;

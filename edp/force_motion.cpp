@@ -44,14 +44,14 @@ ErrorReport ForceMotion::step(const ForceTarget& target, const Wrench& measured,
   };
   const Twist twist = law(previous_);
   wanted_ = law(wanted_);
-  auto [velocity, damped] = damped_joint_velocity(kinematics, desired.position, twist);
+  auto [velocity, damped, near] = damped_joint_velocity(kinematics, desired.position, twist);
   double share = 1;
   for (Eigen::Index i = 0; i < velocity.size(); ++i) {
     const double limit = kFraction * model_->parameters().axes[static_cast<std::size_t>(i)].velocity_max;
     share = std::min(share, limit / std::max(std::abs(velocity[i]), limit));
   }
   velocity *= share;
-  lost_ = lost_part(wanted_, kinematics.jacobian(desired.position) * velocity);
+  lost_ = near ? lost_part(wanted_, kinematics.jacobian(desired.position) * velocity) : 0;
   lost_for_ = damped && lost_ > kLostMost && speed_of(wanted_) > kLostLeast ? lost_for_ + dt : 0;
   if (lost_for_ > kLostTime) return too_much_lost();
   const DesiredState next = follow_velocity(model_->parameters(), desired, velocity, dt);

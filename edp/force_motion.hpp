@@ -12,9 +12,11 @@ namespace mrroc::edp {
 /// as acceleration and jerk limits allow (`follow_velocity`). A set-point is given only if a stop from it stays inside
 /// the limits.
 ///
-/// Lost is the part of the law's twist that the robot does not follow, be it out of its reach, scaled down or damped:
-///   |W (twist - J dq/dt)| / |W twist|, at most 1, with the W of `damped_joint_velocity`.
-/// Near a singularity the motion ends with `singular` when more than kLostMost of a twist faster than kLostLeast is
+/// Lost is the part of the law's twist that the robot does not follow beside a singularity, be it out of its reach,
+/// scaled down or damped:
+///   |W (twist - J dq/dt)| / |W twist|, at most 1, with the W of `damped_joint_velocity`;
+/// 0 elsewhere.
+/// Where it is damped the motion ends with `singular` when more than kLostMost of a twist faster than kLostLeast is
 /// lost for longer than kLostTime.
 ///
 /// The twist of the tick before is kept in base axes, so that the law goes on smoothly when the tool turns, when a
