@@ -6,6 +6,7 @@
 #include "config/drive_objects.hpp"
 #include "config/file_text.hpp"
 #include "config/robot_parameters_file.hpp"
+#include "core/number_text.hpp"
 
 namespace mrroc::cli {
 
@@ -87,12 +88,7 @@ std::pair<std::string, std::string> split_word(const std::string& line) {
   return {line.substr(0, space), line.substr(space + 1)};
 }
 
-std::optional<std::int64_t> whole_number(const std::string& text) {
-  std::int64_t number = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (problem != std::errc{} || end != text.data() + text.size() || text.empty()) return std::nullopt;
-  return number;
-}
+std::optional<std::int64_t> whole_number(const std::string& text) { return core::to_whole<std::int64_t>(text); }
 
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const config::Deployment& deployment) {
   std::vector<std::pair<std::string, std::filesystem::path>> files{{"deployment", deployment.file}};

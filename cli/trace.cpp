@@ -21,6 +21,12 @@ const char* name_of(config::ClockMode clock) noexcept {
   return "real";
 }
 
+/// Takes off what an editor or a file transfer has put around a line of a trace: it has the same hash again.
+void take_off_extras(std::string& text, bool first) {
+  if (first && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  while (text.ends_with('\r')) text.pop_back();
+}
+
 /// A line without a tick belongs to the line before, as does one with an older tick.
 std::uint64_t tick_of(const std::string& text, std::uint64_t before) {
   constexpr std::string_view key = "tick=";
@@ -78,11 +84,14 @@ std::string hash_trace(const std::filesystem::path& trace) {
   if (!file) throw std::runtime_error("cannot read the trace " + trace.string());
   std::uint64_t hash = 0xcbf29ce484222325U;
   std::string text;
-  if (!std::getline(file, text) || !text.starts_with(kTraceHeader)) {
+  const bool any = static_cast<bool>(std::getline(file, text));
+  take_off_extras(text, true);
+  if (!any || !text.starts_with(kTraceHeader)) {
     throw std::runtime_error(trace.string() + ":1: is no trace, expected the line \"" + std::string{kTraceHeader} +
                              "...\"");
   }
   while (std::getline(file, text)) {
+    take_off_extras(text, false);
     text += '\n';
     for (const char character : text) {
       hash ^= static_cast<unsigned char>(character);

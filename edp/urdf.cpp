@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 #include "config/message_text.hpp"
 #include "config/table.hpp"
+#include "config/xml_file.hpp"
+#include "core/number_text.hpp"
+#include "core/text_lines.hpp"
 #include "language/rigid_motion.hpp"
 
 namespace mrroc::edp {
@@ -27,13 +28,12 @@ class Reader {
   explicit Reader(const std::filesystem::path& file) : file_(file) {}
 
   const XMLElement& robot() {
-    if (document_.LoadFile(file_.c_str()) != tinyxml2::XML_SUCCESS) {
-      throw ConfigurationError(file_, document_.ErrorLineNum(), "", document_.ErrorName(), "a URDF");
-    }
+    config::read_xml(file_, "a URDF", document_);
     const XMLElement* robot = document_.RootElement();
     if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
       throw ConfigurationError(file_, robot == nullptr ? 1 : robot->GetLineNum(), "", "is no URDF", "<robot>");
     }
+    refuse_macros(*robot);
     return *robot;
   }
 
@@ -55,20 +55,36 @@ class Reader {
                                          const Eigen::Matrix<double, size, 1>& fallback) const {
     const char* value = element.Attribute(name);
     if (value == nullptr) return fallback;
-    std::istringstream stream(value);
-    stream.imbue(std::locale::classic());
+    std::string blanks = value;
+    std::replace_if(
+        blanks.begin(), blanks.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    const std::vector<std::string_view> words = core::words_of(blanks);
+    const std::string expected = size == 1 ? "a number" : std::to_string(size) + " numbers with blanks between";
+    if (blanks.find("${") != std::string::npos)
+      fail(element, name, in_quotes(value) + " is a xacro expression", kExpanded);
     Eigen::Matrix<double, size, 1> result;
-    for (double& number : result) stream >> number;
-    std::string rest;
-    if (!stream || stream >> rest || !result.allFinite()) {
-      fail(element, name, in_quotes(value), size == 1 ? "a number" : std::to_string(size) + " numbers");
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const auto number = core::to_finite(words[i]);
+      if (!number) {
+        const char* const why = core::to_double(words[i]) ? "is not finite" : nullptr;
+        fail(element, name, in_quotes(words[i]) + " " + (why != nullptr ? why : core::number_problem(words[i])),
+             expected);
+      }
+      if (i < size) result[static_cast<Eigen::Index>(i)] = *number;
     }
+    if (words.size() != size) fail(element, name, in_quotes(value), expected);
     return result;
   }
 
   std::optional<double> number(const XMLElement& element, const char* name) const {
     if (element.Attribute(name) == nullptr) return std::nullopt;
     return numbers<1>(element, name, Eigen::Matrix<double, 1, 1>::Zero())[0];
+  }
+
+  double required(const XMLElement& element, const char* name) const {
+    const auto value = number(element, name);
+    if (!value) fail(element, name, "missing", "a number");
+    return *value;
   }
 
   [[noreturn]] void fail(const XMLElement& element, const std::string& attribute, const std::string& problem,
@@ -79,6 +95,15 @@ class Reader {
   }
 
  private:
+  static constexpr const char* kExpanded = "the URDF that the command xacro makes of this file";
+
+  /// A file for xacro, which has not been expanded, is XML, but not yet a URDF.
+  void refuse_macros(const XMLElement& robot) const {
+    for (auto* each = robot.FirstChildElement(); each != nullptr; each = each->NextSiblingElement()) {
+      if (std::string_view(each->Name()).starts_with("xacro:")) fail(*each, "", "is an element of xacro", kExpanded);
+    }
+  }
+
   const std::filesystem::path& file_;
   tinyxml2::XMLDocument document_;
 };
@@ -97,6 +122,39 @@ Pose read_origin(const Reader& reader, const XMLElement& element) {
   return frame_at(reader.numbers<3>(element, "xyz", zero), reader.numbers<3>(element, "rpy", zero));
 }
 
+Eigen::Vector3d read_axis(const Reader& reader, const XMLElement& element) {
+  const Eigen::Vector3d axis = reader.numbers<3>(element, "xyz", Eigen::Vector3d::UnitX());
+  const double length = axis.norm();
+  if (!(length > kShortestAxis) || !std::isfinite(length)) reader.fail(element, "xyz", "no direction", "a vector");
+  return axis.normalized();
+}
+
+/// The range of a joint that turns without end means nothing.
+void read_limit(const Reader& reader, const XMLElement& element, Urdf::Joint& joint) {
+  if (joint.type != Urdf::Type::continuous) {
+    joint.lower = reader.number(element, "lower").value_or(0);
+    joint.upper = reader.number(element, "upper").value_or(0);
+  }
+  reader.required(element, "effort");
+  joint.velocity = reader.required(element, "velocity");
+}
+
+/// What only a joint that moves has. Defaults and what is required: http://wiki.ros.org/urdf/XML/joint.
+void read_motion(const Reader& reader, const XMLElement& element, Urdf::Joint& joint) {
+  if (const XMLElement* axis = element.FirstChildElement("axis")) joint.axis = read_axis(reader, *axis);
+  const XMLElement* limit = element.FirstChildElement("limit");
+  if (limit == nullptr && joint.type != Urdf::Type::continuous)
+    reader.fail(element, "name=" + in_quotes(joint.name), "no <limit>", "one with effort and velocity");
+  if (limit != nullptr) read_limit(reader, *limit, joint);
+  if (const XMLElement* dynamics = element.FirstChildElement("dynamics"))
+    for (const char* name : {"damping", "friction"}) reader.number(*dynamics, name);
+  if (const XMLElement* mimic = element.FirstChildElement("mimic")) {
+    joint.mimic = Urdf::Mimic{.joint = reader.text(*mimic, "joint"),
+                              .multiplier = reader.number(*mimic, "multiplier").value_or(1),
+                              .offset = reader.number(*mimic, "offset").value_or(0)};
+  }
+}
+
 Urdf::Joint read_joint(const Reader& reader, const XMLElement& element) {
   Urdf::Joint joint;
   joint.line = element.GetLineNum();
@@ -105,22 +163,7 @@ Urdf::Joint read_joint(const Reader& reader, const XMLElement& element) {
   joint.parent = reader.text(reader.child(element, "parent"), "link");
   joint.child = reader.text(reader.child(element, "child"), "link");
   if (const XMLElement* origin = element.FirstChildElement("origin")) joint.origin = read_origin(reader, *origin);
-  if (const XMLElement* axis = element.FirstChildElement("axis")) {
-    joint.axis = reader.numbers<3>(*axis, "xyz", joint.axis);
-    const double length = joint.axis.norm();
-    if (!(length > kShortestAxis) || !std::isfinite(length)) reader.fail(*axis, "xyz", "no direction", "a vector");
-    joint.axis.normalize();
-  }
-  if (const XMLElement* limit = element.FirstChildElement("limit")) {
-    joint.lower = reader.number(*limit, "lower");
-    joint.upper = reader.number(*limit, "upper");
-    joint.velocity = reader.number(*limit, "velocity");
-  }
-  if (const XMLElement* mimic = element.FirstChildElement("mimic")) {
-    joint.mimic = Urdf::Mimic{.joint = reader.text(*mimic, "joint"),
-                              .multiplier = reader.number(*mimic, "multiplier").value_or(1),
-                              .offset = reader.number(*mimic, "offset").value_or(0)};
-  }
+  if (joint.type != Urdf::Type::fixed) read_motion(reader, element, joint);
   return joint;
 }
 

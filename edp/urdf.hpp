@@ -26,15 +26,20 @@ class Urdf {
     std::string parent, child;                        ///< links
     Pose origin = Pose::Identity();                   ///< of the joint and of the child at position 0, in the parent
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit vector in the joint's frame
-    std::optional<double> lower, upper, velocity;     ///< rad or m, 1/s; what the file says
+    std::optional<double> lower, upper, velocity;     ///< rad or m, 1/s; nothing: endless, or not in the file
     std::optional<Mimic> mimic;
     int line = 0;
   };
   /// Positions of joints by name, rad or m.
   using Positions = std::map<std::string, double>;
 
-  /// Reads a file. Throws ConfigurationError with file and line: no XML, no `<robot>`, a name twice, a joint of another
-  /// type, a link that a joint names and the file has not, links that are no tree, numbers that are none.
+  /// Reads a file. Defaults are those of the specification (http://wiki.ros.org/urdf/XML/joint): origin identity, axis
+  /// 1 0 0, lower and upper limit 0, multiplier 1, offset 0. What the type of a joint makes meaningless is not read:
+  /// axis, limit, dynamics and mimic of a fixed joint, the range of a continuous one. Elements that the specification
+  /// does not have are passed over. Throws ConfigurationError with file and line: what `read_xml` refuses, no
+  /// `<robot>`, xacro that is not expanded, a name twice, a joint of another type, a joint that moves without effort
+  /// and velocity, a link that a joint names and the file has not, links that are no tree, numbers that core::to_finite
+  /// refuses.
   static Urdf load(const std::filesystem::path& file);
 
   const std::filesystem::path& file() const noexcept { return file_; }

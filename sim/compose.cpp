@@ -6,6 +6,7 @@
 
 #include "config/table.hpp"
 #include "sim/mjcf_part.hpp"
+#include "sim/names.hpp"
 #include "sim/placement.hpp"
 
 namespace mrroc::sim {
@@ -142,6 +143,9 @@ Composition compose(const std::filesystem::path& scene_file, const std::vector<R
   root.children.push_back(std::move(defaults));
   std::move(sections.begin(), sections.end(), std::back_inserter(root.children));
   root.children.push_back(element("worldbody", {}, scene.origin, std::move(world)));
+  std::vector<std::string> names;
+  for (const RobotPart& robot : robots) names.push_back(robot.name);
+  check_names(root, names);
   Text text = write(root);
   return {scene_file, std::move(root), std::move(text)};
 }

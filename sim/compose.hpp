@@ -39,7 +39,8 @@ struct Composition {
 /// - A scene without light, sky or `visual` gets plain ones (they change pictures only).
 ///
 /// Throws config::ConfigurationError with file and line: unreadable or malformed file, `compiler` settings that differ,
-/// a number that is not finite or beyond 1e10 (MuJoCo loads both and diverges), a carrier without a site "tool".
+/// a number that is not finite or beyond 1e10 (MuJoCo loads both and diverges), a carrier without a site "tool",
+/// a name twice (`check_names`).
 Composition compose(const std::filesystem::path& scene, const std::vector<RobotPart>& robots);
 
 }  // namespace mrroc::sim

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <sstream>
 
 #include "config/table.hpp"
+#include "core/number_text.hpp"
+#include "core/text_lines.hpp"
 
 namespace mrroc::sim {
 
@@ -30,15 +30,16 @@ constexpr double kMujocoMax = 1e10;  // beyond it MuJoCo takes a number for a di
 void check_numbers(const Element& element) {
   for (const auto& [key, value] : element.attributes) {
     if (holds_name(key) || key.starts_with("file") || key == "data") continue;
-    std::istringstream words(value);
-    for (std::string word; words >> word;) {
-      if (word.starts_with('+')) word.erase(0, 1);
-      double number = 0;
-      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-      if (end != word.data() + word.size() || error == std::errc::invalid_argument) continue;
-      if (error == std::errc{} && std::abs(number) <= kMujocoMax) continue;
+    std::string blanks = value;
+    std::replace_if(
+        blanks.begin(), blanks.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    for (const std::string_view word : core::words_of(blanks)) {
+      const auto number = core::to_double(word);
+      const bool comma = !number && core::number_problem(word) == "has a decimal comma";
+      if (!comma && (number ? std::abs(*number) <= kMujocoMax : !core::is_too_large(word))) continue;
       throw ConfigurationError(*element.origin.file, element.origin.line, element.name + "." + key,
-                               word + " is not finite or too large", "numbers up to 1e10");
+                               std::string(word) + (comma ? " has a decimal comma" : " is not finite or too large"),
+                               "numbers up to 1e10");
     }
   }
   for (const Element& child : element.children) check_numbers(child);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "config/file_text.hpp"
 #include "config/table.hpp"
+#include "config/xml_file.hpp"
 
 namespace mrroc::sim {
 
@@ -47,27 +49,16 @@ class Reader {
   /// The root element of `file`; `from` is the include that asks for it.
   Element read(const fs::path& file, const Origin& from) {
     tinyxml2::XMLDocument document;
-    if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) fail(document, file, from);
+    if (from.file && !config::reading_problem(file).empty())
+      throw ConfigurationError(*from.file, from.line, "include", "cannot read \"" + file.string() + "\"",
+                               "an MJCF file");
+    config::read_xml(file, "an MJCF file", document);
     const auto* root = document.RootElement();
     if (root == nullptr) throw ConfigurationError(file, 1, "", "no XML element", "<mujoco>");
     return convert(*root, std::make_shared<const fs::path>(file));
   }
 
  private:
-  [[noreturn]] static void fail(const tinyxml2::XMLDocument& document, const fs::path& file, const Origin& from) {
-    const auto error = document.ErrorID();
-    const bool unreadable = error == tinyxml2::XML_ERROR_FILE_NOT_FOUND ||
-                            error == tinyxml2::XML_ERROR_FILE_COULD_NOT_BE_OPENED ||
-                            error == tinyxml2::XML_ERROR_FILE_READ_ERROR;
-    if (unreadable && from.file) {
-      throw ConfigurationError(*from.file, from.line, "include", "cannot read \"" + file.string() + "\"",
-                               "an MJCF file");
-    }
-    if (unreadable) throw ConfigurationError(file, 0, "", "cannot be read", "an MJCF file");
-    const std::string problem = document.ErrorStr() != nullptr ? document.ErrorStr() : document.ErrorName();
-    throw ConfigurationError(file, document.ErrorLineNum(), "", problem, "well-formed XML");
-  }
-
   Element convert(const tinyxml2::XMLElement& xml, const std::shared_ptr<const fs::path>& file) {
     Element element{.name = xml.Name(), .attributes = {}, .children = {}, .origin = {file, xml.GetLineNum()}};
     for (const auto* a = xml.FirstAttribute(); a != nullptr; a = a->Next()) {

@@ -1,7 +1,6 @@
 #include "vsp/replay_source.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -9,6 +8,8 @@
 #include "config/file_text.hpp"
 #include "config/message_text.hpp"
 #include "config/table.hpp"
+#include "core/number_text.hpp"
+#include "core/text_lines.hpp"
 
 namespace mrroc::vsp {
 
@@ -17,25 +18,13 @@ namespace {
 using config::ConfigurationError;
 using config::in_quotes;
 
-constexpr std::string_view kBlanks = " \t\r";
-
-std::vector<std::string_view> words_of(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (;;) {
-    const std::size_t begin = line.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos) return words;
-    line.remove_prefix(begin);
-    const std::size_t size = std::min(line.find_first_of(kBlanks), line.size());
-    words.push_back(line.substr(0, size));
-    line.remove_prefix(size);
-  }
-}
-
-/// One line of the file, which knows where it stands.
+/// One line of the file and its place.
 class Line {
  public:
   Line(const std::filesystem::path& file, int number, std::string_view text)
-      : file_(&file), number_(number), text_(text), words_(words_of(text)) {}
+      : file_(&file), number_(number), text_(text), words_(core::words_of(text)) {
+    if (!is_comment()) words_ = core::words_of(core::without_comment(text, '#'));
+  }
 
   const std::vector<std::string_view>& words() const { return words_; }
   bool is_comment() const { return words_.empty() || words_[0].front() == '#'; }
@@ -57,23 +46,19 @@ class Line {
   }
 
   Tick tick() const {
-    Tick tick = 0;
     const std::string_view word = words_[0];
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), tick);
-    if (error != std::errc{} || end != word.data() + word.size() || tick == kNever) {
-      fail("tick", in_quotes(word) + " is no tick", "a whole number of at least 0");
-    }
-    return tick;
+    const auto tick = core::to_whole<Tick>(word);
+    if (tick && *tick != kNever) return *tick;
+    const std::string why = core::to_double(word) ? "is no tick" : core::number_problem(word);
+    fail("tick", in_quotes(word) + " " + why, "a whole number of at least 0");
   }
 
   double value(std::size_t column, const std::string& channel) const {
-    double value = 0;
     const std::string_view word = words_[column];
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size() || std::isinf(value)) {
-      fail(channel, in_quotes(word) + " is no number", "a finite number or nan");
-    }
-    return value;
+    const auto value = core::to_double(word);
+    if (value && !std::isinf(*value)) return *value;
+    const std::string why = value ? "is not finite" : core::number_problem(word);
+    fail(channel, in_quotes(word) + " " + why, "a finite number or nan");
   }
 
  private:
@@ -83,23 +68,24 @@ class Line {
   std::vector<std::string_view> words_;
 };
 
-std::string_view take_line(std::string_view& text) {
-  const std::size_t size = std::min(text.find('\n'), text.size());
-  const std::string_view line = text.substr(0, size);
-  text.remove_prefix(std::min(size + 1, text.size()));
-  return line;
-}
-
 }  // namespace
 
 ReplaySource::ReplaySource(const std::filesystem::path& file, const std::vector<Channel>& raw_channels)
     : channel_count_(raw_channels.size()) {
   const std::string content = config::read_file(file);
-  std::string_view rest = content;
-  int number = 1;
-  Line{file, number, take_line(rest)}.check_header(raw_channels);
-  while (!rest.empty()) {
-    const Line line{file, ++number, take_line(rest)};
+  try {
+    read(file, core::TextLines(content), raw_channels);
+  } catch (const core::TextError& error) {
+    throw ConfigurationError(file, error.line, "", error.problem, error.expected);
+  }
+}
+
+void ReplaySource::read(const std::filesystem::path& file, core::TextLines lines,
+                        const std::vector<Channel>& channels) {
+  const bool any = lines.next();
+  Line{file, 1, any ? lines.line() : ""}.check_header(channels);
+  while (lines.next()) {
+    const Line line{file, lines.number(), lines.line()};
     if (line.is_header()) line.fail("header", "a second header", "one, in the first line");
     if (line.is_comment()) continue;
     const Tick tick = line.tick();
@@ -110,10 +96,10 @@ ReplaySource::ReplaySource(const std::filesystem::path& file, const std::vector<
       line.fail("values", std::to_string(line.words().size() - 1), std::to_string(channel_count_) + " after the tick");
     }
     ticks_.push_back(tick);
-    for (std::size_t i = 0; i < channel_count_; ++i) values_.push_back(line.value(i + 1, raw_channels[i].name));
+    for (std::size_t i = 0; i < channel_count_; ++i) values_.push_back(line.value(i + 1, channels[i].name));
   }
   if (ticks_.empty())
-    throw ConfigurationError(file, number, "values", "no readings", "at least one line below the header");
+    throw ConfigurationError(file, lines.number(), "values", "no readings", "at least one line below the header");
 }
 
 SourceState ReplaySource::read(Tick wanted, RawReading& raw) noexcept {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/text_lines.hpp"
 #include "vsp/source.hpp"
 #include "vsp/virtual_sensor.hpp"
 
@@ -18,7 +19,8 @@ namespace mrroc::vsp {
 ///
 /// The first line names the sensor's raw channels in order; each line below is a tick and one number per channel,
 /// ticks strictly increasing. The value at tick k is that of the last line with tick <= k: not ready before the first
-/// line, and the last line holds for ever. `nan` plays a hardware that fails.
+/// line, and the last line holds for ever. `nan` plays a hardware that fails. `#` at the begin of a line or behind a
+/// blank begins a comment. What may surround a line: core/text_lines.hpp; numbers: core/number_text.hpp.
 class ReplaySource final : public Source {
  public:
   /// Reads the whole file. Throws ConfigurationError (file, line, column, what is wrong, what was expected) unless it
@@ -28,6 +30,8 @@ class ReplaySource final : public Source {
   SourceState read(Tick wanted, RawReading& raw) noexcept override;
 
  private:
+  void read(const std::filesystem::path& file, core::TextLines lines, const std::vector<Channel>& channels);
+
   std::size_t channel_count_;
   std::vector<Tick> ticks_;
   std::vector<double> values_;  ///< channel_count_ per tick

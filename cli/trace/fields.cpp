@@ -1,7 +1,9 @@
 #include "cli/trace/fields.hpp"
 
-#include <charconv>
 #include <cmath>
+
+#include "core/number_text.hpp"
+#include "core/shown_text.hpp"
 
 namespace mrroc::cli::trace {
 
@@ -11,7 +13,7 @@ constexpr std::size_t kShown = 60;  // characters of a value in a message
 
 std::string message(std::string_view field, std::string_view value, std::string_view expected) {
   std::string text{field};
-  text.append(": '").append(value.substr(0, kShown)).append(value.size() > kShown ? "..." : "");
+  text.append(": '").append(core::shown(value.substr(0, kShown))).append(value.size() > kShown ? "..." : "");
   return text.append("', expected ").append(expected);
 }
 
@@ -67,26 +69,20 @@ Numbers Fields::finite_numbers(std::string_view field, std::size_t size) {
 
 Numbers parse_numbers(std::string_view text, std::string_view field) {
   Numbers found;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (at != end) {
-    double value = 0;
-    const auto [behind, problem] = std::from_chars(at, end, value);
-    const bool more = behind != end;
-    if (problem != std::errc{} || (more && (*behind != ',' || behind + 1 == end)))
-      throw Malformed(field, text, "numbers with commas between");
-    found.push_back(value);
-    at = more ? behind + 1 : end;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t size = std::min(rest.find(','), rest.size());
+    const auto value = core::to_double(rest.substr(0, size));
+    if (!value || size + 1 == rest.size()) throw Malformed(field, text, "numbers with commas between");
+    found.push_back(*value);
+    rest.remove_prefix(std::min(size + 1, rest.size()));
   }
   return found;
 }
 
 std::uint64_t parse_count(std::string_view text, std::string_view field) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [behind, problem] = std::from_chars(text.data(), end, value);
-  if (problem != std::errc{} || behind != end) throw Malformed(field, text, "a whole number, not negative");
-  return value;
+  const auto value = core::to_whole<std::uint64_t>(text);
+  if (!value) throw Malformed(field, text, "a whole number, not negative");
+  return *value;
 }
 
 }  // namespace mrroc::cli::trace

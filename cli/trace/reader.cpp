@@ -2,9 +2,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <limits>
 
 #include "cli/trace.hpp"
 #include "cli/trace/parse_line.hpp"
+#include "core/text_lines.hpp"
 #include "process/text_line.hpp"
 
 namespace mrroc::cli::trace {
@@ -46,6 +48,13 @@ bool Reader::read() {
     return false;
   }
   ++number_;
+  try {
+    // the writer's own bound on the length is judged below
+    constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
+    text_ = core::trimmed(core::content_of_line(text_, static_cast<int>(number_), kAnyLength));
+  } catch (const core::TextError& error) {
+    throw std::runtime_error(path_.string() + ":" + std::to_string(number_) + ": " + error.what());
+  }
   return true;
 }
 

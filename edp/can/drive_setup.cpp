@@ -53,9 +53,13 @@ class Settings {
     const auto end = entries.lower_bound({kTransmitPdoMapping, 0});
     for (auto place = entries.lower_bound({first, 0}); place != end; ++place) {
       const auto& [object, entry] = *place;
-      const auto identifier = default_number(entry, drive_.node);
-      if (object.sub == 1 && identifier && (*identifier & kPdoNotUsed) == 0)
+      if (object.sub != 1) continue;
+      // a DCF describes the drive after its configuration, which it may not have yet
+      for (const auto& identifier : {default_number(entry, drive_.node), configured_number(entry, drive_.node)}) {
+        if (!identifier || (*identifier & kPdoNotUsed) != 0) continue;
         add_known(object, kPdoNotUsed | *identifier, 4);
+        break;
+      }
     }
   }
   std::vector<config::DriveSetting> settings_;

@@ -41,9 +41,13 @@ struct TaughtPath {
 ///     0,0.1,-1.7,0.5,-0.3,4.7,1.57
 void save(const TaughtPath& path, const Robot& robot, const std::string& file);
 
-/// Reads such a file, or one that was written by hand. Throws NonFatalError(invalid_argument), one line
-/// "file:line: column: value: what is wrong, expected what", when it is not one for this robot: other columns, a value
-/// that is no finite number, joints beyond the limits, a quaternion that is none, times that do not increase, no point.
+/// Reads such a file, or one that was written by hand or with a spreadsheet: values in double quotes, empty cells at
+/// the end of a line and comments behind a blank are taken; what may surround a line says core/text_lines.hpp, what a
+/// number is core/number_text.hpp. Throws NonFatalError(invalid_argument), one line "file:line: column: value: what is
+/// wrong, expected what", when it is not one for this robot: other columns, a value that is no finite number, joints
+/// beyond the limits, a quaternion that is none, times that do not increase, no point, or a path of more than ten
+/// minutes on which no axis ever needs a thousandth of its velocity limit (of poses: 1 mm/s or 1 mrad/s), but is not at
+/// rest either: its times are in milliseconds.
 TaughtPath load_taught_path(const std::string& file, const Robot& robot);
 
 }  // namespace mrroc

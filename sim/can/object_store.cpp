@@ -27,21 +27,14 @@ bool is_mapping(std::uint16_t index) noexcept { return is_parameter(static_cast<
 
 ObjectStore::ObjectStore(const EdsFile& eds, NodeId node) : eds_(eds), node_(node) { reset(); }
 
-std::vector<std::uint8_t> ObjectStore::default_of(const ObjectEntry& entry) const {
-  if (entry.type == DataType::visible_string) return {entry.default_value.begin(), entry.default_value.end()};
-  std::vector<std::uint8_t> bytes(size_of(entry.type));
-  can::put(bytes, 0, bytes.size(), static_cast<std::uint64_t>(default_number(entry, node_).value_or(0)));
-  return bytes;
-}
-
 void ObjectStore::reset() {
   values_.clear();
-  for (const auto& [object, entry] : eds_.entries()) values_[object] = {&entry, default_of(entry)};
+  for (const auto& [object, entry] : eds_.entries()) values_[object] = {&entry, configured_bytes(entry, node_)};
 }
 
 void ObjectStore::reset_communication() {
   for (auto& [object, value] : values_)
-    if (object.index >= 0x1000 && object.index < 0x2000) value.bytes = default_of(*value.entry);
+    if (object.index >= 0x1000 && object.index < 0x2000) value.bytes = configured_bytes(*value.entry, node_);
 }
 
 SdoAbort ObjectStore::read(Object object, std::vector<std::uint8_t>& value) const {

@@ -43,7 +43,6 @@ class ObjectStore {
   };
   canopen::SdoAbort pdo_refusal(canopen::Object object, std::uint32_t value) const;
   canopen::SdoAbort mapping_refusal(canopen::Object object, std::uint32_t value) const;
-  std::vector<std::uint8_t> default_of(const canopen::ObjectEntry& entry) const;
 
   canopen::EdsFile eds_;
   canopen::NodeId node_;

@@ -1,39 +1,125 @@
 #include "canopen/default_value.hpp"
 
-#include <cctype>
-#include <cstdlib>
-#include <string>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "can/frame.hpp"
+#include "canopen/eds_sections.hpp"
+#include "core/number_text.hpp"
+#include "core/text_lines.hpp"
 
 namespace mrroc::canopen {
 
 namespace {
 
-std::string without_blanks(std::string text) {
-  std::erase_if(text, [](unsigned char letter) { return std::isspace(letter) != 0; });
-  return text;
+/// constant + nodes * node number, modulo 2^64.
+struct Sum {
+  std::uint64_t constant = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t at(NodeId node) const { return constant + nodes * node; }
+};
+
+/// Nothing: it is not one.
+std::optional<Sum> to_sum(std::string_view text) {
+  Sum sum;
+  text = core::trimmed(text);
+  for (bool first = true; first || !text.empty(); first = false) {
+    const bool sign = text.starts_with('+') || text.starts_with('-');
+    if (!first && !sign) return {};
+    const std::uint64_t factor = text.starts_with('-') ? ~std::uint64_t{0} : 1;  // -1
+    if (sign) text = core::trimmed(text.substr(1));
+    const std::size_t end = std::min(text.find_first_of("+-"), text.size());
+    const std::string_view term = core::trimmed(text.substr(0, end));
+    text.remove_prefix(end);
+    if (small_letters(term) == "$nodeid") {
+      sum.nodes += factor;
+      continue;
+    }
+    const auto literal = core::to_literal(term);
+    if (!literal) return {};
+    sum.constant += factor * *literal;
+  }
+  return sum;
 }
 
-std::optional<std::uint64_t> summand(const std::string& text, NodeId node) {
-  if (text == "$NODEID" || text == "$nodeid") return node;
-  char* end = nullptr;
-  const std::uint64_t value = std::strtoull(text.c_str(), &end, 0);  // also of "-5"
-  if (text.empty() || *end != '\0') return {};
-  return value;
+/// Whether the bits of a number of 64 bits, as signed or unsigned, fit a type.
+bool fits(std::uint64_t value, DataType type) {
+  if (type == DataType::boolean) return value <= 1;
+  const std::size_t bits = 8 * size_of(type);
+  if (bits == 64) return true;
+  const std::int64_t least_signed = std::numeric_limits<std::int64_t>::min() >> (64 - bits);
+  const auto as_signed = static_cast<std::int64_t>(value);
+  return value < std::uint64_t{1} << bits || (as_signed < 0 && as_signed >= least_signed);
+}
+
+bool has_whole_numbers(DataType type) { return size_of(type) != 0 && type != DataType::real32; }
+
+/// Without a comment that touches the number.
+std::string_view number_in(std::string_view text) { return core::trimmed(text.substr(0, text.find(';'))); }
+
+std::optional<std::uint64_t> whole_number(std::string_view text, DataType type, NodeId node) {
+  text = number_in(text);
+  if (type == DataType::boolean) {
+    const std::string word = small_letters(text);
+    if (word == "true" || word == "false") return word == "true" ? 1 : 0;
+  }
+  const auto sum = to_sum(text);
+  return sum && fits(sum->at(node), type) ? std::optional(sum->at(node)) : std::nullopt;
+}
+
+/// As of a float; a zero may also be written as a whole number.
+std::optional<double> real_number(std::string_view text) {
+  text = number_in(text);
+  const auto value = core::to_finite(text);
+  if (value && std::abs(*value) <= std::numeric_limits<float>::max()) return value;
+  const auto whole = core::to_literal(text);
+  return !value && whole && *whole == 0 ? std::optional(0.0) : std::nullopt;
+}
+
+const std::string& configured(const ObjectEntry& entry) {
+  return entry.parameter_value.empty() ? entry.default_value : entry.parameter_value;
+}
+
+std::optional<std::int64_t> number(const std::string& text, DataType type, NodeId node) {
+  if (text.empty() || !has_whole_numbers(type)) return {};
+  const auto value = whole_number(text, type, node);
+  if (!value) throw std::invalid_argument("'" + text + "', expected " + expected_value(text, type));
+  const std::size_t size = size_of(type);
+  const std::uint64_t bits = size == 8 ? *value : *value & ((std::uint64_t{1} << 8 * size) - 1);
+  return is_signed(type) ? can::sign_extended(bits, size) : static_cast<std::int64_t>(bits);
 }
 
 }  // namespace
 
+std::string expected_value(std::string_view text, DataType type) {
+  if (text.empty() || size_of(type) == 0) return "";
+  if (type == DataType::real32) return real_number(text) ? "" : "a decimal number of 32 bits, such as -0.25";
+  if (whole_number(text, type, 1) && whole_number(text, type, kMaxNode)) return "";
+  if (type == DataType::boolean) return "0 or 1";
+  return "a number of " + std::to_string(8 * size_of(type)) + " bits such as 384, 0x180 or $NODEID+0x180";
+}
+
 std::optional<std::int64_t> default_number(const ObjectEntry& entry, NodeId node) {
-  std::string rest = without_blanks(entry.default_value);
-  std::uint64_t sum = 0;
-  for (;;) {
-    const std::size_t plus = rest.find('+');
-    const auto value = summand(rest.substr(0, plus), node);
-    if (!value) return {};
-    sum += *value;
-    if (plus == std::string::npos) return static_cast<std::int64_t>(sum);
-    rest.erase(0, plus + 1);
-  }
+  return number(entry.default_value, entry.type, node);
+}
+
+std::optional<std::int64_t> configured_number(const ObjectEntry& entry, NodeId node) {
+  return number(configured(entry), entry.type, node);
+}
+
+std::vector<std::uint8_t> configured_bytes(const ObjectEntry& entry, NodeId node) {
+  const std::string& text = configured(entry);
+  if (entry.type == DataType::visible_string) return {text.begin(), text.end()};
+  std::vector<std::uint8_t> bytes(size_of(entry.type));
+  std::uint64_t value = 0;
+  if (entry.type == DataType::real32)
+    value = std::bit_cast<std::uint32_t>(static_cast<float>(real_number(text).value_or(0)));
+  else
+    value = static_cast<std::uint64_t>(configured_number(entry, node).value_or(0));
+  can::put(bytes, 0, bytes.size(), value);
+  return bytes;
 }
 
 }  // namespace mrroc::canopen

@@ -1,42 +1,31 @@
 #include "canopen/eds_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <vector>
+#include <set>
+#include <stdexcept>
+
+#include "canopen/default_value.hpp"
+#include "core/number_text.hpp"
+#include "core/shown_text.hpp"
+#include "core/text_lines.hpp"
 
 namespace mrroc::canopen {
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8: some editors put it first
-
-std::string small(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return result;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
+constexpr std::uint32_t kDomain = 2, kDefinedStructure = 6, kVariable = 7, kArray = 8, kRecord = 9;
+constexpr std::uint32_t kGreatestObjectType = kRecord;
 
 std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
-/// A whole number: decimal, or hexadecimal after 0x.
 std::optional<std::uint32_t> number_of(std::string_view text) {
-  const bool hexadecimal = text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
-  if (hexadecimal) text.remove_prefix(2);
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, hexadecimal ? 16 : 10);
-  if (error != std::errc{} || end != text.data() + text.size()) return {};
-  return value;
+  const auto value = core::to_literal(core::trimmed(text.substr(0, text.find(';'))));
+  if (!value || *value > 0xffffffff) return {};
+  return static_cast<std::uint32_t>(*value);
 }
 
 /// "6040" or "1018sub1", digits hexadecimal; nothing: the section describes no value.
@@ -57,102 +46,115 @@ bool is_access(std::string_view text) {
   return text == "ro" || text == "wo" || text == "rw" || text == "rwr" || text == "rww" || text == "const";
 }
 
-struct Line {
-  std::string key;
-  std::string value;
-  int number = 0;
-};
-
-struct Section {
-  std::string name;  ///< in small letters
-  std::vector<Line> lines;
-  int number = 0;
-
-  const Line* find(std::string_view key) const {
-    const auto found = std::find_if(lines.begin(), lines.end(), [key](const Line& line) { return line.key == key; });
-    return found == lines.end() ? nullptr : &*found;
-  }
-};
-
+/// Reads what the sections of objects say.
 class Parser {
  public:
-  Parser(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+  explicit Parser(const std::string& file) : file_(file) {}
 
-  std::vector<Section> sections() const {
-    std::vector<Section> all;
-    int number = 0;
-    std::string_view rest = text_;
-    if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find('\n'), rest.size());
-      const std::string_view line = trimmed(rest.substr(0, end));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-      ++number;
-      if (line.empty() || line.front() == ';' || line.front() == '#') continue;
-      if (line.front() == '[') {
-        if (line.back() != ']') fail(number, "", in_quotes(line) + " has no end", "[NAME]");
-        all.push_back({small(trimmed(line.substr(1, line.size() - 2))), {}, number});
-        continue;
-      }
-      const std::size_t equals = line.find('=');
-      if (equals == std::string_view::npos || all.empty())
-        fail(number, "", in_quotes(line), all.empty() ? "a section [NAME] first" : "KEY=VALUE");
-      all.back().lines.push_back(
-          {small(trimmed(line.substr(0, equals))), std::string(trimmed(line.substr(equals + 1))), number});
-    }
-    return all;
-  }
-
-  ObjectEntry entry(const Section& section) const {
+  ObjectEntry entry(const EdsSection& section) const {
     ObjectEntry entry;
-    const Line* const name = section.find("parametername");
-    if (name == nullptr || name->value.empty()) fail(section.number, section.name, "no ParameterName", "one");
-    entry.name = name->value;
-    if (const Line* const line = section.find("datatype")) {
-      const auto type = number_of(line->value);
-      if (!type || *type == 0 || *type > 0xffff)
-        fail(line->number, section.name + ": DataType", in_quotes(line->value), "a type's number, as 0x0007");
-      entry.type = static_cast<DataType>(*type);
-    }
-    if (const Line* const line = section.find("accesstype")) {
-      entry.access = small(line->value);
-      if (!is_access(entry.access))
-        fail(line->number, section.name + ": AccessType", in_quotes(line->value), "ro, wo, rw, rwr, rww or const");
-    }
-    if (const Line* const line = section.find("defaultvalue")) entry.default_value = line->value;
-    if (const Line* const line = section.find("pdomapping")) entry.mappable = line->value == "1";
+    entry.name = name(section);
+    const bool domain = number(section, "objecttype", "ObjectType", kVariable, kGreatestObjectType) == kDomain;
+    entry.type = type(section, domain);
+    entry.access = access(section, domain);
+    entry.default_value = value(section, "defaultvalue", "DefaultValue", entry.type);
+    entry.parameter_value = value(section, "parametervalue", "ParameterValue", entry.type);
+    entry.mappable = number(section, "pdomapping", "PDOMapping", 0, 1) == 1;
     return entry;
   }
 
+  std::string name(const EdsSection& section) const {
+    check_keys(section);
+    const EdsLine* const name = section.find("parametername");
+    if (name == nullptr || name->value.empty()) fail(section.number, section.name, "no ParameterName", "one");
+    return name->value;
+  }
+
+  /// Whether the section of an object stands for its parts.
+  bool has_parts(const EdsSection& section, bool sub_sections) const {
+    const std::uint32_t type = number(section, "objecttype", "ObjectType", kVariable, kGreatestObjectType);
+    const std::uint32_t parts = number(section, "subnumber", "SubNumber", 0, 0xff);
+    if (sub_sections || parts > 0 || type == kRecord || type == kArray || type == kDefinedStructure) return true;
+    return section.find("accesstype") == nullptr && section.find("datatype") == nullptr && type == kVariable &&
+           section.find("objecttype") == nullptr;
+  }
+
   /// How many sub-values a section describes at once (CompactSubObj); 0: it is of one value, or each has its own.
-  std::uint32_t parts(const Section& section) const {
-    const Line* const line = section.find("compactsubobj");
-    if (line == nullptr) return 0;
-    const auto count = number_of(line->value);
-    if (!count || *count > 0xfe)
-      fail(line->number, section.name + ": CompactSubObj", in_quotes(line->value), "a number up to 254");
-    return *count;
+  std::uint32_t parts(const EdsSection& section) const {
+    return number(section, "compactsubobj", "CompactSubObj", 0, 0xfe);
+  }
+
+  void check_value(const EdsSection& section, const EdsLine& line, const std::string& key, DataType type) const {
+    if (const std::string expected = expected_value(line.value, type); !expected.empty())
+      fail(line.number, section.name + ": " + key, in_quotes(line.value), expected);
+  }
+
+  [[noreturn]] void fail(int line, const std::string& where, const std::string& problem,
+                         const std::string& expected) const {
+    throw EdsError(file_, line, where, problem, expected);
   }
 
  private:
-  [[noreturn]] void fail(int line, const std::string& where, const std::string& problem,
-                         const std::string& expected) const {
-    throw EdsError(name_ + ":" + std::to_string(line) + ": " + where + (where.empty() ? "" : ": ") + problem +
-                   ", expected " + expected);
+  void check_keys(const EdsSection& section) const {
+    for (const EdsLine& line : section.lines) {
+      const EdsLine& first = *section.find(line.key);
+      if (first.value != line.value)
+        fail(line.number, section.name + ": " + line.key,
+             in_quotes(line.value) + ", but " + in_quotes(first.value) + " in line " + std::to_string(first.number),
+             "each key once");
+    }
   }
 
-  std::string_view text_;
-  std::string name_;
+  /// A whole number that is 0 to `greatest`; `usual` when it is left out or blank.
+  std::uint32_t number(const EdsSection& section, std::string_view key, const std::string& shown_key,
+                       std::uint32_t usual, std::uint32_t greatest) const {
+    const EdsLine* const line = section.find(key);
+    if (line == nullptr || line->value.empty()) return usual;
+    const auto value = number_of(line->value);
+    if (!value || *value > greatest)
+      fail(line->number, section.name + ": " + shown_key, in_quotes(line->value),
+           "a number up to " + std::to_string(greatest));
+    return *value;
+  }
+
+  DataType type(const EdsSection& section, bool domain) const {
+    constexpr const char* kExpected = "a type's number, as 0x0007";
+    const EdsLine* const line = section.find("datatype");
+    if (domain && (line == nullptr || line->value.empty())) return DataType::domain;
+    if (line == nullptr) fail(section.number, section.name, "no DataType", kExpected);
+    const auto type = number_of(line->value);
+    if (!type || *type == 0 || *type > 0xffff)
+      fail(line->number, section.name + ": DataType", in_quotes(line->value), kExpected);
+    return static_cast<DataType>(*type);
+  }
+
+  std::string access(const EdsSection& section, bool domain) const {
+    constexpr const char* kExpected = "ro, wo, rw, rwr, rww or const";
+    const EdsLine* const line = section.find("accesstype");
+    if (domain && (line == nullptr || line->value.empty())) return "rw";
+    if (line == nullptr) fail(section.number, section.name, "no AccessType", kExpected);
+    const std::string access = small_letters(core::trimmed(line->value.substr(0, line->value.find(';'))));
+    if (!is_access(access)) fail(line->number, section.name + ": AccessType", in_quotes(line->value), kExpected);
+    return access;
+  }
+
+  std::string value(const EdsSection& section, std::string_view key, const std::string& shown_key,
+                    DataType type) const {
+    const EdsLine* const line = section.find(key);
+    if (line == nullptr) return "";
+    check_value(section, *line, shown_key, type);
+    return line->value;
+  }
+
+  const std::string& file_;
 };
 
-/// What a section says of single sub-values, by their numbers; empty: there is no such section.
-std::map<std::uint32_t, std::string> listed(const std::vector<Section>& sections, const std::string& name) {
-  std::map<std::uint32_t, std::string> found;
-  for (const Section& section : sections) {
-    if (section.name != name) continue;
-    for (const Line& line : section.lines)
-      if (const auto number = number_of(line.key)) found.emplace(*number, line.value);
-  }
+/// The lines of a section that say something of single sub-values, by their numbers; empty: there is no such section.
+std::map<std::uint32_t, const EdsLine*> listed(const EdsSection* section) {
+  std::map<std::uint32_t, const EdsLine*> found;
+  if (section == nullptr) return found;
+  for (const EdsLine& line : section->lines)
+    if (const auto number = number_of(line.key)) found.emplace(*number, &line);
   return found;
 }
 
@@ -161,51 +163,77 @@ std::map<std::uint32_t, std::string> listed(const std::vector<Section>& sections
 EdsFile EdsFile::load(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file))
-    throw EdsError(file.string() + ": cannot be read, expected an EDS file");
+    throw EdsError(file.string(), 0, "", "cannot be read", "an EDS file");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   return parse(text, file.string());
 }
 
 EdsFile EdsFile::parse(std::string_view text, const std::string& name) {
-  const Parser parser(text, name);
   EdsFile file;
-  std::map<std::uint16_t, std::string> parents;
-  const std::vector<Section> sections = parser.sections();
-  for (const Section& section : sections) {
+  const std::vector<EdsSection> sections = read_eds_sections(text, name);
+  for (const EdsSection& section : sections)
     if (section.name == "deviceinfo")
-      if (const Line* const product = section.find("productname")) file.product_ = product->value;
-    const auto object = object_of_section(section.name);
-    if (!object) continue;
-    ObjectEntry entry = parser.entry(section);
-    const std::uint32_t parts = section.name.size() == 4 ? parser.parts(section) : 0;
-    const bool has_subs = section.name.size() == 4 && section.find("accesstype") == nullptr;
-    if (parts > 0) {
-      file.add_parts(entry, object->index, parts, listed(sections, section.name + "name"),
-                     listed(sections, section.name + "value"));
-    } else if (has_subs) {
-      parents[object->index] = entry.name;
-    } else {
-      file.add(*object, section.name.size() > 4 ? parents[object->index] : "", std::move(entry));
-    }
-  }
+      if (const EdsLine* const product = section.find("productname")) file.product_ = product->value;
+  file.read_objects(sections, name);
   return file;
 }
 
+void EdsFile::read_objects(const std::vector<EdsSection>& sections, const std::string& name) {
+  const Parser parser(name);
+  std::map<std::string, const EdsSection*> by_name;
+  std::set<std::uint16_t> with_subs;
+  std::map<std::uint16_t, std::string> parents;
+  for (const EdsSection& section : sections) {
+    const auto [first, added] = by_name.emplace(section.name, &section);
+    const auto object = object_of_section(section.name);
+    if (!object) continue;
+    if (!added)
+      parser.fail(section.number, section.name,
+                  "the object has a section in line " + std::to_string(first->second->number) + " already",
+                  "one section for each");
+    if (section.name.size() > 4) with_subs.insert(object->index);
+  }
+  const auto lines_of = [&](const std::string& section) {
+    const auto found = by_name.find(section);
+    return listed(found == by_name.end() ? nullptr : found->second);
+  };
+  for (const EdsSection& section : sections) {
+    const auto object = object_of_section(section.name);
+    if (!object || section.name.size() > 4) continue;
+    const std::uint32_t parts = parser.parts(section);
+    const std::string own_name = parser.name(section);
+    if (parts > 0) {
+      const auto values = lines_of(section.name + "value");
+      const ObjectEntry all = parser.entry(section);
+      for (const auto& [number, line] : values) parser.check_value(section, *line, line->key, all.type);
+      add_parts(all, object->index, parts, lines_of(section.name + "name"), values);
+    } else if (parser.has_parts(section, with_subs.contains(object->index))) {
+      parents[object->index] = own_name;
+    } else {
+      add(*object, "", parser.entry(section));
+    }
+  }
+  for (const EdsSection& section : sections) {
+    const auto object = object_of_section(section.name);
+    if (object && section.name.size() > 4) add(*object, parents[object->index], parser.entry(section));
+  }
+}
+
 void EdsFile::add(Object object, const std::string& parent, ObjectEntry entry) {
-  names_.emplace(small(parent.empty() ? entry.name : parent + "/" + entry.name), object);
+  names_.emplace(small_letters(parent.empty() ? entry.name : parent + "/" + entry.name), object);
   entries_.emplace(object, std::move(entry));
 }
 
 /// CiA 306-1: they differ in nothing but their names and default values, if in those.
 void EdsFile::add_parts(const ObjectEntry& all, std::uint16_t index, std::uint32_t count,
-                        const std::map<std::uint32_t, std::string>& names,
-                        const std::map<std::uint32_t, std::string>& values) {
-  add({index, 0}, all.name, {"NrOfObjects", DataType::unsigned8, "ro", std::to_string(count), false});
+                        const std::map<std::uint32_t, const EdsLine*>& names,
+                        const std::map<std::uint32_t, const EdsLine*>& values) {
+  add({index, 0}, all.name, {"NrOfObjects", DataType::unsigned8, "ro", std::to_string(count), "", false});
   for (std::uint32_t i = 1; i <= count; ++i) {
     ObjectEntry entry = all;
     const auto name = names.find(i);
-    entry.name = name == names.end() ? all.name + std::to_string(i) : name->second;
-    if (const auto value = values.find(i); value != values.end()) entry.default_value = value->second;
+    entry.name = name == names.end() ? all.name + std::to_string(i) : name->second->value;
+    if (const auto value = values.find(i); value != values.end()) entry.default_value = value->second->value;
     add({index, static_cast<std::uint8_t>(i)}, all.name, std::move(entry));
   }
 }
@@ -216,7 +244,7 @@ const ObjectEntry* EdsFile::find(Object object) const noexcept {
 }
 
 Object EdsFile::object(std::string_view text) const {
-  const std::string wanted = small(trimmed(text));
+  const std::string wanted = small_letters(core::trimmed(text));
   if (const auto named = names_.find(wanted); named != names_.end()) return named->second;
   if (wanted.starts_with("0x")) {
     const std::size_t colon = wanted.find(':');
@@ -232,7 +260,7 @@ Object EdsFile::object(std::string_view text) const {
   for (const auto& [name, object] : names_)
     if (!wanted.empty() && (name.find(wanted) != std::string::npos || wanted.find(name) != std::string::npos))
       near += (near.empty() ? "" : ", ") + entries_.at(object).name;
-  throw std::invalid_argument(in_quotes(text) + " is no object of the EDS file, expected a name of it" +
+  throw std::invalid_argument(core::shown(in_quotes(text)) + " is no object of the EDS file, expected a name of it" +
                               (near.empty() ? "" : " (" + near + ")") + " or an address like 0x6040 or 0x1018:1");
 }
 

@@ -1,4 +1,5 @@
 #include "config/table.hpp"
+#include "core/shown_text.hpp"
 
 namespace mrroc::config {
 
@@ -12,7 +13,7 @@ std::string compose(const std::filesystem::path& file, int line, const std::stri
   if (!key.empty()) message += key + ": ";
   message += problem;
   if (!expected.empty()) message += ", expected " + expected;
-  return message;
+  return core::shown(message);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "core/shown_text.hpp"
+
 namespace mrroc::config {
 
 namespace {
@@ -32,9 +34,7 @@ std::string in_quotes(std::string_view text) {
   const bool cut = text.size() > kQuotedLength;
   std::size_t length = cut ? kQuotedLength : text.size();
   while (cut && length > 0 && !starts_character(text[length])) --length;  // no half of a UTF-8 character
-  std::string result = "'";
-  for (const char c : text.substr(0, length)) result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return result + (cut ? "...'" : "'");
+  return "'" + core::shown(text.substr(0, length)) + (cut ? "...'" : "'");
 }
 
 std::string alternatives(const std::vector<std::string>& choices) {

@@ -13,7 +13,7 @@ namespace mrroc::config {
 /// Shortest text that reads back as the same number: 0.002, 1e-09, inf.
 std::string number_text(double value);
 
-/// `'text'` on one line: control characters become `?`, a long text is cut at 60 bytes with `...`.
+/// `'text'` on one line, as core::shown writes it; a long text is cut at 60 bytes with `...`.
 std::string in_quotes(std::string_view text);
 
 /// `'a', 'b' or 'c'`, in the order given; "nothing" for an empty list.

@@ -18,6 +18,7 @@
 
 #include "config/file_text.hpp"
 #include "config/message_text.hpp"
+#include "core/text_lines.hpp"
 
 namespace mrroc::config {
 
@@ -28,19 +29,15 @@ struct Document {
 
 namespace {
 
-/// Longer lines are no configuration; the bound also keeps the depth of dotted keys, and so of the parser's recursion.
-constexpr std::size_t kLineLength = 10000;
-
 int line_of(const toml::source_region& place) { return static_cast<int>(place.begin.line); }
 
+/// The bound on a line's length also bounds the depth of dotted keys, and so the parser's recursion.
 void check_lines(const std::filesystem::path& file, std::string_view text) {
-  for (int line = 1; !text.empty(); ++line) {
-    const std::size_t length = std::min(text.find('\n'), text.size());
-    if (length > kLineLength) {
-      throw ConfigurationError(file, line, "", "a line of " + std::to_string(length) + " bytes",
-                               "at most " + std::to_string(kLineLength));
+  try {
+    for (core::TextLines lines(text); lines.next();) {
     }
-    text.remove_prefix(std::min(length + 1, text.size()));
+  } catch (const core::TextError& error) {
+    throw ConfigurationError(file, error.line, "", error.problem, error.expected);
   }
 }
 

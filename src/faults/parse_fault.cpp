@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
+#include "core/number_text.hpp"
+#include "core/shown_text.hpp"
 #include "faults/fault.hpp"
 
 namespace mrroc::faults {
@@ -116,7 +117,7 @@ class Parser {
       text.append("it ends");
     else
       text.append("'").append(word).append("'");
-    throw std::invalid_argument(text.append(", expected ").append(expected));
+    throw std::invalid_argument(core::shown(text.append(", expected ").append(expected)));
   }
   std::string next() { return place_ < words_.size() ? words_[place_++] : ""; }
   bool accept(std::string_view word) {
@@ -130,18 +131,15 @@ class Parser {
   }
   std::uint64_t whole(const std::string& expected) {
     const std::string word = next();
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (word.empty() || error != std::errc{} || end != word.data() + word.size()) refuse(word, expected);
-    return value;
+    const auto value = core::to_whole<std::uint64_t>(word);
+    if (!value) refuse(word, expected);
+    return *value;
   }
   double number() {
     const std::string word = next();
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (word.empty() || error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
-      refuse(word, "a number");
-    return value;
+    const auto value = core::to_finite(word);
+    if (!value) refuse(word, "a number");
+    return *value;
   }
 
   const Row& action() {

@@ -10,7 +10,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string_view>
+
+#include "core/number_text.hpp"
+#include "core/shown_text.hpp"
+#include "core/text_lines.hpp"
 
 namespace mrroc {
 
@@ -67,7 +72,8 @@ struct Reader {
 
   [[noreturn]] void refuse(const std::string& what, const std::string& expected) const {
     const std::string place = line > 0 ? ":" + std::to_string(line) : std::string{};
-    throw NonFatalError(ErrorCode::invalid_argument, file + place + ": " + what + ", expected " + expected);
+    throw NonFatalError(ErrorCode::invalid_argument,
+                        core::shown(file + place + ": " + what + ", expected " + expected));
   }
   [[noreturn]] void refuse(const std::string& column, std::string_view value, const std::string& what,
                            const std::string& expected) const {
@@ -75,34 +81,24 @@ struct Reader {
   }
 };
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 double number(const Reader& at, const std::string& column, std::string_view cell) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value))
-    at.refuse(column, cell, "is no number", "a finite number such as -0.25");
-  return value;
+  const auto value = core::to_finite(cell);
+  if (!value) at.refuse(column, cell, core::number_problem(cell), "a finite number such as -0.25");
+  return *value;
+}
+
+/// Columns that a spreadsheet separates otherwise.
+void refuse_separators(const Reader& at, std::string_view line) {
+  if (line.find(',') != std::string_view::npos) return;
+  for (const auto& [separator, name] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}})
+    if (line.find(separator) != std::string_view::npos)
+      at.refuse("columns with " + std::string{name} + " between", "commas between the columns, and points in numbers");
 }
 
 /// Takes the line of column names.
 TaughtPath begin(const Reader& at, const Robot& robot, std::string_view line, std::vector<std::string>& columns) {
-  const std::vector<std::string_view> names = cells_of(line);
+  refuse_separators(at, line);
+  const std::vector<std::string_view> names = core::cells_of(line, ',');
   columns.assign(names.begin(), names.end());
   std::string known;
   for (const TaughtPath::Space space : {TaughtPath::Space::joints, TaughtPath::Space::poses}) {
@@ -180,45 +176,117 @@ void save(const TaughtPath& path, const Robot& robot, const std::string& file) {
   cannot_write(file);
 }
 
-TaughtPath load_taught_path(const std::string& file, const Robot& robot) {
-  Reader at{file};
-  std::ifstream in(file, std::ios::binary);
-  if (!in) at.refuse("cannot be read", "a file with a taught path");
+namespace {
+
+std::string content_of(const Reader& at) {
+  std::ifstream in(at.file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::error_code error;
+  if (!in.is_open() || in.bad() || std::filesystem::is_directory(at.file, error))
+    at.refuse("cannot be read", "a file with a taught path");
+  return text;
+}
+
+/// The cells of a line, as many as there are columns; none: the line has no point.
+std::vector<std::string_view> values_of(const Reader& at, std::string_view line,
+                                        const std::vector<std::string>& columns) {
+  if (line.find_first_not_of(" \t,;") == std::string_view::npos) return {};
+  std::vector<std::string_view> cells = core::cells_of(line, ',');
+  const std::size_t found = cells.size();
+  if (found < columns.size() && line.ends_with(',')) cells.resize(columns.size());  // the empty ones get their errors
+  if (cells.size() == columns.size()) return cells;
+  const std::string hint = found > columns.size() ? "; numbers have a point, not a comma" : "";
+  at.refuse(std::to_string(found) + " values",
+            std::to_string(columns.size()) + ", one for each of '" + joined(columns) + "'" + hint);
+}
+
+TaughtPoint point_of(const Reader& at, const Robot& robot, const TaughtPath& path,
+                     const std::vector<std::string_view>& cells) {
+  TaughtPoint point;
+  const std::size_t first = path.timed ? 1 : 0;
+  if (path.timed) {
+    point.time = number(at, "time", cells[0]);
+    if (path.points.empty() ? point.time < 0 : point.time <= path.points.back().time) {
+      at.refuse("time", cells[0], "does not come after the point before",
+                path.points.empty() ? "at least 0" : "more than " + text_of(path.points.back().time));
+    }
+  }
+  if (path.space == TaughtPath::Space::joints)
+    point.joints = joints_of(at, robot, cells, first);
+  else
+    point.pose = pose_of(at, cells, first);
+  return point;
+}
+
+TaughtPath read_path(Reader& at, const Robot& robot, core::TextLines lines) {
   TaughtPath path;
   std::vector<std::string> columns;
-  for (std::string text; std::getline(in, text);) {
-    ++at.line;
-    const std::string_view line = trimmed(text);
-    if (line.empty() || line.front() == '#') continue;
+  while (lines.next()) {
+    at.line = lines.number();
+    std::string_view line = core::trimmed(lines.line());
+    if (line.starts_with("\"#")) continue;  // a spreadsheet has put the comment in quotes
+    line = core::trimmed(core::without_comment(line, '#'));
+    if (line.empty()) continue;
     if (columns.empty()) {
-      path = begin(at, robot, line, columns);
+      if (line.find_first_not_of(" \t,;") != std::string_view::npos) path = begin(at, robot, line, columns);
       continue;
     }
-    const std::vector<std::string_view> cells = cells_of(line);
-    if (cells.size() != columns.size()) {
-      at.refuse(std::to_string(cells.size()) + " values",
-                std::to_string(columns.size()) + ", one for each of '" + joined(columns) + "'");
-    }
-    TaughtPoint point;
-    const std::size_t first = path.timed ? 1 : 0;
-    if (path.timed) {
-      point.time = number(at, "time", cells[0]);
-      if (path.points.empty() ? point.time < 0 : point.time <= path.points.back().time) {
-        at.refuse("time", cells[0], "does not come after the point before",
-                  path.points.empty() ? "at least 0" : "more than " + text_of(path.points.back().time));
-      }
-    }
-    if (path.space == TaughtPath::Space::joints)
-      point.joints = joints_of(at, robot, cells, first);
-    else
-      point.pose = pose_of(at, cells, first);
-    path.points.push_back(point);
+    const std::vector<std::string_view> cells = values_of(at, line, columns);
+    if (!cells.empty()) path.points.push_back(point_of(at, robot, path, cells));
   }
-  if (in.bad()) at.refuse("cannot be read", "a file with a taught path");
   if (columns.empty())
     at.refuse("no line of column names", "'" + joined(columns_of(robot, TaughtPath::Space::joints, true)) + "'");
   if (path.points.empty()) at.refuse("no point", "at least one line of values");
   return path;
+}
+
+/// The greatest share of its velocity limit that an axis needs between two points; of the tool at 1 m/s and 1 rad/s
+/// when the path is of poses.
+double greatest_speed(const Robot& robot, const TaughtPath& path) {
+  double greatest = 0;
+  for (std::size_t k = 1; k < path.points.size(); ++k) {
+    const TaughtPoint &a = path.points[k - 1], &b = path.points[k];
+    if (path.space == TaughtPath::Space::poses) {
+      const double turn = Eigen::AngleAxisd(a.pose.linear().transpose() * b.pose.linear()).angle();
+      const double way = (b.pose.translation() - a.pose.translation()).norm();
+      greatest = std::max(greatest, std::max(way, turn) / (b.time - a.time));
+    } else {
+      for (Eigen::Index i = 0; i < a.joints.size(); ++i) {
+        const double limit = robot.parameters().axes[static_cast<std::size_t>(i)].velocity_max;
+        greatest = std::max(greatest, std::abs(b.joints[i] - a.joints[i]) / (b.time - a.time) / limit);
+      }
+    }
+  }
+  return greatest;
+}
+
+/// Times in milliseconds would make a path of seconds one of hours.
+void check_times(const Reader& at, const Robot& robot, const TaughtPath& path) {
+  constexpr double kLong = 600;  // s
+  constexpr double kCrawling = 1e-3;
+  if (!path.timed || path.points.back().time - path.points.front().time < kLong) return;
+  const double speed = greatest_speed(robot, path);
+  if (speed == 0 || speed >= kCrawling) return;  // a robot may also have stood still
+  const double hours = (path.points.back().time - path.points.front().time) / 3600;
+  at.refuse("time", text_of(path.points.back().time),
+            "makes a path of " + text_of(std::round(100 * hours) / 100) + " h, nowhere faster than " +
+                text_of(std::round(1e6 * speed) / 1e4) + " % of the velocity limits",
+            "seconds, not milliseconds (a path that shall be this slow: faster times, and Replay with a low speed)");
+}
+
+}  // namespace
+
+TaughtPath load_taught_path(const std::string& file, const Robot& robot) {
+  Reader at{file};
+  const std::string text = content_of(at);
+  try {
+    TaughtPath path = read_path(at, robot, core::TextLines(text));
+    check_times(at, robot, path);
+    return path;
+  } catch (const core::TextError& error) {
+    at.line = error.line;
+    at.refuse(error.problem, error.expected);
+  }
 }
 
 }  // namespace mrroc

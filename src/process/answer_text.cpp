@@ -1,9 +1,9 @@
 #include "process/answer_text.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include "config/message_text.hpp"
+#include "core/number_text.hpp"
 
 namespace mrroc::process {
 
@@ -15,12 +15,7 @@ std::string trimmed(const std::string& line) {
   return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(kBlanks) - first + 1);
 }
 
-std::optional<double> as_number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
+std::optional<double> as_number(const std::string& text) { return core::to_finite(text); }
 
 std::optional<double> as_choice(const links::OperatorQuestion& question, const std::string& text) {
   for (std::size_t i = 0; i < question.choice_count; ++i)
@@ -58,11 +53,11 @@ std::string expected_answer(const links::OperatorQuestion& question) {
 std::optional<double> read_answer(const links::OperatorQuestion& question, const std::string& line,
                                   std::string& refusal) {
   const std::string text = trimmed(line);
-  const char* fault = " is no answer";
+  std::string fault = " is no answer";
   if (question.kind == links::QuestionKind::number) {
     const auto value = as_number(text);
     if (value && *value >= question.minimum && *value <= question.maximum) return value;
-    fault = value ? " is out of range" : " is no number";
+    fault = value ? " is out of range" : " " + core::number_problem(text);
   } else {
     const auto value = question.kind == links::QuestionKind::choice ? as_choice(question, text) : as_yes_no(text);
     if (value) return value;

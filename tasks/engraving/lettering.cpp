@@ -3,11 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
+#include <optional>
+#include <string_view>
 
+#include "config/file_text.hpp"
 #include "config/table.hpp"
+#include "core/number_text.hpp"
 #include "mrroc/errors.hpp"
 
 namespace engraving {
@@ -18,23 +20,38 @@ constexpr double kArcStep = 5 * std::numbers::pi / 180;
 constexpr double kLongestArc = 360;                      // degrees
 constexpr double kCorner = 20 * std::numbers::pi / 180;  // a turn by more is a corner
 
-/// The points of a `stroke` line behind its first word; none when it is malformed.
-Points read_stroke(std::istream& line) {
+using Words = std::vector<std::string_view>;
+
+/// All of these words as numbers; nothing: one of them is not a number.
+std::optional<std::vector<double>> numbers_of(const Words& words, std::size_t from, std::size_t count) {
+  std::vector<double> numbers;
+  if (from + count > words.size()) return {};
+  for (std::size_t i = from; i < from + count; ++i) {
+    const auto number = mrroc::core::to_finite(words[i]);
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+/// The points of a `stroke` line; none when it is malformed.
+Points read_stroke(const Words& words) {
   Points points;
-  double x = 0, y = 0, degrees = 0;
-  while (line >> std::ws && !line.eof()) {
-    if (line.peek() != 'a') {
-      if (!(line >> x >> y)) return {};
-      points.emplace_back(x, y);
+  for (std::size_t i = 1; i < words.size();) {
+    const bool is_arc = words[i] == "arc";
+    const auto numbers = is_arc ? numbers_of(words, i + 1, 3) : numbers_of(words, i, 2);
+    if (!numbers || (is_arc && (points.empty() || std::abs((*numbers)[2]) > kLongestArc))) return {};
+    i += is_arc ? 4 : 2;
+    const Eigen::Vector2d place((*numbers)[0], (*numbers)[1]);
+    if (!is_arc) {
+      points.push_back(place);
       continue;
     }
-    std::string arc;
-    if (points.empty() || !(line >> arc >> x >> y >> degrees) || arc != "arc") return {};
-    if (!(std::abs(degrees) <= kLongestArc)) return {};
-    const double whole = degrees * std::numbers::pi / 180;
+    const double whole = (*numbers)[2] * std::numbers::pi / 180;
     const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(whole) / kArcStep)));
-    const Eigen::Vector2d centre(x, y), spoke = points.back() - centre;
-    for (int i = 1; i <= parts; ++i) points.push_back(centre + Eigen::Rotation2Dd(whole * i / parts) * spoke);
+    const Eigen::Vector2d spoke = points.back() - place;
+    for (int part = 1; part <= parts; ++part)
+      points.push_back(place + Eigen::Rotation2Dd(whole * part / parts) * spoke);
   }
   return points;
 }
@@ -65,29 +82,39 @@ void require_inside(const Eigen::Vector2d& point, const Eigen::Vector2d& size, c
 }  // namespace
 
 Lettering::Lettering(const std::filesystem::path& file) {
-  std::ifstream input(file);
-  std::string text;
-  int number = 0;
+  const std::string content = mrroc::config::read_file(file);
+  try {
+    read(file, mrroc::core::TextLines(content));
+  } catch (const mrroc::core::TextError& error) {
+    throw mrroc::config::ConfigurationError(file, error.line, "", error.problem, error.expected);
+  }
+}
+
+void Lettering::read(const std::filesystem::path& file, mrroc::core::TextLines lines) {
   Glyph* glyph = nullptr;
   const auto require = [&](bool good, const char* expected) {
-    if (!good) throw mrroc::config::ConfigurationError(file, number, "", "'" + text + "'", expected);
+    if (!good)
+      throw mrroc::config::ConfigurationError(file, lines.number(), "",
+                                              "'" + std::string(mrroc::core::trimmed(lines.line())) + "'", expected);
   };
-  require(input.is_open(), "a readable file of letters");
-  while (std::getline(input, text)) {
-    ++number;
-    std::istringstream line(text);
-    std::string word;
-    char name = 0;
-    if (!(line >> word) || word.starts_with('#')) continue;
-    if (word == "gap") {
-      require(line >> gap_ && gap_ >= 0, "gap NUMBER, at least 0");
-    } else if (word == "glyph") {
-      double width = 0;
-      require(line >> name >> width && width >= 0, "glyph CHARACTER WIDTH");
-      glyph = &glyphs_[name];
-      glyph->width = width;
+  while (lines.next()) {
+    Words words = mrroc::core::words_of(lines.line());
+    if (words.empty() || words[0].starts_with('#')) continue;
+    // '#' may also be the character of a glyph
+    const auto comment = std::find_if(words.begin() + std::min<std::ptrdiff_t>(2, std::ssize(words)), words.end(),
+                                      [](std::string_view word) { return word.starts_with('#'); });
+    words.erase(comment, words.end());
+    if (words[0] == "gap") {
+      const auto gap = words.size() == 2 ? numbers_of(words, 1, 1) : std::nullopt;
+      require(gap && gap->front() >= 0, "gap NUMBER, at least 0");
+      gap_ = gap->front();
+    } else if (words[0] == "glyph") {
+      const auto width = words.size() == 3 && words[1].size() == 1 ? numbers_of(words, 2, 1) : std::nullopt;
+      require(width && width->front() >= 0, "glyph CHARACTER WIDTH");
+      glyph = &glyphs_[words[1].front()];
+      glyph->width = width->front();
     } else {
-      const Points points = word == "stroke" ? read_stroke(line) : Points{};
+      const Points points = words[0] == "stroke" ? read_stroke(words) : Points{};
       require(glyph != nullptr && points.size() > 1,
               "stroke X Y, then X Y or arc CX CY DEGREES (up to 360), after a glyph");
       glyph->strokes.push_back(points);

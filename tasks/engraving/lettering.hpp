@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/text_lines.hpp"
+
 namespace engraving {
 
 using Points = std::vector<Eigen::Vector2d>;
@@ -15,7 +17,8 @@ using Stroke = std::vector<Points>;
 /// Letters of single lines, from a file like capitals.txt.
 class Lettering {
  public:
-  /// Throws ConfigurationError with file and line.
+  /// Throws ConfigurationError with file and line. What may surround a line: core/text_lines.hpp; `#` begins a comment
+  /// at the begin of a line and behind its second word.
   explicit Lettering(const std::filesystem::path& file);
 
   /// The strokes of `text`, in the order of writing: capitals `height` m high, the middle of the whole at the origin, x
@@ -30,6 +33,8 @@ class Lettering {
     double width = 0;
     std::vector<Points> strokes;  ///< in parts of the height: arcs as points 5 degrees apart, lines as their ends
   };
+  void read(const std::filesystem::path& file, mrroc::core::TextLines lines);
+
   double gap_ = 0;
   std::map<char, Glyph> glyphs_;
 };

@@ -107,7 +107,7 @@ TEST_F(OperatorDeskTest, ABadAnswerIsRefusedAndTheQuestionStaysOpen) {
   EXPECT_TRUE(desk->waits_for_line());
   EXPECT_EQ(shown, (Lines{"parts: How many? (a number from 0 to 9)",
                           "parts: '10' is out of range, expected a number from 0 to 9",
-                          "parts: 'x' is no number, expected a number from 0 to 9"}));
+                          "parts: 'x' is not a number, expected a number from 0 to 9"}));
   type("9\n");
   desk->look();
   expect_answer(*parts, 1, 9);

@@ -14,7 +14,7 @@ TEST(MessageText, NumbersAreShortest) {
 }
 
 TEST(MessageText, QuotedTextStaysOnOneLineAndShort) {
-  EXPECT_EQ(in_quotes("two\nlines\x7f"), "'two?lines?'");
+  EXPECT_EQ(in_quotes("two\nlines\x7f"), "'two\\x0Alines\\x7F'");
   EXPECT_EQ(in_quotes(std::string(60, 'x')), "'" + std::string(60, 'x') + "'");
   EXPECT_EQ(in_quotes(std::string(61, 'x')), "'" + std::string(60, 'x') + "...'");
   EXPECT_EQ(in_quotes(std::string(59, 'x') + "\xC3\xB3\xC5\x82"), "'" + std::string(59, 'x') + "...'");

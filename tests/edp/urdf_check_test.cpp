@@ -64,8 +64,7 @@ TEST(UrdfCheck, AJointThatIsMissingOrCannotMoveIsRefused) {
 TEST(UrdfCheck, LimitsThatDisagreeAreRefused) {
   EXPECT_TRUE(has(mistake("irb6", "lower=\"-2.94\"", "lower=\"-2.95\""),
                   {"joint 'column': lower -2.95, expected the axis's -2.94"}));
-  EXPECT_TRUE(
-      has(mistake("irb6", "upper=\"2.93\"", ""), {"joint 'tool_roll': no upper limit, expected the axis's 2.93"}));
+  EXPECT_TRUE(has(mistake("irb6", "upper=\"2.93\"", ""), {"joint 'tool_roll': upper 0, expected the axis's 2.93"}));
   EXPECT_TRUE(has(mistake("irb6", "velocity=\"0.43\"", "velocity=\"0.44\""),
                   {"joint 'tool_roll': velocity 0.44, expected the axis's velocity_max 0.43"}));
   EXPECT_TRUE(

@@ -99,11 +99,19 @@ TEST(Lettering, RefusesWhatItCannotWrite) {
   EXPECT_THROW(capitals().strokes("MRROC++", {0.18, 0.02}, 0.026, 0.002), mrroc::NonFatalError);
 }
 
+TEST(Lettering, BearsWhatEditorsAdd) {
+  for (const char* const text :
+       {"\xEF\xBB\xBFgap 0\nglyph A 1\nstroke 0 0 1 1\n", "gap 0\r\nglyph A 1\r\nstroke 0 0 1 1\r\n",
+        "gap +0 \t# none\n\nglyph A 1. # wide\nstroke 0 0 1 1 # slanted", "glyph # 1\nglyph A 1\nstroke\t0 0 +1 1e0"})
+    EXPECT_EQ(letters(text).strokes("A", kLarge, 1, 10).size(), 1u) << text;
+}
+
 TEST(Lettering, AMistakeInTheFileIsToldWithItsLine) {
   for (const char* wrong :
        {"gap -1\n", "glyph A\n", "stroke 0 0 1 1\n", "glyph A 1\nstroke 0 0\n", "glyph A 1\nstroke arc 0 0 90\n",
         "glyph A 1\nstroke 0 0 arc 1 1\n", "letter A 1\n", "glyph A 1\nstroke 0 0 1\n",
-        "glyph A 1\nstroke 0 0 arch 1 1 90\n", "glyph A 1\nstroke 0 0 arc 1 1 1e30\n"}) {
+        "glyph A 1\nstroke 0 0 arch 1 1 90\n", "glyph A 1\nstroke 0 0 1 0,5\n", "gap 0.2 0.3\n", "glyph A nan\n",
+        "glyph A 1\nstroke 0 0 arc 1 1 1e30\n"}) {
     try {
       letters(wrong);
       ADD_FAILURE() << wrong;

@@ -79,6 +79,21 @@ TEST(ReplaySource, PlaysExactlyWhatWasWritten) {
   EXPECT_TRUE(ok);
 }
 
+TEST(ReplaySource, BearsWhatEditorsAdd) {
+  const config::Scratch scratch;
+  for (const char* const text :
+       {"\xEF\xBB\xBF# mrroc readings a b\n5 1 2\n", "# mrroc readings a b\r\n5 1 2\r\n",
+        "# mrroc readings a b \t\n\n+5 +1 2. \t", "# mrroc readings a b\n5\t1\t2\t# from the press\r\n\x1A",
+        "\xEF\xBB\xBF# mrroc readings a b\r\n5 1e0 20.e-1\n"}) {
+    ReplaySource source(scratch.write("r.txt", text), kTwo);
+    RawReading raw;
+    EXPECT_EQ(source.read(4, raw), SourceState::not_ready) << text;
+    ASSERT_EQ(source.read(5, raw), SourceState::ready) << text;
+    EXPECT_EQ(raw.values[0], 1) << text;
+    EXPECT_EQ(raw.values[1], 2) << text;
+  }
+}
+
 struct Malformed {
   const char* text;
   const char* message;
@@ -104,8 +119,7 @@ const Malformed kMalformed[] = {
      "r.txt:3: header: a second header, expected one, in the first line"},
     {"# mrroc readings a b\n-1 1 2\n", "r.txt:2: tick: '-1' is no tick, expected a whole number of at least 0"},
     {"# mrroc readings a b\n1.5 1 2\n", "r.txt:2: tick: '1.5' is no tick, expected a whole number of at least 0"},
-    {"# mrroc readings a b\nx 1 2\n", "r.txt:2: tick: 'x' is no tick, expected a whole number of at least 0"},
-    {"# mrroc readings a b\n+1 1 2\n", "r.txt:2: tick: '+1' is no tick, expected a whole number of at least 0"},
+    {"# mrroc readings a b\nx 1 2\n", "r.txt:2: tick: 'x' is not a number, expected a whole number of at least 0"},
     {"# mrroc readings a b\n18446744073709551615 1 2\n",
      "r.txt:2: tick: '18446744073709551615' is no tick, expected a whole number of at least 0"},
     {"# mrroc readings a b\n99999999999999999999 1 2\n",
@@ -115,15 +129,23 @@ const Malformed kMalformed[] = {
     {"# mrroc readings a b\n5\n", "r.txt:2: values: 0, expected 2 after the tick"},
     {"# mrroc readings a b\n5 1\n", "r.txt:2: values: 1, expected 2 after the tick"},
     {"# mrroc readings a b\n5 1 2 3\n", "r.txt:2: values: 3, expected 2 after the tick"},
-    {"# mrroc readings a b\n5 1 2 # why\n", "r.txt:2: values: 4, expected 2 after the tick"},
+    {"# mrroc readings a b\n5 1 # 2\n", "r.txt:2: values: 1, expected 2 after the tick"},
     {"# mrroc readings a b\n5 1,2\n", "r.txt:2: values: 1, expected 2 after the tick"},
-    {"# mrroc readings a b\n5 1,5 2\n", "r.txt:2: a: '1,5' is no number, expected a finite number or nan"},
-    {"# mrroc readings a b\n0 1 2\n5 1 two\n", "r.txt:3: b: 'two' is no number, expected a finite number or nan"},
-    {"# mrroc readings a b\n5 1 0x10\n", "r.txt:2: b: '0x10' is no number, expected a finite number or nan"},
-    {"# mrroc readings a b\n5 1 inf\n", "r.txt:2: b: 'inf' is no number, expected a finite number or nan"},
-    {"# mrroc readings a b\n5 -inf 1\n", "r.txt:2: a: '-inf' is no number, expected a finite number or nan"},
-    {"# mrroc readings a b\n5 1e999 1\n", "r.txt:2: a: '1e999' is no number, expected a finite number or nan"},
-    {"# mrroc readings a b\n5 \x01 1\n", "r.txt:2: a: '?' is no number, expected a finite number or nan"},
+    {"# mrroc readings a b\n5 1,5 2\n", "r.txt:2: a: '1,5' has a decimal comma, expected a finite number or nan"},
+    {"# mrroc readings a b\n0 1 2\n5 1 two\n", "r.txt:3: b: 'two' is not a number, expected a finite number or nan"},
+    {"# mrroc readings a b\n5 1 0x10\n", "r.txt:2: b: '0x10' is not a number, expected a finite number or nan"},
+    {"# mrroc readings a b\n5 1 inf\n", "r.txt:2: b: 'inf' is not finite, expected a finite number or nan"},
+    {"# mrroc readings a b\n5 -inf 1\n", "r.txt:2: a: '-inf' is not finite, expected a finite number or nan"},
+    {"# mrroc readings a b\n5 1e999 1\n", "r.txt:2: a: '1e999' is not a number, expected a finite number or nan"},
+    {"# mrroc readings a b\n0,5 1 1\n",
+     "r.txt:2: tick: '0,5' has a decimal comma, expected a whole number of at least 0"},
+    {"# mrroc readings a b\n5 1\xC2\xA0 1\n",
+     "r.txt:2: a: '1U+00A0' has U+00A0 at character 2, expected a finite number or nan"},
+    {"# mrroc readings a b\r5 1 1\r",
+     "r.txt:1: a carriage return (\\x0D) at column 21, expected lines that end with LF or CRLF"},
+    {"\xFF\xFE#", "r.txt:1: the file is in UTF-16, expected UTF-8 (choose it when the file is saved)"},
+    {"# mrroc readings a b\n5 \x01 1\n",
+     "r.txt:2: a: '\\x01' has \\x01 at character 1, expected a finite number or nan"},
 };
 
 TEST(ReplaySource, RefusesEveryMalformedFileNamingFileAndLine) {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace tinyxml2 {
+class XMLDocument;
+}
+
+namespace mrroc::config {
+
+/// Reads an XML file (URDF, MJCF) into `document`; `kind` says what is expected, as "a URDF". Throws ConfigurationError
+/// with file and line: unreadable, not well formed, a declaration `<?xml ...?>` that is not first, and what
+/// core/text_lines.hpp refuses of a line, of any length. Configuration time.
+void read_xml(const std::filesystem::path& file, const std::string& kind, tinyxml2::XMLDocument& document);
+
+}  // namespace mrroc::config
