@@ -45,6 +45,7 @@ std::vector<Exchange> exchanges(const RunRecord& run) {
   bool evaluated = false;
   std::uint64_t step = 0;
   for (const Call& call : run.calls) {
+    if (call.action == Action::observe && call.who == "last") break;  // then robots in motion hold until they rest
     if (call.action == Action::observe) continue;
     if (!is_exchange(call.action)) {
       open = false;

@@ -15,9 +15,11 @@ using fakes::Action;
 using fakes::Drive;
 using fakes::FakeTask;
 
-std::size_t sent(const FakeTask& task) {
-  return static_cast<std::size_t>(std::count_if(task.log.calls.begin(), task.log.calls.end(),
-                                                [](const fakes::Call& call) { return call.action == Action::send; }));
+std::size_t sent(const FakeTask& task, bool holds = false) {
+  return static_cast<std::size_t>(
+      std::count_if(task.log.calls.begin(), task.log.calls.end(), [holds](const fakes::Call& call) {
+        return call.action == Action::send && (call.kind == CommandKind::hold) == holds;
+      }));
 }
 
 /// A task as a program is built: a Move in a behaviour in a run, any of which may catch. Two robots, of which one
@@ -82,13 +84,16 @@ TEST(NestedErrors, AreTheSameWhereverTheyAreCaught) {
   }
 }
 
-// the EDPs of those that are healthy brake for want of a command
-TEST(NestedErrors, NoRobotOfTheMoveIsCommandedAfterIt) {
+TEST(NestedErrors, RobotsOfTheMoveAreCommandedNothingButToHoldAfterIt) {
   for (const ErrorClass error_class : kClasses) {
     Program program({error_class, ErrorCode::drive_fault, {}});
     program.behaviour(true);
     EXPECT_EQ(program.sent_before, 1U + 2 * 5) << "a GET of one robot; of both, and four steps";
     EXPECT_EQ(sent(program.task), program.sent_before);
+    EXPECT_EQ(sent(program.task, true), error_class == ErrorClass::system ? 0U : 2U);
+    if (error_class == ErrorClass::system) continue;
+    for (const Robot* robot : {program.left.get(), program.right.get()})
+      EXPECT_TRUE(robot->state().desired_velocity.isZero(0)) << robot->name();
   }
 }
 

@@ -259,7 +259,16 @@ class Model {
     run_.error->step = step_;
     if (run_.error->tick == 0) run_.error->tick = newest();
     observe(true);
+    if (run_.error->error_class != ErrorClass::system) rest();
     return run_;
+  }
+
+  /// Robots that are in motion hold; a fake rests at once.
+  void rest() {
+    for (std::size_t i = 0; i < robots_.size(); ++i)
+      if (robots_[i].moving) send(i, CommandKind::hold, 0, 0);
+    for (std::size_t i = 0; i < robots_.size(); ++i)
+      if (robots_[i].moving) receive(i);
   }
 
   RunRecord finish(Ending ending, Tick begin, Tick begin_now) {
