@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
 #include "can/bus_error.hpp"
@@ -10,17 +9,9 @@
 #include "canopen/emergency.hpp"
 #include "canopen/sdo.hpp"
 #include "edp/drive_silence.hpp"
+#include "language/limits.hpp"
 
 namespace mrroc::edp {
-
-ErrorReport make_report(ErrorClass error_class, ErrorCode code, const char* format, ...) noexcept {
-  std::array<char, 192> text;
-  va_list values;
-  va_start(values, format);
-  std::vsnprintf(text.data(), text.size(), format, values);
-  va_end(values);
-  return {error_class, code, std::string_view(text.data())};
-}
 
 namespace {
 
@@ -101,8 +92,9 @@ ErrorReport make_report(const Fault& fault, const RobotParameters& parameters) n
   if (fault.code == ErrorCode::following_error && fault.limit == 0)
     return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: told by its drive", fault.axis + 1,
                        name, tick);
-  return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: %.6g, limit %.6g", fault.axis + 1,
-                     name, tick, fault.value, fault.limit);
+  const int digits = digits_to_differ(std::abs(fault.value), std::abs(fault.limit));
+  return make_report(ErrorClass::hardware, fault.code, "axis %d (%s), tick %llu: %.*g, limit %.*g", fault.axis + 1,
+                     name, tick, digits, fault.value, digits, fault.limit);
 }
 
 }  // namespace mrroc::edp

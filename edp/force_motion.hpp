@@ -1,7 +1,7 @@
 #pragma once
 
 #include "edp/force_target.hpp"
-#include "edp/limit_check.hpp"
+#include "language/limit_check.hpp"
 #include "mrroc/tool_kinematics.hpp"
 
 namespace mrroc::edp {

@@ -1,6 +1,9 @@
 #include "edp/force_watch.hpp"
 
+#include <cmath>
+
 #include "edp/error_report.hpp"
+#include "language/limits.hpp"
 
 namespace mrroc::edp {
 
@@ -24,10 +27,13 @@ ErrorReport ForceWatch::look(Doing doing) noexcept {
   const int axis = guard_.look(reading_.wrench, doing != Doing::resting);
   if (doing == Doing::resting) return {};
   const auto tick = static_cast<unsigned long long>(tick_);
-  if (axis >= 0)
+  if (axis >= 0) {
+    const double value = reading_.wrench[axis], limit = guard_.limit(axis);
+    const int digits = digits_to_differ(std::abs(value), limit);
     return make_report(ErrorClass::non_fatal, ErrorCode::force_limit,
-                       "axis %d of the force sensor: %.4g %s at tick %llu, limit %.4g", axis + 1, reading_.wrench[axis],
-                       axis < 3 ? "N" : "N m", tick, guard_.limit(axis));
+                       "axis %d of the force sensor: %.*g %s at tick %llu, limit %.*g", axis + 1, digits, value,
+                       axis < 3 ? "N" : "N m", tick, digits, limit);
+  }
   if (reading_.error == ErrorCode::none) return {};
   // the tool's weight is not known before the robot is synchronised
   if (reading_.error == ErrorCode::sensor_not_ready && !flange_) return {};

@@ -4,18 +4,12 @@
 #include <cstdint>
 
 #include "edp/hardware.hpp"
+#include "language/limit_switches.hpp"
 #include "mrroc/robot_parameters.hpp"
 
 namespace mrroc::edp {
 
-/// The limit switches on which the axes of a robot stand: bit i is axis i.
-struct LimitSwitches {
-  std::uint16_t lower = 0;
-  std::uint16_t upper = 0;
-
-  bool on_lower(int axis) const noexcept { return ((lower >> axis) & 1u) != 0; }
-  bool on_upper(int axis) const noexcept { return ((upper >> axis) & 1u) != 0; }
-};
+using mrroc::LimitSwitches;
 
 /// Watches the limit switches: an axis that comes onto one stops the robot, and so does one that is to move farther
 /// onto the one on which it stands. It may stand there and it may move away. A switch on which an axis has stopped is

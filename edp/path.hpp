@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "edp/axis_stop.hpp"
+#include "language/axis_stop.hpp"
 #include "edp/desired_state.hpp"
 #include "edp/moving_pose.hpp"
-#include "edp/quintic.hpp"
+#include "language/quintic.hpp"
 #include "mrroc/tool_kinematics.hpp"
 
 namespace mrroc::edp {

@@ -71,6 +71,14 @@ void Planner::cut_stop(std::uint32_t steps, Macrostep& macrostep) const noexcept
   macrostep.to = stop_.at(steps * period_);
 }
 
+ErrorReport Planner::check(const Macrostep& macrostep) noexcept {
+  const Path& path = macrostep.path;
+  const Quintic* quintic = path.space() == Path::Space::joints ? &path.quintic() : nullptr;
+  return limits_.check(
+      macrostep.from, macrostep.to, macrostep.steps, quintic,
+      [&path](double t, const JointVector& near, DesiredState& state) noexcept { return path.at(t, near, state); });
+}
+
 ErrorReport Planner::plan_path(Interpolation interpolation, Macrostep& macrostep) noexcept {
   const double duration = macrostep.steps * period_;
   Path& path = macrostep.path;
@@ -78,7 +86,7 @@ ErrorReport Planner::plan_path(Interpolation interpolation, Macrostep& macrostep
   if (goal_.wants_velocity) {
     path.plan_velocity(kinematics_.model().parameters(), macrostep.from, goal_.joints.velocity);
     path.at(duration, macrostep.from.position, macrostep.to);
-    return limits_.check(macrostep);
+    return check(macrostep);
   }
   // a macrostep that ends in motion and does not say how goes on accelerating as it did on average
   if (!goal_.acceleration_given && !(macrostep.to.velocity.array() == 0.0).all())
@@ -100,7 +108,7 @@ ErrorReport Planner::plan_path(Interpolation interpolation, Macrostep& macrostep
   if (code != ErrorCode::none)
     return make_report(ErrorClass::non_fatal, code, "no path to the goal: the tool turns by more than %.3g rad",
                        Path::kTurnMax);
-  return limits_.check(macrostep);
+  return check(macrostep);
 }
 
 ErrorCode Planner::plan_task(double duration, Macrostep& macrostep) noexcept {
@@ -124,7 +132,7 @@ ErrorReport Planner::stretch(Interpolation interpolation, ErrorReport report, Ma
     macrostep.steps = commanded;
     while (bad(report = plan_path(interpolation, macrostep))) {
       // what a longer duration cannot heal; the mean acceleration it can
-      const ErrorReport end = limits_.check_end(macrostep);
+      const ErrorReport end = limits_.check_end(macrostep.from, macrostep.to, macrostep.steps);
       if (bad(end) && end.code != ErrorCode::acceleration_limit) break;
       // a longer run-up swings farther out, a longer way to rest does not
       if (!at_rest && (report.code == ErrorCode::joint_limit || report.code == ErrorCode::motor_limit ||

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "edp/goal.hpp"
-#include "edp/limit_check.hpp"
 #include "edp/macrostep.hpp"
-#include "edp/stop.hpp"
+#include "language/limit_check.hpp"
+#include "language/stop.hpp"
 #include "mrroc/robot_command.hpp"
 #include "mrroc/robot_state.hpp"
 #include "mrroc/tool_kinematics.hpp"
@@ -45,6 +45,7 @@ class Planner {
  private:
   /// Ends the stop just planned after `steps` ticks, be it in motion.
   void cut_stop(std::uint32_t steps, Macrostep& macrostep) const noexcept;
+  ErrorReport check(const Macrostep& macrostep) noexcept;
   ErrorReport plan_path(Interpolation interpolation, Macrostep& macrostep) noexcept;
   ErrorCode plan_task(double duration, Macrostep& macrostep) noexcept;
   ErrorReport stretch(Interpolation interpolation, ErrorReport report, Macrostep& macrostep) noexcept;

@@ -15,7 +15,7 @@
 #include "edp/model_set.hpp"
 #include "edp/motion_watch.hpp"
 #include "edp/regulator.hpp"
-#include "edp/stop.hpp"
+#include "language/stop.hpp"
 #include "edp/stop_category.hpp"
 #include "edp/synchroniser.hpp"
 

@@ -4,11 +4,14 @@
 #include <limits>
 
 #include "edp/servo.hpp"
+#include "language/limits.hpp"
 
 namespace mrroc::edp {
 namespace {
 
-constexpr double kRounding = 1e-6;  // the planner has checked the limits; this guard only meets what it cannot see
+// the planner has checked the limits; this guard only meets what it cannot see
+constexpr double kGuard = 2;        // of the planner's tolerance of positions
+constexpr double kRounding = 1e-6;  // of velocities
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -16,8 +19,9 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 void Servo::widen_limits() noexcept {
   for (int i = 0; i < model_->joint_count(); ++i) {
     const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];
-    position_min_[i] = std::min(axis.position_min, joints_[i]) - kRounding;
-    position_max_[i] = std::max(axis.position_max, joints_[i]) + kRounding;
+    const double beyond = kGuard * position_tolerance(axis.position_min, axis.position_max);
+    position_min_[i] = std::min(axis.position_min, joints_[i]) - beyond;
+    position_max_[i] = std::max(axis.position_max, joints_[i]) + beyond;
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "edp/axis_stop.hpp"
+#include "language/axis_stop.hpp"
 #include "edp/desired_state.hpp"
 #include "edp/hardware.hpp"
 #include "mrroc/robot_parameters.hpp"

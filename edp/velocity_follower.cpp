@@ -1,6 +1,6 @@
 #include "edp/velocity_follower.hpp"
 
-#include "edp/axis_stop.hpp"
+#include "language/axis_stop.hpp"
 
 namespace mrroc::edp {
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "language/limits.hpp"
 #include "language/rigid_motion.hpp"
 #include "sensors/force_torque/simulated_gauges.hpp"
 #include "vsp/make_source.hpp"
@@ -104,8 +105,9 @@ void ForceTorqueSensor::report_out_of_range(const RawReading& r, SensorReading& 
                                                      "torque x", "torque y", "torque z"};
   const Wrench wrench = load(r);
   const int axis = beyond_range(wrench).value_or(0);
-  report(v, ErrorClass::non_fatal, ErrorCode::sensor_out_of_range, "%s %g %s, expected at most %g",
-         kNames[static_cast<std::size_t>(axis)], wrench[axis], axis < 3 ? "N" : "N m", range_[axis]);
+  const int digits = digits_to_differ(std::abs(wrench[axis]), range_[axis]);
+  report(v, ErrorClass::non_fatal, ErrorCode::sensor_out_of_range, "%s %.*g %s, expected at most %.*g",
+         kNames[static_cast<std::size_t>(axis)], digits, wrench[axis], axis < 3 ? "N" : "N m", digits, range_[axis]);
 }
 
 Wrench ForceTorqueSensor::tool_weight() const noexcept {

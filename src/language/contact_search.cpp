@@ -5,6 +5,7 @@
 
 #include "language/force_step.hpp"
 #include "language/guard.hpp"
+#include "language/limits.hpp"
 #include "language/require.hpp"
 #include "language/rigid_motion.hpp"
 #include "mrroc/task.hpp"
@@ -107,8 +108,8 @@ void ContactSearch::look() {
       const double left = way.norm(), met = -force.dot(way.normalized()), most = kMostForce * probing_.force;
       if (met > most) {
         throw NonFatalError(ErrorCode::force_limit,
-                            std::to_string(met) + " N on the way to probe " + std::to_string(probe_ + 1) +
-                                ", expected at most " + std::to_string(most),
+                            number_text(met, most) + " N on the way to probe " + std::to_string(probe_ + 1) +
+                                ", expected at most " + number_text(most, met),
                             {robot_->task().process_name(), robot_->name(), 0, state.tick});
       }
       if (left > kArrived && !(steps_ > kPatience && left < 3 * kArrived)) return;

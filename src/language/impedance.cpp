@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "language/force_step.hpp"
+#include "language/limits.hpp"
 #include "language/require.hpp"
 #include "language/rigid_motion.hpp"
 #include "mrroc/task.hpp"
@@ -55,9 +56,10 @@ void Impedance::resume() {
     const double stiffest = kStiffest * parameters_.damping[i] / step;
     if (parameters_.stiffness[i] <= stiffest) continue;
     throw NonFatalError(ErrorCode::invalid_argument,
-                        "Impedance: stiffness " + std::to_string(parameters_.stiffness[i]) + " of tool axis " +
+                        "Impedance: stiffness " + number_text(parameters_.stiffness[i], stiffest) + " of tool axis " +
                             std::to_string(i + 1) + " with a damping of " + std::to_string(parameters_.damping[i]) +
-                            " in steps of " + std::to_string(step) + " s, expected at most " + std::to_string(stiffest),
+                            " in steps of " + std::to_string(step) + " s, expected at most " +
+                            number_text(stiffest, parameters_.stiffness[i]),
                         {robot_->task().process_name(), robot_->name(), 0, robot_->state().tick});
   }
 }

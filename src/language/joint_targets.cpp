@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ruckig/ruckig.hpp>
 
+#include "language/limits.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {
@@ -26,10 +27,10 @@ void check_joints(const Robot& robot, const JointVector& joints, const std::stri
     const double position = joints[static_cast<Eigen::Index>(i)];
     if (!std::isfinite(position))
       throw NonFatalError(ErrorCode::not_finite, what + " of joint " + axes[i].name, origin);
-    if (position < axes[i].position_min || position > axes[i].position_max) {
+    if (!is_within(position, axes[i].position_min, axes[i].position_max)) {
       throw NonFatalError(ErrorCode::joint_limit,
-                          what + " of joint " + axes[i].name + " is " + std::to_string(position) + ", expected " +
-                              std::to_string(axes[i].position_min) + " to " + std::to_string(axes[i].position_max),
+                          what + " of joint " + axes[i].name + " is " +
+                              range_text(position, axes[i].position_min, axes[i].position_max),
                           origin);
     }
   }

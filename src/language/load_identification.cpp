@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "language/limits.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc {
@@ -64,8 +65,9 @@ LoadEstimate LoadIdentification::estimate() const {
   if (!(result.spread >= kLeastSpread)) {
     throw NonFatalError(ErrorCode::invalid_argument, "the orientations of " + std::to_string(readings_.size()) +
                                                          " readings differ too little to find a load: spread " +
-                                                         std::to_string(result.spread) + ", expected at least " +
-                                                         std::to_string(kLeastSpread));
+                                                         number_text(result.spread, kLeastSpread) +
+                                                         ", expected at least " +
+                                                         number_text(kLeastSpread, result.spread));
   }
 
   Load& load = result.load;

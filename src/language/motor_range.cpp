@@ -1,5 +1,6 @@
 #include "language/motor_range.hpp"
 
+#include "language/limits.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {
@@ -13,11 +14,10 @@ void check_motors(const Robot& robot, const JointVector& joints, const std::stri
   for (std::size_t i = 0; i < model.parameters().axes.size(); ++i) {
     const AxisParameters& axis = model.parameters().axes[i];
     const double motor = motors[static_cast<Eigen::Index>(i)];
-    if (motor >= axis.motor_min && motor <= axis.motor_max) continue;
-    throw NonFatalError(ErrorCode::motor_limit,
-                        what + " motor " + axis.name + " at " + std::to_string(motor) + " rad, expected " +
-                            std::to_string(axis.motor_min) + " to " + std::to_string(axis.motor_max),
-                        origin);
+    if (is_within(motor, axis.motor_min, axis.motor_max)) continue;
+    throw NonFatalError(
+        ErrorCode::motor_limit,
+        what + " motor " + axis.name + " at " + range_text(motor, axis.motor_min, axis.motor_max) + " rad", origin);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "core/number_text.hpp"
 #include "core/shown_text.hpp"
 #include "core/text_lines.hpp"
+#include "language/limits.hpp"
 
 namespace mrroc {
 
@@ -119,7 +120,7 @@ JointVector joints_of(const Reader& at, const Robot& robot, const std::vector<st
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const std::string_view cell = cells[first + i];
     const double value = number(at, axes[i].name, cell);
-    if (value < axes[i].position_min || value > axes[i].position_max)
+    if (!is_within(value, axes[i].position_min, axes[i].position_max))
       at.refuse(axes[i].name, cell, "is beyond the robot's limits",
                 text_of(axes[i].position_min) + " to " + text_of(axes[i].position_max));
     joints[static_cast<Eigen::Index>(i)] = value;

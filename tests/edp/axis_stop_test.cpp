@@ -1,4 +1,4 @@
-#include "edp/axis_stop.hpp"
+#include "language/axis_stop.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "edp/quintic.hpp"
+#include "language/quintic.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,9 +1,9 @@
-#include "edp/axis_stop.hpp"
+#include "language/axis_stop.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace mrroc::edp {
+namespace mrroc {
 namespace {
 
 /// First positive time at which v + a t + j t^2 / 2 = 0, given that v and a have opposite signs and j opposes a.
@@ -66,4 +66,4 @@ void AxisStop::at(double t, double& p, double& v, double& a) const noexcept {
   a = phase.a + s * phase.jerk;
 }
 
-}  // namespace mrroc::edp
+}  // namespace mrroc

@@ -1,11 +1,11 @@
-#include "edp/stop.hpp"
+#include "language/stop.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "mrroc/errors.hpp"
 
-namespace mrroc::edp {
+namespace mrroc {
 
 Stop::Stop(const RobotParameters& parameters, double period)
     : count_(static_cast<int>(parameters.axes.size())), period_(period) {
@@ -44,4 +44,4 @@ DesiredState Stop::end() const noexcept {
   return state;
 }
 
-}  // namespace mrroc::edp
+}  // namespace mrroc

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace mrroc::edp {
+namespace mrroc {
 
 /// The time-optimal stop of one axis with limited acceleration A and jerk J: from (p, v, a) to v = 0, a = 0. Three
 /// phases of constant jerk: towards the deceleration, at -A (left out when the stop is short), back to zero. The stop
@@ -37,4 +37,4 @@ class AxisStop {
   double fastest_ = 0;
 };
 
-}  // namespace mrroc::edp
+}  // namespace mrroc

@@ -2,11 +2,11 @@
 
 #include <array>
 
-#include "edp/axis_stop.hpp"
-#include "edp/desired_state.hpp"
+#include "language/axis_stop.hpp"
+#include "language/desired_state.hpp"
 #include "mrroc/robot_parameters.hpp"
 
-namespace mrroc::edp {
+namespace mrroc {
 
 /// The robot's stop: every axis comes to rest as fast as its own acceleration and jerk limits allow (AxisStop), from
 /// any desired state, without help of any other process. The planner accepts a macrostep only if the stop from each of
@@ -39,4 +39,4 @@ class Stop {
   std::uint32_t ticks_ = 0;
 };
 
-}  // namespace mrroc::edp
+}  // namespace mrroc

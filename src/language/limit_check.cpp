@@ -1,17 +1,16 @@
-#include "edp/limit_check.hpp"
+#include "language/limit_check.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "edp/error_report.hpp"
+#include "language/limits.hpp"
 
-namespace mrroc::edp {
+namespace mrroc {
 namespace {
 
-constexpr double kRounding = 1e-9;      // relative, and absolute for positions
-constexpr double kJerkRounding = 1e-4;  // in task space accelerations are differences of an inverse kinematics
-constexpr std::uint32_t kSamples = 8;   // per macrostep, at least
-constexpr double kRatioGrowth = 4;      // no transmission ratio grows more than that during one stop
+constexpr std::uint32_t kSamples = 8;  // per macrostep, at least
+constexpr double kOutside = 1e-3;      // of the tolerance
+constexpr double kRatioGrowth = 4;     // no transmission ratio grows more than that during one stop
 
 }  // namespace
 
@@ -25,8 +24,9 @@ void LimitCheck::use(const RobotModel& model) noexcept {
 
 ErrorReport LimitCheck::violation(ErrorCode code, int axis, double tick, const char* what, double value,
                                   double limit) const noexcept {
-  return make_report(ErrorClass::non_fatal, code, "axis %d (%s), tick %.4g: %s %.6g, limit %.6g", axis + 1,
-                     axes()[static_cast<std::size_t>(axis)].name.c_str(), tick, what, value, limit);
+  const int digits = digits_to_differ(std::abs(value), std::abs(limit));
+  return make_report(ErrorClass::non_fatal, code, "axis %d (%s), tick %.4g: %s %.*g, limit %.*g", axis + 1,
+                     axes()[static_cast<std::size_t>(axis)].name.c_str(), tick, what, digits, value, digits, limit);
 }
 
 void LimitCheck::widen(const DesiredState& from) noexcept {
@@ -36,14 +36,16 @@ void LimitCheck::widen(const DesiredState& from) noexcept {
   position_min_.resize(count), position_max_.resize(count), motor_min_.resize(count), motor_max_.resize(count);
   for (int i = 0; i < count; ++i) {
     const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
-    position_min_[i] = std::min(axis.position_min, from.position[i]) - kRounding;
-    position_max_[i] = std::max(axis.position_max, from.position[i]) + kRounding;
-    motor_min_[i] = axis.motor_min, motor_max_[i] = axis.motor_max;
-    if (known) {
-      motor_min_[i] = switches_.on_lower(i) ? motors[i] : std::min(axis.motor_min, motors[i]);
-      motor_max_[i] = switches_.on_upper(i) ? motors[i] : std::max(axis.motor_max, motors[i]);
-    }
-    motor_min_[i] -= kRounding, motor_max_[i] += kRounding;
+    const double joint = position_tolerance(axis.position_min, axis.position_max);
+    const double motor = position_tolerance(axis.motor_min, axis.motor_max);
+    // where the robot is outside already, so much less than the tolerance that steps outwards add up to nothing
+    position_min_[i] = std::min(axis.position_min - joint, from.position[i] - kOutside * joint);
+    position_max_[i] = std::max(axis.position_max + joint, from.position[i] + kOutside * joint);
+    motor_min_[i] = axis.motor_min - motor, motor_max_[i] = axis.motor_max + motor;
+    if (!known) continue;
+    const double low = motors[i] - kOutside * motor, high = motors[i] + kOutside * motor;
+    motor_min_[i] = switches_.on_lower(i) ? low : std::min(motor_min_[i], low);
+    motor_max_[i] = switches_.on_upper(i) ? high : std::max(motor_max_[i], high);
   }
 }
 
@@ -54,9 +56,9 @@ ErrorReport LimitCheck::check_state(const DesiredState& state, double tick) cons
       return violation(ErrorCode::joint_limit, i, tick, "position", state.position[i], axis.position_min);
     if (state.position[i] > position_max_[i])
       return violation(ErrorCode::joint_limit, i, tick, "position", state.position[i], axis.position_max);
-    if (std::abs(state.velocity[i]) > axis.velocity_max * (1 + kRounding))
+    if (exceeds(state.velocity[i], axis.velocity_max))
       return violation(ErrorCode::velocity_limit, i, tick, "velocity", state.velocity[i], axis.velocity_max);
-    if (std::abs(state.acceleration[i]) > axis.acceleration_max * (1 + kRounding))
+    if (exceeds(state.acceleration[i], axis.acceleration_max))
       return violation(ErrorCode::acceleration_limit, i, tick, "acceleration", state.acceleration[i],
                        axis.acceleration_max);
   }
@@ -90,7 +92,7 @@ ErrorReport LimitCheck::check_stop(const DesiredState& state, double tick) noexc
       return violation(ErrorCode::joint_limit, i, tick, "a stop would reach", stop.lowest(), axis.position_min);
     if (stop.highest() > position_max_[i])
       return violation(ErrorCode::joint_limit, i, tick, "a stop would reach", stop.highest(), axis.position_max);
-    if (std::abs(stop.fastest()) > axis.velocity_max * (1 + kRounding))
+    if (exceeds(stop.fastest(), axis.velocity_max))
       return violation(ErrorCode::velocity_limit, i, tick, "a stop would reach the velocity", stop.fastest(),
                        axis.velocity_max);
   }
@@ -117,11 +119,6 @@ ErrorReport LimitCheck::check_motors_of_stop(double tick) noexcept {
   return {};
 }
 
-ErrorReport LimitCheck::check_end(const Macrostep& path) noexcept {
-  widen(path.from);
-  return check_with_stop(path.to, path.steps);
-}
-
 ErrorReport LimitCheck::check_with_stop(const DesiredState& state, double tick) noexcept {
   if (const ErrorReport report = check_state(state, tick); bad(report)) return report;
   if (const ErrorReport report = check_motors(state.position, tick, "motor position"); bad(report)) return report;
@@ -137,52 +134,32 @@ ErrorReport LimitCheck::check_between(const DesiredState& before, const DesiredS
     const double velocity = (after.position[i] - before.position[i]) / duration;
     const double acceleration = (after.velocity[i] - before.velocity[i]) / duration;
     const double jerk = (after.acceleration[i] - before.acceleration[i]) / duration;
-    if (std::abs(velocity) > axis.velocity_max * (1 + kRounding))
+    if (exceeds(velocity, axis.velocity_max))
       return violation(ErrorCode::velocity_limit, i, tick, "mean velocity", velocity, axis.velocity_max);
-    if (std::abs(acceleration) > axis.acceleration_max * (1 + kRounding))
+    if (exceeds(acceleration, axis.acceleration_max))
       return violation(ErrorCode::acceleration_limit, i, tick, "mean acceleration", acceleration,
                        axis.acceleration_max);
-    if (std::abs(jerk) > axis.jerk_max * (1 + kJerkRounding))
+    if (exceeds(jerk, axis.jerk_max, kJerkRounding))
       return violation(ErrorCode::jerk_limit, i, tick, "mean jerk", jerk, axis.jerk_max);
   }
   return {};
 }
 
-bool LimitCheck::stays_clear(const Macrostep& path) const noexcept {
-  if (path.path.space() != Path::Space::joints) return false;
-  const Quintic::Bounds bounds = path.path.quintic().bounds();
+std::uint32_t LimitCheck::samples_per_tick(const DesiredState& from, std::uint32_t steps,
+                                           const Quintic* quintic) const noexcept {
+  return quintic != nullptr && stays_clear(from, *quintic) ? 1 : (kSamples + steps - 1) / steps;
+}
+
+bool LimitCheck::stays_clear(const DesiredState& from, const Quintic& path) const noexcept {
+  const Quintic::Bounds bounds = path.bounds();
   for (int i = 0; i < model_->joint_count(); ++i) {
     const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
-    if (!(path.from.position[i] - bounds.position[i] > position_min_[i] &&
-          path.from.position[i] + bounds.position[i] < position_max_[i] && bounds.velocity[i] < axis.velocity_max &&
+    if (!(from.position[i] - bounds.position[i] > position_min_[i] &&
+          from.position[i] + bounds.position[i] < position_max_[i] && bounds.velocity[i] < axis.velocity_max &&
           bounds.acceleration[i] < axis.acceleration_max && bounds.jerk[i] < axis.jerk_max))
       return false;
   }
   return true;
 }
 
-ErrorReport LimitCheck::check(const Macrostep& path) noexcept {
-  if (const ErrorReport report = check_end(path); bad(report)) return report;
-  // samples per tick
-  const std::uint32_t fraction = stays_clear(path) ? 1 : (kSamples + path.steps - 1) / path.steps;
-  const std::uint32_t samples = path.steps * fraction;
-  const double interval = period_ / fraction;
-  DesiredState previous = path.from;
-  for (std::uint32_t sample = 1; sample <= samples; ++sample) {
-    const double tick = static_cast<double>(sample) / fraction;
-    DesiredState state = path.to;
-    if (sample < samples)
-      if (const ErrorCode code = path.path.at(tick * period_, previous.position, state); code != ErrorCode::none)
-        return make_report(ErrorClass::non_fatal, code, "on the path, at tick %.4g", tick);
-    if (const ErrorReport report = check_between(previous, state, interval, tick); bad(report)) return report;
-    previous = state;
-    if (sample == samples) break;  // check_end has seen it
-    if (const ErrorReport report = check_state(state, tick); bad(report)) return report;
-    if (sample % fraction != 0) continue;
-    if (const ErrorReport report = check_motors(state.position, tick, "motor position"); bad(report)) return report;
-    if (const ErrorReport report = check_stop(state, tick); bad(report)) return report;
-  }
-  return {};
-}
-
-}  // namespace mrroc::edp
+}  // namespace mrroc

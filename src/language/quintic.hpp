@@ -1,8 +1,8 @@
 #pragma once
 
-#include "edp/desired_state.hpp"
+#include "language/desired_state.hpp"
 
-namespace mrroc::edp {
+namespace mrroc {
 
 /// The path inside a macrostep: for every joint the polynomial of degree five that leads from (p0, v0, a0) to
 /// (p1, v1, a1) in the time D. With s = t / D,
@@ -53,4 +53,4 @@ class Quintic {
   JointVector c0_, c1_, c2_, c3_, c4_, c5_;
 };
 
-}  // namespace mrroc::edp
+}  // namespace mrroc
