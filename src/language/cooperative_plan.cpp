@@ -5,6 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "language/joint_targets.hpp"
+#include "language/limits.hpp"
+#include "language/motion_check.hpp"
+#include "language/motor_range.hpp"
 #include "language/moving_pose.hpp"
 #include "language/rigid_motion.hpp"
 #include "mrroc/task.hpp"
@@ -18,6 +22,8 @@ constexpr double kReturn = 1.0;           // s, to the path after a pause
 constexpr double kRestSpeed = 1e-5;       // m/s: slower the arms may stop within one macrostep
 constexpr double kRestRate = 1e-3;        // m/s^2
 constexpr double kPlanRounding = 1e-9;    // s
+constexpr double kPathSamples = 256;      // of the path, to look whether an arm can follow it, at least
+constexpr double kSampleTime = 0.1;       // s between them, at most
 
 /// The pose in the middle of several that are near to each other.
 Pose middle_of(const std::vector<Pose>& poses) {
@@ -79,7 +85,50 @@ void CooperativePlan::start() {
   braking_ = false;
   off_.setZero();
   object_ = poses_[0];
+  for (std::size_t i = 0; i < arms_.size(); ++i) check_arm(i);
   for (std::size_t i = 0; i < arms_.size(); ++i) take_motion(i);
+}
+
+void CooperativePlan::check_arm(std::size_t i) const {
+  const double length = path_.duration();
+  if (!(length > 0)) return;
+  const Robot& robot = *arms_[i].robot;
+  const ToolKinematics kinematics = robot.kinematics();
+  const auto& axes = robot.parameters().axes;
+  const auto joints_at = [&](double t, const JointVector& near) {
+    JointVector joints = near;
+    const ErrorCode code = kinematics.inverse(tool_at(i, t), near, joints);
+    if (code == ErrorCode::none || code == ErrorCode::singular) return joints;
+    throw NonFatalError(code, "CooperativeMotion: after " + std::to_string(t) + " s", origin_of(arms_[i]));
+  };
+  const int samples =
+      static_cast<int>(std::ceil(length / std::max(step_, std::min(length / kPathSamples, kSampleTime))));
+  const double interval = length / samples;
+  std::vector<JointVector> table{robot.state().desired_joints};
+  for (int k = 1; k <= samples; ++k) {
+    const std::string what = "CooperativeMotion: after " + std::to_string(k * interval) + " s";
+    table.push_back(joints_at(k * interval, table.back()));
+    check_joints(robot, table.back(), what + " position");
+    check_motors(robot, table.back(), what + ",");
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+      const auto row = static_cast<Eigen::Index>(a);
+      const double speed = (table.back()[row] - table[table.size() - 2][row]) / interval;
+      if (!exceeds(speed, axes[a].velocity_max)) continue;
+      throw NonFatalError(ErrorCode::velocity_limit,
+                          what + " joint " + axes[a].name + " at " +
+                              number_text(std::abs(speed), axes[a].velocity_max) + ", limit " +
+                              number_text(axes[a].velocity_max, std::abs(speed)),
+                          origin_of(arms_[i]));
+    }
+  }
+  const MotionCheck::States states = [&](double t) {
+    const JointVector& near = table[static_cast<std::size_t>(std::lround(std::min(t, length) / interval))];
+    const JointVector before = joints_at(t - kPlanDifference, near), there = joints_at(t, near),
+                      after = joints_at(t + kPlanDifference, near);
+    return DesiredState{there, (after - before) / (2 * kPlanDifference),
+                        (after - 2 * there + before) / (kPlanDifference * kPlanDifference)};
+  };
+  MotionCheck(robot).require(states, length);
 }
 
 void CooperativePlan::take_motion(std::size_t arm) {
@@ -160,15 +209,16 @@ void CooperativePlan::check_limits() const {
   for (std::size_t i = 0; i < arms_.size(); ++i) {
     const double newtons = of(excess_, i).head<3>().norm();
     if (newtons > force_.limit)
-      throw NonFatalError(
-          ErrorCode::force_limit,
-          "internal force of " + std::to_string(newtons) + " N, limit " + std::to_string(force_.limit) + " N",
-          origin_of(arms_[i]));
+      throw NonFatalError(ErrorCode::force_limit,
+                          "internal force of " + number_text(newtons, force_.limit) + " N, limit " +
+                              number_text(force_.limit, newtons) + " N",
+                          origin_of(arms_[i]));
     const double way = std::max(of(given_, i).head<3>().norm(), of(given_, i).tail<3>().norm());
     if (way > force_.travel)
       throw NonFatalError(ErrorCode::force_limit,
                           "for the wanted internal force the arm would have to give way by " +
-                              std::to_string(1000 * way) + " mm, limit " + std::to_string(1000 * force_.travel) + " mm",
+                              number_text(1000 * way, 1000 * force_.travel) + " mm, limit " +
+                              number_text(1000 * force_.travel, 1000 * way) + " mm",
                           origin_of(arms_[i]));
   }
 }

@@ -16,7 +16,7 @@ class CooperativePlan {
   CooperativePlan(std::vector<CooperatingArm> arms, const std::vector<Pose>& poses, const CooperativeLimits& limits,
                   const InternalForce& force);
 
-  /// The grasps from where the tools are. Throws NonFatalError(invalid_argument) as CooperativeMotion::start.
+  /// The grasps from where the tools are. Throws NonFatalError as CooperativeMotion::start.
   void start();
   /// From where the arms have stopped.
   void resume();
@@ -48,6 +48,9 @@ class CooperativePlan {
   Pose tool_at(std::size_t arm, double t) const;
   bool over(double t) const;
   void check_limits() const;
+  /// Throws NonFatalError where arm `i` cannot follow the object's path without giving way: out_of_workspace,
+  /// joint_limit, motor_limit, velocity_limit; what its EDP would refuse the motion with (MotionCheck).
+  void check_arm(std::size_t i) const;
   /// d of arms that still move: they are giving way.
   void take_motion(std::size_t arm);
   /// The part of arm `i` in a stack.

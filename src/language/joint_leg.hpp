@@ -2,13 +2,15 @@
 
 #include <memory>
 
+#include "language/desired_state.hpp"
 #include "mrroc/robot.hpp"
 
 namespace mrroc {
 
 /// A way in joint space to rest at a target, of `JointLine` and of generators that go along several: time-optimal under
-/// the shares of the limits scaled by speed, speed^2, speed^3 (Ruckig, phase-synchronised). Planning does not allocate,
-/// so a step may plan the next way. Task's thread.
+/// the shares of the limits scaled by speed, speed^2, speed^3 (Ruckig, phase-synchronised). A way that the
+/// EDP would refuse takes longer where that helps (kSlower). Planning does not allocate, so a step may plan the next
+/// way. Task's thread.
 class JointLeg {
  public:
   /// Allocates. `robot` must outlive it.
@@ -17,16 +19,23 @@ class JointLeg {
   JointLeg(JointLeg&&) noexcept;
   JointLeg& operator=(JointLeg&&) noexcept;
 
-  /// From the robot's desired state, in motion or not. Throws NonFatalError(invalid_argument).
+  /// From the robot's desired state, in motion or not. Throws NonFatalError: invalid_argument; what the EDP would
+  /// refuse the motion with (MotionCheck).
   void plan(const JointVector& target, double speed);
+  /// From rest at `from`.
+  void plan(const JointVector& from, const JointVector& target, double speed);
   double duration() const noexcept;
   /// Whether the end lies at or before `time` (s since the start); sums of step durations are not exact.
   bool over(double time) const noexcept { return time >= duration() - 1e-9; }
   /// The command of a macrostep that ends `time` s after the start.
   void write(double time, RobotCommand& command) const;
+  /// The planned state `time` s after the start.
+  DesiredState at(double time) const;
 
  private:
   struct Plan;
+  void plan_checked(double speed);
+  void calculate(double speed, double stretch);
   const Robot* robot_;
   JointVector target_;
   std::unique_ptr<Plan> plan_;

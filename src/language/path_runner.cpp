@@ -51,6 +51,7 @@ void PathRunner::follow(std::unique_ptr<RobotPath> path) {
   if (path_->is_timed()) {
     check_times();
     timings_.push_back(PathTiming::of_time(0, path_->length()));
+    check_limits(timings_.back());
     time_ = place_ = 0;
     duration_ += whole_steps(path_->length());
     return;
@@ -79,6 +80,30 @@ void PathRunner::check_times() const {
                       {robot_->task().process_name(), robot_->name(), 0, robot_->state().tick});
 }
 
+/// Stretches the motion where the EDP would refuse it; one with times by less than a macrostep.
+void PathRunner::check_limits(PathTiming& timing) {
+  if (!check_) check_.emplace(*robot_);
+  const MotionCheck::States states = [this, &timing](double time) { return state(timing, time); };
+  double when = 0;
+  if (!bad(check_->check(states, timing.duration(), when))) return;
+  const double shortest = timing.duration();
+  for (const double slower : kSlower) {
+    timing.stretch_to(whole_steps(slower * shortest));
+    if (path_->is_timed() || !bad(check_->check(states, timing.duration(), when))) break;
+  }
+  check_->require(states, timing.duration());
+}
+
+DesiredState PathRunner::state(const PathTiming& timing, double time) const {
+  if (time >= timing.duration() - kTimeRounding) return DesiredState::resting_at(path_->joints(timing.end()));
+  const PathTiming::Point point = timing.at(time);
+  const JointVector joints = path_->joints(point.position);
+  const PathRates rates = path_->rates(path_->piece_at(point.position), point.position);
+  const auto first = rates.first.segment(kJointRow, joints.size());
+  const auto second = rates.second.segment(kJointRow, joints.size());
+  return {joints, point.speed * first, point.acceleration * first + point.speed * point.speed * second};
+}
+
 void PathRunner::plan_from(double s) {
   timings_.clear();
   next_ = 0;
@@ -90,6 +115,7 @@ void PathRunner::plan_from(double s) {
       continue;
     }
     timings_.emplace_back(*path_, place_, stop, robot_->step_duration());
+    check_limits(timings_.back());
     duration_ += whole_steps(timings_.back().duration());
     place_ = stop;
   }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "language/motion_check.hpp"
 #include "language/path_brake.hpp"
 #include "language/path_timing.hpp"
 #include "mrroc/generators/joint_line.hpp"
@@ -21,7 +22,7 @@ class PathRunner {
   /// under way where it comes to rest, which is commanded first. Throws NonFatalError when its state is not known.
   JointVector begin();
   /// The path of the motion that has begun. Throws NonFatalError when it is timed and too fast (velocity_limit,
-  /// acceleration_limit, jerk_limit).
+  /// acceleration_limit, jerk_limit); what the EDP would refuse the motion with (MotionCheck).
   void follow(std::unique_ptr<RobotPath> path);
   /// From now on the robot comes to rest on the path, until `resume`. False when it is not on the path, or cannot.
   bool brake() noexcept;
@@ -39,6 +40,8 @@ class PathRunner {
  private:
   void check_times() const;
   void plan_from(double s);
+  void check_limits(PathTiming& timing);
+  DesiredState state(const PathTiming& timing, double time) const;
   double nearest_point() const;
   /// From the robot's desired joints to those at s, in seconds at full speed.
   double distance(double s) const;
@@ -48,6 +51,7 @@ class PathRunner {
 
   Robot* robot_;
   std::unique_ptr<RobotPath> path_;
+  std::optional<MotionCheck> check_;
   std::vector<PathTiming> timings_;  ///< from stop to stop
   std::size_t next_ = 0;             ///< of the timings
   double time_ = 0;                  ///< in it, at the end of what has been commanded

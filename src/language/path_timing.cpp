@@ -119,8 +119,8 @@ PathTiming::Raw PathTiming::raw_at(double t) const noexcept {
 }
 
 PathTiming::Point PathTiming::at(double t) const noexcept {
-  if (window_ == 0) return {begin_ + t, 1, 0, 0};
   const double tau = t / stretch_;
+  if (window_ == 0) return {begin_ + tau, 1 / stretch_, 0, 0};
   const Raw now = raw_at(tau), before = raw_at(tau - window_);
   return {begin_ + (now.integral - before.integral) / window_, (now.position - before.position) / (window_ * stretch_),
           (now.speed - before.speed) / (window_ * stretch_ * stretch_),

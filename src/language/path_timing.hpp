@@ -30,6 +30,13 @@ class PathTiming {
   /// Of a path whose parameter is the time.
   static PathTiming of_time(double begin, double end);
 
+  /// From now on the motion takes `duration` s, which is not shorter than it was: slower everywhere by the same factor.
+  void stretch_to(double duration) noexcept {
+    if (!(duration_ > 0)) return;
+    stretch_ *= duration / duration_;
+    duration_ = duration;
+  }
+
   double end() const noexcept { return end_; }
   double duration() const noexcept { return duration_; }
   /// t of 0..duration().

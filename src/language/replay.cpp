@@ -5,6 +5,7 @@
 
 #include "language/joint_leg.hpp"
 #include "language/joint_targets.hpp"
+#include "language/motion_check.hpp"
 #include "language/natural_spline.hpp"
 #include "language/require.hpp"
 #include "language/rigid_motion.hpp"
@@ -16,7 +17,8 @@ namespace {
 
 constexpr double kLegSpeed = 0.5;  // of the way to a timed path, as JointLine's
 constexpr double kRamp = 0.5;      // s in which ds/dt comes up
-constexpr int kHalvings = 40;
+constexpr int kRateHalvings = 40;
+constexpr double kWholeRounding = 1e-9;  // macrosteps
 
 /// How s may change.
 struct Pace {
@@ -44,9 +46,11 @@ bool keeps_limits(const RobotParameters& parameters, const NaturalSpline::Sample
 }  // namespace
 
 struct Replay::Plan {
-  explicit Plan(const Robot& robot) : leg(robot) {}
+  explicit Plan(const Robot& robot) : leg(robot), check(robot), step(robot.step_duration()) {}
 
   JointLeg leg;
+  MotionCheck check;
+  double step;
   bool on_leg = true;
   bool begun = false;     // the spline
   double time = 0;        // since the start of the leg or of the run along the spline, at the end of what is commanded
@@ -60,18 +64,40 @@ struct Replay::Plan {
 
   bool run_over() const { return time >= run.get_duration() - 1e-9; }
 
-  /// From rest at s to rest at the end.
   void begin_run() {
     on_leg = false;
     begun = true;
     time = 0;
+    plan_run();
+  }
+
+  /// From rest at s to rest at the end. Throws NonFatalError: what the EDP would refuse the run with.
+  void plan_run() {
     const Pace pace(rate);
+    input.minimum_duration.reset();
     input.current_position = {s};
     input.target_position = {spline.end()};
     input.max_velocity = {pace.speed};
     input.max_acceleration = {pace.acceleration};
     input.max_jerk = {pace.jerk};
     ruckig.calculate(input, run);
+    const MotionCheck::States states = [this](double t) { return state(t); };
+    double when = 0;
+    if (!bad(check.check(states, run.get_duration(), when))) return;
+    const double shortest = run.get_duration();
+    for (const double slower : kSlower) {
+      input.minimum_duration = std::ceil(slower * shortest / step - kWholeRounding) * step;
+      ruckig.calculate(input, run);
+      if (!bad(check.check(states, run.get_duration(), when))) return;
+    }
+    check.require(states, run.get_duration());
+  }
+
+  DesiredState state(double t) const {
+    double place = 0, speed = 0, acceleration = 0;
+    run.at_time(t, place, speed, acceleration);
+    const NaturalSpline::Sample way = spline.at(place);
+    return {way.position, way.first * speed, way.second * speed * speed + way.first * acceleration};
   }
 };
 
@@ -142,7 +168,7 @@ void Replay::start() {
     };
     plan.rate = speed_;
     double low = 0, high = speed_;
-    for (int i = 0; i < kHalvings && !possible(plan.rate); ++i) {
+    for (int i = 0; i < kRateHalvings && !possible(plan.rate); ++i) {
       high = plan.rate;
       plan.rate = low = 0.5 * high;
     }
@@ -151,6 +177,10 @@ void Replay::start() {
       (possible(middle) ? low : high) = middle;
       plan.rate = low;
     }
+    plan.plan_run();  // refused before anything moves
+  } else {
+    for (std::size_t i = 1; i < path_.points.size(); ++i)
+      plan.leg.plan(path_.points[i - 1].joints, path_.points[i].joints, speed_);
   }
   resume();
 }

@@ -78,8 +78,9 @@ class CooperativeMotion : public Generator {
   CooperativeMotion(CooperativeMotion&&) noexcept;
   CooperativeMotion& operator=(CooperativeMotion&&) noexcept;
 
-  /// Arms that still move come to rest as if they were giving way. Throws NonFatalError(invalid_argument) when their
-  /// macrosteps differ in length.
+  /// Arms that still move come to rest as if they were giving way. Throws NonFatalError: invalid_argument when their
+  /// macrosteps differ in length; out_of_workspace, joint_limit, motor_limit, velocity_limit where an arm cannot follow
+  /// the object's path.
   void start() override;
   void resume() override;
   bool brake() override;

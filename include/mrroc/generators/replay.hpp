@@ -29,7 +29,8 @@ class Replay : public Generator {
   Replay(Replay&&) noexcept;
   Replay& operator=(Replay&&) noexcept;
 
-  /// Throws NonFatalError (out_of_workspace, singular, joint_limit) for a pose that the robot cannot take.
+  /// Throws NonFatalError: out_of_workspace, singular, joint_limit for a pose that the robot cannot take; what the EDP
+  /// would refuse a part of the way with.
   void start() override;
   void resume() override;
   bool terminal_condition() override;

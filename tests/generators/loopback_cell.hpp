@@ -1,0 +1,114 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "edp/effector.hpp"
+#include "edp/loopback_hardware.hpp"
+#include "edp/servo.hpp"
+#include "language/limits.hpp"
+#include "mrroc/robot.hpp"
+#include "mrroc/sensor.hpp"
+#include "mrroc/task.hpp"
+
+namespace mrroc::test {
+
+/// A task program's process around several robots, each with its EDP core (effector and servo) and the plant model of
+/// its drives, without processes and transport. Time passes while a reply is awaited. Every set-point of every tick is
+/// checked against the limits.
+class LoopbackCell : public Task {
+ public:
+  /// The robots are named robot0, robot1, ...
+  explicit LoopbackCell(const std::vector<std::shared_ptr<const RobotModel>>& models) {
+    for (const auto& model : models) cores_.push_back(std::make_unique<Core>(*this, model));
+    for (int i = 0; i < 10; ++i) step();
+    for (std::size_t i = 0; i < models.size(); ++i)
+      robots_.push_back(std::make_unique<Robot>(*this, "robot" + std::to_string(i), RobotModels{models[i]}));
+  }
+
+  Robot& robot(std::size_t i = 0) { return *robots_[i]; }
+  const edp::Snapshot& seen(std::size_t i = 0) const { return cores_[i]->servo.snapshot(); }
+
+  const std::string& process_name() const noexcept override { return name_; }
+  std::string robot_name(const std::string& name) const override { return name; }
+  RobotLink& robot_link(const std::string& name, const std::string&) override {
+    return *cores_[static_cast<std::size_t>(std::stoi(name.substr(5)))];
+  }
+  SensorLink& sensor_link(const std::string& name, const std::string&, bool&) override {
+    throw NonFatalError(ErrorCode::invalid_argument, "no sensor " + name);
+  }
+  double servo_period() const noexcept override { return kPeriod; }
+  Tick tick() const noexcept override { return now_; }
+  double wall_seconds() const noexcept override { return 0; }
+  void sleep_until(Tick tick) override {
+    while (now_ < tick) step();
+  }
+  OperatorRequest operator_request() noexcept override { return OperatorRequest::none; }
+  bool take_trigger() noexcept override { return false; }
+  StepObserver* observer() noexcept override { return nullptr; }
+
+  static constexpr double kPeriod = 0.002;
+
+ private:
+  struct Core : RobotLink {
+    Core(LoopbackCell& cell_, std::shared_ptr<const RobotModel> model_)
+        : cell(&cell_), model(std::move(model_)), hardware(*model, kPeriod), models(*model) {
+      effector.enable(true);
+    }
+    void tick(Tick now) {
+      servo.tick(now);
+      edp::Reply reply;
+      while (effector.poll(reply)) {
+        answer = reply.state;
+        answered = true;
+      }
+      const edp::Snapshot& seen = servo.snapshot();
+      ASSERT_EQ(seen.fault.code, ErrorCode::none);
+      JointVector motors;
+      ASSERT_EQ(model->joints_to_motors(seen.desired.position, motors), ErrorCode::none);
+      for (std::size_t i = 0; i < model->parameters().axes.size(); ++i) {
+        const AxisParameters& axis = model->parameters().axes[i];
+        const auto row = static_cast<Eigen::Index>(i);
+        ASSERT_TRUE(is_within(seen.desired.position[row], axis.position_min, axis.position_max)) << axis.name;
+        ASSERT_TRUE(is_within(motors[row], axis.motor_min, axis.motor_max)) << axis.name;
+        ASSERT_FALSE(exceeds(seen.desired.velocity[row], axis.velocity_max)) << axis.name;
+        ASSERT_FALSE(exceeds(seen.desired.acceleration[row], axis.acceleration_max)) << axis.name;
+      }
+    }
+    void send(const RobotCommand& command) override {
+      edp::Reply reply;
+      answered = effector.accept(command, ++number, reply);
+      if (answered) answer = reply.state;
+    }
+    void receive(RobotState& state) override {
+      while (!answered) cell->step();
+      state = answer;
+    }
+
+    LoopbackCell* cell;
+    std::shared_ptr<const RobotModel> model;
+    edp::LoopbackHardware hardware;
+    edp::HandOver hand_over;
+    edp::ModelSet models;
+    edp::Servo servo{models, hardware, kPeriod, hand_over};
+    edp::Effector effector{models, kPeriod, hand_over};
+    std::uint64_t number = 0;
+    RobotState answer;
+    bool answered = false;
+  };
+
+  void step() {
+    for (const auto& core : cores_) core->tick(now_);
+    ++now_;
+  }
+
+  std::string name_ = "cell";
+  Tick now_ = 0;
+  std::vector<std::unique_ptr<Core>> cores_;
+  std::vector<std::unique_ptr<Robot>> robots_;
+};
+
+}  // namespace mrroc::test
