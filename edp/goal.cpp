@@ -95,7 +95,10 @@ ErrorReport read_pose(const RobotCommand& command, const DesiredState& from, con
   if (!is_rigid(command.pose)) return refuse(ErrorCode::invalid_argument, "the pose's orientation is not a rotation");
   goal.tool.pose = command.relative ? Pose(kinematics.direct(from.position) * command.pose) : command.pose;
   goal.joints = DesiredState::resting_at(from.position);
-  const ErrorCode code = kinematics.inverse(goal.tool.pose, from.position, goal.joints.position);
+  // a way of the tool keeps its branch, one of the joints or motors may end on another one
+  const ErrorCode code = command.interpolation == Interpolation::task
+                             ? kinematics.follow(goal.tool.pose, from.position, goal.joints.position)
+                             : kinematics.inverse(goal.tool.pose, from.position, goal.joints.position);
   const Eigen::Vector3d p = goal.tool.pose.translation();
   if (code != ErrorCode::none && code != ErrorCode::singular)
     return make_report(ErrorClass::non_fatal, code, "position (%.4g, %.4g, %.4g)", p.x(), p.y(), p.z());

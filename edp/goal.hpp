@@ -18,9 +18,10 @@ struct Goal {
 };
 
 /// Reads `command`, validating every value of it; `from` is the desired state that increments start from, `duration`
-/// that of the macrostep, s, `period` the servo's. A pose is turned into joints on the branch next to `from`, a twist
-/// into joint velocities (least squares, least norm where the robot is redundant). Class `none`, or a non-fatal error.
-/// Allocates nothing, never throws. For commands of motion only.
+/// that of the macrostep, s, `period` the servo's. A pose is turned into joints on the branch next to `from`, or,
+/// where that one passes a limit and the way is not one of the tool, into the nearest posture within the limits; a
+/// twist into joint velocities (least squares, least norm where the robot is redundant). Class `none`, or a non-fatal
+/// error. Allocates nothing, never throws. For commands of motion only.
 ErrorReport read_goal(const RobotCommand& command, const DesiredState& from, const ToolKinematics& kinematics,
                       double duration, double period, Goal& goal) noexcept;
 

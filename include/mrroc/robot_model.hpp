@@ -22,6 +22,19 @@ struct ClosedLoops {
   std::vector<std::pair<std::string, std::string>> joined;  ///< links of the URDF whose frames have the same origin
 };
 
+/// Receives the branches of an inverse kinematics one after the other. Real-time safe.
+class BranchReceiver {
+ public:
+  /// One posture; its limits and whole turns are the receiver's concern. `exact` false: its pose is the nearest that
+  /// the geometry allows, the receiver measures the distance.
+  virtual void add(const JointVector& joints, bool exact) noexcept = 0;
+  /// Whether one of the postures received so far is within the robot's limits, itself or by whole turns.
+  virtual bool found() const noexcept = 0;
+
+ protected:
+  ~BranchReceiver() = default;
+};
+
 /// One kinematic model of a robot: motor <-> joint <-> flange pose. Every method is const and may be called from
 /// any thread; but for `closed_loops` they allocate nothing and never throw, and the servo thread calls them. Poses are
 /// of the flange in the robot's base frame; `ToolKinematics` adds the tool.
@@ -50,6 +63,17 @@ class RobotModel {
   /// or `singular` (then `joints` still holds a solution, with the free angle kept from `near`). Joint limits are not
   /// looked at.
   virtual ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept = 0;
+  /// Every branch of a flange pose, the branch of `inverse` first; the default: that one alone. A free joint (singular
+  /// pose, redundant robot) keeps its value of `near`; while no posture is `found()`, its other values follow.
+  virtual void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept {
+    JointVector joints = near;
+    const ErrorCode code = inverse(flange, near, joints);
+    if (code == ErrorCode::none || code == ErrorCode::singular) receiver.add(joints, true);
+  }
+  /// Name of the branch that `joints` are on, for messages, e.g. "elbow up, sin q5 >= 0"; the default: none.
+  virtual std::string_view branch_name(const JointVector& /*joints*/) const noexcept { return {}; }
+  /// The change of a joint that leaves the flange where it is: 2 pi of a revolute joint; the default, 0: none.
+  virtual double joint_period(int /*joint*/) const noexcept { return 0; }
   /// The joint that `inverse` keeps from `near` where a pose leaves one free; -1: none. A motion of the tool does not
   /// move it: joint velocities that follow a twist are those of the Jacobian without its column.
   virtual int kept_joint() const noexcept { return -1; }

@@ -57,6 +57,12 @@ ErrorCode ConveyorModel::inverse(const Pose& flange, const JointVector& /*near*/
   return ErrorCode::none;
 }
 
+void ConveyorModel::branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept {
+  JointVector joints = JointVector::Constant(1, flange.translation().x());
+  const bool exact = inverse(flange, near, joints) == ErrorCode::none;
+  receiver.add(joints, exact);
+}
+
 Jacobian ConveyorModel::jacobian(const JointVector& /*joints*/, const Eigen::Vector3d& /*offset*/) const noexcept {
   Jacobian jacobian = Jacobian::Zero(6, 1);
   jacobian(0, 0) = 1;

@@ -25,6 +25,8 @@ class ConveyorModel final : public RobotModel {
   JointMatrix transmission(const JointVector& joints) const noexcept override;
   Pose flange(const JointVector& joints) const noexcept override;
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override;
+  /// The pose on the line that is nearest to any other one.
+  void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept override;
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override;
 
  private:

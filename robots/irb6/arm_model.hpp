@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -23,7 +24,8 @@ class ArmModel final : public RobotModel {
         parameters_(std::move(parameters)),
         transmission_(geometry),
         kinematics_(geometry),
-        tool_(geometry.tool) {}
+        tool_(geometry.tool),
+        behind_(kinematics_.plane().behind(parameters_, 0)) {}
 
   std::string_view name() const noexcept override { return name_; }
   const RobotParameters& parameters() const noexcept override { return parameters_; }
@@ -39,6 +41,13 @@ class ArmModel final : public RobotModel {
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override {
     return kinematics_.inverse(flange, near, joints);
   }
+  void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept override {
+    kinematics_.branches(flange, near, behind_, receiver);
+  }
+  std::string_view branch_name(const JointVector& joints) const noexcept override {
+    return ArmKinematics::branch_name(joints);
+  }
+  double joint_period(int) const noexcept override { return 2 * std::numbers::pi; }
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
     return kinematics_.jacobian(joints, offset);
   }
@@ -49,6 +58,7 @@ class ArmModel final : public RobotModel {
   Transmission transmission_;
   ArmKinematics kinematics_;
   Pose tool_;
+  double behind_;
 };
 
 /// Reads a parameter file of an arm with `axes` axes: "nominal" first, then the file's other models. Throws

@@ -11,7 +11,13 @@ using std::numbers::pi;
 
 namespace {
 constexpr double kStretch = 1e-12;  // rounding of cos(elbow) at full stretch
+
+double least_cosine(double low, double high) {
+  const bool passes_pi = std::ceil((low - pi) / (2 * pi)) * (2 * pi) + pi <= high;
+  return passes_pi ? -1 : std::min(std::cos(low), std::cos(high));
 }
+
+}  // namespace
 
 ArmAxes::ArmAxes(double column, double pitch) noexcept
     : along(std::cos(column) * std::cos(pitch), std::sin(column) * std::cos(pitch), -std::sin(pitch)),
@@ -46,6 +52,15 @@ std::optional<Vector3d> ArmPlane::joints(double forward, double up, double wrist
   const double t2 = std::remainder(
       std::atan2(f, e) - std::atan2(upper_arm_ * std::sin(elbow), lower_arm_ + upper_arm_ * std::cos(elbow)), 2 * pi);
   return Vector3d(t2, elbow - pi / 2, wrist - (t2 + elbow));
+}
+
+double ArmPlane::behind(const RobotParameters& parameters, int column) const noexcept {
+  const AxisParameters& lower = parameters.axes[static_cast<std::size_t>(column + 1)];
+  const AxisParameters& upper = parameters.axes[static_cast<std::size_t>(column + 2)];
+  const double arms = lower_arm_ * least_cosine(lower.position_min, lower.position_max) +
+                      upper_arm_ * least_cosine(lower.position_min + upper.position_min + pi / 2,
+                                                lower.position_max + upper.position_max + pi / 2);
+  return std::max(0.0, std::abs(wrist_) - arms);
 }
 
 }  // namespace mrroc::irb6

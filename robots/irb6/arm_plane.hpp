@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "mrroc/robot_parameters.hpp"
 #include "mrroc/types.hpp"
 #include "robots/irb6/geometry.hpp"
 
@@ -40,6 +41,10 @@ class ArmPlane {
   /// Joints 2, 3, 4 that bring the wrist's end `forward` and `up` (m) with the wrist at absolute angle `wrist`, elbow
   /// up (t3 > t2): the other branch is beyond the screws. q2 is within (-pi, pi]. Nothing when it is out of reach.
   std::optional<Eigen::Vector3d> joints(double forward, double up, double wrist) const noexcept;
+
+  /// How far (m) the end may be behind the column at most, with joints 2 and 3 within their limits: a bound, not less
+  /// than 0. `column`: number of the arm's first axis.
+  double behind(const RobotParameters& parameters, int column) const noexcept;
 
  private:
   double lower_arm_;

@@ -12,6 +12,8 @@ namespace mrroc::irb6 {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
+constexpr double kBehind = 1e-3;  // m, beyond the limits: what a projected pose may need
+
 Pose Kinematics::flange(const JointVector& joints) const noexcept {
   const ArmAngles angles(joints);
   const ArmAxes arm(joints[0], angles.wrist);
@@ -59,6 +61,51 @@ ErrorCode Kinematics::inverse(const Pose& flange, const JointVector& near, Joint
   if (!std::isfinite(least) || !best.allFinite()) return ErrorCode::out_of_workspace;
   joints = best;
   return rolls_aligned || above_shoulder ? ErrorCode::singular : ErrorCode::none;
+}
+
+void Kinematics::branches(const Pose& flange, const JointVector& near, double behind,
+                          BranchReceiver& receiver) const noexcept {
+  if (!is_rigid(flange) || !near.allFinite()) return;
+  const Vector3d p = flange.translation();
+  const double forward_reach = std::hypot(p.x(), p.y());
+  const bool above_shoulder = forward_reach < kSingular;
+  const double q1 = above_shoulder ? near[0] : std::atan2(p.y(), p.x());
+  const Vector3d axis = flange.linear().col(2);
+  const bool aligned = std::hypot(axis.dot(ArmAxes(q1, 0).along), axis.z()) < kSingular;
+  reach(flange, near, q1, forward_reach, aligned, receiver);
+  if (forward_reach <= behind + kBehind)
+    reach(flange, near, q1 > 0 ? q1 - pi : q1 + pi, -forward_reach, aligned, receiver);
+  if (!above_shoulder) return;
+  for (int i = 1; i < kFreeSteps && !receiver.found(); ++i)
+    reach(flange, near, q1 + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * (2 * pi / kFreeSteps), forward_reach, false,
+          receiver);
+}
+
+// The postures of a column angle: `forward_reach` is negative behind the column.
+void Kinematics::reach(const Pose& flange, const JointVector& near, double column, double forward_reach, bool aligned,
+                       BranchReceiver& receiver) const noexcept {
+  const ArmAxes level(column, 0);
+  const Vector3d axis = flange.linear().col(2);
+  const double forward = axis.dot(level.along), up = axis.z(), sideways = axis.dot(level.side);
+  const double sine5 = std::hypot(forward, up);
+  const auto add = [&](double t4, double q5) {
+    const auto arm_joints = plane_.joints(forward_reach, flange.translation().z(), t4);
+    if (!arm_joints) return;
+    const ArmAxes arm(column, t4);
+    JointVector q(6);
+    q << column, *arm_joints, nearest_angle(q5, near[4], 2 * pi),
+        std::atan2(flange.linear().col(0).dot(arm.along), flange.linear().col(1).dot(arm.along));
+    receiver.add(q, true);
+  };
+  if (!aligned) {
+    for (const double sign : {1.0, -1.0})
+      add(std::atan2(sign * forward, sign * up), std::atan2(sign * sine5, sideways));
+    return;
+  }
+  const double t4 = ArmAngles(near).wrist, q5 = std::atan2(sine5, sideways);
+  add(t4, q5);
+  for (int i = 1; i < kFreeSteps && !receiver.found(); ++i)
+    add(t4 + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * (2 * pi / kFreeSteps), q5);
 }
 
 Jacobian Kinematics::jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept {

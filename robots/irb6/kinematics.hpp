@@ -1,7 +1,8 @@
 #pragma once
 
-#include "mrroc/errors.hpp"
-#include "mrroc/types.hpp"
+#include <cmath>
+
+#include "mrroc/robot_model.hpp"
 #include "robots/irb6/arm_plane.hpp"
 
 namespace mrroc::irb6 {
@@ -25,10 +26,24 @@ class Kinematics {
   /// not finite (then `joints` is left as it was).
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept;
 
+  /// As `RobotModel::branches`: forward and backward reach, both wrist branches. With the roll axes aligned or the
+  /// flange above the shoulder the free angle goes round in `kFreeSteps` steps.
+  /// Behind the column the arm is looked for up to `behind` m (`ArmPlane::behind`).
+  void branches(const Pose& flange, const JointVector& near, double behind, BranchReceiver& receiver) const noexcept;
+  static constexpr int kFreeSteps = 720;
+  static std::string_view branch_name(const JointVector& joints) noexcept {
+    return std::sin(joints[4]) < 0 ? "elbow up, sin q5 < 0" : "elbow up, sin q5 >= 0";
+  }
+
   /// Geometric Jacobian of a point fixed to the flange, `offset` in flange axes, in base axes.
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept;
 
+  const ArmPlane& plane() const noexcept { return plane_; }
+
  private:
+  void reach(const Pose& flange, const JointVector& near, double column, double forward_reach, bool aligned,
+             BranchReceiver& receiver) const noexcept;
+
   ArmPlane plane_;
 };
 

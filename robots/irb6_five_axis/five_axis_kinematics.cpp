@@ -11,6 +11,15 @@ namespace mrroc::irb6 {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
+constexpr double kBehind = 1e-3;  // m, beyond the limits: what a projected pose may need
+
+namespace {
+
+constexpr double kPlane = 1e-6;       // sine of an angle, what rounding leaves
+constexpr double kNearColumn = 0.05;  // m: nearer to it a measured position tells little of the column's angle
+
+}  // namespace
+
 Pose FiveAxisKinematics::flange(const JointVector& joints) const noexcept {
   const ArmAngles angles(joints);
   const ArmAxes arm(joints[0], angles.wrist);
@@ -30,7 +39,7 @@ ErrorCode FiveAxisKinematics::inverse(const Pose& flange, const JointVector& nea
   const bool above_shoulder = forward_reach < kSingular;
   double q1 = std::atan2(p.y(), p.x());
   if (above_shoulder) {
-    const bool vertical = std::hypot(axis.x(), axis.y()) < kPlaneTolerance;
+    const bool vertical = std::hypot(axis.x(), axis.y()) < kPlane;
     q1 = vertical ? near[0] : nearest_angle(std::atan2(axis.y(), axis.x()), near[0], pi);
   }
   const ArmAxes level(q1, 0);
@@ -45,6 +54,42 @@ ErrorCode FiveAxisKinematics::inverse(const Pose& flange, const JointVector& nea
   if (!q.allFinite()) return ErrorCode::out_of_workspace;
   joints = q;
   return above_shoulder ? ErrorCode::singular : ErrorCode::none;
+}
+
+void FiveAxisKinematics::branches(const Pose& flange, const JointVector& near, double behind,
+                                  BranchReceiver& receiver) const noexcept {
+  if (!is_rigid(flange) || !near.allFinite()) return;
+  const Vector3d p = flange.translation(), axis = flange.linear().col(2);
+  const double forward_reach = std::hypot(p.x(), p.y());
+  const bool vertical = std::hypot(axis.x(), axis.y()) < kPlane;
+  const bool above_shoulder = forward_reach < kSingular;
+  const double q1 = above_shoulder && vertical ? near[0] : std::atan2(p.y(), p.x());
+  if (!above_shoulder || vertical) {
+    reach(flange, near, q1, forward_reach, receiver);
+    if (forward_reach <= behind + kBehind) reach(flange, near, q1 > 0 ? q1 - pi : q1 + pi, -forward_reach, receiver);
+  }
+  if (forward_reach < kNearColumn && !vertical) {
+    const double column = nearest_angle(std::atan2(axis.y(), axis.x()), near[0], pi);
+    for (const double q : {column, column > 0 ? column - pi : column + pi})
+      reach(flange, near, q, p.x() * std::cos(q) + p.y() * std::sin(q), receiver);
+  }
+  if (!above_shoulder || !vertical) return;
+  for (int i = 1; i < kFreeSteps && !receiver.found(); ++i)
+    reach(flange, near, q1 + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * (2 * pi / kFreeSteps), forward_reach, receiver);
+}
+
+// The posture of a column angle: `forward_reach` is negative behind the column.
+void FiveAxisKinematics::reach(const Pose& flange, const JointVector& near, double column, double forward_reach,
+                               BranchReceiver& receiver) const noexcept {
+  const ArmAxes level(column, 0);
+  const Vector3d p = flange.translation(), axis = flange.linear().col(2), x = flange.linear().col(0);
+  const double t4 = std::atan2(-axis.z(), axis.dot(level.along));
+  const auto arm_joints = plane_.joints(forward_reach, p.z(), t4);
+  if (!arm_joints) return;
+  const ArmAxes arm(column, t4);
+  JointVector q(5);
+  q << column, *arm_joints, nearest_angle(std::atan2(-x.dot(arm.side), x.dot(arm.normal)), near[4], 2 * pi);
+  receiver.add(q, std::abs(axis.dot(level.side)) <= kPlane && std::abs(p.dot(level.side)) <= kPlane);
 }
 
 Jacobian FiveAxisKinematics::jacobian(const JointVector& joints, const Vector3d& offset) const noexcept {

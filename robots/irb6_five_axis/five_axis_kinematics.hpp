@@ -1,7 +1,6 @@
 #pragma once
 
-#include "mrroc/errors.hpp"
-#include "mrroc/types.hpp"
+#include "mrroc/robot_model.hpp"
 #include "robots/irb6/arm_plane.hpp"
 
 namespace mrroc::irb6 {
@@ -11,8 +10,9 @@ namespace mrroc::irb6 {
 /// axis is up, y to the right, z forward. Any thread; never allocates or throws.
 class FiveAxisKinematics {
  public:
-  /// How far (sine of the angle) a pose's z axis may be out of the arm's vertical plane: rounding, nothing more.
-  static constexpr double kPlaneTolerance = 1e-6;
+  /// How far (sine of the angle) a pose's z axis may be out of the arm's vertical plane: it is turned into the plane,
+  /// as measured poses need it.
+  static constexpr double kPlaneTolerance = 5e-3;
 
   explicit FiveAxisKinematics(const Geometry& geometry) noexcept : plane_(geometry) {}
 
@@ -27,10 +27,23 @@ class FiveAxisKinematics {
   /// 1e-6 or a value is not finite (then `joints` is left as it was).
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept;
 
+  /// As `RobotModel::branches`: forward and backward reach, the z axis turned into the arm's plane. Near the column's
+  /// axis also the column angle that the z axis asks for. Above the shoulder with a vertical z axis the column goes
+  /// round in `kFreeSteps` steps.
+  /// Behind the column the arm is looked for up to `behind` m (`ArmPlane::behind`).
+  void branches(const Pose& flange, const JointVector& near, double behind, BranchReceiver& receiver) const noexcept;
+  static constexpr int kFreeSteps = 720;
+  static std::string_view branch_name(const JointVector&) noexcept { return "elbow up"; }
+
   /// Geometric Jacobian (6 x 5) of a point fixed to the flange, `offset` in flange axes, in base axes.
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept;
 
+  const ArmPlane& plane() const noexcept { return plane_; }
+
  private:
+  void reach(const Pose& flange, const JointVector& near, double column, double forward_reach,
+             BranchReceiver& receiver) const noexcept;
+
   ArmPlane plane_;
 };
 

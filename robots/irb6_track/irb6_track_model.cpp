@@ -1,5 +1,6 @@
 #include "robots/irb6_track/irb6_track_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,7 +32,8 @@ Irb6TrackModel::Irb6TrackModel(std::string name, Keeps keeps, RobotParameters pa
       track_gear_(track_gear),
       transmission_(arm),
       kinematics_(arm),
-      tool_(arm.tool) {}
+      tool_(arm.tool),
+      behind_(kinematics_.plane().behind(parameters_, 1)) {}
 
 ErrorCode Irb6TrackModel::motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept {
   JointVector arm;
@@ -82,6 +84,47 @@ ErrorCode Irb6TrackModel::inverse(const Pose& flange, const JointVector& near, J
   if (code == ErrorCode::out_of_workspace) return code;
   joints = joined(track, arm);
   return along_track ? ErrorCode::singular : code;
+}
+
+namespace {
+
+/// Postures of the arm at one position of the track.
+class OnTrack final : public BranchReceiver {
+ public:
+  OnTrack(double track, BranchReceiver& robot) noexcept : track_(track), robot_(&robot) {}
+  void add(const JointVector& arm, bool exact) noexcept override { robot_->add(joined(track_, arm), exact); }
+  bool found() const noexcept override { return robot_->found(); }
+
+ private:
+  double track_;
+  BranchReceiver* robot_;
+};
+
+}  // namespace
+
+void Irb6TrackModel::branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept {
+  if (!flange.translation().allFinite() || !near.allFinite()) return;
+  const auto try_track = [&](double track) {
+    Pose from_column = flange;
+    from_column.translation().y() -= track;
+    OnTrack arm(track, receiver);
+    kinematics_.branches(from_column, arm_of(near), behind_, arm);
+    return receiver.found();
+  };
+  if (keeps_ == Keeps::column) {
+    JointVector joints = near;
+    if (inverse(flange, near, joints) != ErrorCode::out_of_workspace) {
+      receiver.add(joints, true);
+      if (!receiver.found()) try_track(joints[0]);
+    }
+  } else {
+    try_track(near[0]);
+  }
+  const AxisParameters& track = parameters_.axes.front();
+  const double longest = std::max(near[0] - track.position_min, track.position_max - near[0]);
+  for (int i = 1; !receiver.found() && (i - 1) * kTrackStep < longest; ++i)
+    for (const double way : {1.0, -1.0})
+      try_track(std::clamp(near[0] + way * i * kTrackStep, track.position_min, track.position_max));
 }
 
 Jacobian Irb6TrackModel::jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept {

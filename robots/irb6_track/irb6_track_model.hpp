@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <numbers>
 #include <string>
 
 #include "mrroc/robot_model.hpp"
@@ -35,6 +36,14 @@ class Irb6TrackModel final : public RobotModel {
   Pose default_tool() const noexcept override { return tool_; }
   Pose flange(const JointVector& joints) const noexcept override;
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override;
+  /// The kept joint at its value of `near`; where that gives no posture within the limits, the track moves from there,
+  /// in steps of `kTrackStep`, to the nearest position that gives one.
+  void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept override;
+  static constexpr double kTrackStep = 0.005;  ///< m
+  std::string_view branch_name(const JointVector& joints) const noexcept override {
+    return irb6::Kinematics::branch_name(joints.tail<6>());
+  }
+  double joint_period(int joint) const noexcept override { return joint == 0 ? 0 : 2 * std::numbers::pi; }
   int kept_joint() const noexcept override { return keeps_ == Keeps::track ? 0 : 1; }
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override;
 
@@ -46,6 +55,7 @@ class Irb6TrackModel final : public RobotModel {
   irb6::Transmission transmission_;
   irb6::Kinematics kinematics_;
   Pose tool_;
+  double behind_;
 };
 
 /// Reads a parameter file of the IRb-6 on its track: "track_still" (the default: keeps the track), "track_used" (keeps

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <numbers>
 
 #include "mrroc/robot_model.hpp"
 #include "robots/polycrank/kinematics.hpp"
@@ -23,6 +24,7 @@ class PolycrankModel final : public RobotModel {
   Pose default_tool() const noexcept override { return tool_; }
   Pose flange(const JointVector& joints) const noexcept override;
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override;
+  double joint_period(int) const noexcept override { return 2 * std::numbers::pi; }
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <numbers>
 
 #include "language/rigid_motion.hpp"
 #include "robots/serial_parallel/wrist.hpp"
@@ -11,6 +12,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using std::numbers::pi;
 
 Matrix3d hanging() { return Vector3d(1, -1, -1).asDiagonal(); }  // base from tripod, and back
 
@@ -58,6 +60,32 @@ ErrorCode Kinematics::inverse(const Pose& flange, const JointVector& near, Joint
   if (!found.allFinite()) return ErrorCode::out_of_workspace;
   joints = found;
   return code;
+}
+
+void Kinematics::branches(const Pose& flange, const JointVector& near, double allowance,
+                          BranchReceiver& receiver) const noexcept {
+  if (!is_rigid(flange) || !near.allFinite()) return;
+  const Vector3d centre = hanging() * (flange * Vector3d(0, 0, -wrist_to_flange_));
+  const Placement placement = tripod_.placement_of(centre);
+  if (!tripod_.within_limits(placement, allowance)) return;
+  const Matrix3d bent = tripod_.platform(placement).linear().transpose() * hanging() * flange.linear();
+  JointVector joints(6);
+  joints.head<3>() = tripod_.legs(placement);
+  const auto add = [&](const Vector3d& wrist) {
+    joints.tail<3>() = wrist;
+    receiver.add(joints, true);
+  };
+  Vector3d wrist;
+  const Vector3d wanted = near.segment<3>(3);
+  const ErrorCode code = wrist_angles(bent, wanted, wrist);
+  add(wrist);
+  if (code != ErrorCode::singular) return add({wrist[0] + pi, -wrist[1], wrist[2] + pi});
+  for (int i = 1; i < kFreeSteps && !receiver.found(); ++i) {
+    Vector3d other = wanted;
+    other[0] += (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * (2 * pi / kFreeSteps);
+    wrist_angles(bent, other, wrist);
+    add(wrist);
+  }
 }
 
 Jacobian Kinematics::jacobian(const JointVector& joints, const Vector3d& offset) const noexcept {

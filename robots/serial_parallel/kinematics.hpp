@@ -1,7 +1,6 @@
 #pragma once
 
-#include "mrroc/errors.hpp"
-#include "mrroc/types.hpp"
+#include "mrroc/robot_model.hpp"
 #include "robots/serial_parallel/geometry.hpp"
 #include "robots/serial_parallel/tripod.hpp"
 
@@ -30,6 +29,11 @@ class Kinematics {
   /// `none`; `singular` as the wrist tells; `out_of_workspace` when a passive joint would pass its limit, the pose is
   /// not a rigid motion within 1e-6 or a value is not finite (then `joints` is left as it was).
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept;
+
+  /// As `RobotModel::branches`: both branches of the wrist, `allowance` (rad) granted to the passive joints. With the
+  /// wrist straight its turn goes round in `kFreeSteps` steps.
+  void branches(const Pose& flange, const JointVector& near, double allowance, BranchReceiver& receiver) const noexcept;
+  static constexpr int kFreeSteps = 720;
 
   /// Geometric Jacobian of a point fixed to the flange, `offset` in flange axes, in base axes. The legs' part is
   /// d placement / d legs, the inverse of Tripod::leg_rates, carried on to the wrist's centre.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <numbers>
 
 #include "mrroc/robot_model.hpp"
 #include "robots/serial_parallel/kinematics.hpp"
@@ -12,7 +13,8 @@ namespace mrroc {
 /// (kinematics.hpp). Each motor drives one joint: motor = gear (joint - synchro position) with the file's gears.
 ///
 /// Joints with a passive joint more than `kOvershoot` beyond its limit have no motors (`joint_limit`): so no path leads
-/// through them, while a robot that stands at a limit may swing over it. `inverse` grants nothing. Garbage gets an
+/// through them, while a robot that stands at a limit may swing over it. `inverse`, which paths of the tool follow,
+/// grants nothing; `branches` grants it, too. Garbage gets an
 /// error, never a NaN: outputs of a failed call are left as they were.
 class SerialParallelModel final : public RobotModel {
  public:
@@ -30,6 +32,13 @@ class SerialParallelModel final : public RobotModel {
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override {
     return kinematics_.inverse(flange, near, joints);
   }
+  void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept override {
+    kinematics_.branches(flange, near, kOvershoot, receiver);
+  }
+  std::string_view branch_name(const JointVector& joints) const noexcept override {
+    return joints[4] < 0 ? "wrist bend < 0" : "wrist bend >= 0";
+  }
+  double joint_period(int joint) const noexcept override { return joint < 3 ? 0 : 2 * std::numbers::pi; }
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
     return kinematics_.jacobian(joints, offset);
   }

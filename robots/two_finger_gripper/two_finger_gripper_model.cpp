@@ -54,6 +54,13 @@ ErrorCode TwoFingerGripperModel::inverse(const Pose& flange, const JointVector& 
   return ErrorCode::none;
 }
 
+void TwoFingerGripperModel::branches(const Pose& flange, const JointVector& near,
+                                     BranchReceiver& receiver) const noexcept {
+  JointVector joints = JointVector::Constant(1, 2 * flange.translation().x());
+  const bool exact = inverse(flange, near, joints) == ErrorCode::none;
+  receiver.add(joints, exact);
+}
+
 Jacobian TwoFingerGripperModel::jacobian(const JointVector& /*joints*/,
                                          const Eigen::Vector3d& /*offset*/) const noexcept {
   Jacobian jacobian = Jacobian::Zero(6, 1);

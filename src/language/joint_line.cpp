@@ -18,9 +18,12 @@ JointLine::JointLine(Robot& robot, const JointVector& target, double speed)
 }
 
 JointLine::JointLine(Robot& robot, const Pose& target, double speed)
-    : Generator("JointLine"), robot_(&robot), to_pose_(true), target_pose_(target), speed_(speed) {
+    : Generator("JointLine"),
+      robot_(&robot),
+      to_pose_(true),
+      target_pose_(rigid_pose(robot, target, "target")),
+      speed_(speed) {
   check_speed(speed);
-  if (!target.matrix().allFinite()) throw NonFatalError(ErrorCode::not_finite, "target pose of " + robot.name());
 }
 
 JointLine::~JointLine() = default;
@@ -32,9 +35,9 @@ void JointLine::check_target(const JointVector& target) const { check_joints(*ro
 void JointLine::start() {
   const RobotState& state = robot_->known_state();
   if (to_pose_) {
-    const JointVector joints = joints_of(*robot_, target_pose_, state.desired_joints, "target");
-    check_target(joints);
-    target_ = joints;
+    const Posture posture = posture_of(*robot_, target_pose_, state.desired_joints, "target");
+    target_ = posture.joints;
+    deviation_ = posture.deviation;
   }
   plan_ = std::make_unique<Plan>(Plan{JointLeg(*robot_)});
   plan_->leg.plan(target_, speed_);

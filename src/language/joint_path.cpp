@@ -43,8 +43,7 @@ std::unique_ptr<RobotPath> JointPath::path_from(const JointVector& joints) {
   std::vector<JointVector> all{joints};
   all.insert(all.end(), waypoints_.begin(), waypoints_.end());
   for (std::size_t i = 0; i < poses_.size(); ++i) {
-    all.push_back(joints_of(robot(), poses_[i], all.back(), waypoint_text(i)));
-    check_joints(robot(), all.back(), waypoint_text(i));
+    all.push_back(posture_of(robot(), poses_[i], all.back(), waypoint_text(i)).joints);
   }
   auto path = std::make_unique<JointSpline>(robot().parameters(), all, speed_, robot().step_duration());
   const int looks = kLooks * static_cast<int>(all.size() - 1);

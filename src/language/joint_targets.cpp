@@ -5,6 +5,7 @@
 #include <ruckig/ruckig.hpp>
 
 #include "language/limits.hpp"
+#include "language/rigid_motion.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {
@@ -36,15 +37,65 @@ void check_joints(const Robot& robot, const JointVector& joints, const std::stri
   }
 }
 
-JointVector joints_of(const Robot& robot, const Pose& pose, const JointVector& near, const std::string& what) {
-  JointVector joints = near;
-  const ErrorCode code = robot.kinematics().inverse(pose, near, joints);
-  if (code == ErrorCode::none) return joints;
+namespace {
+
+ErrorOrigin origin_of(const Robot& robot) { return {robot.task().process_name(), robot.name(), 0, robot.state().tick}; }
+
+std::string range_text(double value, double low, double high) {
+  return " at " + std::to_string(value) + ", expected " + std::to_string(low) + " to " + std::to_string(high);
+}
+
+/// Why no posture is within the limits.
+std::string refusal_text(const Robot& robot, const Posture& posture) {
+  if (posture.code == ErrorCode::out_of_workspace) {
+    if (posture.deviation.position == 0 && posture.deviation.rotation == 0) return "";
+    return ": the nearest pose of the robot is " + std::to_string(1e3 * posture.deviation.position) + " mm and " +
+           std::to_string(1e3 * posture.deviation.rotation) + " mrad off, expected at most " +
+           std::to_string(1e3 * kPositionTolerance) + " mm and " + std::to_string(1e3 * kRotationTolerance) + " mrad";
+  }
+  const std::string text = ": no branch is within the limits, the nearest has ";
+  if (posture.axis < 0) return text + "joints that the transmission cannot reach";
+  const AxisParameters& axis = robot.parameters().axes[static_cast<std::size_t>(posture.axis)];
+  if (posture.code == ErrorCode::motor_limit)
+    return text + "motor " + axis.name + range_text(posture.value, axis.motor_min, axis.motor_max);
+  return text + "joint " + axis.name + range_text(posture.value, axis.position_min, axis.position_max);
+}
+
+}  // namespace
+
+std::string place_text(const Pose& pose) {
   const Eigen::Vector3d p = pose.translation();
-  throw NonFatalError(code,
-                      what + " position (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " +
-                          std::to_string(p.z()) + ") m",
-                      {robot.task().process_name(), robot.name(), 0, robot.state().tick});
+  return " position (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ") m";
+}
+
+std::string branch_text(const Robot& robot, const JointVector& joints) {
+  const std::string_view name = robot.kinematics().model().branch_name(joints);
+  return name.empty() ? "" : " (" + std::string(name) + ")";
+}
+
+Pose rigid_pose(const Robot& robot, const Pose& pose, const std::string& what) {
+  Pose exact = pose;
+  if (make_rigid(exact)) return exact;
+  const bool finite = pose.matrix().allFinite();
+  throw NonFatalError(finite ? ErrorCode::invalid_argument : ErrorCode::not_finite,
+                      what + " pose is not a rigid transform" +
+                          (finite ? ": its rotation is scaled, sheared or reflected" : ": a value is not finite"),
+                      origin_of(robot));
+}
+
+Posture posture_of(const Robot& robot, const Pose& pose, const JointVector& near, const std::string& what) {
+  Posture posture = nearest_posture(robot.kinematics(), rigid_pose(robot, pose, what), near);
+  if (posture.code == ErrorCode::none) return posture;
+  throw NonFatalError(posture.code, what + place_text(pose) + refusal_text(robot, posture), origin_of(robot));
+}
+
+JointVector joints_on_branch(const Robot& robot, const Pose& pose, const JointVector& near, const std::string& what) {
+  JointVector joints = near;
+  const ErrorCode code = robot.kinematics().follow(pose, near, joints);
+  if (code != ErrorCode::none)
+    throw NonFatalError(code, what + place_text(pose) + " on the branch" + branch_text(robot, near) + " of the motion",
+                        origin_of(robot));
+  return joints;
 }
 
 JointVector resting_joints(const Robot& robot) {

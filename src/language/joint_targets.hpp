@@ -1,5 +1,6 @@
 #pragma once
 
+#include "language/nearest_posture.hpp"
 #include "mrroc/robot.hpp"
 
 /// What generators that plan in joint space share. Task's thread.
@@ -19,8 +20,21 @@ void check_speed(double speed);
 /// its limits (joint_limit). `what` begins the text: "target".
 void check_joints(const Robot& robot, const JointVector& joints, const std::string& what);
 
-/// The joints of a tool pose, on the branch nearest to `near`. Throws NonFatalError: out_of_workspace, singular.
-JointVector joints_of(const Robot& robot, const Pose& pose, const JointVector& near, const std::string& what);
+/// The pose with its rotation made exact (`make_rigid`). Throws NonFatalError: not_finite, invalid_argument when it is
+/// not a rigid transform.
+Pose rigid_pose(const Robot& robot, const Pose& pose, const std::string& what);
+
+/// The posture of a tool pose that is nearest to `near`, on any branch and turn (`nearest_posture`). Throws
+/// NonFatalError: out_of_workspace, joint_limit or motor_limit with what the nearest one passes.
+Posture posture_of(const Robot& robot, const Pose& pose, const JointVector& near, const std::string& what);
+
+/// " position (x, y, z) m", and " (the name of the branch that `joints` are on)" or nothing: for the text of an error.
+std::string place_text(const Pose& pose);
+std::string branch_text(const Robot& robot, const JointVector& joints);
+
+/// The joints of a tool pose on the branch nearest to `near`, whatever the limits: for paths of the tool. Throws
+/// NonFatalError: out_of_workspace, singular.
+JointVector joints_on_branch(const Robot& robot, const Pose& pose, const JointVector& near, const std::string& what);
 
 /// Where the joints come to rest when they brake from the desired state as fast as the shares of the limits allow, each
 /// by itself; not beyond the position limits.

@@ -8,7 +8,6 @@
 #include "language/motion_check.hpp"
 #include "language/natural_spline.hpp"
 #include "language/require.hpp"
-#include "language/rigid_motion.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {
@@ -116,8 +115,8 @@ Replay::Replay(Robot& robot, TaughtPath path, double speed)
               "later than the one before");
     if (path_.space == TaughtPath::Space::joints)
       check_joints(robot, point.joints, what);
-    else if (!is_rigid(point.pose))
-      throw NonFatalError(ErrorCode::invalid_argument, what + ": no rigid pose");
+    else
+      path_.points[i].pose = rigid_pose(robot, point.pose, what);
   }
 }
 
@@ -130,16 +129,7 @@ void Replay::find_joints() {
   for (std::size_t i = 0; i < path_.points.size(); ++i) {
     TaughtPoint& point = path_.points[i];
     const std::string what = "taught point " + std::to_string(i + 1);
-    point.joints = near;
-    const ErrorCode code = robot_->kinematics().inverse(point.pose, near, point.joints);
-    if (code != ErrorCode::none) {
-      const Eigen::Vector3d p = point.pose.translation();
-      throw NonFatalError(
-          code,
-          what + " at (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ") m",
-          {robot_->task().process_name(), robot_->name(), 0, robot_->state().tick});
-    }
-    check_joints(*robot_, point.joints, what);
+    point.joints = posture_of(*robot_, point.pose, near, what).joints;
     near = point.joints;
   }
 }

@@ -4,12 +4,25 @@
 
 namespace mrroc {
 
-bool is_rigid(const Pose& pose) noexcept {
-  constexpr double kRotationError = 1e-6;
+namespace {
+
+bool is_rigid_within(const Pose& pose, double tolerance) noexcept {
   const Eigen::Matrix3d r = pose.linear();
   // written so that a value that is not a number fails
-  return pose.translation().allFinite() && (r.transpose() * r - Eigen::Matrix3d::Identity()).norm() < kRotationError &&
+  return pose.translation().allFinite() && (r.transpose() * r - Eigen::Matrix3d::Identity()).norm() < tolerance &&
          r.determinant() > 0;
+}
+
+}  // namespace
+
+bool is_rigid(const Pose& pose) noexcept { return is_rigid_within(pose, 1e-6); }
+
+bool make_rigid(Pose& pose) noexcept {
+  constexpr double kMeasured = 5e-3;
+  if (is_rigid(pose)) return true;
+  if (!is_rigid_within(pose, kMeasured)) return false;
+  pose.linear() = orthonormal(pose.linear());
+  return true;
 }
 
 Pose frame_at(const Eigen::Vector3d& position, const Eigen::Vector3d& turns) noexcept {

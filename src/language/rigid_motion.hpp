@@ -8,6 +8,10 @@ namespace mrroc {
 /// Whether the pose is a rigid motion: all values finite, R^T R = I within 1e-6, right-handed.
 bool is_rigid(const Pose& pose) noexcept;
 
+/// A measured or rounded pose with its rotation made exact: unchanged where `is_rigid`, orthonormalised where R^T R = I
+/// within 5e-3. False: the pose is not a rigid transform (scaled, reflected, not finite); it stays as it is.
+bool make_rigid(Pose& pose) noexcept;
+
 /// The frame at `position` (m), turned by `turns` (rad): roll, pitch, yaw about the fixed axes x, y, z in this order,
 /// R = Rz(yaw) Ry(pitch) Rx(roll), as in URDF.
 Pose frame_at(const Eigen::Vector3d& position, const Eigen::Vector3d& turns) noexcept;

@@ -39,9 +39,9 @@ void check_limits(const PathLimits& limits, const char* name) {
 }
 
 Pose checked_pose(const Pose& pose, const char* name) {
-  if (!is_rigid(pose))
-    throw NonFatalError(ErrorCode::invalid_argument, std::string{name} + ": a pose that is no rigid motion");
   Pose exact = pose;
+  if (!make_rigid(exact))
+    throw NonFatalError(ErrorCode::invalid_argument, std::string{name} + ": the pose is not a rigid transform");
   exact.linear() = orthonormal(pose.linear());
   return exact;
 }
@@ -82,8 +82,10 @@ double ToolPath::spacing(std::size_t piece) const noexcept {
 }
 
 JointVector ToolPath::joints_on_path(const Robot& robot, const Pose& pose, const JointVector& near, double s) const {
-  const std::string what = "the path after " + std::to_string(static_cast<int>(100 * s / length())) + " %:";
-  const JointVector joints = joints_of(robot, pose, near, what);
+  std::string what = "the path after " + std::to_string(static_cast<int>(100 * s / length())) + " %:";
+  const JointVector joints = joints_on_branch(robot, pose, near, what);
+  if (within_limits(robot.kinematics().model(), joints)) return joints;
+  what += " the branch" + branch_text(robot, near) + " ends at" + place_text(pose) + ":";
   check_joints(robot, joints, what + " position");
   check_motors(robot, joints, what);
   return joints;
@@ -135,7 +137,7 @@ JointVector ToolPath::joints(double s) const noexcept {
   const double place = (s - breaks_[piece]) / spacing(piece);
   const auto i = static_cast<std::size_t>(std::clamp(std::round(place), 0.0, static_cast<double>(intervals_)));
   JointVector joints = tables_[piece].joints[i];
-  kinematics_.inverse(path_->at(piece, s).pose, tables_[piece].joints[i], joints);
+  kinematics_.follow(path_->at(piece, s).pose, tables_[piece].joints[i], joints);
   return joints;
 }
 

@@ -22,8 +22,11 @@ class JointLine : public Generator {
   /// speed^3, so that the path's shape in time is only stretched. Throws NonFatalError: invalid_argument (size, speed),
   /// not_finite, joint_limit.
   JointLine(Robot& robot, const JointVector& target, double speed = 0.5);
-  /// To a tool pose in the robot's base frame, on the inverse kinematics' branch nearest to the desired joints at the
-  /// start. `start()` throws NonFatalError: out_of_workspace, singular, joint_limit.
+  /// To a tool pose in the robot's base frame: of all branches and turns within joint and motor limits to the posture
+  /// nearest to the desired joints at the start, by sum ((q_i - desired_i) / velocity_max_i)^2; a free joint of a
+  /// singular pose keeps its value if it can. A pose that the robot cannot take exactly becomes the nearest one within
+  /// 1 mm and 5 mrad. Throws NonFatalError: not_finite, invalid_argument when the pose is not a rigid transform (R^T R
+  /// = I within 5e-3); `start()`: out_of_workspace, joint_limit, motor_limit when there is no posture.
   JointLine(Robot& robot, const Pose& target, double speed = 0.5);
   ~JointLine() override;
   JointLine(JointLine&&) noexcept;
@@ -35,6 +38,8 @@ class JointLine : public Generator {
 
   /// Seconds that the whole motion takes; after `start()`.
   double duration() const noexcept;
+  /// How far the posture's tool pose is from the target pose; after `start()`.
+  PoseDeviation deviation() const noexcept { return deviation_; }
 
  private:
   struct Plan;
@@ -45,6 +50,7 @@ class JointLine : public Generator {
   JointVector target_;
   Pose target_pose_ = Pose::Identity();
   double speed_;
+  PoseDeviation deviation_;
   std::unique_ptr<Plan> plan_;
 };
 

@@ -18,8 +18,8 @@ class JointPath : public PathGenerator {
   /// Joint positions, rad or m; one that repeats the one before does nothing. `speed` in (0, 1]. Throws NonFatalError:
   /// invalid_argument (no waypoint, size, speed), not_finite, joint_limit.
   JointPath(Robot& robot, std::vector<JointVector> waypoints, double speed = 0.5);
-  /// Tool poses in the robot's base frame, each on the inverse kinematics' branch nearest to the one before. `start()`
-  /// throws NonFatalError: motor_limit, and for poses out_of_workspace, singular, joint_limit.
+  /// Tool poses in the robot's base frame, each as the posture nearest to the one before, as JointLine chooses it.
+  /// `start()` throws NonFatalError: motor_limit, and for poses out_of_workspace, joint_limit.
   JointPath(Robot& robot, const std::vector<Pose>& waypoints, double speed = 0.5);
 
  private:

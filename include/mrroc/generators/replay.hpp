@@ -17,9 +17,9 @@ namespace mrroc {
 ///                  all the way: `rate()` tells. The way passes through every point.
 ///   places         a joint line from place to place, at rest at each; `speed` is JointLine's.
 ///
-/// First it goes to the first point by a joint line. Poses become joints by the inverse kinematics, each on the branch
-/// nearest to the point before it. Ends by itself at the last point, at rest; after a pause it goes back to where it
-/// was on its way, and on. (The original's `teach_in` replayed; its `spline`.)
+/// First it goes to the first point by a joint line. Poses become joints as JointLine's target does, each the
+/// posture nearest to the point before it. Ends by itself at the last point, at rest; after a pause it goes back to
+/// where it was on its way, and on. (The original's `teach_in` replayed; its `spline`.)
 class Replay : public Generator {
  public:
   /// `speed` above 0; with places at most 1. Throws NonFatalError: invalid_argument (speed, no point, a timed path of
@@ -29,8 +29,8 @@ class Replay : public Generator {
   Replay(Replay&&) noexcept;
   Replay& operator=(Replay&&) noexcept;
 
-  /// Throws NonFatalError: out_of_workspace, singular, joint_limit for a pose that the robot cannot take; what the EDP
-  /// would refuse a part of the way with.
+  /// Throws NonFatalError (out_of_workspace, joint_limit, motor_limit) for a pose that the robot cannot take, and what
+  /// the EDP would refuse a part of the way with.
   void start() override;
   void resume() override;
   bool terminal_condition() override;
