@@ -20,8 +20,6 @@ namespace {
 constexpr std::uint32_t kDomain = 2, kDefinedStructure = 6, kVariable = 7, kArray = 8, kRecord = 9;
 constexpr std::uint32_t kGreatestObjectType = kRecord;
 
-std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
-
 std::optional<std::uint32_t> number_of(std::string_view text) {
   const auto value = core::to_literal(core::trimmed(text.substr(0, text.find(';'))));
   if (!value || *value > 0xffffffff) return {};

@@ -18,8 +18,6 @@ std::string described(const std::string& file, int line, const std::string& wher
   return core::shown(text + problem + ", expected " + expected);
 }
 
-std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
-
 std::string_view value_of(std::string_view text) {
   text = core::trimmed(text);
   const std::size_t end = text.starts_with('"') ? text.find('"', 1) : std::string_view::npos;
@@ -72,6 +70,8 @@ const EdsLine* EdsSection::find(std::string_view key) const {
   const auto found = std::find_if(lines.begin(), lines.end(), [key](const EdsLine& line) { return line.key == key; });
   return found == lines.end() ? nullptr : &*found;
 }
+
+std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
 std::string small_letters(std::string_view text) {
   std::string result(text);

@@ -38,6 +38,9 @@ struct EdsSection {
 /// first section. Configuration time; any thread.
 std::vector<EdsSection> read_eds_sections(std::string_view text, const std::string& file);
 
+/// `'text'`.
+std::string in_quotes(std::string_view text);
+
 /// ASCII letters in small.
 std::string small_letters(std::string_view text);
 
