@@ -32,8 +32,8 @@ process::Arguments arguments_for(const PlannedProcess& process, const Surroundin
 /// How the runner itself takes part in the communication.
 links::DomainOptions domain_options(const Surroundings& surroundings);
 
-/// Refuses an interface that is missing, down or without an address, and invalid keys, before anything starts. Returns a
-/// warning when no keys keep unknown participants out; empty: none. Throws std::runtime_error: the mistake is the
+/// Refuses an interface that is missing, down or without an address, and invalid keys, before anything starts. Returns
+/// a warning when no keys keep unknown participants out; empty: none. Throws std::runtime_error: the mistake is the
 /// user's, nothing has moved.
 std::string check_network(const config::NetworkEntry& network);
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "language/axis_stop.hpp"
 #include "edp/desired_state.hpp"
 #include "edp/moving_pose.hpp"
+#include "language/axis_stop.hpp"
 #include "language/quintic.hpp"
 #include "mrroc/tool_kinematics.hpp"
 

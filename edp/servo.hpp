@@ -15,9 +15,9 @@
 #include "edp/model_set.hpp"
 #include "edp/motion_watch.hpp"
 #include "edp/regulator.hpp"
-#include "language/stop.hpp"
 #include "edp/stop_category.hpp"
 #include "edp/synchroniser.hpp"
+#include "language/stop.hpp"
 
 namespace mrroc::edp {
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "language/axis_stop.hpp"
 #include "edp/desired_state.hpp"
 #include "edp/hardware.hpp"
+#include "language/axis_stop.hpp"
 #include "mrroc/robot_parameters.hpp"
 
 namespace mrroc::edp {

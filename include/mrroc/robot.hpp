@@ -15,9 +15,9 @@ class Task;
 /// A robot of a given type is a class derived from this one (`Irb6`). Task's thread only.
 class Robot {
  public:
-  /// `name`: as in the deployment; empty in an ECP: its own robot. `models`: at least one. A member of the task, or made
-  /// in its constructor. Throws NonFatalError(invalid_argument) when the deployment has no such robot of the model's
-  /// type, or when the task runs already and no object of it has opened the link before.
+  /// `name`: as in the deployment; empty in an ECP: its own robot. `models`: at least one. A member of the task, or
+  /// made in its constructor. Throws NonFatalError(invalid_argument) when the deployment has no such robot of the
+  /// model's type, or when the task runs already and no object of it has opened the link before.
   Robot(Task& task, const std::string& name, RobotModels models);
   virtual ~Robot() = default;
   Robot(const Robot&) = delete;

@@ -16,8 +16,8 @@ class Task;
 /// channels. Task's thread only.
 class Sensor {
  public:
-  /// A member of the task, or made in its constructor. Throws NonFatalError(invalid_argument) when the deployment has no
-  /// sensor `name` of `type`, or when the task runs already and no object of it has opened the link before.
+  /// A member of the task, or made in its constructor. Throws NonFatalError(invalid_argument) when the deployment has
+  /// no sensor `name` of `type`, or when the task runs already and no object of it has opened the link before.
   Sensor(Task& task, const std::string& name, const std::string& type);
   virtual ~Sensor() = default;
   Sensor(const Sensor&) = delete;

@@ -10,7 +10,7 @@ namespace mrroc {
 namespace {
 
 constexpr double kStepSumRounding = 1e-9;  // s: sums of step durations are not exact
-constexpr double kIntervalGrowth = 4;      // no transmission ratio grows more than that in an interval that is passed over
+constexpr double kIntervalGrowth = 4;  // no transmission ratio grows more than that in an interval that is passed over
 
 }  // namespace
 

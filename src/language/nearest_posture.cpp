@@ -5,13 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "language/limits.hpp"
 #include "language/rigid_motion.hpp"
 
 namespace mrroc {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a limit, as the EDP grants it
-constexpr int kTurns = 8;           // of an axis, tried beyond the nearest one
+constexpr double kExact = 1e-9;  // m, rad: a pose that differs by less is the same
+constexpr int kTurns = 8;        // of an axis, tried beyond the nearest one
 
 /// Motor that passes its limit: -1 none, else its number; `joint_count` when the transmission cannot reach the joints.
 int motor_beyond(const RobotModel& model, const JointVector& joints, double& value) noexcept {
@@ -19,7 +20,7 @@ int motor_beyond(const RobotModel& model, const JointVector& joints, double& val
   if (model.joints_to_motors(joints, motors) != ErrorCode::none) return model.joint_count();
   for (int i = 0; i < model.joint_count(); ++i) {
     const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
-    if (motors[i] >= axis.motor_min - kRounding && motors[i] <= axis.motor_max + kRounding) continue;
+    if (is_within(motors[i], axis.motor_min, axis.motor_max)) continue;
     value = motors[i];
     return i;
   }
@@ -47,7 +48,7 @@ class Choice final : public BranchReceiver {
                                std::abs(near_[i] - joints[i]) <= period / 2;
       if (period > 0 && !turned_best) turned[i] += nearest_turn(axis, joints[i], near_[i], period) * period;
       const double inside = std::clamp(turned[i], axis.position_min, axis.position_max);
-      if (std::abs(inside - turned[i]) > kRounding) {
+      if (!is_within(turned[i], axis.position_min, axis.position_max)) {
         if (std::abs(inside - turned[i]) > kRotationTolerance) slightly = false;
         if (beyond < 0) beyond = i;
       } else {
@@ -83,8 +84,9 @@ class Choice final : public BranchReceiver {
   }
 
   static double nearest_turn(const AxisParameters& axis, double joint, double near, double period) noexcept {
-    const double low = std::ceil((axis.position_min - kRounding - joint) / period);
-    const double high = std::floor((axis.position_max + kRounding - joint) / period);
+    const double tolerance = position_tolerance(axis.position_min, axis.position_max);
+    const double low = std::ceil((axis.position_min - tolerance - joint) / period);
+    const double high = std::floor((axis.position_max + tolerance - joint) / period);
     const double wanted = std::round((near - joint) / period);
     return low <= high ? std::clamp(wanted, low, high) : wanted;
   }
@@ -125,7 +127,7 @@ class Choice final : public BranchReceiver {
     if (!exact) {
       off = deviation(kinematics_.direct(joints), pose_);
       const bool tolerable = off.position <= kPositionTolerance && off.rotation <= kRotationTolerance;
-      const bool same = off.position <= kRounding && off.rotation <= kRounding;
+      const bool same = off.position <= kExact && off.rotation <= kExact;
       if (!same) {
         const double error = off.position / kPositionTolerance + off.rotation / kRotationTolerance;
         if (error < miss_ && (tolerable || refused_ == kFar)) {
@@ -167,7 +169,7 @@ PoseDeviation deviation(const Pose& from, const Pose& to) noexcept {
 bool within_limits(const RobotModel& model, const JointVector& joints) noexcept {
   for (int i = 0; i < model.joint_count(); ++i) {
     const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
-    if (!(joints[i] >= axis.position_min - kRounding && joints[i] <= axis.position_max + kRounding)) return false;
+    if (!is_within(joints[i], axis.position_min, axis.position_max)) return false;
   }
   double value = 0;
   return motor_beyond(model, joints, value) < 0;
