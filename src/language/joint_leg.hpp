@@ -7,10 +7,15 @@
 
 namespace mrroc {
 
-/// A way in joint space to rest at a target, of `JointLine` and of generators that go along several: time-optimal under
-/// the shares of the limits scaled by speed, speed^2, speed^3 (Ruckig, phase-synchronised). A way that the
-/// EDP would refuse takes longer where that helps (kSlower). Planning does not allocate, so a step may plan the next
-/// way. Task's thread.
+/// A motion in joint space to rest at a target, of `JointLine` and of generators that drive several: time-optimal under
+/// the shares of the limits scaled by speed, speed^2, speed^3 (Ruckig, phase-synchronised). A motion that the EDP would
+/// refuse takes longer where that helps (kSlower). Task's thread. Planning does not allocate, so a step may plan the
+/// next motion.
+///
+/// A motion under way is braked with the shares of the unscaled limits where the scaled ones do not hold at its start,
+/// or would not stop it before its target: each axis to its scaled velocity if it can stop from there, else all axes to
+/// rest. The target is then approached with the scaled limits. So no axis passes its target by more than its shortest
+/// braking distance, at any speed.
 class JointLeg {
  public:
   /// Allocates. `robot` must outlive it.
@@ -19,8 +24,8 @@ class JointLeg {
   JointLeg(JointLeg&&) noexcept;
   JointLeg& operator=(JointLeg&&) noexcept;
 
-  /// From the robot's desired state, in motion or not. Throws NonFatalError: invalid_argument; what the EDP would
-  /// refuse the motion with (MotionCheck).
+  /// From the robot's desired state, in motion or not; `speed` as check_speed. Throws NonFatalError: invalid_argument;
+  /// what the EDP would refuse the motion with (MotionCheck).
   void plan(const JointVector& target, double speed);
   /// From rest at `from`.
   void plan(const JointVector& from, const JointVector& target, double speed);
@@ -34,8 +39,9 @@ class JointLeg {
 
  private:
   struct Plan;
+  void begin(const DesiredState& start, const JointVector& target);
   void plan_checked(double speed);
-  void calculate(double speed, double stretch);
+  void calculate(double speed);
   const Robot* robot_;
   JointVector target_;
   std::unique_ptr<Plan> plan_;

@@ -6,6 +6,7 @@
 
 #include "language/joint_targets.hpp"
 #include "language/knot_rates.hpp"
+#include "language/near_places.hpp"
 
 namespace mrroc {
 
@@ -58,7 +59,11 @@ bool stays_within(Bernstein left, double low, double high, int halvings) {
 JointSpline::JointSpline(const RobotParameters& parameters, const std::vector<JointVector>& waypoints, double speed,
                          double step) {
   const JointVector none = JointVector::Zero(waypoints.front().size());
-  for (const JointVector& waypoint : waypoints) {
+  const auto near = [&waypoints](std::size_t a, std::size_t b) {
+    return (waypoints[a] - waypoints[b]).lpNorm<Eigen::Infinity>() < kSamePlace;
+  };
+  for (const std::size_t place : distinct_places(waypoints.size() - 1, near)) {
+    const JointVector& waypoint = waypoints[place];
     if (!knots_.empty()) {
       const double time = full_speed_time(parameters, knots_.back().value, waypoint);
       if (time < kSame) continue;

@@ -19,8 +19,8 @@ namespace mrroc {
 /// macrostep; 0.002 mrad for the IRb-6's wrist and 20 ms).
 class JointSpline : public RobotPath {
  public:
-  /// `waypoints` within the limits; one that repeats the one before is left out. `speed`: as in JointLine; `step`: the
-  /// duration of a macrostep, s.
+  /// `waypoints` within the limits; one near to the one before (near_places.hpp) is left out, the last one never.
+  /// `speed`: as in JointLine; `step`: the duration of a macrostep, s.
   JointSpline(const RobotParameters& parameters, const std::vector<JointVector>& waypoints, double speed, double step);
 
   PathRates rates(std::size_t piece, double s) const noexcept override;

@@ -1,6 +1,8 @@
 #include "language/joint_targets.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <ruckig/ruckig.hpp>
 
@@ -10,10 +12,20 @@
 
 namespace mrroc {
 
+namespace {
+
+/// The shortest text that reads back to the same bits: 9e-07.
+std::string shortest(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+}  // namespace
+
 void check_speed(double speed) {
-  if (speed > 0 && speed <= 1) return;
+  if (speed >= kLeastSpeed && speed <= 1) return;
   throw NonFatalError(ErrorCode::invalid_argument,
-                      "speed " + std::to_string(speed) + ", expected above 0 and at most 1");
+                      "speed " + shortest(speed) + ", expected " + shortest(kLeastSpeed) + " to 1");
 }
 
 void check_joints(const Robot& robot, const JointVector& joints, const std::string& what) {

@@ -13,7 +13,10 @@ inline constexpr double kVelocityShare = 0.99;
 inline constexpr double kAccelerationShare = 0.9;
 inline constexpr double kJerkShare = 0.45;
 
-/// Throws NonFatalError(invalid_argument) unless `speed`, a fraction of the limits, is in (0, 1].
+/// The least speed, as a fraction of the limits: at 0.5 rad/s a motion of 1 rad takes 23 days.
+inline constexpr double kLeastSpeed = 1e-6;
+
+/// Throws NonFatalError(invalid_argument) unless `speed`, a fraction of the limits, is in [kLeastSpeed, 1].
 void check_speed(double speed);
 
 /// Throws NonFatalError unless `joints` are as many as the robot's (invalid_argument), finite (not_finite) and within

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "language/near_places.hpp"
+#include "language/pose_path.hpp"
 #include "language/rigid_motion.hpp"
 #include "mrroc/errors.hpp"
 
@@ -35,6 +37,9 @@ ObjectPath::ObjectPath(const std::vector<Pose>& poses, const CooperativeLimits& 
   require_above_zero(limits.angular_speed, "angular speed");
   require_above_zero(limits.angular_acceleration, "angular acceleration");
   if (poses.empty()) refuse("no pose");
+  const auto near = [&poses](std::size_t a, std::size_t b) { return are_near(poses[a], poses[b]); };
+  const std::vector<std::size_t> kept = distinct_places(poses.size() - 1, near);
+  std::size_t last = 0;  // of the kept ones
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const std::string number = "pose " + std::to_string(i + 1);
     if (!is_rigid(poses[i])) refuse(number + " is not rigid");
@@ -45,13 +50,15 @@ ObjectPath::ObjectPath(const std::vector<Pose>& poses, const CooperativeLimits& 
       refuse(number + " is turned by " + std::to_string(x.tail<3>().norm()) +
              " rad from the first, expected at most 3");
     }
+    const auto way_from = [&](std::size_t k) { return (poses[i].translation() - poses[k].translation()).norm(); };
+    const auto turn_from = [&](std::size_t k) {
+      return rotation_vector(poses[k].linear().transpose() * poses[i].linear()).norm();
+    };
+    if (i > 0 && way_from(i - 1) < kEqual && turn_from(i - 1) < kEqual) refuse(number + " is the one before");
+    if (!std::binary_search(kept.begin(), kept.end(), i)) continue;
     double knot = 0;
-    if (i > 0) {
-      const double way = (poses[i].translation() - poses[i - 1].translation()).norm();
-      const double turn = rotation_vector(poses[i - 1].linear().transpose() * poses[i].linear()).norm();
-      if (way < kEqual && turn < kEqual) refuse(number + " is the one before");
-      knot = knots_.back() + std::max(way / limits.speed, turn / limits.angular_speed);
-    }
+    if (i > 0) knot = knots_.back() + std::max(way_from(last) / limits.speed, turn_from(last) / limits.angular_speed);
+    last = i;
     knots_.push_back(knot);
     values_.push_back(x);
   }

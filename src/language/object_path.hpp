@@ -8,7 +8,8 @@
 namespace mrroc {
 
 /// A frame's way through poses, from rest to rest. Its coordinates x = (p, phi), the rotation being R_0 exp(phi), are a
-/// natural cubic spline x(u) with the poses at its knots; neighbouring knots are as far apart as the way between them
+/// natural cubic spline x(u) with the poses at its knots, less those that are one place with
+/// another (near_places.hpp); neighbouring knots are as far apart as the way between them
 /// would take at full speed. u(t) is jerk-limited (Ruckig; the jerk is 10 / s times the acceleration), with
 ///
 ///   |x'| du/dt <= speed,   |x'| d2u/dt2 + |x''| (du/dt)^2 <= acceleration

@@ -17,6 +17,8 @@ constexpr double kFarthest = 2;         // the nearest point is sought so many t
 constexpr double kSoon = 2;             // s: what is nearer its stop than it can brake rests there
 constexpr int kLooks = 64;              // of the search for it, each way
 constexpr int kHalvings = 40;
+constexpr double kFewestTimeLooks = 8, kMostTimeLooks = 400;  // at a piece of a path with times
+constexpr int kMostRests = 6;                                 // halvings of a path by rests in it
 
 }  // namespace
 
@@ -61,15 +63,19 @@ void PathRunner::follow(std::unique_ptr<RobotPath> path) {
 
 void PathRunner::check_times() const {
   const double period = robot_->task().servo_period();
-  const auto looks = static_cast<int>(std::ceil(path_->length() / period));
+  const std::vector<double>& breaks = path_->breaks();
   Excess worst;
   double when = 0;
-  for (int k = 0; k <= looks; ++k) {
-    const double t = path_->length() * k / std::max(looks, 1);
-    const Excess excess = excess_of(*path_, t, 1, 0, 0);
-    if (excess.factor <= worst.factor) continue;
-    worst = excess;
-    when = t;
+  for (std::size_t piece = 0; piece + 1 < breaks.size(); ++piece) {
+    const double from = breaks[piece], time = breaks[piece + 1] - from;
+    const auto looks = static_cast<int>(std::clamp(std::ceil(time / period), kFewestTimeLooks, kMostTimeLooks));
+    for (int k = 0; k <= looks; ++k) {
+      const double t = from + time * k / looks;
+      const Excess excess = excess_of(*path_, t, 1, 0, 0);
+      if (excess.factor <= worst.factor) continue;
+      worst = excess;
+      when = t;
+    }
   }
   if (worst.factor <= 1) return;
   const auto axis = static_cast<std::size_t>(path_->limits()[worst.limit].row - kJointRow);
@@ -114,12 +120,25 @@ void PathRunner::plan_from(double s) {
       place_ = std::max(place_, stop);
       continue;
     }
-    timings_.emplace_back(*path_, place_, stop, robot_->step_duration());
-    check_limits(timings_.back());
-    duration_ += whole_steps(timings_.back().duration());
+    add(PathTiming(*path_, place_, stop, robot_->step_duration()), kMostRests);
     place_ = stop;
   }
   place_ = s;
+}
+
+void PathRunner::add(PathTiming timing, int more_rests) {
+  if (const std::optional<double> rest = more_rests > 0 ? timing.slow_place() : std::nullopt) {
+    PathTiming before(*path_, timing.begin(), *rest, robot_->step_duration());
+    PathTiming after(*path_, *rest, timing.end(), robot_->step_duration());
+    if (whole_steps(before.duration()) + whole_steps(after.duration()) < whole_steps(timing.duration())) {
+      add(std::move(before), more_rests - 1);
+      add(std::move(after), more_rests - 1);
+      return;
+    }
+  }
+  check_limits(timing);
+  duration_ += whole_steps(timing.duration());
+  timings_.push_back(std::move(timing));
 }
 
 bool PathRunner::brake() noexcept {

@@ -42,6 +42,8 @@ class PathRunner {
   void plan_from(double s);
   void check_limits(PathTiming& timing);
   DesiredState state(const PathTiming& timing, double time) const;
+  /// Adds a timing; or instead two with a rest between them where that takes less time, for each of them likewise.
+  void add(PathTiming timing, int more_rests);
   double nearest_point() const;
   /// From the robot's desired joints to those at s, in seconds at full speed.
   double distance(double s) const;

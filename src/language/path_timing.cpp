@@ -14,6 +14,11 @@ constexpr double kLargestChange = 1.5;    // of the grid's stretch, in a round
 constexpr double kHealedBeyond = 1.002;   // healed a little more than needed: else the rounds never end
 constexpr double kExcessRounding = 1e-9;  // of the excess
 constexpr double kLooksPerWindow = 8;
+constexpr int kMostLooks = 4000;   // at equal distances
+constexpr int kLooksPerPiece = 8;  // at least
+constexpr int kTimeHalvings = 60;
+constexpr double kDip = 0.1;        // of the speeds before and after: slower is nearly a rest
+constexpr double kUnhealed = 1.05;  // a stretch of all the path that one place asks for
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -33,7 +38,14 @@ PathTiming::PathTiming(const RobotPath& path, double begin, double end, double s
   }
   lead(grid, window);
   for (int round = 0; round < kRounds && slow_down(path, grid, sample); ++round) lead(grid, window);
-  const double worst = worst_excess(path, 0.5 * sample);
+  double worst = 0;
+  for_looks(path, 0.5 * sample, 2 * kLooksPerWindow, [&](double t) {
+    const Point point = at(t);
+    const double factor = excess_of(path, point.position, point.speed, point.acceleration, point.jerk).factor;
+    if (factor <= worst) return;
+    worst = factor;
+    worst_place_ = point.position;
+  });
   if (worst > 1 + kExcessRounding) stretch_ = worst;
   duration_ = stretch_ * unstretched_duration();
 }
@@ -74,14 +86,11 @@ void PathTiming::lead(const PathGrid& grid, double window) {
 
 bool PathTiming::slow_down(const RobotPath& path, PathGrid& grid, double sample) const {
   std::vector<double> change(nodes_.size(), 1);
-  const double whole = unstretched_duration();
-  const auto looks = static_cast<int>(std::ceil(whole / std::min(sample, window_ / kLooksPerWindow)));
   bool over = false;
-  for (int k = 0; k <= looks; ++k) {
-    const double t = whole * k / looks;
+  for_looks(path, sample, kLooksPerWindow, [&](double t) {
     const Point point = at(t);
     const double factor = excess_of(path, point.position, point.speed, point.acceleration, point.jerk).factor;
-    if (factor <= 1 + kExcessRounding) continue;
+    if (factor <= 1 + kExcessRounding) return;
     over = true;
     // what the window sees
     const auto from = std::lower_bound(times_.begin(), times_.end(), t - window_);
@@ -90,20 +99,61 @@ bool PathTiming::slow_down(const RobotPath& path, PathGrid& grid, double sample)
     const auto last = std::min(static_cast<std::size_t>(to - times_.begin()), change.size() - 1);
     for (std::size_t i = first; i <= last; ++i)
       change[i] = std::max(change[i], std::min(kHealedBeyond * factor, kLargestChange));
-  }
+  });
   for (std::size_t i = 0; i < change.size(); ++i) grid.stretch(i, change[i]);
   return over;
 }
 
-double PathTiming::worst_excess(const RobotPath& path, double sample) const {
-  const double whole = unstretched_duration();
-  const auto looks = static_cast<int>(std::ceil(whole / std::min(sample, window_ / (2 * kLooksPerWindow))));
-  double worst = 0;
-  for (int k = 0; k <= looks; ++k) {
-    const Point point = at(whole * k / looks);
-    worst = std::max(worst, excess_of(path, point.position, point.speed, point.acceleration, point.jerk).factor);
+template <class Look>
+void PathTiming::for_looks(const RobotPath& path, double sample, double per_window, Look look) const {
+  const double whole = unstretched_duration(), looks = std::ceil(whole / std::min(sample, window_ / per_window));
+  if (looks > kMostLooks * per_window / kLooksPerWindow) {
+    for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
+      const double half = 0.5 * (times_[i + 1] - times_[i]);
+      for (const double t : {times_[i], times_[i] + half}) look(t), look(t + 0.5 * window_), look(t + window_);
+    }
+    look(whole);
+    return;
   }
-  return worst;
+  const int count = static_cast<int>(looks);
+  for (int k = 0; k <= count; ++k) look(whole * k / count);
+  const double spacing = whole / count;
+  for (std::size_t piece = 0; piece + 1 < path.breaks().size(); ++piece) {
+    const double low = std::max(begin_, path.breaks()[piece]), high = std::min(end_, path.breaks()[piece + 1]);
+    if (!(high > low)) continue;
+    const auto first = std::lower_bound(nodes_.begin(), nodes_.end(), low) - nodes_.begin();
+    const auto last = std::lower_bound(nodes_.begin(), nodes_.end(), high) - nodes_.begin();
+    const double raw = times_[static_cast<std::size_t>(last)] - times_[static_cast<std::size_t>(first)];
+    if (raw > kLooksPerPiece * spacing && raw > window_) continue;
+    const double from = time_of(low), time = time_of(high) - from;
+    if (time > kLooksPerPiece * spacing) continue;
+    for (int k = 0; k <= kLooksPerPiece; ++k) look(from + time * k / kLooksPerPiece);
+  }
+}
+
+double PathTiming::time_of(double s) const noexcept {
+  double low = 0, high = unstretched_duration();
+  for (int k = 0; k < kTimeHalvings && low < high; ++k) {
+    const double t = 0.5 * (low + high);
+    const double place = begin_ + (raw_at(t).integral - raw_at(t - window_).integral) / window_;
+    (place < s ? low : high) = t;
+  }
+  return 0.5 * (low + high);
+}
+
+std::optional<double> PathTiming::slow_place() const noexcept {
+  if (stretch_ > kUnhealed && worst_place_ > begin_ && worst_place_ < end_) return worst_place_;
+  std::optional<double> found;
+  double before = 0, least = kDip;
+  for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
+    before = std::max(before, speeds_[i - 1]);
+    if (speeds_[i] >= least * before) continue;
+    const double after = *std::max_element(speeds_.begin() + static_cast<std::ptrdiff_t>(i), speeds_.end());
+    if (speeds_[i] >= least * std::min(before, after)) continue;
+    least = speeds_[i] / std::min(before, after);
+    found = nodes_[i];
+  }
+  return found;
 }
 
 PathTiming::Raw PathTiming::raw_at(double t) const noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "language/path_grid.hpp"
@@ -15,6 +16,7 @@ namespace mrroc {
 /// T, which bounds the jerk of s: constant speed stays constant, steps of the acceleration become ramps of duration T.
 /// Last the whole is looked at in time, with the limits of all rows; around what is over a limit the grid is made
 /// slower by as much, and all is done again. What is left after some rounds is healed by stretching time.
+/// The number of these checks depends on the grid, not on the duration.
 ///
 /// Task's thread. The constructor allocates; `at` does not, and never throws.
 class PathTiming {
@@ -37,10 +39,14 @@ class PathTiming {
     duration_ = duration;
   }
 
+  double begin() const noexcept { return begin_; }
   double end() const noexcept { return end_; }
   double duration() const noexcept { return duration_; }
   /// t of 0..duration().
   Point at(double t) const noexcept;
+  /// Where the motion is so much slower than before and after that a rest there may take less time; nothing when there
+  /// is no such place.
+  std::optional<double> slow_place() const noexcept;
 
  private:
   /// Of the motion without limits of jerk: the parameter from `begin_`, its derivatives, and its integral over time.
@@ -51,15 +57,22 @@ class PathTiming {
   PathTiming(double begin, double end) : begin_(begin), end_(end), duration_(end - begin) {}
   void lead(const PathGrid& grid, double window);
   bool slow_down(const RobotPath& path, PathGrid& grid, double sample) const;
-  double worst_excess(const RobotPath& path, double sample) const;
   double unstretched_duration() const noexcept { return times_.back() + window_; }
   Raw raw_at(double t) const noexcept;
+  /// Calls `look` with times of the unstretched motion at which limits are to be checked: at most `sample` and a part
+  /// of the window apart; on long motions instead several for every cell of the grid. On each piece of the path there
+  /// are at least some. Their number is bounded by the grid's size, whatever the duration.
+  template <class Look>
+  void for_looks(const RobotPath& path, double sample, double per_window, Look look) const;
+  /// When the unstretched motion passes s.
+  double time_of(double s) const noexcept;
 
   double begin_ = 0, end_ = 0;
   double duration_ = 0;
   double stretch_ = 1;
   double window_ = 0;                                       ///< T, s; 0: the parameter is the time
   std::vector<double> nodes_, speeds_, times_, integrals_;  ///< of the grid; of Raw, at the nodes
+  double worst_place_ = 0;                                  ///< s, where time had to be stretched for
 };
 
 }  // namespace mrroc

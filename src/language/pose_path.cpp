@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "language/near_places.hpp"
 #include "language/rigid_motion.hpp"
 #include "language/rotation_rates.hpp"
 
@@ -53,6 +54,10 @@ LineEnds line_between(const Pose& from, const Pose& to, double length) noexcept 
   Twist pace;
   pace << (to.translation() - from.translation()) / length, turn_between(from, to) / length;
   return {{from, pace, Twist::Zero()}, {to, pace, Twist::Zero()}};
+}
+
+bool are_near(const Pose& a, const Pose& b) noexcept {
+  return (a.translation() - b.translation()).norm() < kSamePlace && turn_between(a, b).norm() < kSamePlace;
 }
 
 double full_speed_time(const Pose& from, const Pose& to, double speed, double angular_speed) noexcept {

@@ -69,6 +69,9 @@ LineEnds line_between(const Pose& from, const Pose& to, double length) noexcept;
 /// The short turn from one orientation to another, in base axes: a rotation vector.
 Eigen::Vector3d turn_between(const Pose& from, const Pose& to) noexcept;
 
+/// Whether they are one place of a path (src/language/near_places.hpp).
+bool are_near(const Pose& a, const Pose& b) noexcept;
+
 /// Seconds from one pose to the other at full speed, of the slower of position and orientation.
 double full_speed_time(const Pose& from, const Pose& to, double speed, double angular_speed) noexcept;
 

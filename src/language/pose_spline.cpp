@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "language/knot_rates.hpp"
+#include "language/near_places.hpp"
 #include "language/tool_path.hpp"
 
 namespace mrroc {
@@ -70,11 +71,19 @@ PoseSpline::PoseSpline(Robot& robot, std::vector<TimedPose> poses, SplineKind ki
 std::unique_ptr<RobotPath> PoseSpline::path_from(const JointVector& joints) {
   std::vector<Pose> poses{robot().kinematics().direct(joints)};
   std::vector<double> knots{0};
-  for (const TimedPose& point : poses_) {
-    const double time = full_speed_time(poses.back(), point.pose, limits_.speed, limits_.angular_speed);
+  const auto pose = [&](std::size_t place) -> const Pose& {
+    return place == 0 ? poses.front() : poses_[place - 1].pose;
+  };
+  // poses with times are all passed: the times may say that the tool stays there
+  const auto near = [&](std::size_t a, std::size_t b) { return !timed_ && are_near(pose(a), pose(b)); };
+  std::vector<std::size_t> places = distinct_places(poses_.size(), near);
+  places.erase(places.begin());
+  poses.reserve(places.size() + 1);
+  for (const std::size_t place : places) {
+    const double time = full_speed_time(poses.back(), pose(place), limits_.speed, limits_.angular_speed);
     if (!timed_ && time < ToolPath::kShortest) continue;
-    knots.push_back(timed_ ? point.time : knots.back() + time);
-    poses.push_back(point.pose);
+    knots.push_back(timed_ ? poses_[place - 1].time : knots.back() + time);
+    poses.push_back(pose(place));
   }
   if (poses.size() < 2) return nullptr;
   ToolPath::Plan plan;

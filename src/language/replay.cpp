@@ -7,6 +7,7 @@
 #include "language/joint_targets.hpp"
 #include "language/motion_check.hpp"
 #include "language/natural_spline.hpp"
+#include "language/near_places.hpp"
 #include "language/require.hpp"
 #include "mrroc/task.hpp"
 
@@ -14,8 +15,9 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kLegSpeed = 0.5;  // of the way to a timed path, as JointLine's
-constexpr double kRamp = 0.5;      // s in which ds/dt comes up
+constexpr double kLegSpeed = 0.5;   // of the way to a timed path, as JointLine's
+constexpr double kRamp = 0.5;       // s in which ds/dt comes up
+constexpr double kSameTime = 0.02;  // s: points of one place that are nearer in time are one
 constexpr int kRateHalvings = 40;
 constexpr double kWholeRounding = 1e-9;  // macrosteps
 
@@ -103,7 +105,7 @@ struct Replay::Plan {
 Replay::Replay(Robot& robot, TaughtPath path, double speed)
     : Generator("Replay"), robot_(&robot), path_(std::move(path)), speed_(speed) {
   require_above_zero("Replay", "speed", speed);
-  if (!path_.timed) require(speed <= 1, "Replay", "speed", speed, "at most 1 from place to place");
+  if (!path_.timed) check_speed(speed);
   const std::size_t least = path_.timed ? 2 : 1;
   require(path_.points.size() >= least, "Replay", "points", static_cast<double>(path_.points.size()),
           path_.timed ? "at least two" : "at least one");
@@ -141,9 +143,14 @@ void Replay::start() {
   if (path_.timed) {
     std::vector<double> times;
     std::vector<JointVector> positions;
-    for (const TaughtPoint& point : path_.points) {
-      times.push_back(point.time);
-      positions.push_back(point.joints);
+    const auto near = [this](std::size_t a, std::size_t b) {
+      const TaughtPoint &first = path_.points[a], &second = path_.points[b];
+      return std::abs(second.time - first.time) < kSameTime &&
+             (second.joints - first.joints).lpNorm<Eigen::Infinity>() < kSamePlace;
+    };
+    for (const std::size_t i : distinct_places(path_.points.size() - 1, near)) {
+      times.push_back(path_.points[i].time);
+      positions.push_back(path_.points[i].joints);
     }
     plan.spline = NaturalSpline(times, positions);
     plan.s = plan.spline.begin();

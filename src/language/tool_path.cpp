@@ -1,6 +1,7 @@
 #include "language/tool_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "language/difference_stencils.hpp"
@@ -15,6 +16,9 @@ namespace {
 constexpr double kToolJerkRate = 10;  // 1/s: the tool's jerk is this times its acceleration
 // intervals of the joints' grid
 constexpr std::size_t kIntervals = 400, kFewest = 16, kMost = 96;
+
+constexpr double kFineGrid = 2e-5;  // m or rad of the tool from one node to the next
+constexpr double kReach = 1e-3;     // m or rad of the tool for a difference
 
 /// Sum of five neighbours' values with the weights of a stencil.
 template <class Value, class Get>
@@ -94,9 +98,11 @@ JointVector ToolPath::joints_on_path(const Robot& robot, const Pose& pose, const
 void ToolPath::fill(const Robot& robot, std::size_t piece, JointVector& near) {
   Table& table = tables_[piece];
   const double h = spacing(piece);
+  double pace = 0;
   for (std::size_t i = 0; i <= intervals_; ++i) {
     const double s = i < intervals_ ? breaks_[piece] + static_cast<double>(i) * h : breaks_[piece + 1];
     const PathPose tool = path_->at(piece, s);
+    pace = std::max(pace, tool.first.lpNorm<Eigen::Infinity>());
     near = joints_on_path(robot, tool.pose, near, s);
     table.joints.push_back(near);
     PathRates rates;
@@ -117,7 +123,35 @@ void ToolPath::fill(const Robot& robot, std::size_t piece, JointVector& near) {
     rates.third.segment(kJointRow, count) =
         weighted<JointVector>(DifferenceStencils::kThird[k], from, 1 / (2 * h * h * h), joints);
     rates.third.head<6>() = weighted<Twist>(DifferenceStencils::kFirst[k], from, 1 / (12 * h), second);
+    if (pace * h < kFineGrid)
+      differentiate(table.joints[i], path_->at(piece, breaks_[piece] + static_cast<double>(i) * h), rates);
   }
+}
+
+void ToolPath::differentiate(const JointVector& joints, const PathPose& tool, PathRates& rates) const {
+  const Twist first = tool.first, second = tool.second, third = rates.third.head<6>();
+  const double h =
+      std::min({kReach / first.norm(), std::sqrt(2 * kReach / second.norm()), std::cbrt(6 * kReach / third.norm())});
+  if (!std::isfinite(h)) return;
+  std::array<JointVector, DifferenceStencils::kPoints> points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double t = (static_cast<double>(i) - 2) * h;
+    // of the turning: Magnus' expansion
+    Twist way = t * (first + t * (second / 2 + (t / 6) * third));
+    way.tail<3>() -= (t * t * t / 12) * first.tail<3>().cross(second.tail<3>());
+    Pose pose = tool.pose;
+    pose.translation() += way.head<3>();
+    pose.linear() = rotation_of(way.tail<3>()) * tool.pose.linear();
+    points[i] = joints;
+    if (kinematics_.inverse(pose, joints, points[i]) != ErrorCode::none) return;
+  }
+  const auto point = [&points](std::size_t i) -> const JointVector& { return points[i]; };
+  const Eigen::Index count = joints.size();
+  rates.first.segment(kJointRow, count) = weighted<JointVector>(DifferenceStencils::kFirst[2], 0, 1 / (12 * h), point);
+  rates.second.segment(kJointRow, count) =
+      weighted<JointVector>(DifferenceStencils::kSecond[2], 0, 1 / (12 * h * h), point);
+  rates.third.segment(kJointRow, count) =
+      weighted<JointVector>(DifferenceStencils::kThird[2], 0, 1 / (2 * h * h * h), point);
 }
 
 PathRates ToolPath::rates(std::size_t piece, double s) const noexcept {

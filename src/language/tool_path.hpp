@@ -48,6 +48,9 @@ class ToolPath : public RobotPath {
   };
   JointVector joints_on_path(const Robot& robot, const Pose& pose, const JointVector& near, double s) const;
   void fill(const Robot& robot, std::size_t piece, JointVector& near);
+  /// The joints' derivatives where the grid is so fine that differences along it are rounding errors: differences along
+  /// the tool's Taylor polynomial there, of more than a piece's length.
+  void differentiate(const JointVector& joints, const PathPose& tool, PathRates& rates) const;
   double spacing(std::size_t piece) const noexcept;
 
   std::unique_ptr<PosePath> path_;

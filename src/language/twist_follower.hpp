@@ -10,7 +10,9 @@ namespace mrroc {
 /// The tool's way for a generator that wants another twist at every step. Each of its six components is
 /// brought to the wanted one in the shortest time with at most `acceleration` (m/s^2; rad/s^2 for the angular ones) and
 /// a jerk of 10 / s times that (Ruckig; in phase where the change allows it, so that a start from rest is straight).
-/// The pose follows T(t + dt) = T(t) exp(integral of xi over dt). Task's thread; `step` allocates nothing.
+/// A motion under way at the start is first slowed down to what is wanted with what the robot's joints can do in this
+/// posture, if that is more: the given acceleration holds after that. The pose follows T(t + dt) = T(t) exp(integral of
+/// xi over dt). Task's thread; `step` allocates nothing.
 class TwistFollower {
  public:
   /// `axes`: the columns, of length 1 and in tool axes, are the axes of the components; what is changed along one of
@@ -36,11 +38,16 @@ class TwistFollower {
 
  private:
   struct Plan;
+  /// What every component that moves may have at the same time under the joints' limits.
+  void find_brake();
   Robot* robot_;
   Eigen::Matrix3d axes_;
   std::unique_ptr<Plan> plan_;
   Pose pose_ = Pose::Identity();
   OwnMotion motion_;
+  double acceleration_;
+  bool braking_ = false;  ///< the motion that was under way at the start
+  double brake_acceleration_ = 0, brake_jerk_ = 0;
 };
 
 }  // namespace mrroc

@@ -212,5 +212,28 @@ TEST(GuardedApproach, RefusesWhatIsNoApproach) {
   EXPECT_THROW(GuardedApproach(*arm, nullptr, z, 0.1, 0.1), NonFatalError);
 }
 
+TEST(GuardedApproach, BrakesAMotionUnderWayWithTheJointsLimits) {
+  check_property(kCases, [] {
+    Cell cell(1, random_place());
+    const Vector3d way = cell.start.linear() * cell.direction.normalized();
+    RobotState& state = cell.task.robot_fake("arm").state;
+    state.desired_velocity = JointVector::Zero(4);
+    const double fast = 0.01 * pick(10, 40), slow = 0.001 * pick(5, 50), acceleration = 0.001 * pick(20, 100);
+    state.desired_velocity.head<3>() = fast * way;
+    GuardedApproach approach = cell.approach(slow, 0.02, acceleration);
+    approach.until(ElapsedSteps{400});
+    Move({*cell.arm}, {}, approach);
+    // half of 0.9 of 4 m/s^2 shared by three axes, half of 0.45 of 40 m/s^3: far less than 1 / acceleration
+    const double step = cell.arm->step_duration();
+    const double braking = fast * (fast / 1.0 + 1.0 / 5 + 2 * step);
+    for (std::size_t i = 0; i < cell.recorder.commands.size(); ++i) {
+      const RobotCommand& command = cell.recorder.commands[i];
+      if (cell.distance(command.pose) > 1 - braking) continue;
+      RC_ASSERT(command.twist.head<3>().norm() <= slow + 1e-9);
+    }
+    RC_ASSERT(cell.distance(cell.recorder.commands.back().pose) > 0);
+  });
+}
+
 }  // namespace
 }  // namespace mrroc

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "language/fakes.hpp"
+#include "language/joint_targets.hpp"
 #include "language/motion_recorder.hpp"
 #include "language/property.hpp"
 #include "language/random_values.hpp"
@@ -136,21 +137,94 @@ TEST(JointLine, SpeedOnlyStretchesTime) {
   });
 }
 
+/// Random joints, or some near to where `arm` is, ahead of it or behind it.
+JointVector random_target(const Robot& arm, int axes) {
+  if (pick(0, 1) == 0) return random_joints(axes);
+  JointVector target = arm.state().desired_joints;
+  for (Eigen::Index i = 0; i < axes; ++i) target[i] = std::clamp(target[i] + 0.001 * pick(-100, 100), -1.9, 1.9);
+  return target;
+}
+
+/// Drives `cell` along a line and leaves it in motion, nothing of it recorded.
+void set_in_motion(Cell& cell, double speed) {
+  JointLine first(*cell.arm, random_joints(cell.axes), speed);
+  first.until(ElapsedSteps{static_cast<std::uint64_t>(pick(1, 40))});
+  Move({*cell.arm}, {}, first);
+  cell.recorder.states.clear();
+  cell.recorder.commands.clear();
+}
+
 TEST(JointLine, GoesOnFromAMotionUnderWay) {
   check_property(kCases, [] {
     Cell cell;
     const double speed = random_speed();
-    JointLine first(*cell.arm, random_joints(cell.axes), speed);
-    first.until(ElapsedSteps{static_cast<std::uint64_t>(pick(1, 40))});
-    Move({*cell.arm}, {}, first);
-    cell.recorder.states.clear();
-    cell.recorder.commands.clear();
-    const JointVector target = random_joints(cell.axes);
+    set_in_motion(cell, speed);
+    const JointVector target = random_target(*cell.arm, cell.axes);
     const double second_speed = std::min(1.0, speed + 0.01 * pick(0, 50));
     Move({*cell.arm}, {}, JointLine(*cell.arm, target, second_speed));
     if (cell.recorder.commands.empty()) return;  // it was there already
     assert_ends_at(cell, target);
-    assert_within_limits(cell, samples(cell.recorder), second_speed);
+    assert_within_limits(cell, samples(cell.recorder), 1);  // it may have to brake
+  });
+}
+
+TEST(JointLine, BrakesAMotionUnderWayWithTheWholeLimitsWhateverItsSpeed) {
+  int slow = 0, fast = 0;
+  check_property(kCases, [&] {
+    Cell cell;
+    set_in_motion(cell, random_speed());
+    const JointVector start = cell.arm->state().desired_joints, rest = resting_joints(*cell.arm);
+    const JointVector target = random_target(*cell.arm, cell.axes);
+    const double speed = std::pow(10, -0.1 * pick(0, 60));
+    JointLine line(*cell.arm, target, speed);
+    line.until(ElapsedSteps{1000});
+    Move({*cell.arm}, {}, line);
+    RC_ASSERT(std::isfinite(line.duration()));
+    const std::vector<Sample> path = samples(cell.recorder);
+    assert_within_limits(cell, path, 1);
+    // beside its way an axis is only as far as it needs to brake; within a mrad, since one that speeds up needs more
+    const JointVector low = start.cwiseMin(target).cwiseMin(rest), high = start.cwiseMax(target).cwiseMax(rest);
+    const AxisParameters& axis = cell.arm->parameters().axes[0];
+    for (const Sample& sample : path) {
+      RC_ASSERT((low - sample.position).maxCoeff() < 1e-3);
+      RC_ASSERT((sample.position - high).maxCoeff() < 1e-3);
+    }
+    // a second after the start, all that was fast has been braked
+    const double dt = cell.arm->step_duration();
+    for (std::size_t k = 0; k < path.size(); ++k)
+      if (static_cast<double>(k) * dt > 1)
+        RC_ASSERT(path[k].velocity.cwiseAbs().maxCoeff() <= speed * axis.velocity_max + 1e-9);
+    ++(speed < 0.01 ? slow : fast);
+  });
+  EXPECT_GT(slow, kCases / 4);
+  EXPECT_GT(fast, kCases / 8);
+}
+
+TEST(JointLine, ASlowLineEndsAtItsTarget) {
+  check_property(50, [] {
+    Cell cell;
+    Wait({*cell.arm}, {}, ElapsedSteps{0});
+    if (pick(0, 1) == 1) set_in_motion(cell, random_speed());
+    JointVector target = cell.arm->state().desired_joints;
+    for (Eigen::Index i = 0; i < cell.axes; ++i) target[i] += pick(-10, 10) * std::pow(10, -pick(5, 10));
+    JointLine line(*cell.arm, target, std::pow(10, -0.1 * pick(10, 25)));
+    const Outcome end = Move({*cell.arm}, {}, line);
+    RC_ASSERT(end.ending == Ending::generator);
+    if (end.steps > 0) assert_ends_at(cell, target);
+  });
+}
+
+TEST(JointLine, AtEverySpeedOnlyTimeIsStretched) {
+  check_property(kCases, [] {
+    Cell cell;
+    Wait({*cell.arm}, {}, ElapsedSteps{0});
+    const JointVector target = random_target(*cell.arm, cell.axes);
+    JointLine fast(*cell.arm, target, 1.0);
+    fast.start();
+    const double speed = std::pow(10, -0.1 * pick(0, 60));
+    JointLine slow(*cell.arm, target, speed);
+    slow.start();
+    RC_ASSERT(std::abs(slow.duration() * speed - fast.duration()) < 1e-6);
   });
 }
 
@@ -231,10 +305,11 @@ TEST(JointLine, RefusesWhatIsNoTarget) {
   EXPECT_EQ(refusal(*arm, Eigen::Vector3d(0, 0, -kInfinity)), ErrorCode::not_finite);
   EXPECT_EQ(refusal(*arm, Eigen::Vector3d(0, 0, 2.001)), ErrorCode::joint_limit);
   EXPECT_EQ(refusal(*arm, Eigen::Vector3d(-2.001, 0, 0)), ErrorCode::joint_limit);
-  for (const double speed : {0.0, -0.1, 1.001, kNan, kInfinity}) {
+  for (const double speed : {0.0, -0.1, 1.001, 0.9e-6, 1e-300, kNan, kInfinity}) {
     EXPECT_EQ(refusal(*arm, JointVector::Zero(3), speed), ErrorCode::invalid_argument) << speed;
   }
   EXPECT_EQ(refusal(*arm, JointVector::Zero(3), 1.0), ErrorCode::none);
+  EXPECT_EQ(refusal(*arm, JointVector::Zero(3), 1e-6), ErrorCode::none);
   Pose pose = Pose::Identity();
   pose.translation().x() = kNan;
   EXPECT_THROW(JointLine(*arm, pose), NonFatalError);

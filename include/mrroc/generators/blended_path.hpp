@@ -25,19 +25,25 @@ struct BlendPoint {
 /// one of a line on which the tool only turns begins there. A line that goes straight back is turned round in
 /// before the corner.
 ///
+/// Corners of less than 0.1 mm and 0.1 mrad distance are one, with the smaller radius. A line shorter than half of the
+/// radii at its ends, on which the tool turns by less than 20 mrad, is part of one blend, from the line before it to
+/// the line behind it. A radius below 0.1 mm counts as 0, and as no corner where the line goes straight on.
+///
 /// The speed is that of the limits, on lines and in blends, where acceleration, jerk and the joints allow it: in a
 /// corner of a right angle at least 0.93 of it when radius >= 5 speed^2 / acceleration; else it is slower there.
 ///
 /// See PathGenerator for limits, interruptions, and the start.
 class BlendedPath : public PathGenerator {
  public:
-  /// From where the tool is through `points`; one that repeats the one before does nothing; the last one's radius has
+  /// From where the tool is through `points`; the last one's radius has
   /// no meaning. Throws NonFatalError(invalid_argument): no point, a pose that is not rigid, a radius that is negative
   /// or not finite, a limit that is not above 0.
   BlendedPath(Robot& robot, std::vector<BlendPoint> points, const PathLimits& limits = {});
 
  private:
   std::unique_ptr<RobotPath> path_from(const JointVector& joints) override;
+  /// The corners, from `start` on, without what is one place with another corner or with a line.
+  std::vector<BlendPoint> corners_from(const Pose& start) const;
 
   std::vector<BlendPoint> points_;
   PathLimits limits_;

@@ -22,7 +22,8 @@ class CartesianArc : public PathGenerator {
  public:
   /// Through `via` (m, base frame) to `target`: position and orientation. Throws NonFatalError(invalid_argument): a
   /// number that is not finite, a pose that is not rigid, a limit that is not above 0; in `start()` when the three
-  /// places lie on a line.
+  /// places lie on a line, or two of them are nearer to each other than a thousandth of the longest distance between
+  /// them, or than a micrometre.
   CartesianArc(Robot& robot, const Eigen::Vector3d& via, const Pose& target, const PathLimits& limits = {});
   /// About an axis, from where the tool is.
   CartesianArc(Robot& robot, const Circle& circle, const PathLimits& limits = {});

@@ -11,6 +11,10 @@ namespace mrroc {
 /// `speed` (Ruckig, phase-synchronised: all joints start and end together). It starts from the desired state, moving or
 /// not, and ends at rest. The motion ends by itself when the last macrostep has been commanded.
 ///
+/// From a motion under way the speed factor holds for what is driven after the braking: a joint that is too fast for the
+/// scaled limits, or could not stop before its target with them, is braked with the unscaled ones. So no joint passes its
+/// target by more than it needs to brake, at any speed (src/language/joint_leg.hpp).
+///
 /// The EDP joins the points of a macrostep's ends by polynomials of degree five. Their jerk is the least-squares fit of
 /// the trajectory's by a parabola, at most 2.18 times the trajectory's (the fit's Lebesgue constant), and their
 /// velocity and acceleration overshoot a little. So the line is planned with 0.99 of the velocity limits, 0.9 of the
@@ -18,7 +22,7 @@ namespace mrroc {
 /// may still refuse a point.
 class JointLine : public Generator {
  public:
-  /// To joint positions (rad or m). `speed` in (0, 1] scales velocity by `speed`, acceleration by speed^2, jerk by
+  /// To joint positions (rad or m). `speed` in [1e-6, 1] scales velocity by `speed`, acceleration by speed^2, jerk by
   /// speed^3, so that the path's shape in time is only stretched. Throws NonFatalError: invalid_argument (size, speed),
   /// not_finite, joint_limit.
   JointLine(Robot& robot, const JointVector& target, double speed = 0.5);

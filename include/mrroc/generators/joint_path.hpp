@@ -15,7 +15,8 @@ namespace mrroc {
 /// passed some microradians inside (src/language/joint_spline.hpp). See PathGenerator for limits and interruptions.
 class JointPath : public PathGenerator {
  public:
-  /// Joint positions, rad or m; one that repeats the one before does nothing. `speed` in (0, 1]. Throws NonFatalError:
+  /// Joint positions, rad or m. Of those that differ by less than 1e-4 in every joint one is passed, and always the
+  /// last one. `speed` in [1e-6, 1]. Throws NonFatalError:
   /// invalid_argument (no waypoint, size, speed), not_finite, joint_limit.
   JointPath(Robot& robot, std::vector<JointVector> waypoints, double speed = 0.5);
   /// Tool poses in the robot's base frame, each as the posture nearest to the one before, as JointLine chooses it.

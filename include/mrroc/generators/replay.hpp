@@ -14,7 +14,8 @@ namespace mrroc {
 ///   timed path     along q(s), the cubic spline in joint space through the points at their times (twice continuously
 ///                  differentiable, no curvature at its ends), with s going from the first time to the last from rest
 ///                  to rest: ds/dt comes up to `speed` in half a second. It is less where a joint's limits ask for it,
-///                  all the way: `rate()` tells. The way passes through every point.
+///                  all the way: `rate()` tells. The way passes through every point; of points within
+///                  20 ms and 1e-4 rad or m (of every joint) through one.
 ///   places         a joint line from place to place, at rest at each; `speed` is JointLine's.
 ///
 /// First it goes to the first point by a joint line. Poses become joints as JointLine's target does, each the
@@ -22,7 +23,7 @@ namespace mrroc {
 /// where it was on its way, and on. (The original's `teach_in` replayed; its `spline`.)
 class Replay : public Generator {
  public:
-  /// `speed` above 0; with places at most 1. Throws NonFatalError: invalid_argument (speed, no point, a timed path of
+  /// `speed` above 0; with places 1e-6 to 1. Throws NonFatalError: invalid_argument (speed, no point, a timed path of
   /// one point, times that do not increase, another number of joints), not_finite, joint_limit.
   Replay(Robot& robot, TaughtPath path, double speed = 1);
   ~Replay() override;
