@@ -51,7 +51,8 @@ bool Reader::read() {
   try {
     // the writer's own bound on the length is judged below
     constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
-    text_ = core::trimmed(core::content_of_line(text_, static_cast<int>(number_), kAnyLength));
+    const std::string_view content = core::content_of_line(text_, static_cast<int>(number_), kAnyLength);
+    text_ = std::string(content.substr(0, content.find_last_not_of(" \t") + 1));
   } catch (const core::TextError& error) {
     throw std::runtime_error(path_.string() + ":" + std::to_string(number_) + ": " + error.what());
   }

@@ -34,7 +34,9 @@ std::string in_quotes(std::string_view text) {
   const bool cut = text.size() > kQuotedLength;
   std::size_t length = cut ? kQuotedLength : text.size();
   while (cut && length > 0 && !starts_character(text[length])) --length;  // no half of a UTF-8 character
-  return "'" + core::shown(text.substr(0, length)) + (cut ? "...'" : "'");
+  std::string result = "'";
+  result += core::shown(text.substr(0, length));
+  return result += cut ? "...'" : "'";
 }
 
 std::string alternatives(const std::vector<std::string>& choices) {

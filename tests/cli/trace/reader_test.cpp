@@ -32,6 +32,23 @@ TEST(TraceReader, ALineThatIsNotOfTheFormatIsNamed) {
             std::string::npos);
 }
 
+TEST(TraceReader, BearsWhatEditorsAdd) {
+  const std::string text = example_trace().text();
+  const Found plain = check_text(text);
+  ASSERT_EQ(plain.malformed, "");
+  for (const char* const end : {"\r\n", " \n", "\t\r\n", "\n"}) {
+    std::string changed = "\xEF\xBB\xBF";
+    for (const char c : text) changed += c == '\n' ? end : std::string(1, c);
+    const Found found = check_text(changed);
+    EXPECT_EQ(found.malformed, "");
+    EXPECT_EQ(found.text(), plain.text());
+    EXPECT_EQ(found.verdict.lines, plain.verdict.lines);
+  }
+  EXPECT_NE(check_text("\xFF\xFE#").malformed.find(":1: the file is in UTF-16"), std::string::npos);
+  const std::string zero = text + std::string("tick\0\n", 6);
+  EXPECT_NE(check_text(zero).malformed.find("a byte \\x00 at column 5"), std::string::npos);
+}
+
 TEST(TraceReader, AnEmptyTraceHolds) {
   const Found found = check_text("# mrroc trace 2 clock=real\n# process=arm lines=0 dropped=0 cut=0\n");
   EXPECT_EQ(found.text(), "");
