@@ -24,6 +24,7 @@ namespace mrroc::test {
 namespace {
 
 constexpr int kTries = 3000;
+constexpr double kClearance = 40;  // rad of a motor, per way from home: stops leave the line
 
 struct Cell : PlannedCell {
   explicit Cell(const std::shared_ptr<const RobotModel>& its_model, std::uint64_t seed)
@@ -104,11 +105,20 @@ struct Cell : PlannedCell {
     return false;
   }
 
-  /// The motors can follow the straight line in joint space.
+  /// The motors can follow the straight line in joint space, and none comes to a limit along it: stops beside the line
+  /// would pass it.
   bool straight_from_home(const JointVector& joints) const {
     JointVector motors;
-    for (int i = 0; i <= kTries; ++i)
-      if (!motors_within(desired().position + (joints - desired().position) * i / kTries, motors)) return false;
+    for (int i = 0; i <= kTries; ++i) {
+      const double left = 1 - static_cast<double>(i) / kTries;
+      const JointVector place = joints + left * (desired().position - joints);
+      if (!motors_within(place, motors)) return false;
+      for (std::size_t a = 0; a < axes().size() && left > 0; ++a) {
+        const auto row = static_cast<Eigen::Index>(a);
+        const double clearance = std::min(motors[row] - axes()[a].motor_min, axes()[a].motor_max - motors[row]);
+        if (clearance < kClearance * left) return false;
+      }
+    }
     return true;
   }
 
