@@ -1,3 +1,5 @@
+#include "language/twist_follower.hpp"
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -6,7 +8,6 @@
 
 #include "language/joint_targets.hpp"
 #include "language/rigid_motion.hpp"
-#include "language/twist_follower.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {

@@ -39,8 +39,8 @@ struct TimedPose {
 /// See PathGenerator for limits, interruptions, and the start.
 class PoseSpline : public PathGenerator {
  public:
-  /// By speed. Of poses that differ by less than 0.1 mm and 0.1 mrad one is passed, and always the last one. Throws NonFatalError(invalid_argument): no pose, one
-  /// that is not rigid, a limit that is not above 0.
+  /// By speed. Of poses that differ by less than 0.1 mm and 0.1 mrad one is passed, and always the last one. Throws
+  /// NonFatalError(invalid_argument): no pose, one that is not rigid, a limit that is not above 0.
   PoseSpline(Robot& robot, const std::vector<Pose>& poses, SplineKind kind = SplineKind::cubic,
              const PathLimits& limits = {});
   /// By times: above 0, ascending. Throws NonFatalError(invalid_argument) likewise.
