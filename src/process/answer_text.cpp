@@ -57,8 +57,7 @@ std::optional<double> read_answer(const links::OperatorQuestion& question, const
   if (question.kind == links::QuestionKind::number) {
     const auto value = as_number(text);
     if (value && *value >= question.minimum && *value <= question.maximum) return value;
-    fault = " ";
-    fault += value ? "is out of range" : core::number_problem(text);
+    fault = value ? " is out of range" : std::string(" ").append(core::number_problem(text));
   } else {
     const auto value = question.kind == links::QuestionKind::choice ? as_choice(question, text) : as_yes_no(text);
     if (value) return value;

@@ -94,8 +94,8 @@ void Lettering::read(const std::filesystem::path& file, mrroc::core::TextLines l
   Glyph* glyph = nullptr;
   const auto require = [&](bool good, const char* expected) {
     if (!good)
-      throw mrroc::config::ConfigurationError(file, lines.number(), "",
-                                              "'" + std::string(mrroc::core::trimmed(lines.line())) + "'", expected);
+      throw mrroc::config::ConfigurationError(
+          file, lines.number(), "", std::string("'").append(mrroc::core::trimmed(lines.line())).append("'"), expected);
   };
   while (lines.next()) {
     Words words = mrroc::core::words_of(lines.line());
