@@ -98,13 +98,13 @@ TEST(TaughtPath, BearsWhatEditorsAndSpreadsheetsAdd) {
   FreeFlyer task(Pose::Identity());
   const File file;
   const std::string columns = "time,axis0,axis1,axis2,axis3,axis4,axis5";
-  for (const std::string& text :
-       {"\xEF\xBB\xBF" + columns + "\n0,0.5,0,0,0,0,0\n1,0,0,0,0,0,0\n",
-        "\xEF\xBB\xBF# a comment\r\n" + columns + "\r\n0,+0.5,0,0,0,0,0\r\n1,0,0,0,0,0,0",
-        columns + ",,\n0,.5,0,0,0,0,0,,\n,,,,,,,,\n1,0,0,0,0,0,0,,\n",
-        "\"# a comment\",,,\n\"time\",\"axis0\",\"axis1\",\"axis2\",\"axis3\",\"axis4\",\"axis5\"\n"
-        "0,\"5e-1\",0,0,0,0,0\n1,0,0,0,0,0,0\n;;;;;;\n",
-        columns + " # in rad\n\n0,0.5,0,0,0,0,0 \t# here\n \t\n1.,0,0,0,0,0,0\n\x1A"}) {
+  for (const std::string& text : std::vector<std::string>{
+           "\xEF\xBB\xBF" + columns + "\n0,0.5,0,0,0,0,0\n1,0,0,0,0,0,0\n",
+           "\xEF\xBB\xBF# a comment\r\n" + columns + "\r\n0,+0.5,0,0,0,0,0\r\n1,0,0,0,0,0,0",
+           columns + ",,\n0,.5,0,0,0,0,0,,\n,,,,,,,,\n1,0,0,0,0,0,0,,\n",
+           "\"# a comment\",,,\n\"time\",\"axis0\",\"axis1\",\"axis2\",\"axis3\",\"axis4\",\"axis5\"\n"
+           "0,\"5e-1\",0,0,0,0,0\n1,0,0,0,0,0,0\n;;;;;;\n",
+           columns + " # in rad\n\n0,0.5,0,0,0,0,0 \t# here\n \t\n1.,0,0,0,0,0,0\n\x1A"}) {
     file.write(text);
     const TaughtPath path = load_taught_path(file.name, *task.arm);
     ASSERT_EQ(path.points.size(), 2u) << text;
