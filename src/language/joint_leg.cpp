@@ -45,7 +45,14 @@ bool is_planned(ruckig::Result result) {
 }  // namespace
 
 struct JointLeg::Plan {
-  explicit Plan(const Robot& robot) : check(robot) {}
+  explicit Plan(const Robot& robot) : check(robot) {
+    // Ruckig validates the numbers of disabled joints, too
+    for (auto* each : {&input, &slowing_input}) {
+      for (auto* values : {&each->current_position, &each->target_position, &each->max_velocity,
+                           &each->max_acceleration, &each->max_jerk})
+        values->fill(0);
+    }
+  }
 
   struct Motion {
     JointValues position{}, velocity{}, acceleration{};
