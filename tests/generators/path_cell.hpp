@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generators/planned_cell.hpp"
+#include "language/limits.hpp"
 #include "language/random_values.hpp"
 #include "language/rigid_motion.hpp"
 #include "mrroc/move.hpp"
@@ -51,7 +52,7 @@ struct PathCell : PlannedCell {
     RC_ASSERT(worst.velocity <= 1);
     RC_ASSERT(worst.acceleration <= 1);
     RC_ASSERT(worst.jerk <= 1);
-    RC_ASSERT(worst.position <= 1e-9);
+    RC_ASSERT(worst.position <= 1);
   }
 
   Irb6 arm{*this};
@@ -69,7 +70,8 @@ struct PathCell : PlannedCell {
       raise(worst.velocity, std::abs(now.position[i] - before.position[i]) / kPeriod / axis.velocity_max - 1e-9);
       raise(worst.acceleration, std::abs(now.acceleration[i]) / axis.acceleration_max);
       raise(worst.jerk, std::abs(now.acceleration[i] - before.acceleration[i]) / kPeriod / axis.jerk_max);
-      raise(worst.position, std::max(now.position[i] - axis.position_max, axis.position_min - now.position[i]));
+      raise(worst.position, std::max(now.position[i] - axis.position_max, axis.position_min - now.position[i]) /
+                                position_tolerance(axis.position_min, axis.position_max));
     }
     if (command.kind != CommandKind::pose) return;
     const Pose a = kinematics().direct(before.position), b = kinematics().direct(now.position);
