@@ -149,7 +149,7 @@ TEST_F(DriveTableTest, RefusesEdsFilesThatDoNotFit) {
   EXPECT_EQ(message(table("", "", "torque")),
             "crane_drives.toml:1: eds: has no object 6071h:0, expected a drive for mode 'torque', which needs it in "
             "its PDOs");
-  scratch_.write("drive.eds", "[1000]\nParameterName=Device type\nDataType=7\n");
+  scratch_.write("drive.eds", "[1000]\nParameterName=Device type\nDataType=7\nAccessType=ro\n");
   EXPECT_EQ(message(table()),
             "crane_drives.toml:1: eds: has no object 6040h:0, expected a drive for mode 'position', which needs it in "
             "its PDOs");

@@ -68,9 +68,9 @@ TEST_F(TableSyntaxTest, AnEmptyFileIsAnEmptyTable) {
 TEST_F(TableSyntaxTest, RefusesABinaryFile) {
   std::string bytes;
   for (int i = 0; i < 4096; ++i) bytes += static_cast<char>(i * 37 + 129);
-  EXPECT_TRUE(message(bytes).starts_with("t.toml:1: column ")) << message(bytes);
+  EXPECT_TRUE(message(bytes).starts_with("t.toml:2: a byte \\x00 at column 47,")) << message(bytes);
   const std::string nothing(4096, '\0');
-  EXPECT_TRUE(message(nothing).starts_with("t.toml:1: column ")) << message(nothing);
+  EXPECT_TRUE(message(nothing).starts_with("t.toml:1: a byte \\x00 at column 1,")) << message(nothing);
 }
 
 TEST_F(TableSyntaxTest, ReadsAFileOfAMegabyte) {

@@ -75,9 +75,10 @@ struct Complaint {
     const auto number = message.find(':') + 1;
     const auto key_begin = message.find(": ") + 2;
     const auto key_end = message.find(": ", key_begin);
-    if (number == 0 || number >= key_begin || key_end == std::string::npos) return;
+    if (number == 0 || number >= key_begin) return;
     const auto [end, error] = std::from_chars(message.data() + number, message.data() + message.size(), line);
     if (error != std::errc() || end != message.data() + key_begin - 2) line = 0;
+    if (key_end == std::string::npos) return;  // of the text, not of a key
     key = message.substr(key_begin, key_end - key_begin);
     problem = message.substr(key_end + 2);
   }
