@@ -28,7 +28,7 @@ def tests_in(path):
     """Names of the tests of a C++ file, or of the scripts that a CMakeLists.txt adds as tests."""
     text = path.read_text(encoding="utf-8")
     if path.name == "CMakeLists.txt":
-        return set(re.findall(r"add_test\(NAME (\w+)", text))
+        return set(re.findall(r"(?:mrroc_script_test\(|add_test\(NAME )(\w+)", text))
     return {f"{suite}.{test}" for suite, test in re.findall(rf"^{TEST}", text, re.MULTILINE)}
 
 
