@@ -80,7 +80,7 @@ int describe_robot(int argc, char** argv, const RobotModels& models) {
 bool describes(std::string_view argument) noexcept { return argument == "limits" || argument == "workspace"; }
 
 int describe(int argc, char** argv, const RobotModels& models) try {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
+  signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
   return describe_robot(argc, argv, models);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", command::printable_lines(error.what()).c_str());

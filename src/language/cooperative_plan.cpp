@@ -97,7 +97,7 @@ void CooperativePlan::check_arm(std::size_t i) const {
   const auto& axes = robot.parameters().axes;
   const auto joints_at = [&](double t, const JointVector& near) {
     JointVector joints = near;
-    const ErrorCode code = kinematics.inverse(tool_at(i, t), near, joints);
+    const ErrorCode code = kinematics.follow(tool_at(i, t), near, joints);
     if (code == ErrorCode::none || code == ErrorCode::singular) return joints;
     throw NonFatalError(code, "CooperativeMotion: after " + std::to_string(t) + " s", origin_of(arms_[i]));
   };

@@ -13,9 +13,10 @@ constexpr int kRounds = 30;
 constexpr double kLargestChange = 1.5;    // of the grid's stretch, in a round
 constexpr double kHealedBeyond = 1.002;   // healed a little more than needed: else the rounds never end
 constexpr double kExcessRounding = 1e-9;  // of the excess
-constexpr double kLooksPerWindow = 8;
+constexpr double kLooksPerWindow = 16;
 constexpr int kMostLooks = 4000;   // at equal distances
 constexpr int kLooksPerPiece = 8;  // at least
+constexpr int kLooksPerCell = 6;   // of the grid, on long motions
 constexpr int kTimeHalvings = 60;
 constexpr double kDip = 0.1;        // of the speeds before and after: slower is nearly a rest
 constexpr double kUnhealed = 1.05;  // a stretch of all the path that one place asks for
@@ -109,8 +110,11 @@ void PathTiming::for_looks(const RobotPath& path, double sample, double per_wind
   const double whole = unstretched_duration(), looks = std::ceil(whole / std::min(sample, window_ / per_window));
   if (looks > kMostLooks * per_window / kLooksPerWindow) {
     for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
-      const double half = 0.5 * (times_[i + 1] - times_[i]);
-      for (const double t : {times_[i], times_[i] + half}) look(t), look(t + 0.5 * window_), look(t + window_);
+      const double part = (times_[i + 1] - times_[i]) / kLooksPerCell;
+      for (int k = 0; k < kLooksPerCell; ++k) {
+        const double t = times_[i] + k * part;
+        look(t), look(t + 0.5 * window_), look(t + window_);
+      }
     }
     look(whole);
     return;

@@ -143,7 +143,7 @@ void ToolPath::differentiate(const JointVector& joints, const PathPose& tool, Pa
     pose.translation() += way.head<3>();
     pose.linear() = rotation_of(way.tail<3>()) * tool.pose.linear();
     points[i] = joints;
-    if (kinematics_.inverse(pose, joints, points[i]) != ErrorCode::none) return;
+    if (kinematics_.follow(pose, joints, points[i]) != ErrorCode::none) return;
   }
   const auto point = [&points](std::size_t i) -> const JointVector& { return points[i]; };
   const Eigen::Index count = joints.size();

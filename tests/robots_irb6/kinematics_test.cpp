@@ -50,7 +50,7 @@ TEST(Irb6Kinematics, WristRollKeepsItsTurn) {
   const JointVector joints = joints_of({0, -1.7, 0.4, -0.2, 8.5, 0.5});
   JointVector found;
   const JointVector near = joints_of({0, -1.7, 0.4, -0.2, 8.4, 0.5});
-  ASSERT_EQ(arm().inverse(arm().direct(joints), near, found), ErrorCode::none);
+  ASSERT_EQ(arm().follow(arm().direct(joints), near, found), ErrorCode::none);
   EXPECT_NEAR(found[4], 8.5, 1e-9);
 }
 
@@ -60,7 +60,7 @@ TEST(Irb6Kinematics, AlignedRollAxesAreSingularAndKeepThePitch) {
     JointVector near = joints, found;
     near[3] += 0.05;
     const Pose pose = arm().direct(joints);
-    ASSERT_EQ(arm().inverse(pose, near, found), ErrorCode::singular) << roll;
+    ASSERT_EQ(arm().follow(pose, near, found), ErrorCode::singular) << roll;
     EXPECT_LT(pose_difference(arm().direct(found), pose), 1e-9);
     EXPECT_NEAR(found[1] + found[2] + found[3], near[1] + near[2] + near[3], 1e-9);
     EXPECT_NEAR(found[4], roll, 1e-9);

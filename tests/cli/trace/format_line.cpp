@@ -95,6 +95,7 @@ std::string text_of(const RobotEntry& robot) {
   if (robot.moving) text += " moving";
   if (robot.late != 0) text += field(" late=", robot.late);
   if (!robot.wrench.empty()) text += field(" wrench=", robot.wrench);
+  if (robot.lost != 0) text += field(" lost=", Numbers{robot.lost});
   text += text_of(robot.error, robot.error_code);
   return robot.command ? text + text_of(*robot.command) : text;
 }
