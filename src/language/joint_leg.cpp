@@ -181,7 +181,7 @@ void JointLeg::plan_checked(double speed) {
   calculate(speed);
   double when = 0;
   const MotionCheck::States states = [this](double time) { return at(time); };
-  if (!bad(plan_->check.check(states, duration(), when))) return;
+  if (!bad(plan_->check.check(states, duration(), when, speed))) return;
   const double step = robot_->step_duration(), shortest = duration();
   for (const double slower : kSlower) {
     const double whole = std::ceil(slower * shortest / step - kLegRounding) * step;
@@ -191,9 +191,9 @@ void JointLeg::plan_checked(double speed) {
       plan_->least_time = whole;
       calculate(speed);
     }
-    if (!bad(plan_->check.check(states, duration(), when))) return;
+    if (!bad(plan_->check.check(states, duration(), when, speed))) return;
   }
-  plan_->check.require(states, duration());
+  plan_->check.require(states, duration(), speed);
 }
 
 void JointLeg::calculate(double speed) {

@@ -17,7 +17,8 @@ constexpr double kIntervalGrowth = 4;  // no transmission ratio grows more than 
 MotionCheck::MotionCheck(const Robot& robot)
     : robot_(&robot), model_(&robot.kinematics().model()), limits_(*model_, robot.task().servo_period()) {}
 
-ErrorReport MotionCheck::check(const States& states, double duration, double& start) {
+ErrorReport MotionCheck::check(const States& states, double duration, double& start, double cruise) {
+  cruise_ = cruise;
   model_ = &robot_->kinematics().model();
   limits_.use(*model_);
   states_ = &states;
@@ -30,9 +31,9 @@ ErrorReport MotionCheck::check(const States& states, double duration, double& st
   return report;
 }
 
-void MotionCheck::require(const States& states, double duration) {
+void MotionCheck::require(const States& states, double duration, double cruise) {
   double start = 0;
-  const ErrorReport report = check(states, duration, start);
+  const ErrorReport report = check(states, duration, start, cruise);
   if (!bad(report)) return;
   throw NonFatalError(report.code,
                       std::string{report.detail.view()} + ", " + std::to_string(start) + " s after the start",
@@ -77,8 +78,11 @@ bool MotionCheck::is_clear(std::int64_t first, std::int64_t last, const DesiredS
   for (Eigen::Index i = 0; i < middle.size(); ++i) {
     const AxisParameters& axis = axes[static_cast<std::size_t>(i)];
     const double a = axis.acceleration_max, j = axis.jerk_max;
-    const double v =
-        std::min(axis.velocity_max, std::max(std::abs(from.velocity[i]), std::abs(to.velocity[i])) + 0.5 * a * time);
+    const double ends = std::max(std::abs(from.velocity[i]), std::abs(to.velocity[i]));
+    // a slow motion gains speed by the acceleration that it begins with only, and up to its cruise
+    const double slow =
+        std::max(ends, cruise_ * axis.velocity_max) + from.acceleration[i] * from.acceleration[i] / (2 * j);
+    const double v = std::min({axis.velocity_max, ends + 0.5 * a * time, slow});
     reach[i] = 0.5 * v * time + v * v / (2 * a) + v * a / j + a * a * a / (j * j);
     if (middle[i] - reach[i] < axis.position_min || middle[i] + reach[i] > axis.position_max) return false;
   }

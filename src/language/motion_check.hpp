@@ -29,11 +29,12 @@ class MotionCheck {
 
   /// Class `none`, or the first report of LimitCheck. The motion goes through `states` from 0 to `duration` s in
   /// macrosteps of the robot; the last one ends at rest in the state of `duration`. `start`: the macrostep that is
-  /// reported, from 0.
-  ErrorReport check(const States& states, double duration, double& start);
+  /// reported, from 0. `cruise`: the part of the velocity limits above which no axis speeds up, 0..1; a slow motion is
+  /// checked in the time of a fast one.
+  ErrorReport check(const States& states, double duration, double& start, double cruise = 1);
 
   /// The same. Throws NonFatalError with the report's code and text, and the time.
-  void require(const States& states, double duration);
+  void require(const States& states, double duration, double cruise = 1);
 
  private:
   ErrorReport check_interval(std::int64_t first, std::int64_t last, const DesiredState& from, const DesiredState& to);
@@ -45,7 +46,7 @@ class MotionCheck {
   const RobotModel* model_;
   LimitCheck limits_;
   const States* states_ = nullptr;
-  double step_ = 0, duration_ = 0;
+  double step_ = 0, duration_ = 0, cruise_ = 1;
   std::int64_t macrosteps_ = 0, reported_ = 0;
 };
 

@@ -296,7 +296,7 @@ TEST(Allocation, ArmsCarryAnObjectWithoutAllocating) {
   const auto felt = [] { return Wrench(Wrench::Constant(0.1)); };
   const Pose here = Pose::Identity(), there(Eigen::Translation3d(0.2, 0, 0));
   CooperativeMotion motion({{cell.a.get(), here, felt}, {cell.b.get(), there, felt}, {cell.c.get(), there, felt}},
-                           {here, there, there * Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX())});
+                           {here, there, there * Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ())});
   motion.start();
   const std::uint64_t before = allocations;
   int steps = 0;

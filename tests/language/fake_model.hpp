@@ -63,7 +63,7 @@ class FakeModel : public RobotModel {
     return jacobian;
   }
 
- private:
+ protected:
   RobotParameters parameters_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "language/fakes.hpp"
 #include "language/rigid_motion.hpp"
@@ -8,10 +9,15 @@
 namespace mrroc::fakes {
 
 /// A tool that can be anywhere: axes 0..2 are its position, 3..5 its rotation vector; their velocities are taken for
-/// the tool's twist in base axes.
+/// the tool's twist in base axes. No limits of position.
 class FreeModel : public FakeModel {
  public:
-  FreeModel() : FakeModel(6) {}
+  FreeModel() : FakeModel(6) {
+    for (AxisParameters& axis : parameters_.axes) {
+      axis.position_max = axis.motor_max = std::numeric_limits<double>::infinity();
+      axis.position_min = axis.motor_min = -axis.position_max;
+    }
+  }
   Pose flange(const JointVector& joints) const noexcept override {
     Pose pose = Pose::Identity();
     pose.translation() = joints.head<3>();
