@@ -72,6 +72,7 @@ struct JointLeg::Plan {
   double slowing_time = 0;  // s, before the trajectory begins
   double pace = 1;          // of the trajectory's time: it is planned `1 / pace` times as fast
   double least_time = 0;    // s, of the whole motion
+  MotionPace slowness;            // of the whole motion
   MotionCheck check;
 
   /// From `from` at `speed`; false when Ruckig finds nothing.
@@ -181,7 +182,7 @@ void JointLeg::plan_checked(double speed) {
   calculate(speed);
   double when = 0;
   const MotionCheck::States states = [this](double time) { return at(time); };
-  if (!bad(plan_->check.check(states, duration(), when, speed))) return;
+  if (!bad(plan_->check.check(states, duration(), when, plan_->slowness))) return;
   const double step = robot_->step_duration(), shortest = duration();
   for (const double slower : kSlower) {
     const double whole = std::ceil(slower * shortest / step - kLegRounding) * step;
@@ -191,21 +192,25 @@ void JointLeg::plan_checked(double speed) {
       plan_->least_time = whole;
       calculate(speed);
     }
-    if (!bad(plan_->check.check(states, duration(), when, speed))) return;
+    if (!bad(plan_->check.check(states, duration(), when, plan_->slowness))) return;
   }
-  plan_->check.require(states, duration(), speed);
+  plan_->check.require(states, duration(), plan_->slowness);
 }
 
 void JointLeg::calculate(double speed) {
   const auto& axes = robot_->parameters().axes;
   Plan& plan = *plan_;
   plan.slowing_time = 0;
+  plan.slowness = {0, speed};
   const bool any_start = speed == 1 || plan.start.at_rest();
   if ((any_start || plan.starts_within(limits_at(axes, speed))) && plan.run(plan.start, axes, speed) &&
       (any_start || !plan.passes_target()))
     return;
-  if (plan.run_slowed(axes, speed, speed) && !plan.passes_target()) return;
-  if (plan.run_slowed(axes, 0, speed)) return;
+  for (const double part : {speed, 0.0}) {
+    const bool planned = plan.run_slowed(axes, part, speed);
+    plan.slowness.from = plan.slowing_time;
+    if (planned && (part == 0 || !plan.passes_target())) return;
+  }
   throw NonFatalError(
       ErrorCode::invalid_argument,
       "no trajectory to the target (Ruckig result " + std::to_string(static_cast<int>(plan.result)) + ")",

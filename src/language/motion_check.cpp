@@ -12,13 +12,20 @@ namespace {
 constexpr double kStepSumRounding = 1e-9;  // s: sums of step durations are not exact
 constexpr double kIntervalGrowth = 4;  // no transmission ratio grows more than that in an interval that is passed over
 
+/// m or rad that a stop takes at most from a velocity `v` and an acceleration `a`, both magnitudes.
+double longest_stop(const AxisParameters& axis, double v, double a) noexcept {
+  const double jerk = axis.jerk_max, highest = v + a * a / (2 * jerk);  // when the acceleration has gone
+  const double ramps = std::min(axis.acceleration_max / jerk, 2 * std::sqrt(highest / jerk));
+  return highest * a / jerk + 0.5 * highest * (highest / axis.acceleration_max + ramps);
+}
+
 }  // namespace
 
 MotionCheck::MotionCheck(const Robot& robot)
     : robot_(&robot), model_(&robot.kinematics().model()), limits_(*model_, robot.task().servo_period()) {}
 
-ErrorReport MotionCheck::check(const States& states, double duration, double& start, double cruise) {
-  cruise_ = cruise;
+ErrorReport MotionCheck::check(const States& states, double duration, double& start, MotionPace pace) {
+  pace_ = pace;
   model_ = &robot_->kinematics().model();
   limits_.use(*model_);
   states_ = &states;
@@ -31,9 +38,9 @@ ErrorReport MotionCheck::check(const States& states, double duration, double& st
   return report;
 }
 
-void MotionCheck::require(const States& states, double duration, double cruise) {
+void MotionCheck::require(const States& states, double duration, MotionPace pace) {
   double start = 0;
-  const ErrorReport report = check(states, duration, start, cruise);
+  const ErrorReport report = check(states, duration, start, pace);
   if (!bad(report)) return;
   throw NonFatalError(report.code,
                       std::string{report.detail.view()} + ", " + std::to_string(start) + " s after the start",
@@ -72,19 +79,20 @@ ErrorReport MotionCheck::check_macrostep(const DesiredState& from, const Desired
 bool MotionCheck::is_clear(std::int64_t first, std::int64_t last, const DesiredState& from,
                            const DesiredState& to) const {
   const double time = step_ * static_cast<double>(last - first);
+  const double speed = step_ * static_cast<double>(first) < pace_.from ? 1 : pace_.speed;
   const auto& axes = model_->parameters().axes;
   const JointVector middle = 0.5 * (from.position + to.position);
   JointVector reach(middle.size()), motors;
   for (Eigen::Index i = 0; i < middle.size(); ++i) {
     const AxisParameters& axis = axes[static_cast<std::size_t>(i)];
-    const double a = axis.acceleration_max, j = axis.jerk_max;
+    const double way = std::abs(to.position[i] - from.position[i]);
     const double ends = std::max(std::abs(from.velocity[i]), std::abs(to.velocity[i]));
-    // a slow motion gains speed by the acceleration that it begins with only, and up to its cruise
-    const double slow =
-        std::max(ends, cruise_ * axis.velocity_max) + from.acceleration[i] * from.acceleration[i] / (2 * j);
-    const double v = std::min({axis.velocity_max, ends + 0.5 * a * time, slow});
-    reach[i] = 0.5 * v * time + v * v / (2 * a) + v * a / j + a * a * a / (j * j);
-    if (middle[i] - reach[i] < axis.position_min || middle[i] + reach[i] > axis.position_max) return false;
+    const double a = speed * speed * axis.acceleration_max;
+    const double v = std::min(speed * axis.velocity_max, ends + 0.5 * a * time);
+    reach[i] = std::min(0.5 * v * time, 0.5 * way + 0.125 * a * time * time) + longest_stop(axis, v, a);
+    const double tolerance = position_tolerance(axis.position_min, axis.position_max);
+    if (middle[i] - reach[i] < axis.position_min - tolerance || middle[i] + reach[i] > axis.position_max + tolerance)
+      return false;
   }
   if (model_->joints_to_motors(middle, motors) != ErrorCode::none) return false;
   const JointVector way = kIntervalGrowth * (model_->transmission(middle).cwiseAbs() * reach);

@@ -12,12 +12,21 @@ namespace mrroc {
 /// to the path. So many times as long, at least:
 inline constexpr double kSlower[] = {1, 1.02, 1.1, 1.25, 1.5, 2.25, 3.4};
 
+/// How slow a motion is: from `from` s on, no joint passes `speed` times its velocity limit or speed^2 times its
+/// acceleration limit.
+struct MotionPace {
+  double from = 0;
+  double speed = 1;
+};
+
 /// Whether the EDP would accept a motion that is planned but has not begun: the macrosteps that it consists of are
-/// checked by the EDP's own LimitCheck, as polynomials of degree five between the planned states at their ends. Where
-/// no macrostep of an interval can come near a position or motor limit, stops included, the interval is passed over:
-/// with |v| <= min(v_max, max(|v0|, |v1|) + A T / 2) in an interval of duration T, a joint moves at most |v| T / 2 from
-/// its middle, and a stop at most v^2 / 2 A + v A / J + A^3 / J^2. So a motion far from all limits costs a few checks,
-/// one of hours no more than a short one.
+/// checked by the EDP's own LimitCheck, as polynomials of degree five between the planned states at their ends.
+///
+/// Where no macrostep of an interval can come near a position or motor limit, stops included, the interval is passed
+/// over. With the limits V, A, J of a joint and its pace p, an interval of T s from q0, v0 to q1, v1 holds
+/// |v| <= v = min(p V, max(|v0|, |v1|) + p^2 A T / 2), stays within min(v T / 2, |q1 - q0| / 2 + p^2 A T^2 / 8) of
+/// (q0 + q1) / 2, and a stop from it takes at most u p^2 A / J + u / 2 (u / A + min(A / J, 2 sqrt(u / J))) more, with
+/// u = v + p^4 A^2 / 2 J. So a motion far from all limits costs a few checks, one of hours no more than a short one.
 ///
 /// Task's thread; allocates nothing but in the constructor.
 class MotionCheck {
@@ -29,12 +38,11 @@ class MotionCheck {
 
   /// Class `none`, or the first report of LimitCheck. The motion goes through `states` from 0 to `duration` s in
   /// macrosteps of the robot; the last one ends at rest in the state of `duration`. `start`: the macrostep that is
-  /// reported, from 0. `cruise`: the part of the velocity limits above which no axis speeds up, 0..1; a slow motion is
-  /// checked in the time of a fast one.
-  ErrorReport check(const States& states, double duration, double& start, double cruise = 1);
+  /// reported, from 0.
+  ErrorReport check(const States& states, double duration, double& start, MotionPace pace = {});
 
   /// The same. Throws NonFatalError with the report's code and text, and the time.
-  void require(const States& states, double duration, double cruise = 1);
+  void require(const States& states, double duration, MotionPace pace = {});
 
  private:
   ErrorReport check_interval(std::int64_t first, std::int64_t last, const DesiredState& from, const DesiredState& to);
@@ -46,7 +54,8 @@ class MotionCheck {
   const RobotModel* model_;
   LimitCheck limits_;
   const States* states_ = nullptr;
-  double step_ = 0, duration_ = 0, cruise_ = 1;
+  double step_ = 0, duration_ = 0;
+  MotionPace pace_;
   std::int64_t macrosteps_ = 0, reported_ = 0;
 };
 

@@ -17,6 +17,8 @@ constexpr double kFarthest = 2;         // the nearest point is sought so many t
 constexpr double kSoon = 2;             // s: what is nearer its stop than it can brake rests there
 constexpr int kLooks = 64;              // of the search for it, each way
 constexpr int kHalvings = 40;
+constexpr int kPaceLooks = 256;                               // of a motion
+constexpr double kPaceReserve = 1.5;                          // for what lies between two of them
 constexpr double kFewestTimeLooks = 8, kMostTimeLooks = 400;  // at a piece of a path with times
 constexpr int kMostRests = 6;                                 // halvings of a path by rests in it
 
@@ -91,13 +93,28 @@ void PathRunner::check_limits(PathTiming& timing) {
   if (!check_) check_.emplace(*robot_);
   const MotionCheck::States states = [this, &timing](double time) { return state(timing, time); };
   double when = 0;
-  if (!bad(check_->check(states, timing.duration(), when))) return;
+  const MotionPace pace = pace_of(timing);
+  if (!bad(check_->check(states, timing.duration(), when, pace))) return;
   const double shortest = timing.duration();
   for (const double slower : kSlower) {
     timing.stretch_to(whole_steps(slower * shortest));
-    if (path_->is_timed() || !bad(check_->check(states, timing.duration(), when))) break;
+    if (path_->is_timed() || !bad(check_->check(states, timing.duration(), when, pace))) break;
   }
-  check_->require(states, timing.duration());
+  check_->require(states, timing.duration(), pace);
+}
+
+MotionPace PathRunner::pace_of(const PathTiming& timing) const {
+  double fastest = 0;
+  for (int k = 0; k < kPaceLooks; ++k) {
+    const DesiredState now = state(timing, timing.duration() * k / kPaceLooks);
+    for (std::size_t i = 0; i < robot_->parameters().axes.size(); ++i) {
+      const AxisParameters& axis = robot_->parameters().axes[i];
+      const auto row = static_cast<Eigen::Index>(i);
+      fastest = std::max({fastest, std::abs(now.velocity[row]) / axis.velocity_max,
+                          std::sqrt(std::abs(now.acceleration[row]) / axis.acceleration_max)});
+    }
+  }
+  return {0, std::min(1.0, kPaceReserve * fastest)};
 }
 
 DesiredState PathRunner::state(const PathTiming& timing, double time) const {

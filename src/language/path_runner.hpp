@@ -41,6 +41,8 @@ class PathRunner {
   void check_times() const;
   void plan_from(double s);
   void check_limits(PathTiming& timing);
+  /// By samples, with a reserve for what lies between them.
+  MotionPace pace_of(const PathTiming& timing) const;
   DesiredState state(const PathTiming& timing, double time) const;
   /// Adds a timing; or instead two with a rest between them where that takes less time, for each of them likewise.
   void add(PathTiming timing, int more_rests);
