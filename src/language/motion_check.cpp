@@ -10,7 +10,7 @@ namespace mrroc {
 namespace {
 
 constexpr double kStepSumRounding = 1e-9;  // s: sums of step durations are not exact
-constexpr double kIntervalGrowth = 4;  // no transmission ratio grows more than that in an interval that is passed over
+constexpr double kIntervalGrowth = 4;  // a transmission ratio grows less than that in an interval that is passed over
 
 /// m or rad that a stop takes at most from a velocity `v` and an acceleration `a`, both magnitudes.
 double longest_stop(const AxisParameters& axis, double v, double a) noexcept {
@@ -99,6 +99,15 @@ bool MotionCheck::is_clear(std::int64_t first, std::int64_t last, const DesiredS
   for (Eigen::Index i = 0; i < motors.size(); ++i) {
     const AxisParameters& axis = axes[static_cast<std::size_t>(i)];
     if (!(motors[i] - way[i] > axis.motor_min && motors[i] + way[i] < axis.motor_max)) return false;
+  }
+  // a transmission that reaches only a part of the box of joint limits, as one with passive joints
+  JointVector corner = middle;
+  for (Eigen::Index i = 0; i < middle.size(); ++i) {
+    for (const double side : {-kIntervalGrowth, kIntervalGrowth}) {
+      corner[i] = middle[i] + side * reach[i];
+      if (model_->joints_to_motors(corner, motors) != ErrorCode::none) return false;
+    }
+    corner[i] = middle[i];
   }
   return true;
 }

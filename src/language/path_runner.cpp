@@ -17,6 +17,7 @@ constexpr double kFarthest = 2;         // the nearest point is sought so many t
 constexpr double kSoon = 2;             // s: what is nearer its stop than it can brake rests there
 constexpr int kLooks = 64;              // of the search for it, each way
 constexpr int kHalvings = 40;
+constexpr double kDifference = 1e-4;                          // s
 constexpr int kPaceLooks = 256;                               // of a motion
 constexpr double kPaceReserve = 1.5;                          // for what lies between two of them
 constexpr double kFewestTimeLooks = 8, kMostTimeLooks = 400;  // at a piece of a path with times
@@ -119,12 +120,13 @@ MotionPace PathRunner::pace_of(const PathTiming& timing) const {
 
 DesiredState PathRunner::state(const PathTiming& timing, double time) const {
   if (time >= timing.duration() - kTimeRounding) return DesiredState::resting_at(path_->joints(timing.end()));
-  const PathTiming::Point point = timing.at(time);
-  const JointVector joints = path_->joints(point.position);
-  const PathRates rates = path_->rates(path_->piece_at(point.position), point.position);
-  const auto first = rates.first.segment(kJointRow, joints.size());
-  const auto second = rates.second.segment(kJointRow, joints.size());
-  return {joints, point.speed * first, point.acceleration * first + point.speed * point.speed * second};
+  // the EDP takes the joints' rates from the tool's motion: as exact as these, unlike those interpolated for the timing
+  const auto joints_at = [&](double t) {
+    return path_->joints(timing.at(std::clamp(t, 0.0, timing.duration())).position);
+  };
+  const JointVector before = joints_at(time - kDifference), joints = joints_at(time),
+                    after = joints_at(time + kDifference);
+  return {joints, (after - before) / (2 * kDifference), (after - 2 * joints + before) / (kDifference * kDifference)};
 }
 
 void PathRunner::plan_from(double s) {
