@@ -88,7 +88,7 @@ std::optional<double> time_of(const Fault& fault, std::uint64_t seed) {
 
 /// cable_detection [SEEDS]: press_mp with the MP on one host and everything else on another (network namespaces with a
 /// cable, as root or in a user namespace), with keys, under the real clock; the cable is cut, or a process of either
-/// host killed or halted, SEEDS (20) times each at a random moment. Prints the wall time until `mrroc run` tells of it.
+/// host killed or halted, SEEDS (20) times each at a random moment. Prints the wall time until `mrroc run` reports it.
 /// Fails when one is not noticed within 50 ms.
 int main(int argc, char** argv) {
   enter_own_network();

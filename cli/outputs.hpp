@@ -30,7 +30,7 @@ class Outputs {
   /// Empties what has been left of an earlier run: from now on the outputs are this run's.
   void begin();
 
-  /// The open part of the trace of a process, the open motion file; -1: there is none.
+  /// The open part of the trace of a process, the open motion file; -1: none.
   int trace_of(const std::string& process) const noexcept { return parts_ ? parts_->fd_of(process) : -1; }
   int motion() const noexcept { return motion_ ? motion_->fd() : -1; }
   /// Null: no trace is written.

@@ -1,13 +1,11 @@
 #include "sim/motion_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
 
+#include "command/output_stream.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
 
@@ -19,19 +17,11 @@ std::string problem(const std::filesystem::path& path, int reason) {
   return "cannot write the motion file " + path.string() + ": " + std::strerror(reason);
 }
 
-/// A stream of its own on a copy of the descriptor.
-std::FILE* stream_on(int fd) {
-  const int copy = fcntl(fd, F_DUPFD_CLOEXEC, 3);
-  std::FILE* const stream = copy < 0 ? nullptr : fdopen(copy, "w");
-  if (stream == nullptr && copy >= 0) ::close(copy);
-  return stream;
-}
-
 }  // namespace
 
 MotionFile::MotionFile(int fd, std::filesystem::path path, const config::Deployment& deployment,
                        const WorldMemory& memory)
-    : deployment_(deployment), memory_(memory), path_(std::move(path)), file_(stream_on(fd)) {
+    : deployment_(deployment), memory_(memory), path_(std::move(path)), file_(command::output_stream(fd)) {
   if (file_ == nullptr) throw std::runtime_error(problem(path_, errno));
   for (const config::RobotEntry& robot : deployment_.robots)
     if (robot.in_world()) write_limits(robot);

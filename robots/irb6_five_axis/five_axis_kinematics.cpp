@@ -16,7 +16,7 @@ constexpr double kBehind = 1e-3;  // m, beyond the limits: what a projected pose
 namespace {
 
 constexpr double kPlane = 1e-6;       // sine of an angle, what rounding leaves
-constexpr double kNearColumn = 0.05;  // m: nearer to it a measured position tells little of the column's angle
+constexpr double kNearColumn = 0.05;  // m: nearer to it a measured position determines the column's angle badly
 
 }  // namespace
 

@@ -126,7 +126,7 @@ void DebugView::write(const cv::Mat& picture, Tick tick) {
     std::error_code ignored;
     std::filesystem::remove(file, ignored);  // half a picture
   }
-  if (!std::exchange(told_, true))
+  if (!std::exchange(reported_, true))
     std::fprintf(stderr, "%s: cannot write the picture %s: %s\n", sensor_.c_str(), file.c_str(), reason.c_str());
 }
 

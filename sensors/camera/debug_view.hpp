@@ -14,8 +14,8 @@ namespace mrroc::vsp {
 /// Pictures of what a camera has found, for people: `<folder>/<sensor>_<tick>.png` (the tick with eight digits) of
 /// every n-th reading, with the outline, the axes of the pose (x red, y green, z blue) and the reading's figures; and
 /// `<sensor>.toml` with the camera's intrinsics, which is claimed for as long as this object lives: no other run writes
-/// pictures of a sensor of this name into the folder meanwhile. A picture that cannot be written is told once on stderr
-/// and costs no reading.
+/// pictures of a sensor of this name into the folder meanwhile. A picture that cannot be written is reported once on
+/// stderr and costs no reading.
 class DebugView {
  public:
   /// Makes the folder. Throws ConfigurationError when another process writes the pictures of such a sensor there,
@@ -34,7 +34,7 @@ class DebugView {
   Intrinsics intrinsics_;
   std::optional<process::ClaimedFile> description_;
   std::uint64_t readings_ = 0;
-  bool told_ = false;
+  bool reported_ = false;
 };
 
 }  // namespace mrroc::vsp

@@ -19,7 +19,7 @@ struct ObjectEntry {
   DataType type = DataType::unsigned32;
   std::string access;           ///< ro | wo | rw | rwr | rww | const
   std::string default_value;    ///< as the file has it, without comment and quotes; empty: none
-  std::string parameter_value;  ///< likewise, of a DCF
+  std::string parameter_value;  ///< the same, of a DCF
   bool mappable = false;        ///< into a PDO
 
   bool readable() const noexcept { return access != "wo"; }

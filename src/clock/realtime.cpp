@@ -12,7 +12,7 @@ namespace mrroc::clock {
 namespace {
 
 /// With a finite limit that suffices now, what the process maps later, such as the stack of a thread, would be refused.
-/// So it is taken only without a limit. A limit of 0 holds for everyone but who has CAP_IPC_LOCK.
+/// So it is taken only without a limit. A limit of 0 applies to every process without CAP_IPC_LOCK.
 bool lock_memory() {
   rlimit limit{};
   if (::getrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;

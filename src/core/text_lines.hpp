@@ -24,7 +24,7 @@ class TextError : public std::runtime_error {
   TextError(int line, const std::string& problem, const std::string& expected);
   int line;              ///< from 1
   std::string problem;   ///< as `shown` writes it
-  std::string expected;  ///< likewise
+  std::string expected;  ///< the same
 };
 
 /// Bytes of the longest line.

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kArcName = "CartesianArc";
 constexpr double kStraight = 1e-6;    // sine of the angle between two chords: they make no circle
 constexpr double kShortChord = 1e-3;  // of the longest chord: its direction is not known
-constexpr double kLeastChord = 1e-6;  // m, likewise
+constexpr double kLeastChord = 1e-6;  // m, the same
 
 [[noreturn]] void refuse(const char* what) {
   throw NonFatalError(ErrorCode::invalid_argument, std::string{kArcName} + ": " + what);

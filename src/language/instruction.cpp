@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "language/bring_to_rest.hpp"
 #include "language/instruction_lists.hpp"
 #include "mrroc/stopped.hpp"
 
@@ -60,8 +61,8 @@ Outcome Instruction::run() {
   } catch (Error& error) {
     error.complete_origin({task_->process_name(), "", step_, newest_tick()});
     observe(ending_of(error.error_class()));
-    if (error.error_class() != ErrorClass::system) rest_after_error();  // else an exchange may be under way
-    error.attach(std::make_shared<const BlackBox>(task_->black_box()));
+    error.attach(std::make_shared<const BlackBox>(task_->black_box()));     // before other fibers of the task add to it
+    if (error.error_class() != ErrorClass::system) bring_to_rest(robots_);  // else an exchange may be under way
     throw;
   } catch (const Stopped&) {
     observe(StepEnding::stopped);
@@ -163,23 +164,6 @@ void Instruction::hold() {
 
 void Instruction::come_to_rest() {
   while (moving()) hold();
-}
-
-void Instruction::rest_after_error() {
-  std::vector<Robot*> moving = robots_;
-  const auto is_done = [](const Robot* robot) {
-    return rests(robot->state()) || robot->state().error.error_class != ErrorClass::none;
-  };
-  std::erase_if(moving, [](const Robot* robot) { return rests(robot->state()); });
-  try {
-    while (!moving.empty()) {
-      for (Robot* robot : moving) robot->reset_command(CommandKind::hold);
-      for (Robot* robot : moving) robot->send();
-      for (Robot* robot : moving) robot->receive();
-      std::erase_if(moving, is_done);
-    }
-  } catch (const Error&) {  // the next instruction meets it again
-  }
 }
 
 void Instruction::resume_after_late_command() {

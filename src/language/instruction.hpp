@@ -30,9 +30,6 @@ class Instruction {
   OperatorRequest hold_until_resumed(OperatorRequest request);
   /// Holds until every robot rests.
   void come_to_rest();
-  /// After an error: robots that are in motion hold until they rest, so that the caller can command them at once. A
-  /// robot that reports an error meanwhile stops on its own. Errors here do not replace the first one.
-  void rest_after_error();
   /// A robot has braked, or started after the others, because its command came late: what the generator planned is no
   /// more. All come to rest, then it plans the rest of the motion.
   void resume_after_late_command();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <ruckig/ruckig.hpp>
 #include <string>
@@ -22,6 +23,7 @@ constexpr double kWithin = 1 + 1e-6;    // of the limits: rounding of a state
 constexpr double kBeyondTarget = 1e-9;  // rad or m: rounding of a position
 
 using JointValues = std::array<double, kMost>;
+using AxisSet = std::bitset<kMost>;
 
 struct JointLimits {
   JointValues velocity{}, acceleration{}, jerk{};
@@ -69,10 +71,11 @@ struct JointLeg::Plan {
   ruckig::Result result = ruckig::Result::Working;  // of the last calculation of `trajectory`
   std::size_t axes = 0;
   Motion start, slowed;
+  JointValues rest{};       // where the shortest stops end
   double slowing_time = 0;  // s, before the trajectory begins
   double pace = 1;          // of the trajectory's time: it is planned `1 / pace` times as fast
   double least_time = 0;    // s, of the whole motion
-  MotionPace slowness;            // of the whole motion
+  MotionPace slowness;      // of the whole motion
   MotionCheck check;
 
   /// From `from` at `speed`; false when Ruckig finds nothing.
@@ -93,9 +96,9 @@ struct JointLeg::Plan {
     return is_planned(result);
   }
 
-  /// As fast as the robot can, each axis by itself, to the velocity of the first moment without acceleration, but at
-  /// most `part` of the limits; then the run at `speed`.
-  bool run_slowed(const std::vector<AxisParameters>& parameters, double part, double speed) {
+  /// As fast as the robot can, each axis by itself: to rest where `stopped` has it, else to the velocity of the first
+  /// moment without acceleration, but at most `speed` of the limits. Nothing when Ruckig finds nothing.
+  bool slow_down(const std::vector<AxisParameters>& parameters, AxisSet stopped, double speed) {
     const JointLimits full = limits_at(parameters, 1);
     for (std::size_t i = 0; i < axes; ++i) {
       slowing_input.current_position[i] = start.position[i];
@@ -104,14 +107,15 @@ struct JointLeg::Plan {
       slowing_input.max_acceleration[i] = full.acceleration[i];
       slowing_input.max_jerk[i] = full.jerk[i];
       const double a = start.acceleration[i], soonest = start.velocity[i] + 0.5 * a * std::abs(a) / full.jerk[i];
-      slowing_input.target_velocity[i] = std::clamp(soonest, -part * full.velocity[i], part * full.velocity[i]);
+      const double most = stopped[i] ? 0 : speed * full.velocity[i];
+      slowing_input.target_velocity[i] = std::clamp(soonest, -most, most);
     }
     if (!is_planned(ruckig.calculate(slowing_input, slowing))) return false;
     slowing_time = slowing.get_duration();
     slowing.at_time(slowing_time, slowed.position, slowed.velocity, slowed.acceleration);
     std::copy_n(slowing_input.target_velocity.begin(), axes, slowed.velocity.begin());
     slowed.acceleration.fill(0);
-    return run(slowed, parameters, speed);
+    return true;
   }
 
   /// Whether the start is one that a motion at `speed` could be in.
@@ -126,18 +130,19 @@ struct JointLeg::Plan {
     return true;
   }
 
-  /// Whether an axis leaves the way between its start and its target.
-  bool passes_target() const {
-    std::array<ruckig::Bound, kMost> extrema;
+  /// The axes that leave the way between their start, their target and where their shortest stop would end.
+  AxisSet beyond() const {
+    std::array<ruckig::Bound, kMost> extrema, before;
     trajectory.get_position_extrema(extrema);
+    if (slowing_time > 0) slowing.get_position_extrema(before);
+    AxisSet found;
     for (std::size_t i = 0; i < axes; ++i) {
-      const auto [low, high] = std::minmax(start.position[i], input.target_position[i]);
-      const auto outside = [low = low - kBeyondTarget, high = high + kBeyondTarget](double position) {
-        return position < low || position > high;
-      };
-      if (outside(extrema[i].min) || outside(extrema[i].max) || outside(input.current_position[i])) return true;
+      const double low = std::min({start.position[i], input.target_position[i], rest[i]}) - kBeyondTarget;
+      const double high = std::max({start.position[i], input.target_position[i], rest[i]}) + kBeyondTarget;
+      const auto leaves = [&](const ruckig::Bound& range) { return range.min < low || range.max > high; };
+      found[i] = leaves(extrema[i]) || (slowing_time > 0 && leaves(before[i]));
     }
-    return false;
+    return found;
   }
 };
 
@@ -202,18 +207,36 @@ void JointLeg::calculate(double speed) {
   Plan& plan = *plan_;
   plan.slowing_time = 0;
   plan.slowness = {0, speed};
-  const bool any_start = speed == 1 || plan.start.at_rest();
-  if ((any_start || plan.starts_within(limits_at(axes, speed))) && plan.run(plan.start, axes, speed) &&
-      (any_start || !plan.passes_target()))
-    return;
-  for (const double part : {speed, 0.0}) {
-    const bool planned = plan.run_slowed(axes, part, speed);
-    plan.slowness.from = plan.slowing_time;
-    if (planned && (part == 0 || !plan.passes_target())) return;
+  if (speed == 1 || plan.start.at_rest()) {
+    if (plan.run(plan.start, axes, speed)) return;
+    throw_no_trajectory();
   }
+  AxisSet all;
+  for (std::size_t i = 0; i < plan.axes; ++i) all[i] = true;
+  if (!plan.slow_down(axes, all, speed)) throw_no_trajectory();
+  plan.rest = plan.slowed.position;
+  plan.slowing_time = 0;
+  AxisSet stopped;
+  if (plan.starts_within(limits_at(axes, speed)) && plan.run(plan.start, axes, speed)) {
+    stopped = plan.beyond();
+    if (stopped.none()) return;
+  }
+  // those that would go too far with the scaled limits are stopped with the whole ones, as few as that takes
+  while (stopped != all) {
+    if (!plan.slow_down(axes, stopped, speed) || !plan.run(plan.slowed, axes, speed)) break;
+    plan.slowness.from = plan.slowing_time;
+    const AxisSet beyond = plan.beyond() & ~stopped;
+    if (beyond.none()) return;
+    stopped |= beyond;
+  }
+  if (!plan.slow_down(axes, all, speed) || !plan.run(plan.slowed, axes, speed)) throw_no_trajectory();
+  plan.slowness.from = plan.slowing_time;
+}
+
+void JointLeg::throw_no_trajectory() const {
   throw NonFatalError(
       ErrorCode::invalid_argument,
-      "no trajectory to the target (Ruckig result " + std::to_string(static_cast<int>(plan.result)) + ")",
+      "no trajectory to the target (Ruckig result " + std::to_string(static_cast<int>(plan_->result)) + ")",
       {robot_->task().process_name(), robot_->name(), 0, robot_->state().tick});
 }
 

@@ -12,10 +12,10 @@ namespace mrroc {
 /// refuse takes longer where that helps (kSlower). Task's thread. Planning does not allocate, so a step may plan the
 /// next motion.
 ///
-/// A motion under way is braked with the shares of the unscaled limits where the scaled ones do not hold at its start,
-/// or would not stop it before its target: each axis to its scaled velocity if it can stop from there, else all axes to
-/// rest. The target is then approached with the scaled limits. So no axis passes its target by more than its shortest
-/// braking distance, at any speed.
+/// A motion under way is driven on with the scaled limits where they hold at its start and no axis leaves the way
+/// between start, target and the end of its shortest stop. Else it is slowed down first, with the shares of the
+/// unscaled limits: to the scaled velocities, and the axes that would still go too far to rest. So no axis passes its
+/// target by more than its shortest braking distance, at any speed.
 class JointLeg {
  public:
   /// Allocates. `robot` must outlive it.
@@ -42,6 +42,7 @@ class JointLeg {
   void begin(const DesiredState& start, const JointVector& target);
   void plan_checked(double speed);
   void calculate(double speed);
+  [[noreturn]] void throw_no_trajectory() const;
   const Robot* robot_;
   JointVector target_;
   std::unique_ptr<Plan> plan_;

@@ -25,6 +25,7 @@ MotionCheck::MotionCheck(const Robot& robot)
     : robot_(&robot), model_(&robot.kinematics().model()), limits_(*model_, robot.task().servo_period()) {}
 
 ErrorReport MotionCheck::check(const States& states, double duration, double& start, MotionPace pace) {
+  if (!robot_->state().synchronised) return {};
   pace_ = pace;
   model_ = &robot_->kinematics().model();
   limits_.use(*model_);

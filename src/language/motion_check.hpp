@@ -38,7 +38,8 @@ class MotionCheck {
 
   /// Class `none`, or the first report of LimitCheck. The motion goes through `states` from 0 to `duration` s in
   /// macrosteps of the robot; the last one ends at rest in the state of `duration`. `start`: the macrostep that is
-  /// reported, from 0.
+  /// reported, from 0. A robot that is not synchronised has no joints yet: its EDP refuses the motion, with that
+  /// reason.
   ErrorReport check(const States& states, double duration, double& start, MotionPace pace = {});
 
   /// The same. Throws NonFatalError with the report's code and text, and the time.

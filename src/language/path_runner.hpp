@@ -44,7 +44,7 @@ class PathRunner {
   /// By samples, with a reserve for what lies between them.
   MotionPace pace_of(const PathTiming& timing) const;
   DesiredState state(const PathTiming& timing, double time) const;
-  /// Adds a timing; or instead two with a rest between them where that takes less time, for each of them likewise.
+  /// Adds a timing; or instead two with a rest between them where that takes less time, for each of them the same.
   void add(PathTiming timing, int more_rests);
   double nearest_point() const;
   /// From the robot's desired joints to those at s, in seconds at full speed.

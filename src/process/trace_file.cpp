@@ -1,12 +1,11 @@
 #include "process/trace_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
+
+#include "command/output_stream.hpp"
 
 namespace mrroc::process {
 
@@ -14,14 +13,6 @@ namespace {
 
 std::string problem(const std::filesystem::path& path, int reason) {
   return std::string{kTraceProblem} + path.string() + ": " + std::strerror(reason);
-}
-
-/// A stream of its own on a copy of the descriptor.
-std::FILE* stream_on(int fd) {
-  const int copy = fcntl(fd, F_DUPFD_CLOEXEC, 3);
-  std::FILE* const stream = copy < 0 ? nullptr : fdopen(copy, "w");
-  if (stream == nullptr && copy >= 0) ::close(copy);
-  return stream;
 }
 
 }  // namespace
@@ -37,7 +28,11 @@ TraceFile::TraceFile(const std::filesystem::path& path, std::string process, boo
 }
 
 TraceFile::TraceFile(int fd, std::filesystem::path path, std::string process, bool lossless)
-    : path_(std::move(path)), file_(stream_on(fd)), process_(std::move(process)), lossless_(lossless), ring_(kLines) {
+    : path_(std::move(path)),
+      file_(command::output_stream(fd)),
+      process_(std::move(process)),
+      lossless_(lossless),
+      ring_(kLines) {
   if (file_ == nullptr) throw std::runtime_error(problem(path_, errno));
   thread_ = std::thread([this] { run(); });
 }

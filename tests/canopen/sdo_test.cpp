@@ -11,7 +11,7 @@ namespace {
 using test::PlainServer;
 using Status = SdoTransfer::Status;
 
-constexpr NodeId kNode = 5;
+constexpr NodeId kServedNode = 5;
 constexpr Object kThing{0x2001, 3};
 
 /// Carries frames to and fro until the transfer is over, or nobody answers.
@@ -29,15 +29,15 @@ std::vector<std::uint8_t> value_of(const SdoTransfer& transfer) {
 
 TEST(Sdo, WhatIsWrittenIsRead) {
   EXPECT_TRUE(rc::check("any value, whether the server tells its size or not", [](bool tells_size, Object object) {
-    PlainServer server(kNode);
+    PlainServer server(kServedNode);
     server.tells_size = tells_size;
     server.values[object] = {1};
     const auto value = test::random_value(0, kMaxValue);
     SdoTransfer transfer;
-    carry(transfer, server, transfer.download(kNode, object, value));
+    carry(transfer, server, transfer.download(kServedNode, object, value));
     RC_ASSERT(transfer.status() == Status::done);
     RC_ASSERT(server.values[object] == value);
-    carry(transfer, server, transfer.upload(kNode, object));
+    carry(transfer, server, transfer.upload(kServedNode, object));
     RC_ASSERT(transfer.status() == Status::done);
     RC_ASSERT(value_of(transfer) == value);
   }));
@@ -45,31 +45,31 @@ TEST(Sdo, WhatIsWrittenIsRead) {
 
 TEST(Sdo, AValueThatIsTooLongToReadIsRefused) {
   for (const bool tells_size : {true, false}) {
-    PlainServer server(kNode);
+    PlainServer server(kServedNode);
     server.tells_size = tells_size;
     server.values[kThing].resize(kMaxValue + 1, 7);
     SdoTransfer transfer;
-    carry(transfer, server, transfer.upload(kNode, kThing));
+    carry(transfer, server, transfer.upload(kServedNode, kThing));
     EXPECT_EQ(transfer.status(), Status::refused);
     EXPECT_EQ(transfer.abort(), SdoAbort::out_of_memory);
   }
 }
 
 TEST(Sdo, AWrongToggleBitEndsIt) {
-  PlainServer server(kNode);
+  PlainServer server(kServedNode);
   server.spoils_toggle = true;
   server.values[kThing].resize(20);
   SdoTransfer transfer;
-  carry(transfer, server, transfer.upload(kNode, kThing));
+  carry(transfer, server, transfer.upload(kServedNode, kThing));
   EXPECT_EQ(transfer.abort(), SdoAbort::toggle_bit);
-  carry(transfer, server, transfer.download(kNode, kThing, std::vector<std::uint8_t>(20)));
+  carry(transfer, server, transfer.download(kServedNode, kThing, std::vector<std::uint8_t>(20)));
   EXPECT_EQ(transfer.status(), Status::refused);
   EXPECT_EQ(transfer.abort(), SdoAbort::toggle_bit);
 }
 
 TEST(Sdo, FewerBytesThanAnnouncedAreNoValue) {
   SdoTransfer transfer;
-  transfer.upload(kNode, kThing);
+  transfer.upload(kServedNode, kThing);
   can::Frame next;
   EXPECT_TRUE(transfer.take({0x585, {0x41, 0x01, 0x20, 3, 9, 0, 0, 0}}, next));
   EXPECT_EQ(next, (can::Frame{0x605, {0x60, 0, 0, 0, 0, 0, 0, 0}}));
@@ -79,9 +79,9 @@ TEST(Sdo, FewerBytesThanAnnouncedAreNoValue) {
 }
 
 TEST(Sdo, TheServersRefusalHasItsText) {
-  PlainServer server(kNode);
+  PlainServer server(kServedNode);
   SdoTransfer transfer;
-  carry(transfer, server, transfer.upload(kNode, kThing));
+  carry(transfer, server, transfer.upload(kServedNode, kThing));
   EXPECT_EQ(transfer.status(), Status::refused);
   EXPECT_EQ(describe(transfer.abort()), "object does not exist in the object dictionary");
   EXPECT_EQ(describe(SdoAbort::none), "no abort");
@@ -95,7 +95,7 @@ TEST(Sdo, FramesOfOthersAreNotItsOwn) {
   can::Frame next;
   const can::Frame answer{0x585, {0x43, 0x01, 0x20, 3, 1, 2, 3, 4}};
   EXPECT_FALSE(transfer.take(answer, next)) << "nothing was asked";
-  transfer.upload(kNode, kThing);
+  transfer.upload(kServedNode, kThing);
   can::Frame other = answer;
   other.id = 0x586;
   EXPECT_FALSE(transfer.take(other, next)) << "another node";
@@ -119,11 +119,11 @@ TEST(Sdo, FramesOfOthersAreNotItsOwn) {
 }
 
 TEST(Sdo, ALateAnswerDoesNotDisturbSegments) {
-  PlainServer server(kNode);
+  PlainServer server(kServedNode);
   server.values[kThing] = std::vector<std::uint8_t>(30, 9);
   SdoTransfer transfer;
   can::Frame frame;
-  ASSERT_TRUE(transfer.take(*server.answer(transfer.upload(kNode, kThing)), frame));
+  ASSERT_TRUE(transfer.take(*server.answer(transfer.upload(kServedNode, kThing)), frame));
   can::Frame next;
   EXPECT_FALSE(transfer.take({0x585, {0x60, 0x17, 0x10, 0, 0, 0, 0, 0}}, next));
   carry(transfer, server, frame);
@@ -134,14 +134,15 @@ TEST(Sdo, NoFramesWhateverConfuseIt) {
   EXPECT_TRUE(rc::check("a random sequence", [](bool writes, Object object) {
     const auto value = test::random_value(0, kMaxValue);
     SdoTransfer transfer;
-    const can::Frame request = writes ? transfer.download(kNode, object, value) : transfer.upload(kNode, object);
-    RC_ASSERT(request.id == kSdoRequest + kNode);
+    const can::Frame request =
+        writes ? transfer.download(kServedNode, object, value) : transfer.upload(kServedNode, object);
+    RC_ASSERT(request.id == kSdoRequest + kServedNode);
     const auto frames = *rc::gen::container<std::vector<can::Frame>>(60, rc::gen::arbitrary<can::Frame>());
     for (can::Frame frame : frames) {
       // most of them nearly right
       const int kind = *rc::gen::inRange(0, 8);
       if (kind > 0) {
-        frame.id = kSdoResponse + kNode;
+        frame.id = kSdoResponse + kServedNode;
         frame.size = 8;
         frame.fd = frame.error = frame.remote = false;
       }
@@ -157,7 +158,7 @@ TEST(Sdo, NoFramesWhateverConfuseIt) {
       RC_ASSERT(transfer.value().size() <= kMaxValue);
       RC_ASSERT(!writes || transfer.value().size() == size);
       RC_ASSERT(taken || (next.id == 0 && transfer.status() == before));
-      RC_ASSERT(next.id == 0 || (next.id == kSdoRequest + kNode && next.size == 8));
+      RC_ASSERT(next.id == 0 || (next.id == kSdoRequest + kServedNode && next.size == 8));
       RC_ASSERT(before == Status::waiting || !taken);
       RC_ASSERT(transfer.status() != Status::waiting || !taken || next.id != 0);
     }

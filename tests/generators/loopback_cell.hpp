@@ -9,17 +9,15 @@
 #include "edp/effector.hpp"
 #include "edp/loopback_hardware.hpp"
 #include "edp/servo.hpp"
+#include "generators/cell_task.hpp"
 #include "language/limits.hpp"
-#include "mrroc/robot.hpp"
-#include "mrroc/sensor.hpp"
-#include "mrroc/task.hpp"
 
 namespace mrroc::test {
 
 /// A task program's process around several robots, each with its EDP core (effector and servo) and the plant model of
 /// its drives, without processes and transport. Time passes while a reply is awaited. Every set-point of every tick is
 /// checked against the limits.
-class LoopbackCell : public Task {
+class LoopbackCell : public CellTask {
  public:
   /// The robots are named robot0, robot1, ...
   explicit LoopbackCell(const std::vector<std::shared_ptr<const RobotModel>>& models) {
@@ -32,25 +30,13 @@ class LoopbackCell : public Task {
   Robot& robot(std::size_t i = 0) { return *robots_[i]; }
   const edp::Snapshot& seen(std::size_t i = 0) const { return cores_[i]->servo.snapshot(); }
 
-  const std::string& process_name() const noexcept override { return name_; }
-  std::string robot_name(const std::string& name) const override { return name; }
   RobotLink& robot_link(const std::string& name, const std::string&) override {
     return *cores_[static_cast<std::size_t>(std::stoi(name.substr(5)))];
   }
-  SensorLink& sensor_link(const std::string& name, const std::string&, bool&) override {
-    throw NonFatalError(ErrorCode::invalid_argument, "no sensor " + name);
-  }
-  double servo_period() const noexcept override { return kPeriod; }
   Tick tick() const noexcept override { return now_; }
-  double wall_seconds() const noexcept override { return 0; }
   void sleep_until(Tick tick) override {
     while (now_ < tick) step();
   }
-  OperatorRequest operator_request() noexcept override { return OperatorRequest::none; }
-  bool take_trigger() noexcept override { return false; }
-  StepObserver* observer() noexcept override { return nullptr; }
-
-  static constexpr double kPeriod = 0.002;
 
  private:
   struct Core : RobotLink {
@@ -105,7 +91,6 @@ class LoopbackCell : public Task {
     ++now_;
   }
 
-  std::string name_ = "cell";
   Tick now_ = 0;
   std::vector<std::unique_ptr<Core>> cores_;
   std::vector<std::unique_ptr<Robot>> robots_;

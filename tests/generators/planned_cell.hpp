@@ -6,16 +6,14 @@
 #include <vector>
 
 #include "edp/planner.hpp"
-#include "mrroc/robot.hpp"
-#include "mrroc/sensor.hpp"
-#include "mrroc/task.hpp"
+#include "generators/cell_task.hpp"
 
 namespace mrroc::test {
 
 /// A task program's process around one robot that rests at home. Its EDP's planner answers every command: it is planned
 /// and checked as in the EDP, refused with the EDP's error, and executed exactly and at once. `on_tick` sees every tick
 /// of every path.
-class PlannedCell : public Task, private RobotLink {
+class PlannedCell : public CellTask, private RobotLink {
  public:
   explicit PlannedCell(std::shared_ptr<const RobotModel> model)
       : model_(std::move(model)), planner_(*model_, kPeriod), tool_(*model_) {
@@ -26,29 +24,20 @@ class PlannedCell : public Task, private RobotLink {
     tell();
   }
 
-  const std::string& process_name() const noexcept override { return name_; }
-  std::string robot_name(const std::string&) const override { return name_; }
+  std::string robot_name(const std::string&) const override { return "arm"; }
   RobotLink& robot_link(const std::string&, const std::string&) override { return *this; }
-  SensorLink& sensor_link(const std::string& name, const std::string&, bool&) override {
-    throw NonFatalError(ErrorCode::invalid_argument, "no sensor " + name);
-  }
-  double servo_period() const noexcept override { return kPeriod; }
   Tick tick() const noexcept override { return now_; }
-  double wall_seconds() const noexcept override { return 0; }
   void sleep_until(Tick tick) override { now_ = std::max(now_, tick); }
   /// From the step `pause_at` on so many times "pause".
   OperatorRequest operator_request() noexcept override {
     const int asked = asked_++;
     return asked >= pause_at && asked < pause_at + 3 ? OperatorRequest::pause : OperatorRequest::none;
   }
-  bool take_trigger() noexcept override { return false; }
-  StepObserver* observer() noexcept override { return nullptr; }
 
   const ToolKinematics& kinematics() const noexcept { return tool_; }
   const std::vector<AxisParameters>& axes() const { return model_->parameters().axes; }
   const edp::DesiredState& desired() const noexcept { return now_state_; }
 
-  static constexpr double kPeriod = 0.002;
   int pause_at = 1 << 30;
   /// The desired state, the one a tick before it, and the command that is executed.
   std::function<void(const edp::DesiredState&, const edp::DesiredState&, const RobotCommand&)> on_tick;
@@ -85,7 +74,6 @@ class PlannedCell : public Task, private RobotLink {
     tell();
   }
 
-  std::string name_ = "arm";
   std::shared_ptr<const RobotModel> model_;
   edp::Planner planner_;
   ToolKinematics tool_;

@@ -9,10 +9,12 @@
 namespace mrroc::fakes {
 
 /// A tool that can be anywhere: axes 0..2 are its position, 3..5 its rotation vector; their velocities are taken for
-/// the tool's twist in base axes. No limits of position.
+/// the tool's twist in base axes. Of range `unlimited` it has no limits of position.
 class FreeModel : public FakeModel {
  public:
-  FreeModel() : FakeModel(6) {
+  enum class Range { limited, unlimited };
+  explicit FreeModel(Range range = Range::limited) : FakeModel(6) {
+    if (range == Range::limited) return;
     for (AxisParameters& axis : parameters_.axes) {
       axis.position_max = axis.motor_max = std::numeric_limits<double>::infinity();
       axis.position_min = axis.motor_min = -axis.position_max;

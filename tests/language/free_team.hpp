@@ -55,7 +55,7 @@ class FreeTeam : public FakeTask {
     std::vector<RobotCommand> commands;  ///< all but queries
     std::size_t late_at = 0;             ///< this one, from 1, comes late; 0: none
     double overrun = 0;                  ///< s: how far it goes on when it is told to hold
-    std::shared_ptr<FreeModel> model = std::make_shared<FreeModel>();
+    std::shared_ptr<FreeModel> model = std::make_shared<FreeModel>(FreeModel::Range::unlimited);
 
    private:
     FakeTime& time_;

@@ -1,93 +1,14 @@
-#include "mrroc/generators/joint_line.hpp"
-
 #include <cmath>
 #include <limits>
 
-#include "language/fakes.hpp"
+#include "language/joint_line_cell.hpp"
 #include "language/joint_targets.hpp"
-#include "language/motion_recorder.hpp"
 #include "language/property.hpp"
-#include "language/random_values.hpp"
-#include "mrroc/conditions/elapsed_steps.hpp"
-#include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::joint_line {
 namespace {
 
 using fakes::check_property;
-using fakes::FakeTask;
-using fakes::MotionRecorder;
-using fakes::pick;
-
-constexpr int kCases = 500;
-
-/// Positions from -1.9 to 1.9, the limits being +-2.
-JointVector random_joints(int axes) {
-  JointVector joints(axes);
-  for (Eigen::Index i = 0; i < axes; ++i) joints[i] = 0.001 * pick(-1900, 1900);
-  return joints;
-}
-
-double random_speed() { return 0.01 * pick(5, 100); }
-
-/// A task with one robot at rest at random joints, with a random macrostep.
-struct Cell {
-  Cell() : axes(pick(1, kMaxJoints)), arm(task.robot("arm", axes)), home(random_joints(axes)) {
-    task.robot_fake("arm").state.desired_joints = home;
-    task.robot_fake("arm").state.desired_pose = arm->kinematics().direct(home);
-    const auto motion_steps = static_cast<std::uint16_t>(pick(1, 40));
-    arm->set_macrostep(motion_steps, static_cast<std::uint16_t>(pick(1, motion_steps)));
-    task.step_observer = &recorder;
-  }
-  FakeTask task;
-  int axes;
-  std::unique_ptr<Robot> arm;
-  JointVector home;
-  MotionRecorder recorder;
-};
-
-struct Sample {
-  JointVector position, velocity, acceleration;
-};
-
-/// The states at the boundaries of the macrosteps: where it started, and every commanded end.
-std::vector<Sample> samples(const MotionRecorder& recorder) {
-  std::vector<Sample> found;
-  if (recorder.states.empty()) return found;
-  const RobotState& start = recorder.states.front();
-  found.push_back({start.desired_joints, start.desired_velocity, start.desired_acceleration});
-  const auto axes = start.desired_joints.size();
-  const auto full = [&](const JointVector& v) { return v.size() == 0 ? JointVector(JointVector::Zero(axes)) : v; };
-  for (const RobotCommand& command : recorder.commands) {
-    found.push_back({command.joints, full(command.joint_velocity), full(command.joint_acceleration)});
-  }
-  return found;
-}
-
-/// The scaled limits hold at the samples, and from each to the next nothing changes faster than they allow.
-void assert_within_limits(const Cell& cell, const std::vector<Sample>& path, double speed) {
-  const AxisParameters& axis = cell.arm->parameters().axes[0];
-  const double dt = cell.arm->step_duration();
-  const double v = axis.velocity_max * speed;
-  const double a = axis.acceleration_max * speed * speed;
-  const double j = axis.jerk_max * speed * speed * speed;
-  constexpr double kTolerance = 1e-6;
-  for (std::size_t k = 1; k < path.size(); ++k) {
-    RC_ASSERT(path[k].velocity.cwiseAbs().maxCoeff() <= v + kTolerance);
-    RC_ASSERT(path[k].acceleration.cwiseAbs().maxCoeff() <= a + kTolerance);
-    RC_ASSERT((path[k].position - path[k - 1].position).cwiseAbs().maxCoeff() <= v * dt + kTolerance);
-    RC_ASSERT((path[k].velocity - path[k - 1].velocity).cwiseAbs().maxCoeff() <= a * dt + kTolerance);
-    RC_ASSERT((path[k].acceleration - path[k - 1].acceleration).cwiseAbs().maxCoeff() <= j * dt + kTolerance);
-  }
-}
-
-void assert_ends_at(const Cell& cell, const JointVector& target) {
-  const RobotCommand& last = cell.recorder.commands.back();
-  RC_ASSERT(last.kind == CommandKind::joint);
-  RC_ASSERT(last.joints == target);  // exactly, and at rest
-  RC_ASSERT(last.joint_velocity.size() == 0);
-  RC_ASSERT(last.joint_acceleration.size() == 0);
-}
 
 TEST(JointLine, GoesStraightToItsTargetWithinTheScaledLimits) {
   check_property(kCases, [] {
@@ -134,83 +55,6 @@ TEST(JointLine, SpeedOnlyStretchesTime) {
     JointLine slow(*cell.arm, target, speed);
     slow.start();
     RC_ASSERT(std::abs(slow.duration() * speed - fast.duration()) < 1e-6);
-  });
-}
-
-/// Random joints, or some near to where `arm` is, ahead of it or behind it.
-JointVector random_target(const Robot& arm, int axes) {
-  if (pick(0, 1) == 0) return random_joints(axes);
-  JointVector target = arm.state().desired_joints;
-  for (Eigen::Index i = 0; i < axes; ++i) target[i] = std::clamp(target[i] + 0.001 * pick(-100, 100), -1.9, 1.9);
-  return target;
-}
-
-/// Drives `cell` along a line and leaves it in motion, nothing of it recorded.
-void set_in_motion(Cell& cell, double speed) {
-  JointLine first(*cell.arm, random_joints(cell.axes), speed);
-  first.until(ElapsedSteps{static_cast<std::uint64_t>(pick(1, 40))});
-  Move({*cell.arm}, {}, first);
-  cell.recorder.states.clear();
-  cell.recorder.commands.clear();
-}
-
-TEST(JointLine, GoesOnFromAMotionUnderWay) {
-  check_property(kCases, [] {
-    Cell cell;
-    const double speed = random_speed();
-    set_in_motion(cell, speed);
-    const JointVector target = random_target(*cell.arm, cell.axes);
-    const double second_speed = std::min(1.0, speed + 0.01 * pick(0, 50));
-    Move({*cell.arm}, {}, JointLine(*cell.arm, target, second_speed));
-    if (cell.recorder.commands.empty()) return;  // it was there already
-    assert_ends_at(cell, target);
-    assert_within_limits(cell, samples(cell.recorder), 1);  // it may have to brake
-  });
-}
-
-TEST(JointLine, BrakesAMotionUnderWayWithTheWholeLimitsWhateverItsSpeed) {
-  int slow = 0, fast = 0;
-  check_property(kCases, [&] {
-    Cell cell;
-    set_in_motion(cell, random_speed());
-    const JointVector start = cell.arm->state().desired_joints, rest = resting_joints(*cell.arm);
-    const JointVector target = random_target(*cell.arm, cell.axes);
-    const double speed = std::pow(10, -0.1 * pick(0, 60));
-    JointLine line(*cell.arm, target, speed);
-    line.until(ElapsedSteps{1000});
-    Move({*cell.arm}, {}, line);
-    RC_ASSERT(std::isfinite(line.duration()));
-    const std::vector<Sample> path = samples(cell.recorder);
-    assert_within_limits(cell, path, 1);
-    // beside its way an axis is only as far as it needs to brake; within a mrad, since one that speeds up needs more
-    const JointVector low = start.cwiseMin(target).cwiseMin(rest), high = start.cwiseMax(target).cwiseMax(rest);
-    const AxisParameters& axis = cell.arm->parameters().axes[0];
-    for (const Sample& sample : path) {
-      RC_ASSERT((low - sample.position).maxCoeff() < 1e-3);
-      RC_ASSERT((sample.position - high).maxCoeff() < 1e-3);
-    }
-    // a second after the start, all that was fast has been braked
-    const double dt = cell.arm->step_duration();
-    for (std::size_t k = 0; k < path.size(); ++k)
-      if (static_cast<double>(k) * dt > 1)
-        RC_ASSERT(path[k].velocity.cwiseAbs().maxCoeff() <= speed * axis.velocity_max + 1e-9);
-    ++(speed < 0.01 ? slow : fast);
-  });
-  EXPECT_GT(slow, kCases / 4);
-  EXPECT_GT(fast, kCases / 8);
-}
-
-TEST(JointLine, ASlowLineEndsAtItsTarget) {
-  check_property(50, [] {
-    Cell cell;
-    Wait({*cell.arm}, {}, ElapsedSteps{0});
-    if (pick(0, 1) == 1) set_in_motion(cell, random_speed());
-    JointVector target = cell.arm->state().desired_joints;
-    for (Eigen::Index i = 0; i < cell.axes; ++i) target[i] += pick(-10, 10) * std::pow(10, -pick(5, 10));
-    JointLine line(*cell.arm, target, std::pow(10, -0.1 * pick(10, 25)));
-    const Outcome end = Move({*cell.arm}, {}, line);
-    RC_ASSERT(end.ending == Ending::generator);
-    if (end.steps > 0) assert_ends_at(cell, target);
   });
 }
 
@@ -329,4 +173,4 @@ TEST(JointLine, RefusesARobotThatIsNotInTheList) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::joint_line

@@ -14,7 +14,7 @@ namespace mrroc {
 ///   timed path     along q(s), the cubic spline in joint space through the points at their times (twice continuously
 ///                  differentiable, no curvature at its ends), with s going from the first time to the last from rest
 ///                  to rest: ds/dt comes up to `speed` in half a second. It is less where a joint's limits ask for it,
-///                  all the way: `rate()` tells. The way passes through every point; of points within
+///                  all the way: `rate()` returns it. The way passes through every point; of points within
 ///                  20 ms and 1e-4 rad or m (of every joint) through one.
 ///   places         a joint line from place to place, at rest at each; `speed` is JointLine's.
 ///

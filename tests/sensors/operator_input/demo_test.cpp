@@ -39,7 +39,7 @@ TEST_P(Typed, AnswersAreTakenAndBadOnesAskedForAgain) {
   ASSERT_TRUE(run.wait_for_output("parts: How many parts are there? (a number from 1 to 10)"))
       << run.out() << run.err();
   keyboard.type("many\n");
-  ASSERT_TRUE(run.wait_for_output("parts: 'many' is no number, expected a number from 1 to 10")) << run.out();
+  ASSERT_TRUE(run.wait_for_output("parts: 'many' is not a number, expected a number from 1 to 10")) << run.out();
   keyboard.type("11\n");
   ASSERT_TRUE(run.wait_for_output("parts: '11' is out of range, expected a number from 1 to 10")) << run.out();
   keyboard.type(" 2 \n");
