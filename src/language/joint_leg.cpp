@@ -132,15 +132,13 @@ struct JointLeg::Plan {
 
   /// The axes that leave the way between their start, their target and where their shortest stop would end.
   AxisSet beyond() const {
-    std::array<ruckig::Bound, kMost> extrema, before;
+    std::array<ruckig::Bound, kMost> extrema;
     trajectory.get_position_extrema(extrema);
-    if (slowing_time > 0) slowing.get_position_extrema(before);
     AxisSet found;
     for (std::size_t i = 0; i < axes; ++i) {
       const double low = std::min({start.position[i], input.target_position[i], rest[i]}) - kBeyondTarget;
       const double high = std::max({start.position[i], input.target_position[i], rest[i]}) + kBeyondTarget;
-      const auto leaves = [&](const ruckig::Bound& range) { return range.min < low || range.max > high; };
-      found[i] = leaves(extrema[i]) || (slowing_time > 0 && leaves(before[i]));
+      found[i] = extrema[i].min < low || extrema[i].max > high;
     }
     return found;
   }
