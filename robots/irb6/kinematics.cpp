@@ -71,20 +71,22 @@ void Kinematics::branches(const Pose& flange, const JointVector& near, double be
   const bool above_shoulder = forward_reach < kSingular;
   const double q1 = above_shoulder ? near[0] : std::atan2(p.y(), p.x());
   const Vector3d axis = flange.linear().col(2);
-  const bool aligned = std::hypot(axis.dot(ArmAxes(q1, 0).along), axis.z()) < kSingular;
-  reach(flange, near, q1, forward_reach, aligned, receiver);
+  const Column column(q1);
+  const bool aligned = std::hypot(axis.dot(column.level.along), axis.z()) < kSingular;
+  reach(flange, near, column, forward_reach, aligned, receiver);
   if (forward_reach <= behind + kBehind)
-    reach(flange, near, q1 > 0 ? q1 - pi : q1 + pi, -forward_reach, aligned, receiver);
+    reach(flange, near, Column(q1 > 0 ? q1 - pi : q1 + pi), -forward_reach, aligned, receiver);
   if (!above_shoulder) return;
   for (int i = 1; i < kFreeSteps && !receiver.found(); ++i)
-    reach(flange, near, q1 + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * (2 * pi / kFreeSteps), forward_reach, false,
+    reach(flange, near, Column(q1 + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * (2 * pi / kFreeSteps)), forward_reach, false,
           receiver);
 }
 
 // The postures of a column angle: `forward_reach` is negative behind the column.
-void Kinematics::reach(const Pose& flange, const JointVector& near, double column, double forward_reach, bool aligned,
-                       BranchReceiver& receiver) const noexcept {
-  const ArmAxes level(column, 0);
+void Kinematics::reach(const Pose& flange, const JointVector& near, const Column& at, double forward_reach,
+                       bool aligned, BranchReceiver& receiver) const noexcept {
+  const double column = at.angle;
+  const ArmAxes& level = at.level;
   const Vector3d axis = flange.linear().col(2);
   const double forward = axis.dot(level.along), up = axis.z(), sideways = axis.dot(level.side);
   const double sine5 = std::hypot(forward, up);

@@ -41,7 +41,13 @@ class Kinematics {
   const ArmPlane& plane() const noexcept { return plane_; }
 
  private:
-  void reach(const Pose& flange, const JointVector& near, double column, double forward_reach, bool aligned,
+  /// An angle of the column and the axes of a level wrist there.
+  struct Column {
+    explicit Column(double its_angle) noexcept : angle(its_angle), level(its_angle, 0) {}
+    double angle;
+    ArmAxes level;
+  };
+  void reach(const Pose& flange, const JointVector& near, const Column& at, double forward_reach, bool aligned,
              BranchReceiver& receiver) const noexcept;
 
   ArmPlane plane_;

@@ -19,11 +19,6 @@ double position_tolerance(double min, double max) noexcept {
   return kLimitRounding * std::max({1.0, finite_magnitude(min), finite_magnitude(max)});
 }
 
-bool is_within(double position, double min, double max) noexcept {
-  const double tolerance = position_tolerance(min, max);
-  return position >= min - tolerance && position <= max + tolerance;
-}
-
 bool exceeds(double value, double limit, double rounding) noexcept {
   return !(std::abs(value) <= limit * (1 + rounding));
 }

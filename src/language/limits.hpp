@@ -18,7 +18,11 @@ inline constexpr double kJerkRounding = 1e-4;
 double position_tolerance(double min, double max) noexcept;
 
 /// `position` is a number from `min` to `max`, to the tolerance.
-bool is_within(double position, double min, double max) noexcept;
+inline bool is_within(double position, double min, double max) noexcept {
+  if (position >= min && position <= max) return true;  // nearly always: without the tolerance, which costs more
+  const double tolerance = position_tolerance(min, max);
+  return position >= min - tolerance && position <= max + tolerance;
+}
 
 /// The magnitude of `value`, a velocity, acceleration or jerk, is above `limit` by more than the relative `rounding`,
 /// or `value` is not a number.
