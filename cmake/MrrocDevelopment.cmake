@@ -47,11 +47,11 @@ endfunction()
 
 # mrroc_describe_test(NAME [SLOW] [SERIAL] [TIMEOUT s] [SLOTS n] [LABELS ...]): what ctest must know of a test, the same for all kinds.
 #   SLOW     label slow, else fast; a test with the label system (whole deployments) is slow: `make check` runs the fast ones
-#   SERIAL   needs real time: never beside another SERIAL test; it mostly waits, so that other tests run meanwhile
+#   SERIAL   needs real time: beside as many others as tests/resources.json has real_time slots; it mostly waits, so that other tests run meanwhile
 #   SLOTS    of `ctest -j`, two for each processor: 2, of a SERIAL test 1
 # Tests with a long TIMEOUT start first.
 function(mrroc_describe_test name)
-  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS" "LABELS;SOURCES;LINKS;COMMAND" ${ARGN}) # of the callers, too
+  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "LABELS;SOURCES;LINKS;COMMAND" ${ARGN}) # of the callers, too
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
@@ -68,22 +68,20 @@ function(mrroc_describe_test name)
   endif()
   set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} COST ${cost} PROCESSORS ${ARG_SLOTS} LABELS "${ARG_LABELS};${speed}")
   if(ARG_SERIAL)
-    set_tests_properties(${name} PROPERTIES RESOURCE_LOCK real_time)
-  endif()
-  if(speed STREQUAL fast AND TARGET ${name})
-    add_dependencies(fast_tests ${name})
+    set_tests_properties(${name} PROPERTIES RESOURCE_GROUPS real_time:$<IF:$<BOOL:${MRROC_SANITIZE}>,2,1>)
   endif()
 endfunction()
 
 # builds what the fast tests need
 add_custom_target(fast_tests)
 
-# mrroc_test(NAME SOURCES ... LINKS ... [LABELS ...] [TIMEOUT s] [SLOW] [SERIAL]): one GoogleTest executable, one ctest entry.
+# mrroc_test(NAME SOURCES ... LINKS ... [SHARDS n] [LABELS ...] [TIMEOUT s] [SLOTS n] [SLOW] [SERIAL]): one GoogleTest executable, one ctest entry;
+# with SHARDS its test cases are dealt out to the entries NAME_1 ... NAME_n, which run side by side.
 function(mrroc_test name)
-  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "SOURCES;LINKS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/testing/include)
   target_compile_definitions(${name} PRIVATE MRROC_SOURCE_DIR="${PROJECT_SOURCE_DIR}" MRROC_BINARY_DIR="${CMAKE_BINARY_DIR}")
   target_compile_options(${name} PRIVATE ${MRROC_TEST_OPTIMISATION})
   target_link_libraries(${name} PRIVATE mrroc_flags ${ARG_LINKS} GTest::gtest_main)
@@ -91,8 +89,20 @@ function(mrroc_test name)
     mrroc_test_headers()
   endif()
   target_precompile_headers(${name} REUSE_FROM mrroc_test_headers)
-  add_test(NAME ${name} COMMAND ${name})
-  mrroc_describe_test(${name} ${ARGN})
+  if(NOT ARG_SHARDS)
+    add_test(NAME ${name} COMMAND ${name})
+    mrroc_describe_test(${name} ${ARGN})
+  else()
+    foreach(shard RANGE 1 ${ARG_SHARDS})
+      math(EXPR index "${shard} - 1")
+      add_test(NAME ${name}_${shard} COMMAND ${name})
+      mrroc_describe_test(${name}_${shard} ${ARGN})
+      set_tests_properties(${name}_${shard} PROPERTIES ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${index}")
+    endforeach()
+  endif()
+  if(NOT ARG_SLOW AND NOT "system" IN_LIST ARG_LABELS)
+    add_dependencies(fast_tests ${name})
+  endif()
 endfunction()
 
 # mrroc_script_test(NAME COMMAND ... [LABELS ...] [TIMEOUT s] [SLOW] [SERIAL] [SLOTS n]): one ctest entry that runs a command.

@@ -29,7 +29,7 @@ class BranchReceiver {
   /// the geometry allows, the receiver measures the distance.
   virtual void add(const JointVector& joints, bool exact) noexcept = 0;
   /// Whether one of the postures received so far is within the robot's limits, itself or by whole turns.
-  virtual bool found() const noexcept = 0;
+  virtual bool found() noexcept = 0;
 
  protected:
   ~BranchReceiver() = default;

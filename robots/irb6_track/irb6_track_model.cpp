@@ -93,7 +93,7 @@ class OnTrack final : public BranchReceiver {
  public:
   OnTrack(double track, BranchReceiver& robot) noexcept : track_(track), robot_(&robot) {}
   void add(const JointVector& arm, bool exact) noexcept override { robot_->add(joined(track_, arm), exact); }
-  bool found() const noexcept override { return robot_->found(); }
+  bool found() noexcept override { return robot_->found(); }
 
  private:
   double track_;

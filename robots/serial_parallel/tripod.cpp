@@ -53,36 +53,33 @@ Pose Tripod::platform(const Placement& placement) const noexcept {
   return pose;
 }
 
-Vector3d Tripod::squared_legs(const Placement& placement) const noexcept {
-  const Turned t(placement);
-  const double shift = base_.b * t.swing_sine;
-  const PlanarLeg a(base_.a, platform_.a, shift, placement, t), c(base_.c, platform_.c, shift, placement, t);
-  const Eigen::Vector2d b(platform_.b - base_.b * t.swing_cosine, placement.height - shift * t.tilt_cosine);
-  return {a.across * a.across + a.along * a.along, b.squaredNorm(), c.across * c.across + c.along * c.along};
-}
-
-Matrix3d Tripod::squared_leg_rates(const Placement& placement) const noexcept {
+Vector3d Tripod::squared_legs(const Placement& placement, Matrix3d* rates) const noexcept {
   const Turned t(placement);
   const double shift = base_.b * t.swing_sine;
   const double shift_rate = base_.b * t.swing_cosine;
-  const auto planar = [&](double base, double platform) -> Eigen::RowVector3d {
-    const PlanarLeg leg(base, platform, shift, placement, t);
-    return {leg.across * shift_rate * t.tilt_sine,
-            leg.across * (shift * t.tilt_cosine + base * t.tilt_sine) + leg.along * base * t.tilt_cosine, leg.along};
-  };
+  const PlanarLeg a(base_.a, platform_.a, shift, placement, t), c(base_.c, platform_.c, shift, placement, t);
   const double b_across = platform_.b - shift_rate;
   const double b_along = placement.height - shift * t.tilt_cosine;
-  Matrix3d rates;
-  rates.row(0) = planar(base_.a, platform_.a);
-  rates.row(1) << b_across * shift - b_along * shift_rate * t.tilt_cosine, b_along * shift * t.tilt_sine, b_along;
-  rates.row(2) = planar(base_.c, platform_.c);
-  return 2 * rates;
+  if (rates != nullptr) {
+    const auto planar = [&](const PlanarLeg& leg, double base) -> Eigen::RowVector3d {
+      return {leg.across * shift_rate * t.tilt_sine,
+              leg.across * (shift * t.tilt_cosine + base * t.tilt_sine) + leg.along * base * t.tilt_cosine, leg.along};
+    };
+    rates->row(0) = planar(a, base_.a);
+    rates->row(1) << b_across * shift - b_along * shift_rate * t.tilt_cosine, b_along * shift * t.tilt_sine, b_along;
+    rates->row(2) = planar(c, base_.c);
+    *rates *= 2;
+  }
+  return {a.across * a.across + a.along * a.along, Eigen::Vector2d(b_across, b_along).squaredNorm(),
+          c.across * c.across + c.along * c.along};
 }
 
 Vector3d Tripod::legs(const Placement& placement) const noexcept { return squared_legs(placement).cwiseSqrt(); }
 
 Matrix3d Tripod::leg_rates(const Placement& placement) const noexcept {
-  return (2 * legs(placement)).cwiseInverse().asDiagonal() * squared_leg_rates(placement);
+  Matrix3d rates;
+  const Vector3d squares = squared_legs(placement, &rates);
+  return (2 * squares.cwiseSqrt()).cwiseInverse().asDiagonal() * rates;
 }
 
 bool Tripod::assemble(const Vector3d& legs, Placement& placement) const noexcept {
@@ -90,7 +87,9 @@ bool Tripod::assemble(const Vector3d& legs, Placement& placement) const noexcept
   Placement found{.height = legs[0] / 2 + legs[2] / 2};
   placement = {.height = base_.b};
   for (int i = 0; i < kIterations; ++i) {
-    const Vector3d step = squared_leg_rates(found).inverse() * (wanted - squared_legs(found));
+    Matrix3d rates;
+    const Vector3d squares = squared_legs(found, &rates);
+    const Vector3d step = rates.inverse() * (wanted - squares);
     found = {found.swing + step[0], found.tilt + step[1], found.height + step[2]};
     if (!(step.cwiseAbs().maxCoeff() < kConverged)) continue;  // also when it is not a number
     if (!upright(found) || (legs.array() <= 0).any()) return false;

@@ -59,8 +59,8 @@ class Tripod {
   bool within_limits(const Placement& placement, double allowance) const noexcept;
 
  private:
-  Eigen::Vector3d squared_legs(const Placement& placement) const noexcept;
-  Eigen::Matrix3d squared_leg_rates(const Placement& placement) const noexcept;
+  /// Squares of the legs' lengths (m^2) and, where asked for, their derivatives with respect to swing, tilt and height.
+  Eigen::Vector3d squared_legs(const Placement& placement, Eigen::Matrix3d* rates = nullptr) const noexcept;
 
   LegPoints base_;
   LegPoints platform_;

@@ -16,8 +16,8 @@
 #include "can/hub_address.hpp"
 #include "can/hub_bus.hpp"
 #include "can_bus/receiving.hpp"
-#include "can_bus/temporary_folder.hpp"
 #include "canopen/random_frames.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::can {
 namespace {
@@ -39,7 +39,7 @@ std::string refusal(Action&& action) {
 
 class HubTest : public testing::Test {
  protected:
-  test::TemporaryFolder folder_;
+  task_test::ScratchFolder folder_;
   std::filesystem::path path_ = folder_ / "bus";
 };
 

@@ -9,11 +9,11 @@
 #include <numbers>
 
 #include "can/hub.hpp"
-#include "can_bus/temporary_folder.hpp"
 #include "canopen/random_frames.hpp"
 #include "cli/can_nodes.hpp"
 #include "cli/can_summary.hpp"
 #include "cli/child.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli {
 namespace {
@@ -134,7 +134,7 @@ TEST(CanSummary, CountsFramesAndTheirLoad) {
 
 class CanMonitor : public testing::Test {
  protected:
-  test::TemporaryFolder folder_;
+  task_test::ScratchFolder folder_;
   std::unique_ptr<can::Hub> hub_ = std::make_unique<can::Hub>(folder_ / "bus");
   std::unique_ptr<can::Bus> sender_ = can::open_bus(hub_->name());
 

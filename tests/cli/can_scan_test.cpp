@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "can/hub.hpp"
-#include "can_bus/temporary_folder.hpp"
 #include "canopen/sdo_client.hpp"
 #include "cli/can_nodes.hpp"
 #include "cli/child.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::int64_t kPatience = clock::kSecond / 2;
 
 class CanScan : public testing::Test {
  protected:
-  test::TemporaryFolder folder_;
+  task_test::ScratchFolder folder_;
   can::Hub hub_{folder_ / "bus"};
 
   Child program(std::vector<std::string> arguments) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "links/security.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli {
 namespace {
@@ -20,12 +21,6 @@ namespace fs = std::filesystem;
 
 class KeyMaker : public testing::Test {
  protected:
-  KeyMaker() {
-    std::string pattern = (fs::temp_directory_path() / "mrroc_keys_XXXXXX").string();
-    scratch_ = ::mkdtemp(pattern.data());
-  }
-  ~KeyMaker() override { fs::remove_all(scratch_); }
-
   static std::map<std::string, std::string> contents(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -45,7 +40,7 @@ class KeyMaker : public testing::Test {
     return "";
   }
 
-  fs::path scratch_;
+  task_test::ScratchFolder scratch_;
 };
 
 TEST_F(KeyMaker, OnlyTheOwnerMayReadThemWhateverTheMask) {
@@ -89,7 +84,7 @@ TEST_F(KeyMaker, NeverOverwrites) {
   EXPECT_EQ(contents(folder), made);
   std::ofstream(scratch_ / "file") << "precious";
   EXPECT_NE(refusal(scratch_ / "file"), "");
-  EXPECT_EQ(contents(scratch_).at("file"), "precious");
+  EXPECT_EQ(contents(scratch_.path()).at("file"), "precious");
 }
 
 TEST_F(KeyMaker, SaysWhyAFolderCannotBeMade) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "clock/monotonic.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli {
 namespace {
@@ -132,10 +133,9 @@ TEST_F(OutputTest, ATerminalThatStandsStillHoldsNobody) {
 }
 
 TEST_F(OutputTest, WritesToAFileBehindWhatOthersHaveWritten) {
-  char path[] = "/tmp/mrroc_output_XXXXXX";
-  const int file = mkstemp(path);
+  const task_test::ScratchFolder folder;
+  const int file = open((folder / "output").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   ASSERT_GE(file, 0);
-  unlink(path);
   ASSERT_EQ(write(file, "before\n", 7), 7);
   Output output(file);
   output.write("after\n");

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "cli/trace_parts.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::cli {
@@ -15,12 +16,8 @@ namespace {
 
 class Trace : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
+    return folder_.write(name, text);
   }
 
   static void merge(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& merged,
@@ -29,8 +26,7 @@ class Trace : public testing::Test {
     merge_traces(parts, clock, [&file](std::string_view text) { file << text; });
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / ("mrroc_trace" + std::to_string(getpid()));
+  task_test::ScratchFolder folder_;
 };
 
 TEST_F(Trace, WhatAKilledRunHasLeftIsNoPartOfTheNext) {

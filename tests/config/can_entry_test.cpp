@@ -21,7 +21,7 @@ class CanEntryTest : public DeploymentFixture {
                            robot + "[robots.arm.can]\n" + can));
   }
 
-  Scratch scratch_;
+  task_test::ScratchFolder scratch_;
 };
 
 TEST_F(CanEntryTest, RealDrivesAreThoseOfTheTypesTable) {
@@ -51,25 +51,25 @@ TEST_F(CanEntryTest, ALabHasATableOfItsOwn) {
                                       "/src/canopen/cia402.eds'\nmode = 'torque'\nabsolute_encoders = true\n"
                                       "[[drives]]\naxis = 'column'\nnode = 11\nrated_current = 6\n");
   const Deployment deployment = load("interface = 'can0'\ndrives = 'cabinet.toml'\n", "synchronised = true\n");
-  EXPECT_EQ(deployment.robot("arm").can->drives, scratch_.folder() / "cell/cabinet.toml");
+  EXPECT_EQ(deployment.robot("arm").can->drives, scratch_.path() / "cell/cabinet.toml");
   EXPECT_TRUE(deployment.robot("arm").synchronised);
 }
 
 TEST_F(CanEntryTest, AMistakeInTheTableIsToldWithItsFile) {
   scratch_.write("cell/cabinet.toml", "eds = 'none.eds'\nmode = 'torque'\n");
-  EXPECT_EQ(message_of(scratch_.folder() / "cell", [&] { load("interface = 'can0'\ndrives = 'cabinet.toml'\n"); }),
+  EXPECT_EQ(message_of(scratch_.path() / "cell", [&] { load("interface = 'can0'\ndrives = 'cabinet.toml'\n"); }),
             "cabinet.toml:1: eds: 'none.eds' is not there, expected an EDS file beside this one, or 'cia402.eds'");
 }
 
 TEST_F(CanEntryTest, AHubLiesBesideTheDeploymentFile) {
   EXPECT_EQ(load("interface = 'unix:hub'\n").robot("arm").can->interface,
-            "unix:" + (scratch_.folder() / "cell/hub").string());
+            "unix:" + (scratch_.path() / "cell/hub").string());
   EXPECT_EQ(load("interface = 'unix:/run/hub'\n").robot("arm").can->interface, "unix:/run/hub");
 }
 
 TEST_F(CanEntryTest, TheDescriptionNamesBusAndDrives) {
   const std::string text = replaced(
-      replaced(describe(load("interface = 'can0'\nsimulated = true\n")), programs_.folder().string(), "PROGRAMS"),
+      replaced(describe(load("interface = 'can0'\nsimulated = true\n")), programs_.path().string(), "PROGRAMS"),
       MRROC_SOURCE_DIR, "SOURCE");
   EXPECT_NE(text.find("  arm  irb6 on socketcan can0 with the drives of SOURCE/tests/config/share/robots/irb6/"
                       "irb6_drives.toml: ECP PROGRAMS/mrroc_ecp, EDP PROGRAMS/irb6_edp, simulated drives "
@@ -87,7 +87,7 @@ TEST_F(CanEntryTest, SimulatedDrivesCountAsProcesses) {
   }
   for (int i = 0; i < 11; ++i) text += "[sensors.s" + std::to_string(i) + "]\ntype = 'force_torque'\n";
   const auto file = scratch_.write("d.toml", text);
-  EXPECT_EQ(message_of(scratch_.folder(), [&] { load_deployment(file); }),
+  EXPECT_EQ(message_of(scratch_.path(), [&] { load_deployment(file); }),
             "d.toml:1: 61 processes (two per robot, one more with simulated drives, one per sensor, the MP, the "
             "simulator), expected at most 60");
 }

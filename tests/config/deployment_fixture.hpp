@@ -7,7 +7,8 @@
 #include <string>
 
 #include "config/deployment.hpp"
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::config {
 
@@ -29,7 +30,7 @@ class DeploymentFixture : public testing::Test {
     }
     programs_.write("plain_file", "");
     setenv("MRROC_SHARE", MRROC_SOURCE_DIR "/tests/config/share", 1);
-    setenv("MRROC_PROGRAMS", programs_.folder().c_str(), 1);
+    setenv("MRROC_PROGRAMS", programs_.path().c_str(), 1);
     std::filesystem::current_path(MRROC_SOURCE_DIR "/tests/config/" + folder);
   }
   ~DeploymentFixture() override {
@@ -38,15 +39,15 @@ class DeploymentFixture : public testing::Test {
     unsetenv("MRROC_PROGRAMS");
   }
 
-  std::string program(const std::string& name) const { return (programs_.folder() / name).string(); }
+  std::string program(const std::string& name) const { return (programs_.path() / name).string(); }
 
   /// What is wrong with the file, with SOURCE and PROGRAMS for the folders of this machine; "" if nothing is.
   std::string message(const std::filesystem::path& file) const {
-    std::string text = message_of(programs_.folder(), [&] { load_deployment(file); });
-    return replaced(replaced(text, programs_.folder().string(), "PROGRAMS"), MRROC_SOURCE_DIR, "SOURCE");
+    std::string text = message_of(programs_.path(), [&] { load_deployment(file); });
+    return replaced(replaced(text, programs_.path().string(), "PROGRAMS"), MRROC_SOURCE_DIR, "SOURCE");
   }
 
-  Scratch programs_;
+  task_test::ScratchFolder programs_;
 };
 
 }  // namespace mrroc::config

@@ -27,15 +27,15 @@ TEST_F(DeploymentHosts, WithoutANetworkItStaysOnThisMachineWithoutKeys) {
 }
 
 TEST_F(DeploymentHosts, SecurityIsOnAsSoonAsItReachesBeyondThisMachineOrKeysAreNamed) {
-  const Scratch scratch;
-  std::filesystem::create_directory(scratch.folder() / "cell_keys");
+  const task_test::ScratchFolder scratch;
+  std::filesystem::create_directory(scratch.path() / "cell_keys");
   const auto network = [&](const std::string& text) {
     return load_deployment(scratch.write("d.toml", with_network(text))).network;
   };
   const NetworkEntry open = network("interface = 'eth1'\nkeys = 'cell_keys'\n");
   EXPECT_EQ(open.interface, "eth1");
   EXPECT_TRUE(open.security);
-  EXPECT_EQ(open.keys, scratch.folder() / "cell_keys");
+  EXPECT_EQ(open.keys, scratch.path() / "cell_keys");
   EXPECT_TRUE(network("keys = 'cell_keys'\n").security);
   EXPECT_TRUE(network("security = true\nkeys = 'cell_keys'\n").security);
   EXPECT_FALSE(network("security = false\nkeys = 'cell_keys'\n").security);
@@ -46,14 +46,14 @@ TEST_F(DeploymentHosts, SecurityIsOnAsSoonAsItReachesBeyondThisMachineOrKeysAreN
 }
 
 TEST_F(DeploymentHosts, AHostThatIsAnotherMachineNeedsAnInterfaceAndKeys) {
-  const Scratch scratch;
-  std::filesystem::create_directory(scratch.folder() / "cell_keys");
+  const task_test::ScratchFolder scratch;
+  std::filesystem::create_directory(scratch.path() / "cell_keys");
   const auto problem = [&](const std::string& text) {
     const auto file = scratch.write("d.toml", with_network(text) + "[hosts.cell]\naddress = 'lab-pc-2'\n");
     Deployment deployment;
     deployment.hosts.emplace_back().name = deployment.robots.emplace_back().host = "cell";
     deployment.hosts.front().address = "lab-pc-2";
-    return message_of(scratch.folder(), [&] { read_network(Table::load(file), deployment); });
+    return message_of(scratch.path(), [&] { read_network(Table::load(file), deployment); });
   };
   EXPECT_EQ(problem(""),
             "d.toml:7: hosts.cell: 'cell' is another machine, but no interface to reach it by is named, "
@@ -67,7 +67,7 @@ TEST_F(DeploymentHosts, AHostThatIsAnotherMachineNeedsAnInterfaceAndKeys) {
 }
 
 TEST_F(DeploymentHosts, KnowsThisMachineByAllItsNames) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   char own_name[256] = "";
   ASSERT_EQ(gethostname(own_name, sizeof own_name - 1), 0);
   for (const auto& host : std::vector<std::string>{"", "localhost", "127.0.0.1", "127.3.2.1", "::1", own_name}) {
@@ -94,7 +94,7 @@ std::string on_two_hosts() {
 }
 
 TEST_F(DeploymentHosts, ReadsHosts) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   scratch.write("scene.xml", "");
   const Deployment deployment = load_deployment(scratch.write("d.toml", on_two_hosts()));
   ASSERT_EQ(deployment.hosts.size(), 2u);
@@ -113,7 +113,7 @@ TEST_F(DeploymentHosts, ReadsHosts) {
 }
 
 TEST_F(DeploymentHosts, WorldAndSensorsGoWhereTheirRobotsAre) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   scratch.write("scene.xml", "");
   const Deployment deployment = load_deployment(scratch.write("d.toml", on_two_hosts()));
   EXPECT_EQ(deployment.robot("arm").host, "cell");
@@ -124,7 +124,7 @@ TEST_F(DeploymentHosts, WorldAndSensorsGoWhereTheirRobotsAre) {
 }
 
 TEST_F(DeploymentHosts, ProgramsAreLookedForWhereTheyRun) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   scratch.write("scene.xml", "");
   const auto file = scratch.write("d.toml", on_two_hosts());
   const Deployment here = load_deployment(file);

@@ -68,14 +68,14 @@ TEST_F(DeploymentTest, ReadsRobotsInFileOrder) {
 }
 
 TEST_F(DeploymentTest, RobotsWithSwitchesMayStartUnsynchronised) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const std::string text = "[deployment]\nname = \"one\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n";
   EXPECT_TRUE(load_deployment(scratch.write("known.toml", text)).robot("arm").synchronised);
   EXPECT_FALSE(load_deployment(scratch.write("lost.toml", text + "synchronised = false\n")).robot("arm").synchronised);
 }
 
 TEST_F(DeploymentTest, AnInputMayBeTheEmergencyStopOfARobot) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const std::string text = "[deployment]\nname = \"one\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n";
   EXPECT_FALSE(load_deployment(scratch.write("none.toml", text)).robot("arm").emergency_stop);
   const auto file = scratch.write("input.toml", text + "emergency_stop = 15\n");
@@ -130,7 +130,7 @@ TEST_F(DeploymentTest, SortsEventsByTick) {
 }
 
 TEST_F(DeploymentTest, AnAnswerGoesToASensorThatAsksTheOperator) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const auto file = scratch.write("asks.toml", R"([deployment]
 name = "asks"
 [sensors.parts]
@@ -195,7 +195,7 @@ TEST_F(DeploymentTest, FindsEntriesByName) {
 }
 
 TEST_F(DeploymentTest, TakesProgramsByPath) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const auto file = [&](const std::string& path) {
     return scratch.write("cell/d.toml",
                          "deployment.name = 'one'\nrobots.arm.type = 'irb6'\n"
@@ -219,7 +219,7 @@ TEST_F(DeploymentTest, NamesTheStockProgramThatIsMissing) {
 }
 
 TEST_F(DeploymentTest, ACarriedRobotMayStandBeforeItsCarrierAndCarryOthers) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const auto robot = [](const std::string& name, const std::string& mount) {
     return "[robots." + name + "]\ntype = 'irb6'\nhardware = 'loopback'\n" +
            (mount.empty() ? "" : "mount = '" + mount + "'\n");
@@ -231,7 +231,7 @@ TEST_F(DeploymentTest, ACarriedRobotMayStandBeforeItsCarrierAndCarryOthers) {
 }
 
 TEST_F(DeploymentTest, TheLongestNameAndTheLargestFleetsAreTaken) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const std::string text = "[deployment]\nname = '" + std::string(31, 'x') + "'\n[sim]\nscene = 'scene.xml'\n";
   scratch.write("scene.xml", "");
   for (const auto& [robots, sensors] : {std::pair{16, 26}, {13, 32}}) {  // 60 processes

@@ -11,7 +11,7 @@ class DescriptionTest : public DeploymentFixture {
 
   std::string description(const std::string& file) const {
     const std::string text = describe(load_deployment(file));
-    return replaced(replaced(text, programs_.folder().string(), "PROGRAMS"), MRROC_SOURCE_DIR, "SOURCE");
+    return replaced(replaced(text, programs_.path().string(), "PROGRAMS"), MRROC_SOURCE_DIR, "SOURCE");
   }
 };
 

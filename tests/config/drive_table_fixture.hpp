@@ -7,8 +7,9 @@
 #include <string>
 
 #include "config/drive_table.hpp"
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
 #include "mrroc/robot_parameters.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::config {
 
@@ -30,7 +31,7 @@ class DriveTableTest : public testing::Test {
   DriveTableTest() {
     robot_.type = "crane";
     robot_.axes = {axis("column", -15, 3.5), axis("arm", 20, -2), axis("belt", 0, 0)};
-    std::filesystem::copy_file(MRROC_SOURCE_DIR "/src/canopen/cia402.eds", scratch_.folder() / "drive.eds");
+    std::filesystem::copy_file(MRROC_SOURCE_DIR "/src/canopen/cia402.eds", scratch_.path() / "drive.eds");
   }
 
   static std::string drive(const std::string& name, int node, const std::string& more = "") {
@@ -47,10 +48,10 @@ class DriveTableTest : public testing::Test {
     return read_drive_table(scratch_.write("crane_drives.toml", text), robot_);
   }
   std::string message(const std::string& text) const {
-    return replace_folder(message_of(scratch_.folder(), [&] { read(text); }));
+    return replace_folder(message_of(scratch_.path(), [&] { read(text); }));
   }
   std::string replace_folder(std::string text) const {
-    const std::string folder = scratch_.folder().string() + "/";
+    const std::string folder = scratch_.path().string() + "/";
     if (const auto at = text.find(folder); at != std::string::npos) text.erase(at, folder.size());
     return text;
   }
@@ -65,7 +66,7 @@ class DriveTableTest : public testing::Test {
     scratch_.write("drive.eds", text);
   }
 
-  Scratch scratch_;
+  task_test::ScratchFolder scratch_;
   RobotParameters robot_;
 };
 

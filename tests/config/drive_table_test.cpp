@@ -17,7 +17,7 @@ using canopen::Object;
 
 TEST_F(DriveTableTest, MostMayBeLeftOut) {
   const DriveTable drives = read(table());
-  EXPECT_EQ(drives.file, scratch_.folder() / "crane_drives.toml");
+  EXPECT_EQ(drives.file, scratch_.path() / "crane_drives.toml");
   EXPECT_EQ(drives.mode, DriveMode::cyclic_position);
   EXPECT_FALSE(drives.absolute_encoders);
   EXPECT_EQ(drives.master, 127);
@@ -118,11 +118,11 @@ TEST_F(DriveTableTest, DrivesComeInTheOrderOfTheAxes) {
 }
 
 TEST_F(DriveTableTest, TheFrameworksEdsFileIsFoundInEveryShare) {
-  const Scratch framework;
+  const task_test::ScratchFolder framework;
   framework.write("canopen/standard/general.eds", "");
-  fs::copy_file(scratch_.folder() / "drive.eds", framework.folder() / "canopen/standard/general.eds",
+  fs::copy_file(scratch_.path() / "drive.eds", framework.path() / "canopen/standard/general.eds",
                 fs::copy_options::overwrite_existing);
-  setenv("MRROC_SHARE", ("/nowhere:" + framework.folder().string()).c_str(), 1);
+  setenv("MRROC_SHARE", ("/nowhere:" + framework.path().string()).c_str(), 1);
   EXPECT_EQ(read(table().replace(7, 9, "general.eds")).eds.product(), "CiA 402 servo drive");
   unsetenv("MRROC_SHARE");
 }

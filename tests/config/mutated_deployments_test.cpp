@@ -16,7 +16,7 @@ class MutatedDeployment : public DeploymentFixture {
     erase_line("host = ");  // nothing here shall ask the network
     erase_line("rate = ");  // together with `mode`: what depends on two keys has tests of its own
     erase_line("mode = \"non");
-    for (const auto* file : {"scene.xml", "readings.txt"}) std::filesystem::copy_file(file, folder_.folder() / file);
+    for (const auto* file : {"scene.xml", "readings.txt"}) std::filesystem::copy_file(file, folder_.path() / file);
   }
 
   void erase_line(const std::string& begin) {
@@ -34,7 +34,7 @@ class MutatedDeployment : public DeploymentFixture {
 
   std::string refusal(const std::string& text) const {
     const auto file = folder_.write("mutated.toml", text);
-    return message_of(folder_.folder(), [&] { load_deployment(file); });
+    return message_of(folder_.path(), [&] { load_deployment(file); });
   }
 
   std::size_t random(std::size_t below) { return generator_() % below; }
@@ -62,7 +62,7 @@ class MutatedDeployment : public DeploymentFixture {
     return word;
   }
 
-  Scratch folder_;
+  task_test::ScratchFolder folder_;
   std::string text_;
   std::mt19937_64 generator_{20240501};
 };

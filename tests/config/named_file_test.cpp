@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::config {
 namespace {
@@ -13,17 +14,17 @@ namespace fs = std::filesystem;
 /// Two folders of programs, one after the other in the environment.
 class NamedFile : public testing::Test {
  protected:
-  NamedFile() { setenv("MRROC_PROGRAMS", (own_.folder().string() + ":" + framework_.folder().string()).c_str(), 1); }
+  NamedFile() { setenv("MRROC_PROGRAMS", (own_.path().string() + ":" + framework_.path().string()).c_str(), 1); }
   ~NamedFile() override { unsetenv("MRROC_PROGRAMS"); }
 
-  static std::string add_program(const Scratch& folder, const std::string& name) {
+  static std::string add_program(const task_test::ScratchFolder& folder, const std::string& name) {
     const fs::path file = folder.write(name, "");
     fs::permissions(file, fs::perms::owner_all);
     return file.string();
   }
   std::string find(const std::string& name) const { return require_program(deployment_, "program", name); }
 
-  Scratch own_, framework_;
+  task_test::ScratchFolder own_, framework_;
   Table deployment_ = Table::load(own_.write("deployment.toml", "program = 'any'\n"));
 };
 
@@ -36,9 +37,9 @@ TEST_F(NamedFile, AProgramIsTakenFromTheFirstFolderThatHasIt) {
 }
 
 TEST_F(NamedFile, EveryPlaceOfAMissingProgramIsNamed) {
-  EXPECT_EQ(message_of(own_.folder(), [this] { find("missing"); }),
+  EXPECT_EQ(message_of(own_.path(), [this] { find("missing"); }),
             "deployment.toml:1: program: no program 'missing', expected the executable " +
-                (own_.folder() / "missing").string() + " or " + (framework_.folder() / "missing").string());
+                (own_.path() / "missing").string() + " or " + (framework_.path() / "missing").string());
 }
 
 }  // namespace

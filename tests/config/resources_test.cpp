@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include "config/scratch.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::config {
 namespace {
@@ -32,31 +32,31 @@ TEST(Resources, TheEnvironmentListsFoldersInstead) {
 }
 
 TEST(Resources, ATypeIsAFolderWithItsParameterFile) {
-  const Scratch scratch;
+  const task_test::ScratchFolder scratch;
   scratch.write("robots/irb6/irb6.toml", "");
   scratch.write("robots/belt/belt.toml", "");
   scratch.write("robots/no_parameters/readme.md", "");
   scratch.write("sensors/force/force.toml", "");
-  setenv("MRROC_SHARE", scratch.folder().c_str(), 1);
+  setenv("MRROC_SHARE", scratch.path().c_str(), 1);
   EXPECT_EQ(robot_types(), (std::vector<std::string>{"belt", "irb6"}));
   EXPECT_EQ(sensor_types(), (std::vector<std::string>{"force"}));
-  setenv("MRROC_SHARE", (scratch.folder() / "missing").c_str(), 1);
+  setenv("MRROC_SHARE", (scratch.path() / "missing").c_str(), 1);
   EXPECT_TRUE(robot_types().empty());
   unsetenv("MRROC_SHARE");
 }
 
 TEST(Resources, TheFirstFolderThatHasATypeIsTaken) {
-  const Scratch own;
-  const Scratch framework;
+  const task_test::ScratchFolder own;
+  const task_test::ScratchFolder framework;
   own.write("robots/belt/belt.toml", "");
   own.write("robots/irb6/readme.md", "");
   framework.write("robots/belt/belt.toml", "");
   framework.write("robots/irb6/irb6.toml", "");
-  setenv("MRROC_SHARE", (own.folder().string() + ":" + framework.folder().string()).c_str(), 1);
+  setenv("MRROC_SHARE", (own.path().string() + ":" + framework.path().string()).c_str(), 1);
   EXPECT_EQ(robot_types(), (std::vector<std::string>{"belt", "irb6"}));
-  EXPECT_EQ(type_file("robots", "belt", "belt.xml"), own.folder() / "robots/belt/belt.xml");
-  EXPECT_EQ(type_file("robots", "irb6", "irb6.xml"), framework.folder() / "robots/irb6/irb6.xml");
-  EXPECT_EQ(type_file("robots", "crane", "crane.xml"), own.folder() / "robots/crane/crane.xml");
+  EXPECT_EQ(type_file("robots", "belt", "belt.xml"), own.path() / "robots/belt/belt.xml");
+  EXPECT_EQ(type_file("robots", "irb6", "irb6.xml"), framework.path() / "robots/irb6/irb6.xml");
+  EXPECT_EQ(type_file("robots", "crane", "crane.xml"), own.path() / "robots/crane/crane.xml");
   unsetenv("MRROC_SHARE");
 }
 

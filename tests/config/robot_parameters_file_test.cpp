@@ -4,7 +4,8 @@
 
 #include <limits>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::config {
 namespace {
@@ -50,10 +51,10 @@ class RobotParametersFileTest : public testing::Test {
   }
 
   std::string message(const std::string& text) {
-    return message_of(scratch_.folder(), [&] { read(text); });
+    return message_of(scratch_.path(), [&] { read(text); });
   }
 
-  Scratch scratch_;
+  task_test::ScratchFolder scratch_;
 };
 
 TEST_F(RobotParametersFileTest, ReadsEveryNumber) {
@@ -180,7 +181,7 @@ TEST_F(RobotParametersFileTest, ChecksTheAxesTogether) {
 TEST_F(RobotParametersFileTest, LeavesTheGeometryToTheModel) {
   const Table file = Table::load(scratch_.write("r.toml", robot_text() + "[geometry]\na2 = 0.455\n"));
   read_robot_parameters(file);
-  EXPECT_EQ(message_of(scratch_.folder(), [&] { file.finish(); }),
+  EXPECT_EQ(message_of(scratch_.path(), [&] { file.finish(); }),
             "r.toml:25: geometry: unknown key, expected 'axes', 'home', 'regulators', 'synchro_order' or 'type'");
   file.table("geometry");
   EXPECT_NO_THROW(file.finish());

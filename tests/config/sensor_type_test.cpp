@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::config {
 namespace {
 
 class SensorTypeTest : public testing::Test {
  protected:
-  SensorTypeTest() { setenv("MRROC_SHARE", scratch_.folder().c_str(), 1); }
+  SensorTypeTest() { setenv("MRROC_SHARE", scratch_.path().c_str(), 1); }
   ~SensorTypeTest() override { unsetenv("MRROC_SHARE"); }
 
   /// The sensor that keys `text` give under the declarations `type_text`.
@@ -25,10 +26,10 @@ class SensorTypeTest : public testing::Test {
   }
 
   std::string message(const std::string& type_text, const std::string& text = "") {
-    return message_of(scratch_.folder(), [&] { read(type_text, text); });
+    return message_of(scratch_.path(), [&] { read(type_text, text); });
   }
 
-  Scratch scratch_;
+  task_test::ScratchFolder scratch_;
 };
 
 TEST_F(SensorTypeTest, ATypeMayHaveOtherTablesAndNoParameters) {

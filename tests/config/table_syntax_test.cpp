@@ -2,8 +2,9 @@
 
 #include <filesystem>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
 #include "config/table.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::config {
 namespace {
@@ -14,14 +15,14 @@ class TableSyntaxTest : public testing::Test {
  protected:
   std::string message(std::string_view text) {
     const auto file = scratch_.write("t.toml", text);
-    return message_of(scratch_.folder(), [&] { Table::load(file); });
+    return message_of(scratch_.path(), [&] { Table::load(file); });
   }
 
   std::string file_message(const fs::path& file) {
-    return message_of(scratch_.folder(), [&] { Table::load(file); });
+    return message_of(scratch_.path(), [&] { Table::load(file); });
   }
 
-  Scratch scratch_;
+  task_test::ScratchFolder scratch_;
 };
 
 TEST_F(TableSyntaxTest, SyntaxErrorsCarryLineAndColumn) {
@@ -50,10 +51,10 @@ TEST_F(TableSyntaxTest, TheFileIsNamedAsGiven) {
 }
 
 TEST_F(TableSyntaxTest, RefusesWhatIsNoReadableFile) {
-  EXPECT_EQ(file_message(scratch_.folder() / "."), ".: is a directory, expected a readable file");
+  EXPECT_EQ(file_message(scratch_.path() / "."), ".: is a directory, expected a readable file");
   EXPECT_EQ(file_message(fs::path("/dev/null")), "/dev/null: is not a regular file, expected a readable file");
-  fs::create_symlink("nowhere", scratch_.folder() / "broken");
-  EXPECT_EQ(file_message(scratch_.folder() / "broken"), "broken: does not exist, expected a readable file");
+  fs::create_symlink("nowhere", scratch_.path() / "broken");
+  EXPECT_EQ(file_message(scratch_.path() / "broken"), "broken: does not exist, expected a readable file");
   // a file that even root may open but not read
   EXPECT_EQ(file_message(fs::path("/proc/self/mem")),
             "/proc/self/mem: cannot be read: Input/output error, expected a readable file");

@@ -5,7 +5,8 @@
 #include <clocale>
 #include <locale>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::config {
 namespace {
@@ -42,10 +43,10 @@ class TableTest : public testing::Test {
   /// Message of what `action(table)` throws, without the folder.
   template <typename Action>
   string message(Action action, std::string_view text = kText) {
-    return message_of(scratch_.folder(), [&] { action(load(text)); });
+    return message_of(scratch_.path(), [&] { action(load(text)); });
   }
 
-  Scratch scratch_;
+  task_test::ScratchFolder scratch_;
 };
 
 TEST_F(TableTest, ReadsEveryTypeOfValue) {
@@ -85,7 +86,7 @@ TEST_F(TableTest, GivesKeysAndTablesInFileOrder) {
 
 TEST_F(TableTest, KnowsItsPlace) {
   const Table table = load();
-  EXPECT_EQ(table.file(), scratch_.folder() / "t.toml");
+  EXPECT_EQ(table.file(), scratch_.path() / "t.toml");
   EXPECT_EQ(table.line(), 1);
   EXPECT_EQ(table.line("count"), 4);
   EXPECT_EQ(table.table("robots").table("alpha").line(), 13);

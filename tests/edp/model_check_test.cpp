@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "config/message_of.hpp"
 #include "config/robot_parameters_file.hpp"
-#include "config/scratch.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -68,12 +69,12 @@ std::string file_of(const Numbers& numbers) {
 
 /// What is wrong with a robot of these numbers and a gear of 10; a second model has `other_gear`.
 std::string mistake(const Numbers& numbers, SineModel::Fault fault = SineModel::Fault::none, double other_gear = 10) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const auto table = config::Table::load(scratch.write("swing.toml", file_of(numbers)));
   const auto parameters = config::read_robot_parameters(table);
   const RobotModels models{std::make_shared<SineModel>("nominal", parameters, 10, fault),
                            std::make_shared<SineModel>("other", parameters, other_gear)};
-  return config::message_of(scratch.folder(), [&] { check_models(models, table); });
+  return config::message_of(scratch.path(), [&] { check_models(models, table); });
 }
 
 TEST(ModelCheck, NumbersThatGoTogetherPass) {

@@ -5,11 +5,12 @@
 #include <regex>
 #include <sstream>
 
+#include "config/message_of.hpp"
 #include "config/resources.hpp"
-#include "config/scratch.hpp"
 #include "edp/every_robot.hpp"
 #include "edp/model_check.hpp"
 #include "edp/robot_check.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 // every number of every robot's parameter file, made wrong: what an EDP reads and checks at its start refuses it by
 // name
@@ -36,9 +37,9 @@ class RobotFile {
   std::string mistake(const Lines& lines) const {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
-    const config::Scratch scratch;
+    const task_test::ScratchFolder scratch;
     const auto file = scratch.write("robot.toml", text);
-    return config::message_of(scratch.folder(), [&] { check_models(robot_.load(file), config::Table::load(file)); });
+    return config::message_of(scratch.path(), [&] { check_models(robot_.load(file), config::Table::load(file)); });
   }
   std::string with(std::size_t line, const std::string& text) const {
     Lines changed = lines_;

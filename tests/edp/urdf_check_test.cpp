@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
 #include "edp/every_robot.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "robots_common/changed_file.hpp"
 
 namespace mrroc::edp {
@@ -15,10 +16,10 @@ namespace {
 std::string mistake(const std::string& type, const std::string& from, const std::string& to) {
   const auto robots = every_robot();
   const auto robot = std::find_if(robots.begin(), robots.end(), [&type](const auto& r) { return r.type == type; });
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const auto file = scratch.write("r.urdf", changed_file(robot->file("urdf"), from, to));
   const auto models = robot->load(robot->file("toml"));
-  return config::message_of(scratch.folder(), [&] { check_urdf(*models.front(), file); });
+  return config::message_of(scratch.path(), [&] { check_urdf(*models.front(), file); });
 }
 
 testing::AssertionResult has(const std::string& message, const std::vector<std::string>& parts) {
@@ -94,14 +95,14 @@ TEST(UrdfCheck, LoopsThatDoNotCloseAreRefused) {
 }
 
 TEST(UrdfCheck, AUrdfWithNothingToCompareIsRefused) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   std::string text =
       changed_file(every_robot().front().file("urdf"), "<link name=\"tool_frame\"/>", "<link name=\"mark\"/>");
   const std::string child = "<child link=\"tool_frame\"/>";
   text.replace(text.find(child), child.size(), "<child link=\"mark\"/>");
   const auto file = scratch.write("r.urdf", text);
   const auto models = every_robot().front().load(every_robot().front().file("toml"));
-  EXPECT_EQ(config::message_of(scratch.folder(), [&] { check_urdf(*models.front(), file); }),
+  EXPECT_EQ(config::message_of(scratch.path(), [&] { check_urdf(*models.front(), file); }),
             "r.urdf: no link to compare with the model, expected a link 'flange' or 'tool_frame'");
 }
 

@@ -6,7 +6,8 @@
 #include <cstring>
 #include <numbers>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -47,14 +48,14 @@ std::string crane(const std::string& from, const std::string& to) {
 }
 
 Urdf load(const std::string& text) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   return Urdf::load(scratch.write("c.urdf", text));
 }
 
 std::string mistake(const std::string& text) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const auto file = scratch.write("c.urdf", text);
-  return config::message_of(scratch.folder(), [&] { Urdf::load(file); });
+  return config::message_of(scratch.path(), [&] { Urdf::load(file); });
 }
 
 TEST(Urdf, KnowsItsJoints) {
@@ -91,10 +92,10 @@ TEST(Urdf, PlacesItsLinks) {
 }
 
 TEST(Urdf, AJointThatNothingMovesIsRefused) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const Urdf urdf = Urdf::load(scratch.write("c.urdf", kCrane));
   EXPECT_EQ(
-      config::message_of(scratch.folder(),
+      config::message_of(scratch.path(),
                          [&] {
                            urdf.pose("weight", {{"turn", 0.0}});
                          }),
@@ -217,8 +218,8 @@ TEST(Urdf, WhatIsNoUrdfIsRefused) {
   EXPECT_EQ(mistake("<mujoco/>"), "c.urdf:1: is no URDF, expected <robot>");
   EXPECT_NE(mistake("<robot><link name=\"a\"></robot>"), "");
   EXPECT_NE(mistake(""), "");
-  const config::Scratch scratch;
-  EXPECT_NE(config::message_of(scratch.folder(), [&] { Urdf::load(scratch.folder() / "none.urdf"); }).find("none.urdf"),
+  const task_test::ScratchFolder scratch;
+  EXPECT_NE(config::message_of(scratch.path(), [&] { Urdf::load(scratch.path() / "none.urdf"); }).find("none.urdf"),
             std::string::npos);
 }
 

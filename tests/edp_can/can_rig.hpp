@@ -20,6 +20,7 @@
 #include "edp/loopback_hardware.hpp"
 #include "edp/servo.hpp"
 #include "edp/test_robots.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "sim/can/drive_rack.hpp"
 
 namespace mrroc::edp {
@@ -66,9 +67,8 @@ class TestBus {
       name_ = name;
       return;
     }
-    static std::atomic<int> count{0};
-    const std::string file = "can_" + std::to_string(::getpid()) + "_" + std::to_string(count++);
-    hub_ = std::make_unique<can::Hub>(std::filesystem::temp_directory_path() / file, std::move(fault));
+    folder_ = std::make_unique<task_test::ScratchFolder>();
+    hub_ = std::make_unique<can::Hub>(*folder_ / "can", std::move(fault));
     name_ = hub_->name();
   }
   const std::string& name() const { return name_; }
@@ -77,6 +77,7 @@ class TestBus {
   bool is_hub() const { return hub_ != nullptr; }
 
  private:
+  std::unique_ptr<task_test::ScratchFolder> folder_;
   std::unique_ptr<can::Hub> hub_;
   std::string name_;
 };

@@ -9,6 +9,7 @@
 #include "config/table.hpp"
 #include "language/property.hpp"
 #include "mrroc/errors.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace engraving {
 namespace {
@@ -21,9 +22,8 @@ Lettering capitals() { return Lettering(std::filesystem::path(MRROC_SOURCE_DIR) 
 
 /// Of a file with this text; it is read when this returns.
 Lettering letters(const std::string& text) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "mrroc_letters_test.txt";
-  std::ofstream(file) << text;
-  return Lettering(file);
+  const mrroc::task_test::ScratchFolder folder;
+  return Lettering(folder.write("letters.txt", text));
 }
 
 TEST(Lettering, EveryTextIsWrittenInOneRowWithoutGapsInItsStrokes) {

@@ -9,8 +9,9 @@
 
 #include "config/description.hpp"
 #include "config/resources.hpp"
-#include "config/scratch.hpp"
+#include "config/table.hpp"
 #include "fuzz/fuzz.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 /// Names are not looked up: an input shall not ask the network. (The linker puts it in the place of getaddrinfo.)
 extern "C" int __real_getaddrinfo(const char*, const char*, const addrinfo*, addrinfo**);
@@ -25,7 +26,7 @@ namespace {
 struct Place {
   Place() {
     setenv("MRROC_SHARE", MRROC_BINARY_DIR "/share/mrroc", 1);
-    setenv("MRROC_PROGRAMS", folder.folder().c_str(), 1);
+    setenv("MRROC_PROGRAMS", folder.path().c_str(), 1);
     for (const char* name : {"mrroc_mp", "mrroc_ecp", "mrroc_sim"}) program(name);
     for (const std::string& type : mrroc::config::robot_types()) program(type + "_edp");
     for (const std::string& type : mrroc::config::sensor_types()) program(type + "_vsp");
@@ -34,7 +35,7 @@ struct Place {
   void program(const std::string& name) const {
     std::filesystem::permissions(folder.write(name, ""), std::filesystem::perms::owner_all);
   }
-  mrroc::config::Scratch folder;
+  mrroc::task_test::ScratchFolder folder;
 };
 
 void check(const mrroc::config::Deployment& deployment) {

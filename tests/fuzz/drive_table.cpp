@@ -6,9 +6,9 @@
 #include <set>
 
 #include "config/robot_parameters_file.hpp"
-#include "config/scratch.hpp"
 #include "edp/can/drive_setup.hpp"
 #include "fuzz/fuzz.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace {
 
@@ -39,7 +39,7 @@ void check(const config::DriveTable& table, const RobotParameters& robot) {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const config::Scratch folder;
+  static const task_test::ScratchFolder folder;
   static const RobotParameters robot =
       config::read_robot_parameters(config::Table::load(MRROC_SOURCE_DIR "/robots/irb6/irb6.toml"));
   static const bool placed = setenv("MRROC_SHARE", MRROC_BINARY_DIR "/share/mrroc", 1) == 0;

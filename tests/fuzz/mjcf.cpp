@@ -2,14 +2,14 @@
 // own.
 #include <algorithm>
 
-#include "config/scratch.hpp"
 #include "config/table.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "sim/mjcf_part.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const mrroc::config::Scratch folder;  // where an input finds nothing to include but itself
+  static const mrroc::task_test::ScratchFolder folder;  // where an input finds nothing to include but itself
   static const fuzz::MemoryFile again;
   const auto file = folder.write("part.xml", fuzz::text_of(data, size));
   mrroc::sim::MjcfPart part;

@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "config/scratch.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace {
 
@@ -16,9 +16,9 @@ namespace {
 struct Share {
   Share() {
     folder.write(kFile, "");
-    setenv("MRROC_SHARE", folder.folder().c_str(), 1);
+    setenv("MRROC_SHARE", folder.path().c_str(), 1);
   }
-  mrroc::config::Scratch folder;
+  mrroc::task_test::ScratchFolder folder;
   fuzz::MemoryFile keys;
   static constexpr const char* kFile = "sensors/any/any.toml";
 };

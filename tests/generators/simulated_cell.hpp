@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "config/scratch.hpp"
 #include "edp/effector.hpp"
 #include "edp/mujoco_hardware.hpp"
 #include "edp/servo.hpp"
 #include "mrroc/robots/irb6.hpp"
 #include "mrroc/sensor.hpp"
 #include "mrroc/task.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "robots/irb6/irb6_model.hpp"
 #include "sim/simulation.hpp"
 
@@ -152,7 +152,7 @@ class SimulatedCell : public Task, private RobotLink {
   }
 
   std::string name_ = "arm";
-  config::Scratch scratch_;
+  task_test::ScratchFolder scratch_;
   std::unique_ptr<sim::WorldMemory> memory_ = std::make_unique<sim::WorldMemory>();
   config::Deployment deployment_;
   sim::Simulation simulation_;

@@ -12,6 +12,7 @@
 #include "language/random_values.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "text_of.hpp"
 
 namespace mrroc {
@@ -28,16 +29,10 @@ double digits(double size) { return size * pick(-1000000, 1000000) / 999983.0; }
 
 /// A file of this test's own, removed with the object.
 struct File {
-  File() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "taught_path_XXXXXX").string();
-    folder = mkdtemp(pattern.data());
-    name = folder / "path.csv";
-  }
-  ~File() { std::filesystem::remove_all(folder); }
   void write(const std::string& text) const { std::ofstream(name, std::ios::binary) << text; }
   std::string read() const { return test::text_of(name); }
-  std::filesystem::path folder;
-  std::string name;
+  task_test::ScratchFolder folder;
+  std::string name = folder / "path.csv";
 };
 
 TaughtPath random_path() {

@@ -8,6 +8,8 @@
 
 #include <fstream>
 
+#include "mrroc/testing/scratch_folder.hpp"
+
 namespace mrroc::process {
 namespace {
 
@@ -15,13 +17,7 @@ namespace fs = std::filesystem;
 
 class ClaimedFileTest : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
-  }
+  fs::path write(const std::string& name, const std::string& text) const { return folder_.write(name, text); }
   static std::string read(const fs::path& file) {
     std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -51,7 +47,7 @@ class ClaimedFileTest : public testing::Test {
     return text;
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / ("mrroc_claims" + std::to_string(getpid()));
+  task_test::ScratchFolder folder_;
 };
 
 TEST_F(ClaimedFileTest, AnotherProcessIsRefusedByWhateverNameAndSeesWhoHasIt) {
@@ -59,7 +55,7 @@ TEST_F(ClaimedFileTest, AnotherProcessIsRefusedByWhateverNameAndSeesWhoHasIt) {
   fs::create_symlink(path, folder_ / "link");
   fs::create_hard_link(path, folder_ / "twin");
   fs::create_directory(folder_ / "sub");
-  fs::create_directory_symlink(folder_, folder_ / "sub" / "up");
+  fs::create_directory_symlink(folder_.path(), folder_ / "sub" / "up");
   const ClaimedFile file(path, "the file");
   for (const fs::path& name :
        {path, folder_ / "link", folder_ / "twin", folder_ / "sub/../file", folder_ / "sub/up/file"}) {
@@ -141,7 +137,7 @@ TEST_F(ClaimedFileTest, NewFilesTakeTheFirstFreeName) {
 }
 
 TEST_F(ClaimedFileTest, AFolderIsClaimedToo) {
-  const ClaimedFile claimed = ClaimedFile::folder(folder_, "the snapshots");
+  const ClaimedFile claimed = ClaimedFile::folder(folder_.path(), "the snapshots");
   EXPECT_THROW(ClaimedFile::folder(folder_ / ".", "the snapshots"), FileInUse);
   EXPECT_THROW(ClaimedFile::folder(folder_ / "none", "the snapshots"), std::runtime_error);
 }

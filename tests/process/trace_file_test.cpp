@@ -9,15 +9,14 @@
 #include <fstream>
 #include <string>
 
+#include "mrroc/testing/scratch_folder.hpp"
+
 namespace mrroc::process {
 namespace {
 
-std::filesystem::path scratch(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / ("mrroc_" + name + std::to_string(getpid()));
-}
-
 TEST(TraceFile, ALosslessTraceKeepsEveryLineInOrder) {
-  const std::filesystem::path path = scratch("trace");
+  const task_test::ScratchFolder folder;
+  const std::filesystem::path path = folder / "trace";
   constexpr std::uint64_t kLines = 20000;
   {
     TraceFile trace(path, "arm", true);
@@ -39,7 +38,8 @@ TEST(TraceFile, ALosslessTraceKeepsEveryLineInOrder) {
 }
 
 TEST(TraceFile, ALossyTraceCountsWhatItDrops) {
-  const std::filesystem::path path = scratch("lossy");
+  const task_test::ScratchFolder folder;
+  const std::filesystem::path path = folder / "lossy";
   std::uint64_t dropped = 0;
   constexpr std::uint64_t kLines = 200000;
   {
@@ -85,7 +85,8 @@ TEST(TraceFile, AFullDiskIsReportedAtTheEndWithItsReason) {
 }
 
 TEST(TraceFile, AFileSizeLimitIsReportedAtTheEndWithItsReason) {
-  const std::filesystem::path path = scratch("limited");
+  const task_test::ScratchFolder folder;
+  const std::filesystem::path path = folder / "limited";
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit small{1024, before.rlim_max};
@@ -103,7 +104,8 @@ TEST(TraceFile, AFileSizeLimitIsReportedAtTheEndWithItsReason) {
 }
 
 TEST(TraceFile, AnOpenFileStaysItsOwners) {
-  const std::filesystem::path path = scratch("open");
+  const task_test::ScratchFolder folder;
+  const std::filesystem::path path = folder / "open";
   const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
   EXPECT_EQ(TraceFile(fd, "name", "arm", true).close(), "");
   EXPECT_EQ(write(fd, "more\n", 5), 5);

@@ -22,7 +22,7 @@ class AllBranches final : public BranchReceiver {
   void add(const JointVector& joints, bool exact) noexcept override {
     (exact ? branches : projected).push_back(joints);
   }
-  bool found() const noexcept override { return true; }
+  bool found() noexcept override { return true; }
   std::vector<JointVector> branches, projected;
 };
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "robots_common/changed_file.hpp"
 #include "robots_conveyor/conveyor_fixture.hpp"
 #include "text_of.hpp"
@@ -9,9 +10,9 @@ namespace mrroc {
 namespace {
 
 std::string error_with(const std::string& from, const std::string& to) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const auto file = scratch.write("c.toml", changed_file(conveyor_file("toml"), from, to));
-  return config::message_of(scratch.folder(), [&] { load_conveyor(file); });
+  return config::message_of(scratch.path(), [&] { load_conveyor(file); });
 }
 
 TEST(ConveyorFile, MistakesNameTheirKey) {
@@ -34,9 +35,9 @@ TEST(ConveyorFile, OneAxisIsExpected) {
   second.replace(second.find("\"belt\""), 6, "\"second\"");
   text.insert(end, second);
   text.replace(text.find("home = [0.0]"), 12, "home = [0.0, 0.0]");
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const auto file = scratch.write("c.toml", text);
-  EXPECT_EQ(config::message_of(scratch.folder(), [&] { load_conveyor(file); }),
+  EXPECT_EQ(config::message_of(scratch.path(), [&] { load_conveyor(file); }),
             "c.toml:11: axes: 2 axes, expected one axis, the belt");
 }
 

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "config/table.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "robots_polycrank/polycrank_fixture.hpp"
 #include "text_of.hpp"
 
@@ -19,9 +20,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 RobotModels load_text(const std::string& text) {
-  const auto file = std::filesystem::temp_directory_path() / ("polycrank_" + std::to_string(::getpid()) + ".toml");
-  std::ofstream(file) << text;
-  return load_polycrank(file);
+  const task_test::ScratchFolder folder;
+  return load_polycrank(folder.write("polycrank.toml", text));
 }
 
 /// What is wrong with polycrank.toml when `from` is replaced by `to`; nothing when it loads.

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "fixture.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "text_of.hpp"
 
 namespace mrroc {
@@ -15,11 +16,9 @@ std::string error_with(const std::string& from, const std::string& to) {
   const auto at = changed.find(from);
   if (at == std::string::npos) throw std::runtime_error("no \"" + from + "\" in serial_parallel.toml");
   changed.replace(at, from.size(), to);
-  const auto file =
-      std::filesystem::temp_directory_path() / ("serial_parallel_" + std::to_string(::getpid()) + ".toml");
-  std::ofstream(file) << changed;
+  const task_test::ScratchFolder folder;
   try {
-    load_serial_parallel(file);
+    load_serial_parallel(folder.write("serial_parallel.toml", changed));
   } catch (const config::ConfigurationError& error) {
     return error.what();
   }

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "config/scratch.hpp"
 #include "gripper_fixture.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "robots_common/simulated_edp.hpp"
 
 namespace mrroc {
@@ -76,7 +76,7 @@ class GripperGrips : public testing::Test {
     run(5000);
   }
 
-  config::Scratch scratch_;
+  task_test::ScratchFolder scratch_;
   std::unique_ptr<sim::WorldMemory> memory_ = std::make_unique<sim::WorldMemory>();
   sim::Simulation simulation_{deployment(), *memory_};
   SimulatedEdp edp_{gripper_model(), *memory_, 0};

@@ -1,16 +1,17 @@
 #include <gtest/gtest.h>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
 #include "gripper_fixture.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "robots_common/changed_file.hpp"
 
 namespace mrroc {
 namespace {
 
 std::string error_with(const std::string& from, const std::string& to) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const auto file = scratch.write("g.toml", changed_file(gripper_source("two_finger_gripper.toml"), from, to));
-  return config::message_of(scratch.folder(), [&] { load_two_finger_gripper(file); });
+  return config::message_of(scratch.path(), [&] { load_two_finger_gripper(file); });
 }
 
 TEST(GripperFile, MistakesNameTheirKey) {
@@ -35,7 +36,7 @@ TEST(GripperFile, ATransmissionThatTurnsBackWithinTheMotorsLimitsIsRefused) {
 }
 
 TEST(GripperFile, OtherSidesAndSignsOfTheParabolaWork) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   // the same parabola mirrored: the motor turns the other way
   std::string text = changed_file(gripper_source("two_finger_gripper.toml"), "opening_slope = -", "opening_slope = ");
   const auto set = [&text](const std::string& from, const std::string& to) {

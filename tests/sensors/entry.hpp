@@ -2,15 +2,15 @@
 
 #include <string>
 
-#include "config/scratch.hpp"
 #include "config/sensor_type.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::vsp {
 
 /// The entry that a deployment file gives for a sensor `name` of `type` on robot `arm` with the keys in `toml`: its own
 /// parameters are checked against the type's declarations, defaults filled in.
 inline config::SensorEntry entry_of(const std::string& type, const std::string& name, const std::string& toml = "") {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   config::SensorEntry entry;
   entry.name = name;
   entry.type = type;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "config/scratch.hpp"
 #include "mrroc/errors.hpp"
 #include "mrroc/task.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "vsp/replay_source.hpp"
 #include "vsp/sampler.hpp"
 
@@ -70,7 +70,7 @@ class PlayedTask : public Task, private SensorLink, private ReadingSink {
     now_ = std::max(now_, tick);
   }
 
-  config::Scratch scratch_;
+  task_test::ScratchFolder scratch_;
   std::string name_ = "test";
   std::string type_;
   Tick period_;

@@ -10,7 +10,7 @@ namespace mrroc::sim {
 namespace {
 
 using config::message_of;
-using config::Scratch;
+using task_test::ScratchFolder;
 
 constexpr const char* kRobot = R"(<mujoco>
   <compiler angle="radian"/>
@@ -42,9 +42,9 @@ void close_stdin() {
 
 TEST_P(BrokenScene, IsRefusedWithFileLineAndMujocosMessage) {
   close_stdin();
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string scene = std::string("<mujoco>\n  <compiler angle='radian'/>\n") + GetParam().scene + "\n</mujoco>";
-  const std::string message = message_of(scratch.folder(), [&] {
+  const std::string message = message_of(scratch.path(), [&] {
     load_model(compose_texts(scratch, scene, {{"arm", kRobot}}));
   });
   EXPECT_TRUE(message.starts_with(GetParam().place)) << message;
@@ -113,8 +113,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.what; });
 
 std::string message_for_scene(const std::string& text) {
-  const Scratch scratch;
-  return message_of(scratch.folder(), [&] { load_model(compose_texts(scratch, text)); });
+  const ScratchFolder scratch;
+  return message_of(scratch.path(), [&] { load_model(compose_texts(scratch, text)); });
 }
 
 TEST(BrokenSceneFile, WithoutAnyElementOrOfAnotherKind) {
@@ -135,26 +135,25 @@ TEST(BrokenSceneFile, NestedTooDeeply) {
 TEST(BrokenSceneFile, ThatDoesNotExist) { EXPECT_THROW(compose("/none/scene.xml", {}), config::ConfigurationError); }
 
 TEST(BrokenSceneFile, IncludingItself) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto scene = scratch.write("scene.xml", "<mujoco>\n<include file='scene.xml'/></mujoco>");
-  EXPECT_EQ(message_of(scratch.folder(), [&] { compose(scene, {}); }),
+  EXPECT_EQ(message_of(scratch.path(), [&] { compose(scene, {}); }),
             "scene.xml:2: include: \"scene.xml\" is included a second time, expected each file once");
 }
 
 TEST(BrokenInclude, NamesTheIncludedFileAndItsLine) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   scratch.write("objects.xml", "<mujoco>\n<worldbody>\n<geom size='-2'/></worldbody></mujoco>");
-  const std::string message = message_of(scratch.folder(), [&] {
-    load_model(compose_texts(scratch, "<mujoco>\n<include file='objects.xml'/></mujoco>"));
-  });
+  const std::string message = message_of(
+      scratch.path(), [&] { load_model(compose_texts(scratch, "<mujoco>\n<include file='objects.xml'/></mujoco>")); });
   EXPECT_TRUE(message.starts_with("objects.xml:3: MuJoCo: ")) << message;
 }
 
 TEST(BrokenRobot, NamesTheRobotsFileAndItsLine) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   std::string robot = kRobot;
   robot.replace(robot.find("size=\"0.1\""), 10, "size=\"0\"");
-  const std::string message = message_of(scratch.folder(), [&] {
+  const std::string message = message_of(scratch.path(), [&] {
     load_model(compose_texts(scratch, kEmptyScene, {{"arm", robot}}));
   });
   EXPECT_TRUE(message.starts_with("robots/arm.xml:6: MuJoCo: ")) << message;

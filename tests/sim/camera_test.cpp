@@ -17,7 +17,7 @@ namespace mrroc::sim {
 namespace {
 
 using config::message_of;
-using config::Scratch;
+using task_test::ScratchFolder;
 using Colour = std::array<std::uint8_t, 3>;
 
 Picture read_png(const std::filesystem::path& file) {
@@ -118,7 +118,7 @@ class RenderProgram : public Camera {
     for (const char* program : {"mrroc_sim", "mrroc_mp", "mrroc_ecp", "twolink_edp"}) {
       chmod(scratch_.write(std::string("bin/") + program, "").c_str(), 0755);
     }
-    setenv("MRROC_PROGRAMS", (scratch_.folder() / "bin").c_str(), 1);
+    setenv("MRROC_PROGRAMS", (scratch_.path() / "bin").c_str(), 1);
     deployment_ = scratch_.write("test.toml",
                                  "[deployment]\nname = \"test\"\n[robots.arm]\ntype = \"twolink\"\n"
                                  "hardware = \"mujoco\"\nposition = [0.0, 0.0, 0.5]\n"
@@ -127,10 +127,10 @@ class RenderProgram : public Camera {
   }
   int run(const std::string& arguments) const {
     const std::string command = std::string(MRROC_BINARY_DIR) + "/bin/mrroc_render --deployment " +
-                                deployment_.string() + " " + arguments + " 2>" + (scratch_.folder() / "err").string();
+                                deployment_.string() + " " + arguments + " 2>" + (scratch_.path() / "err").string();
     return WEXITSTATUS(std::system(command.c_str()));
   }
-  Scratch scratch_;
+  ScratchFolder scratch_;
   std::filesystem::path deployment_;
 };
 
@@ -139,7 +139,7 @@ TEST_F(RenderProgram, WritesAPngOfASavedState) {
   Simulation simulation(config::load_deployment(deployment_), *memory);
   simulation.publish_initial();
   for (Tick k = 1; k <= 300; ++k) simulation.step(k);
-  const auto state = scratch_.folder() / "00000300.state", png = scratch_.folder() / "out.png";
+  const auto state = scratch_.path() / "00000300.state", png = scratch_.path() / "out.png";
   save_state(state, simulation.state());
   ASSERT_EQ(run("--camera overview --width 200 --height 150 --state " + state.string() + " --out " + png.string()), 0);
   const Picture picture = read_png(png);
@@ -149,8 +149,8 @@ TEST_F(RenderProgram, WritesAPngOfASavedState) {
 }
 
 TEST_F(RenderProgram, SaysWhatIsWrong) {
-  EXPECT_EQ(run("--camera none --width 64 --height 48 --out " + (scratch_.folder() / "out.png").string()), 2);
-  std::ifstream err(scratch_.folder() / "err");
+  EXPECT_EQ(run("--camera none --width 64 --height 48 --out " + (scratch_.path() / "out.png").string()), 2);
+  std::ifstream err(scratch_.path() / "err");
   std::string line;
   std::getline(err, line);
   EXPECT_EQ(line, "mrroc_render: camera: no camera \"none\", expected one of overview");

@@ -8,7 +8,7 @@ namespace mrroc::sim {
 namespace {
 
 using config::message_of;
-using config::Scratch;
+using task_test::ScratchFolder;
 
 constexpr const char* kBlock = R"(<mujoco>
 <compiler angle="radian"/>
@@ -58,7 +58,7 @@ TEST(Compose, EveryKindOfNameIsPrefixedAndRefersToItsOwnRobot) {
 }
 
 TEST(Compose, DefaultsStayWithTheirFile) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string scene = R"(<mujoco><compiler angle="radian"/>
 <default><geom rgba="1 0 0 1"/><joint damping="3"/><default class="soft"><geom rgba="0 1 0 1"/></default></default>
 <worldbody><geom name="of_scene" size="0.1"/><geom name="soft" class="soft" size="0.1"/>
@@ -79,7 +79,7 @@ TEST(Compose, DefaultsStayWithTheirFile) {
 }
 
 TEST(Compose, OptionsAreTheScenes) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string scene = R"(<mujoco><compiler angle="radian"/><option gravity="0 0 -1.5"/></mujoco>)";
   std::string robot = kBlock;
   robot.insert(robot.find("<worldbody>"), "<option gravity='0 0 9'/><statistic extent='77'/>");
@@ -89,7 +89,7 @@ TEST(Compose, OptionsAreTheScenes) {
 }
 
 TEST(Compose, SceneMayReferToRobots) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string scene = R"(<mujoco><compiler angle="radian"/>
 <worldbody><body name="bar"><freejoint/><geom size="0.1"/></body></worldbody>
 <equality><weld body1="r/b" body2="bar"/></equality>
@@ -100,7 +100,7 @@ TEST(Compose, SceneMayReferToRobots) {
 }
 
 TEST(Compose, IncludesAndMeshesAreFoundBesideTheirFile) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   scratch.write("parts/meshes/wedge.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   scratch.write("parts/shapes.xml", R"(<mujoco><asset><mesh file="wedge.obj"/></asset></mujoco>)");
   const auto robot = scratch.write("parts/robot.xml", R"(<mujoco><compiler angle="radian" meshdir="meshes"/>
@@ -126,7 +126,7 @@ TEST(Compose, ForceTorqueIsAddedOnTheWristOnceAndOnlyIfMounted) {
   EXPECT_EQ(count(false, kTwolink), 0);
   EXPECT_EQ(count(true, kTwolink), 2);
 
-  const Scratch scratch;
+  const ScratchFolder scratch;
   std::string own = kBlock;
   own.insert(own.find("<geom"), "<site name='hand'/>");
   own.insert(own.find("</mujoco>"),
@@ -136,23 +136,23 @@ TEST(Compose, ForceTorqueIsAddedOnTheWristOnceAndOnlyIfMounted) {
 }
 
 TEST(Compose, CompilerSettingsThatDifferNameBothFiles) {
-  const Scratch scratch;
-  const std::string message = message_of(scratch.folder(), [&] {
+  const ScratchFolder scratch;
+  const std::string message = message_of(scratch.path(), [&] {
     compose_texts(scratch, "<mujoco>\n<compiler/></mujoco>", {{"r", kBlock}});
   });
-  EXPECT_EQ(message, "scene.xml:2: compiler.angle: \"degree\" differs from \"radian\" in " + scratch.folder().string() +
+  EXPECT_EQ(message, "scene.xml:2: compiler.angle: \"degree\" differs from \"radian\" in " + scratch.path().string() +
                          "/robots/r.xml, expected <compiler angle=\"radian\"/> in every file");
 }
 
 TEST(Compose, SettingsEqualToTheDefaultDoNotDiffer) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   std::string robot = kBlock;
   robot.replace(robot.find("/>"), 2, " eulerseq='xyz' autolimits='false'/>");
   EXPECT_NO_THROW(compose_texts(scratch, kEmptyScene, {{"r", robot}}));
 }
 
 TEST(Compose, SceneryIsAddedOnlyWhereTheSceneHasNone) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto bare = load_model(compose_texts(scratch, kEmptyScene));
   EXPECT_EQ(bare->nlight, 1);
   EXPECT_EQ(bare->ntex, 1);

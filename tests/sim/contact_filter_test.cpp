@@ -79,7 +79,7 @@ std::vector<Contact> contacts(const mjModel& model, mjfConFilt filter) {
 TEST(ContactFilter, FindsTheContactsThatMujocoFindsWithoutIt) {
   std::size_t all = 0;
   check_property(kCases, [&all] {
-    const config::Scratch scratch;
+    const task_test::ScratchFolder scratch;
     const Model model = load_model(compose_texts(scratch, random_scene()));
     const auto expected = contacts(*model, nullptr);
     RC_ASSERT(contacts(*model, cannot_touch) == expected);
@@ -89,7 +89,7 @@ TEST(ContactFilter, FindsTheContactsThatMujocoFindsWithoutIt) {
 }
 
 TEST(ContactFilter, WhatIsBesideALongThingIsLeftOut) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const Model model = load_model(compose_texts(scratch, R"(<mujoco><worldbody>
     <geom name="belt" type="box" size="1 0.2 0.01"/>
     <body pos="0.5 0 0.4"><freejoint/><geom name="above" size="0.05"/></body>

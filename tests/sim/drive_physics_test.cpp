@@ -11,9 +11,9 @@
 namespace mrroc::sim {
 namespace {
 
-using config::Scratch;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using task_test::ScratchFolder;
 
 std::string pendulum(double armature, double damping) {
   return "<mujoco><compiler angle='radian'/><worldbody><body name='b'>"
@@ -30,7 +30,7 @@ JointVector values(std::initializer_list<double> list) {
 
 TEST(DrivePhysics, OneJointMovesAsWithMujocosOwnArmatureAndDamping) {
   constexpr double kArmature = 0.3, kDamping = 0.25, kStep = 0.001;
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const Composition composition = compose_texts(scratch, kEmptyScene, {{"p", pendulum(kArmature, kDamping)}});
 
   const Model model = load_model(composition);  // MuJoCo's way
@@ -121,7 +121,7 @@ TEST(DrivePhysics, EnergyOfAFreeArmWithCoupledRotorsIsKeptToFirstOrder) {
 }
 
 TEST(DrivePhysics, CouplingOfBranchesIsRefused) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string fork =
       "<mujoco><compiler angle='radian'/><worldbody><body name='root'>"
       "<body name='l'><joint name='l'/><geom size='.1'/></body>"
@@ -138,7 +138,7 @@ TEST(DrivePhysics, CouplingOfBranchesIsRefused) {
 
 TEST(DrivePhysics, TwoSlidesOfOneBodyMayBeCoupled) {
   // MuJoCo takes such a body for "simple" and would factor M as a diagonal matrix
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string gantry =
       "<mujoco><compiler angle='radian'/><worldbody><body name='g'><joint name='x' type='slide' axis='1 0 0'/>"
       "<joint name='y' type='slide' axis='0 1 0'/><geom size='.1' mass='2'/></body></worldbody></mujoco>";
@@ -179,7 +179,7 @@ TEST(DrivePhysics, BrakesHoldAnArmThatIsPushedAndLetGoAgain) {
 }
 
 TEST(DrivePhysics, AJointThatFollowsADrivenOneStartsWhereItsEqualityWantsIt) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string gripper =
       "<mujoco><compiler angle='radian'/><worldbody>"
       "<body name='l'><joint name='l' type='slide' ref='0.1'/><geom size='.01'/></body>"
@@ -195,7 +195,7 @@ TEST(DrivePhysics, AJointThatFollowsADrivenOneStartsWhereItsEqualityWantsIt) {
 }
 
 TEST(DrivePhysics, AnEndlessBeltCarriesAPartAndStaysUnderIt) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string conveyor =
       "<mujoco><compiler angle='radian'/><worldbody><body name='belt'><joint name='belt' type='slide' axis='1 0 0'/>"
       "<geom type='box' size='1 0.2 0.05' mass='20' friction='1'/></body></worldbody>"

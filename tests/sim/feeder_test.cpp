@@ -27,7 +27,7 @@ constexpr const char* kScene = R"(<mujoco>
 class FeederTest : public testing::Test {
  protected:
   FeederTest() {
-    deployment_.file = scratch_.folder() / "test.toml";
+    deployment_.file = scratch_.path() / "test.toml";
     deployment_.sim.emplace();
     deployment_.sim->scene = scratch_.write("scene.xml", kScene);
     config::FeederEntry infeed;
@@ -68,10 +68,10 @@ class FeederTest : public testing::Test {
     return simulation.world().data().qpos + model.jnt_qposadr[joint];
   }
   std::string refusal() {
-    return config::message_of(scratch_.folder(), [&] { Simulation(deployment_, *memory_); });
+    return config::message_of(scratch_.path(), [&] { Simulation(deployment_, *memory_); });
   }
 
-  config::Scratch scratch_;
+  task_test::ScratchFolder scratch_;
   config::Deployment deployment_;
   std::map<std::string, double> resting_;  ///< heights at the end of `run`
   std::unique_ptr<WorldMemory> memory_ = std::make_unique<WorldMemory>();

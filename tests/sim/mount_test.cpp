@@ -9,7 +9,7 @@ namespace mrroc::sim {
 namespace {
 
 using config::message_of;
-using config::Scratch;
+using task_test::ScratchFolder;
 
 Pose pose_of(const double* position, const double* matrix) {
   Pose pose = Pose::Identity();
@@ -56,7 +56,7 @@ constexpr const char* kMountedBlock = R"(<mujoco>
 </mujoco>)";
 
 TEST(Mount, CarrierAndCarriedMayOverlapButBothTouchWhatElseIsThere) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto hand = scratch.write("hand.xml", kMountedBlock);
   // MuJoCo sees no neighbours of what is rigidly joined to the world
   std::string text = kMountedBlock;
@@ -79,14 +79,14 @@ TEST(Mount, CarrierAndCarriedMayOverlapButBothTouchWhatElseIsThere) {
 }
 
 TEST(Mount, ACarrierWithoutAToolIsNamedWithItsFile) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   std::string bare = kMountedBlock;
   bare.erase(bare.find("<site"), std::string("<site name=\"tool\"/>").size());
   const auto scene = scratch.write("scene.xml", kEmptyScene);
   const std::vector<RobotPart> robots{
       {"arm", scratch.write("bare.xml", bare)},
       {"hand", scratch.write("block.xml", kMountedBlock), Pose::Identity(), false, "arm"}};
-  EXPECT_EQ(message_of(scratch.folder(), [&] { compose(scene, robots); }),
+  EXPECT_EQ(message_of(scratch.path(), [&] { compose(scene, robots); }),
             "bare.xml:1: robots.hand.mount: there is no site \"tool\" to carry it, expected <site name=\"tool\"/> in "
             "this file");
 }

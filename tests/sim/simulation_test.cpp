@@ -15,9 +15,9 @@ namespace {
 
 using config::Deployment;
 using config::message_of;
-using config::Scratch;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
+using task_test::ScratchFolder;
 
 class SimulationTest : public testing::Test {
  protected:
@@ -191,7 +191,7 @@ TEST_F(SimulationTest, AnEmergencyStopThatIsNotWiredIsRefused) {
   EXPECT_EQ(message_of(kData, [&] { Simulation(deployment, *memory_); }),
             "test.toml: robots.a1.emergency_stop: input_3 is not in the scene, so that it would be pressed for ever, "
             "expected a sensor 'a1/input_3' there or in the robot's MJCF");
-  const Scratch scratch;
+  const ScratchFolder scratch;
   deployment.sim->scene = scratch.write(
       "wired.xml",
       "<mujoco><include file='" + (kData / "scene.xml").string() +
@@ -217,12 +217,12 @@ TEST_F(SimulationTest, ADeploymentWithoutAWorldIsRefused) {
 }
 
 TEST_F(SimulationTest, StatesSurviveTheirFile) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   Simulation simulation(twolink_deployment(1), *memory_);
   simulation.publish_initial();
   for (Tick k = 1; k <= 7; ++k) simulation.step(k);
   const WorldState state = simulation.state();
-  const auto file = scratch.folder() / "state";
+  const auto file = scratch.path() / "state";
   save_state(file, simulation.state());
   const WorldState read = load_state(file);
   EXPECT_EQ(read.tick, 7U);
@@ -231,7 +231,7 @@ TEST_F(SimulationTest, StatesSurviveTheirFile) {
 }
 
 TEST_F(SimulationTest, BrokenStateFilesAreRefused) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   for (const char* text : {"", "something else\n", "mrroc world state 1\n", "mrroc world state 1\n5 0.1 3\n1\n2\n",
                            "mrroc world state 1\n5 0.1 99999999999\n", "mrroc world state 1\n5 0.1 1\nx\n"}) {
     EXPECT_THROW(load_state(scratch.write("state", text)), config::ConfigurationError) << text;

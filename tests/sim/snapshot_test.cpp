@@ -3,7 +3,8 @@
 
 #include <memory>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "sim/simulation.hpp"
 #include "worlds.hpp"
 
@@ -11,7 +12,7 @@ namespace mrroc::sim {
 namespace {
 
 using config::message_of;
-using config::Scratch;
+using task_test::ScratchFolder;
 
 config::SensorEntry camera_entry() {
   config::SensorEntry camera;
@@ -62,7 +63,7 @@ TEST_F(Snapshot, IsNotStoredForACameraOfHardware) {
 }
 
 TEST_F(Snapshot, CarriesThePosesOfMocapBodies) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   config::Deployment deployment;
   deployment.sensors = {camera_entry()};
   deployment.sim.emplace();
@@ -81,7 +82,7 @@ TEST_F(Snapshot, CarriesThePosesOfMocapBodies) {
 }
 
 TEST_F(Snapshot, OfAWorldThatIsTooLargeIsRefused) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   std::string bodies;
   for (int i = 0; i < 147; ++i) bodies += "<body><freejoint/><geom size='0.1' mass='1' contype='0'/></body>\n";
   config::Deployment deployment;

@@ -34,7 +34,7 @@ constexpr const char* kScene = R"(<mujoco>
 </mujoco>)";
 
 TEST(Terminals, AreWiredToTheWorldByName) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   World world(compose_texts(scratch, kScene), 0.002, 0.001);
   const Terminals terminals(world.model(), "arm");
   world.start();
@@ -56,7 +56,7 @@ TEST(Terminals, AreWiredToTheWorldByName) {
 }
 
 TEST(Terminals, OnIsOneWhereTheActuatorHasNoRange) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   World world(compose_texts(scratch, kScene), 0.002, 0.001);
   const Terminals terminals(world.model(), "arm");
   Signals outputs;

@@ -47,7 +47,7 @@ std::string scene(const Pose& holder, const Pose& place, bool holder_first) {
 
 TEST(WeldTorques, ASensorTellsTheWeightAndItsLeverThroughAWeld) {
   check_property(kCases, [] {
-    const config::Scratch scratch;
+    const task_test::ScratchFolder scratch;
     const Pose holder = fakes::random_pose(0.5, 3), place = fakes::random_pose(0.3, 3);
     World world(compose_texts(scratch, scene(holder, place, *rc::gen::arbitrary<bool>())), 0.002, 0.001);
     world.start();

@@ -10,9 +10,9 @@
 namespace mrroc::sim {
 namespace {
 
-using config::Scratch;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using task_test::ScratchFolder;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -91,7 +91,7 @@ TEST_F(WorldFailure, NotFinitePositionsNameTheJoint) {
 }
 
 TEST(WorldFailures, NotFiniteControlsAreAnError) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string scene =
       "<mujoco><worldbody><body><joint name='j'/><geom size='0.1'/></body></worldbody>"
       "<actuator><motor joint='j'/></actuator></mujoco>";
@@ -102,7 +102,7 @@ TEST(WorldFailures, NotFiniteControlsAreAnError) {
 }
 
 TEST(WorldFailures, TooManyContactsAndTooManyConstraintsAreErrors) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto crowded = [&](const std::string& size) {
     std::string scene = "<mujoco><size " + size + "/><worldbody><geom type='plane' size='1 1 1'/>";
     for (int i = 0; i < 8; ++i) {
@@ -117,7 +117,7 @@ TEST(WorldFailures, TooManyContactsAndTooManyConstraintsAreErrors) {
 }
 
 TEST(WorldFailures, WarningsAreCountedAndKeepTheirFirstTick) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   World world(compose_texts(scratch, kEmptyScene), 0.002, 0.001);
   world.start();
   // a callback stands for whatever inside MuJoCo has something to say
@@ -133,7 +133,7 @@ TEST(WorldFailures, WarningsAreCountedAndKeepTheirFirstTick) {
 }
 
 TEST(WorldFailures, AnIntegratorOtherThanEulerIsRefused) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   EXPECT_THROW(World(compose_texts(scratch, "<mujoco><option integrator='RK4'/></mujoco>"), 0.001, 0.001),
                config::ConfigurationError);
 }

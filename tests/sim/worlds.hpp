@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "config/deployment.hpp"
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "sim/compose.hpp"
 #include "sim/model.hpp"
 #include "sim/world_memory.hpp"
@@ -23,7 +24,7 @@ inline Pose at(double x, double y, double z, double turn = 0) {
 }
 
 /// Composes a scene of text with robots given as (name, MJCF text), each at the origin.
-inline Composition compose_texts(const config::Scratch& scratch, const std::string& scene,
+inline Composition compose_texts(const task_test::ScratchFolder& scratch, const std::string& scene,
                                  const std::vector<std::pair<std::string, std::string>>& robots = {}) {
   std::vector<RobotPart> parts;
   for (const auto& [name, text] : robots) {

@@ -2,17 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::task_test {
 namespace {
 
 std::map<std::string, Motion> read(const std::string& text) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "motion";
-  std::ofstream(file) << text;
-  auto motions = read_motion(file);
-  std::filesystem::remove(file);
-  return motions;
+  const ScratchFolder folder;
+  return read_motion(folder.write("motion", text));
 }
 
 constexpr const char* kTwoRobots =

@@ -7,7 +7,8 @@
 #include <cstdio>
 #include <string>
 
-#include "config/scratch.hpp"
+#include "config/message_of.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 const std::vector<Channel> kTwo{{"a", "m"}, {"b", "N"}};
 
 TEST(ReplaySource, HoldsEachLineUntilTheNext) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   ReplaySource source(scratch.write("r.txt",
                                     "# mrroc readings a b\r\n"
                                     "# a comment, then an empty line\n"
@@ -43,7 +44,7 @@ TEST(ReplaySource, HoldsEachLineUntilTheNext) {
 }
 
 TEST(ReplaySource, PlaysExactlyWhatWasWritten) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   const bool ok = rc::check("the value at tick k is that of the last line with tick <= k", [&] {
     struct Line {
       Tick tick;
@@ -80,7 +81,7 @@ TEST(ReplaySource, PlaysExactlyWhatWasWritten) {
 }
 
 TEST(ReplaySource, BearsWhatEditorsAdd) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   for (const char* const text :
        {"\xEF\xBB\xBF# mrroc readings a b\n5 1 2\n", "# mrroc readings a b\r\n5 1 2\r\n",
         "# mrroc readings a b \t\n\n+5 +1 2. \t", "# mrroc readings a b\n5\t1\t2\t# from the press\r\n\x1A",
@@ -149,18 +150,18 @@ const Malformed kMalformed[] = {
 };
 
 TEST(ReplaySource, RefusesEveryMalformedFileNamingFileAndLine) {
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   for (const Malformed& malformed : kMalformed) {
     const std::filesystem::path file = scratch.write("r.txt", malformed.text);
-    EXPECT_EQ(config::message_of(scratch.folder(), [&] { ReplaySource(file, kTwo); }), malformed.message)
+    EXPECT_EQ(config::message_of(scratch.path(), [&] { ReplaySource(file, kTwo); }), malformed.message)
         << malformed.text;
   }
 }
 
 TEST(ReplaySource, RefusesAFileThatCannotBeRead) {
-  const config::Scratch scratch;
-  EXPECT_THROW(ReplaySource(scratch.folder() / "none.txt", kTwo), config::ConfigurationError);
-  EXPECT_THROW(ReplaySource(scratch.folder(), kTwo), config::ConfigurationError);
+  const task_test::ScratchFolder scratch;
+  EXPECT_THROW(ReplaySource(scratch.path() / "none.txt", kTwo), config::ConfigurationError);
+  EXPECT_THROW(ReplaySource(scratch.path(), kTwo), config::ConfigurationError);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "config/scratch.hpp"
 #include "mrroc/errors.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "sim/mapped_world.hpp"
 #include "vsp/fakes.hpp"
 #include "vsp/make_source.hpp"
@@ -79,7 +79,7 @@ TEST(MakeSource, ChoosesWhatTheDeploymentAsksFor) {
   EXPECT_EQ(raw.values[0], 4);
   EXPECT_EQ(simulated->read(1501, raw), SourceState::silent);  // 3 s at 2 ms
 
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   entry.source = "replay";
   entry.replay = scratch.write("played.txt", "# mrroc readings in\n0 5\n");
   ASSERT_EQ(make_source(sensor, {deployment, entry, 0, nullptr, 0.002})->read(0, raw), SourceState::ready);

@@ -7,6 +7,7 @@
 
 #include "cli/trace/format_line.hpp"
 #include "cli/trace/trace_text.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli::trace {
 namespace {
@@ -73,7 +74,8 @@ long peak_memory() {
 }
 
 TEST(TraceReader, MemoryDoesNotGrowWithTheTrace) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "mrroc_long.trace";
+  const task_test::ScratchFolder folder;
+  const std::filesystem::path file = folder / "long.trace";
   Line line = example_trace().line(0);
   constexpr std::uint64_t kLines = 100000;
   {
@@ -93,7 +95,6 @@ TEST(TraceReader, MemoryDoesNotGrowWithTheTrace) {
   EXPECT_EQ(verdict.notes.size(), 1U);
   EXPECT_GT(std::filesystem::file_size(file), 30U << 20U);
   EXPECT_LT(peak_memory() - before, 8 << 10) << "kB more";
-  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "cli/trace.hpp"
 #include "cli/trace/format_line.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli::trace {
 
@@ -64,9 +65,8 @@ std::string Found::text() const {
 }
 
 Found check_text(const std::string& text) {
-  const std::filesystem::path file =
-      std::filesystem::path("/tmp") / ("mrroc_checked_" + std::to_string(getpid()) + ".trace");
-  std::ofstream(file) << text;
+  const task_test::ScratchFolder folder;
+  const std::filesystem::path file = folder.write("checked.trace", text);
   Found found;
   try {
     found.verdict = check_trace(file, [&found](const std::string& violation) {
@@ -77,7 +77,6 @@ Found check_text(const std::string& text) {
   } catch (const std::runtime_error& error) {
     found.malformed = error.what();
   }
-  std::filesystem::remove(file);
   return found;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "config/table.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "robots_irb6/family/robot_under_test.hpp"
 #include "text_of.hpp"
 
@@ -22,10 +23,8 @@ inline RobotModels load_with(const Loader& load, const std::string& from, const 
   const auto at = changed.find(from);
   if (at == std::string::npos) throw std::runtime_error("no \"" + from + "\" in the file");
   changed.replace(at, from.size(), to);
-  const auto file =
-      std::filesystem::temp_directory_path() / (robot_under_test().name + "_" + std::to_string(::getpid()) + ".toml");
-  std::ofstream(file) << changed;
-  return load(file);
+  const task_test::ScratchFolder folder;
+  return load(folder.write(robot_under_test().name + ".toml", changed));
 }
 
 /// The message of the mistake that this makes; empty when it makes none.

@@ -32,7 +32,7 @@ const std::string kDeviceKeys =
 
 TEST(Video, IsPlayedInTheDeploymentsTime) {
   SeenWorld world("", kDeviceKeys);
-  write_video(world.scratch().folder() / "disc.avi");
+  write_video(world.scratch().path() / "disc.avi");
   world.open();
   for (int i = 0; i < kPictures; i += 3) {
     for (const int within : {0, 7, 19}) {
@@ -50,7 +50,7 @@ TEST(Video, IsPlayedInTheDeploymentsTime) {
 
 TEST(Video, ThatHasEndedIsSilent) {
   SeenWorld world("", kDeviceKeys);
-  write_video(world.scratch().folder() / "disc.avi");
+  write_video(world.scratch().path() / "disc.avi");
   world.open();
   world.read(20 * (kPictures - 1));
   EXPECT_EQ(world.state(), SourceState::ready);
@@ -69,17 +69,17 @@ TEST(Video, OfAnotherSizeOrNoVideoIsRefused) {
   std::string keys = kDeviceKeys;
   keys.replace(keys.find("320"), 3, "300");
   SeenWorld wide("", keys);
-  write_video(wide.scratch().folder() / "disc.avi");
+  write_video(wide.scratch().path() / "disc.avi");
   EXPECT_EQ(refusal([&] { wide.open(); }),
             "sensors.eye.width: the pictures of \"disc.avi\" have another size than width and height, expected 320 and "
             "240");
 }
 
 TEST(Video, DebugPicturesShowEveryNthReading) {
-  config::Scratch folder;
-  const std::string debug = (folder.folder() / "seen").string();
+  task_test::ScratchFolder folder;
+  const std::string debug = (folder.path() / "seen").string();
   SeenWorld world("", kDeviceKeys + "debug = '" + debug + "'\ndebug_every = 3\n");
-  write_video(world.scratch().folder() / "disc.avi");
+  write_video(world.scratch().path() / "disc.avi");
   world.open();
   for (Tick i = 0; i < 7; ++i) world.read(20 * i);
   EXPECT_TRUE(std::filesystem::exists(debug + "/eye.toml"));
@@ -92,10 +92,10 @@ TEST(Video, DebugPicturesShowEveryNthReading) {
 }
 
 TEST(Video, AFolderThatCannotBeWrittenIsRefused) {
-  config::Scratch folder;
+  task_test::ScratchFolder folder;
   const auto file = folder.write("file", "");
   SeenWorld world("", kDeviceKeys + "debug = '" + (file / "below").string() + "'\n");
-  write_video(world.scratch().folder() / "disc.avi");
+  write_video(world.scratch().path() / "disc.avi");
   EXPECT_THROW(world.open(), SystemError);
 }
 

@@ -8,9 +8,9 @@
 #include <random>
 #include <string>
 
-#include "config/scratch.hpp"
 #include "config/sensor_type.hpp"
 #include "language/rigid_motion.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 #include "sensors/camera/camera_sensor.hpp"
 #include "sim/simulation.hpp"
 
@@ -55,7 +55,7 @@ class SeenWorld {
   explicit SeenWorld(const std::string& scene, const std::string& keys, const std::string& robot = "",
                      std::vector<config::RobotEntry> robots = {}) {
     setenv("MRROC_SHARE", (std::string(MRROC_BINARY_DIR) + "/share/mrroc").c_str(), 1);
-    deployment_.file = scratch_.folder() / "test.toml";
+    deployment_.file = scratch_.path() / "test.toml";
     deployment_.robots = std::move(robots);
     if (!scene.empty()) {
       deployment_.sim.emplace();
@@ -78,7 +78,7 @@ class SeenWorld {
     sensor_.set_up(entry_, 0.002);
     source_ = sensor_.open_source({deployment_, entry_, 0, deployment_.sim ? memory_.get() : nullptr, 0.002});
   }
-  const config::Scratch& scratch() const { return scratch_; }
+  const task_test::ScratchFolder& scratch() const { return scratch_; }
   config::Deployment& deployment() { return deployment_; }
   CameraSensor& sensor() { return sensor_; }
   Source& source() { return *source_; }
@@ -123,7 +123,7 @@ class SeenWorld {
     return positions_.data() + model_->jnt_qposadr[std::max(id, 0)];
   }
 
-  config::Scratch scratch_;
+  task_test::ScratchFolder scratch_;
   config::Deployment deployment_;
   config::SensorEntry entry_;
   sim::Model model_;

@@ -79,7 +79,7 @@ class Arm {
 
  private:
   static sim::Composition composed() {
-    const config::Scratch scratch;
+    const task_test::ScratchFolder scratch;
     const sim::RobotPart arm{"arm", scratch.write("arm.xml", with_tool_of_one_kilogram()), sim::at(0, 0, 0.7), true};
     return sim::compose(
         scratch.write(

@@ -26,7 +26,7 @@ class Wrist {
   edp::WrenchReading read(Tick tick, const Pose& flange) { return sensor_->read(tick, &flange); }
 
  private:
-  config::Scratch scratch_;
+  task_test::ScratchFolder scratch_;
   config::Deployment deployment_;
   config::SensorEntry entry_;
   std::optional<edp::WristSensor> sensor_;

@@ -78,7 +78,7 @@ sim::World post_beside_the_axis(double offset) {
   scene << "</body></worldbody><sensor>";
   for (int i = 0; i < 7; ++i) scene << "<rangefinder name='gate/" << i << "' site='" << i << "'/>";
   scene << "</sensor></mujoco>";
-  const config::Scratch scratch;
+  const task_test::ScratchFolder scratch;
   return {sim::compose_texts(scratch, scene.str()), 0.002, 0.001};
 }
 
