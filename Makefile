@@ -1,7 +1,7 @@
 # The few commands that people need. Everything else is CMake: `cmake --preset release`, `cmake --build build`.
 .PHONY: help demo check test build package asan tsan format clean
 
-# a test takes two slots, one that mostly waits takes one: docs/testing.md
+# a test takes two slots, one that mostly waits takes one: docs/how-to/testing.md
 slots := $(shell expr 2 '*' $$(nproc))
 
 help: ## this list

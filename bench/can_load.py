@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How much of a CAN bus the drives of one robot take: axes x bit rate x servo rate, as docs/can.md has it.
+"""How much of a CAN bus the drives of one robot take: axes x bit rate x servo rate, as docs/how-to/can.md has it.
 
 Frames are as long as bit stuffing can make them: 8 n + 47 + floor((34 + 8 n - 1) / 4) bits for n data bytes (R. I. Davis
 et al., "Controller Area Network (CAN) schedulability analysis: Refuted, revisited and revised", Real-Time Systems 35,

@@ -57,9 +57,10 @@ std::vector<Child*> Crew::failed(clock::Part part) {
   return found;
 }
 
-bool Crew::all_lost(clock::Part part) noexcept {
-  return std::all_of(members_.begin(), members_.end(),
-                     [part](Member& member) { return member.part != part || member.child.lost(); });
+bool Crew::all_left(clock::Part part, const clock::ClockHost& clock) noexcept {
+  return std::all_of(members_.begin(), members_.end(), [part, &clock](Member& member) {
+    return member.part != part || member.child.lost() || clock.has_left(member.child.name());
+  });
 }
 
 void Crew::signal(int number) noexcept {

@@ -7,6 +7,7 @@
 
 #include "cli/child.hpp"
 #include "cli/process_plan.hpp"
+#include "clock/host.hpp"
 
 namespace mrroc::cli {
 
@@ -31,8 +32,9 @@ class Crew {
   /// Those of this part that have not ended as they should: lost with an exit code, by a signal, or stopped by one.
   /// All that they have written is handed on.
   std::vector<Child*> failed(clock::Part part);
-  /// Whether no process of this part is at work any more.
-  bool all_lost(clock::Part part) noexcept;
+  /// Whether every process of this part is lost or has left the clock. One that has left may take seconds to end on a
+  /// busy machine.
+  bool all_left(clock::Part part, const clock::ClockHost& clock) noexcept;
   void signal(int number) noexcept;
   void signal(int number, clock::Part part) noexcept;
   /// Kills those that a signal has stopped: they cannot end by themselves. Gives their names.

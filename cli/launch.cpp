@@ -68,7 +68,7 @@ std::string check_network(const config::NetworkEntry& network) {
   if (!network.security) {
     if (!config::beyond_loopback(network.interface)) return "";
     return "warning: without security whoever reaches the interface " + network.interface +
-           " can command the robots; make keys with `mrroc keys` (docs/security.md)";
+           " can command the robots; make keys with `mrroc keys` (docs/how-to/security.md)";
   }
   try {
     links::check_keys(network.keys);

@@ -11,7 +11,8 @@ namespace mrroc::cli {
 namespace {
 
 constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;  // that robots get to stop
-constexpr std::int64_t kPatienceToEnd = 3 * clock::kSecond;   // that processes get to end by themselves
+constexpr std::int64_t kPatienceToEnd =
+    10 * clock::kSecond;  // that processes get to end: the kernel of a busy machine takes seconds
 constexpr std::int64_t kPatienceWithKilled = 3 * clock::kSecond;
 constexpr std::int64_t kPatienceWithHosts = 10 * clock::kSecond;  // longer than that of their agents
 
@@ -26,11 +27,23 @@ void look_for_failures(Crew& crew, clock::ClockHost& clock, const EndListener& l
   }
 }
 
+/// Of processes that had left the clock before they failed. What a signal has ended, this one's most likely, is no
+/// failure here.
+void report_late_failures(Crew& crew, const EndListener& listener) {
+  for (const clock::Part part : {clock::Part::drives, clock::Part::world})
+    for (const Child* const child : crew.failed(part))
+      if (child->exit_code())
+        listener.failed("process " + child->name() + " failed at the end: " + child->how_it_ended() +
+                        (child->last_line().empty() ? "" : ": " + child->last_line()));
+}
+
 void stop_robots(Crew& crew, clock::ClockHost& clock, const EndListener& listener) {
   crew.signal(SIGTERM, clock::Part::task);
   clock.stop();
   const std::int64_t deadline = clock::monotonic_ns() + kPatienceToStop;
-  const auto all_stand = [&crew] { return crew.all_lost(clock::Part::drives) && crew.all_lost(clock::Part::world); };
+  const auto all_stand = [&crew, &clock] {
+    return crew.all_left(clock::Part::drives, clock) && crew.all_left(clock::Part::world, clock);
+  };
   while (!all_stand() && clock.state() == clock::State::running && clock::monotonic_ns() < deadline) {
     look_for_failures(crew, clock, listener);
     listener.turn();
@@ -53,6 +66,7 @@ void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndLi
   clock.end();
   const std::int64_t deadline = clock::monotonic_ns() + kPatienceToEnd;
   while (!crew.all_ended() && clock::monotonic_ns() < deadline && !listener.hurried()) listener.turn();
+  if (started && clock.state() == clock::State::ended) report_late_failures(crew, listener);
   for (const std::string& name : crew.kill_rest()) listener.message("process " + name + " does not end, killing it");
   const std::int64_t last = clock::monotonic_ns() + kPatienceWithKilled;
   while (!crew.all_ended() && clock::monotonic_ns() < last) listener.turn();

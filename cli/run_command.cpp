@@ -96,8 +96,9 @@ void add_run_command(CLI::App& app, int& exit_code) {
                       "Write where the simulated world's robots are at every tick, and how fast, to this file; of a "
                       "simulator on another host it lies there");
   command
-      ->add_option("--inject", arguments->options.faults,
-                   "Inject a fault, e.g. \"kill ecp:arm at step 120\" (docs/fault-injection.md); may be given again")
+      ->add_option(
+          "--inject", arguments->options.faults,
+          "Inject a fault, e.g. \"kill ecp:arm at step 120\" (docs/how-to/fault-injection.md); may be given again")
       ->take_all()
       ->expected(1);
   command::add_number<std::uint64_t>(*command, "--shuffle-start", arguments->options.shuffle_seed, 0,

@@ -47,7 +47,7 @@ endfunction()
 
 # mrroc_describe_test(NAME [SLOW] [SERIAL] [TIMEOUT s] [SLOTS n] [LABELS ...]): what ctest must know of a test, the same for all kinds.
 #   SLOW     label slow, else fast; a test with the label system (whole deployments) is slow: `make check` runs the fast ones
-#   SERIAL   needs real time: beside as many others as tests/resources.json has real_time slots; it mostly waits, so that other tests run meanwhile
+#   SERIAL   needs real time: never beside another SERIAL test; it mostly waits, so that other tests run meanwhile
 #   SLOTS    of `ctest -j`, two for each processor: 2, of a SERIAL test 1
 # Tests with a long TIMEOUT start first.
 function(mrroc_describe_test name)
@@ -68,7 +68,7 @@ function(mrroc_describe_test name)
   endif()
   set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} COST ${cost} PROCESSORS ${ARG_SLOTS} LABELS "${ARG_LABELS};${speed}")
   if(ARG_SERIAL)
-    set_tests_properties(${name} PROPERTIES RESOURCE_GROUPS real_time:$<IF:$<BOOL:${MRROC_SANITIZE}>,2,1>)
+    set_tests_properties(${name} PROPERTIES RESOURCE_LOCK real_time)
   endif()
 endfunction()
 

@@ -9,7 +9,7 @@
 
 namespace mrroc::vsp {
 
-/// Hardware readings played from a text file (docs/sensors.md):
+/// Hardware readings played from a text file (docs/reference/sensors.md):
 ///
 ///     # mrroc readings range
 ///     # comments and empty lines may stand anywhere below the first line

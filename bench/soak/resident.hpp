@@ -10,7 +10,7 @@ namespace mrroc::soak {
 /// The resident memory of a process, KiB.
 struct Resident {
   /// Cyclone's receive buffers, 1 MiB each. That of discovery is touched by 8 KiB every 30 s of wall time, which looks
-  /// like a leak for an hour (docs/soak.md).
+  /// like a leak for an hour (docs/explanation/soak.md).
   long receive_buffers = 0;
   long others = 0;
   long sum() const noexcept { return receive_buffers + others; }

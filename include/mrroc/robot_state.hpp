@@ -38,7 +38,7 @@ struct RobotState {
   /// deployment gives the robot no force sensor, or it has not measured.
   Wrench wrench = Wrench::Zero();
   /// Of the twist that the force law asks for at `tick`, the part that a force motion near a singularity does not
-  /// follow, 0..1 (docs/force.md); 0 elsewhere and in every other motion.
+  /// follow, 0..1 (docs/explanation/force.md); 0 elsewhere and in every other motion.
   double lost = 0;
   Signals inputs;               ///< of the robot's controller, at `tick`
   Signals outputs;              ///< as they are set

@@ -123,6 +123,14 @@ void ClockHost::participant_died(std::string_view name) {
   throw SystemError(ErrorCode::configuration, "clock: '" + std::string(name) + "' is no participant");
 }
 
+bool ClockHost::has_left(std::string_view name) const noexcept {
+  for (std::uint32_t i = 0; i < memory_->participant_count; ++i) {
+    const ParticipantSlot& slot = memory_->participants[i];
+    if (slot.name.view() == name) return slot.membership.load() != Membership::alive;
+  }
+  return true;
+}
+
 void ClockHost::fail(std::string_view text) { clock::fail(*memory_, text); }
 
 bool ClockHost::failed_with(std::string_view name) const noexcept {

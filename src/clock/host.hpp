@@ -59,6 +59,8 @@ class ClockHost {
   /// Nobody waits for this participant any more, nor for anything it has sent or was to receive. Its owner has seen it
   /// die; for one that has left by itself it changes nothing. Throws SystemError for an unknown name.
   void participant_died(std::string_view name);
+  /// Whether it has left or died. An unknown name: true.
+  bool has_left(std::string_view name) const noexcept;
   /// The beginning of the end: the waits of tasks return `interrupted`, nobody waits for them any more; time goes on
   /// for drives and world (`Part`), who leave when the robots stand and their drives are off. Then call `end`. Before
   /// the start it is `end`.

@@ -113,7 +113,8 @@ void read_can(const Table& robot_table, const Deployment& deployment, RobotEntry
   if (can.simulated) can.program = robot.type + "_drives";
   if (robot.host != deployment.here) return;
   if (const std::string problem = reading_problem(can.drives); !problem.empty())
-    table.fail("drives", in_quotes(can.drives.string()) + " " + problem, "a table of the robot's drives (docs/can.md)");
+    table.fail("drives", in_quotes(can.drives.string()) + " " + problem,
+               "a table of the robot's drives (docs/how-to/can.md)");
   const RobotParameters parameters = read_robot_parameters(Table::load(robot_file(robot.type, robot.type + ".toml")));
   settle_synchronised(robot_table, read_drive_table(can.drives, parameters), robot);
   if (can.simulated) can.program = require_program(table, "simulated", can.program);

@@ -28,7 +28,7 @@ struct MpEntry {
   std::filesystem::path states;      ///< the state machine that the stock MP runs, absolute; empty: none
 };
 
-/// The drives of a robot on a CAN bus: docs/can.md.
+/// The drives of a robot on a CAN bus: docs/how-to/can.md.
 struct CanEntry {
   std::string interface;         ///< of the kernel ("can0"), or "unix:PATH" with an absolute path
   std::filesystem::path drives;  ///< the table of its drives, absolute
@@ -87,7 +87,8 @@ struct SensorEntry {
   std::string vsp_program;                                  ///< the type's `<type>_vsp`, absolute path
 };
 
-/// Puts parts into the simulated world one after the other, as a feeder or a person would: docs/simulation.md.
+/// Puts parts into the simulated world one after the other, as a feeder or a person would:
+/// docs/reference/simulation.md.
 struct FeederEntry {
   std::string name;
   std::vector<std::string> parts;    ///< free bodies of the scene, in the order in which they come
@@ -107,7 +108,7 @@ struct SimEntry {
   std::vector<FeederEntry> feeders;  ///< in file order
 };
 
-/// How the processes of the deployment reach each other: docs/security.md.
+/// How the processes of the deployment reach each other: docs/how-to/security.md.
 struct NetworkEntry {
   std::string interface;       ///< network device or own address; empty: loopback, this machine only
   bool security = false;       ///< DDS Security: only who has the keys is believed

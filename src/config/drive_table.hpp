@@ -42,7 +42,7 @@ struct DriveEntry {
 };
 
 /// The drives of a robot on a CAN bus, one per axis in the axes' order: robots/<type>/<type>_drives.toml or a lab's own
-/// file. docs/can.md explains every key.
+/// file. docs/how-to/can.md explains every key.
 struct DriveTable {
   std::filesystem::path file;
   canopen::DriveMode mode = canopen::DriveMode::cyclic_position;

@@ -6,7 +6,7 @@
 #include "config/deployment.hpp"
 #include "config/table.hpp"
 
-/// The machines of a deployment: docs/two-hosts.md.
+/// The machines of a deployment: docs/how-to/two-hosts.md.
 namespace mrroc::config {
 
 /// Reads every [hosts.NAME], in file order. Throws ConfigurationError.

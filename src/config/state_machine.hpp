@@ -33,8 +33,8 @@ struct State {
   std::string afterwards;    ///< state to go on to instead, when it has been entered so often
 };
 
-/// A task as states and transitions, read from a file (docs/state_machines.md): what the stock MP runs when the
-/// deployment names one.
+/// A task as states and transitions, read from a file (docs/reference/state-machines.md): what the stock MP runs when
+/// the deployment names one.
 struct StateMachine {
   std::filesystem::path file;
   std::string first;

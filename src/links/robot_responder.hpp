@@ -10,7 +10,7 @@ namespace mrroc::links {
 class RobotResponder {
  public:
   /// s; an older command moves nothing. For tests: the processes give the deployment's `heartbeat_timeout`
-  /// (docs/decisions/one_patience.md).
+  /// (docs/decisions/0013-one-patience.md).
   static constexpr double kMaxAge = 0.25;
 
   RobotResponder(Domain& domain, clock::Clock& clock, const std::string& prefix, double max_age = kMaxAge);

@@ -16,10 +16,10 @@ namespace mrroc::process {
 std::filesystem::path black_box_path(const std::filesystem::path& folder, const config::Deployment& deployment,
                                      const std::string& process, std::uint64_t number = 1);
 
-/// Writes the steps of a black box as a trace (docs/trace.md) whose first line says that it begins in the middle of a
-/// run. The file is a new one, of the least number that is free: no black box is overwritten, whichever processes and
-/// runs write at the same time. Makes a missing folder. `simulated`: the clock that the process runs by. Returns the
-/// number. Throws std::runtime_error when it cannot be written; then no file remains.
+/// Writes the steps of a black box as a trace (docs/reference/trace.md) whose first line says that it begins in the
+/// middle of a run. The file is a new one, of the least number that is free: no black box is overwritten, whichever
+/// processes and runs write at the same time. Makes a missing folder. `simulated`: the clock that the process runs by.
+/// Returns the number. Throws std::runtime_error when it cannot be written; then no file remains.
 std::uint64_t write_black_box(const std::filesystem::path& folder, const BlackBox& box,
                               const config::Deployment& deployment, const std::string& process, bool simulated);
 /// The same with steps that are lines of a trace already.

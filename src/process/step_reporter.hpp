@@ -11,8 +11,8 @@
 namespace mrroc::process {
 
 /// Tells the operator which step a task is at, keeps the last ones where they outlive the process, and writes the trace
-/// when one is asked for: one line per step, documented in docs/trace.md. Neither allocates nor blocks (but for a trace
-/// under a simulated clock, which loses nothing).
+/// when one is asked for: one line per step, documented in docs/reference/trace.md. Neither allocates nor blocks (but
+/// for a trace under a simulated clock, which loses nothing).
 class StepReporter : public StepObserver {
  public:
   explicit StepReporter(Process& process);

@@ -1,4 +1,4 @@
-"""Holds docs/can.md to the source: the tables of bench/can_load.py as it prints them, the lengths of the PDOs that it reckons
+"""Holds docs/how-to/can.md to the source: the tables of bench/can_load.py as it prints them, the lengths of the PDOs that it reckons
 with, every key of the table of drives and of [robots.NAME.can], with its default.
 
 Usage: check_can.py SOURCE_DIR
@@ -11,7 +11,7 @@ import sys
 
 sys.dont_write_bytecode = True
 
-PAGE = "docs/can.md"
+PAGE = "docs/how-to/can.md"
 DEFAULT = re.compile(r"^  [\w:]+ (\w+) = ([\d.]+);", re.MULTILINE)
 
 

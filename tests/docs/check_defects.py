@@ -1,4 +1,4 @@
-"""Holds docs/original-defects.md to the tests: every defect has its line, every test that it names is in the file that it names
+"""Holds docs/reference/original-defects.md to the tests: every defect has its line, every test that it names is in the file that it names
 and that file is built, and a test whose comment says which defect it is about is named at that defect.
 
 Usage: check_defects.py SOURCE_DIR BINARY_DIR
@@ -10,7 +10,7 @@ import re
 import sys
 
 DEFECTS = 27
-PAGE = "docs/original-defects.md"
+PAGE = "docs/reference/original-defects.md"
 ROW = re.compile(r"^\| (\d+) \|.*\| ([^|]*) \|$", re.MULTILINE)
 TEST = r"(?:TYPED_)?TEST(?:_F|_P)?\((\w+), (\w+)\)"
 UNITY = re.compile(r'^#include "([^"]+)"', re.MULTILINE)

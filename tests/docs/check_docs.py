@@ -1,5 +1,5 @@
 """Holds README.md and docs/ to the truth: every ```sh line is run, every ```cpp block of a task program stands in a source
-file, every ```toml block parses, every link to a file leads somewhere.
+file, every ```toml block parses, every link to a file leads somewhere, docs/README.md has every page, CHANGELOG.md begins with the version that mrroc prints.
 
 Usage: check_docs.py SOURCE_DIR BINARY_DIR
 """
@@ -66,6 +66,17 @@ def main():
             if not (page.parent / match.group(1)).exists():
                 line = prose[: match.start()].count("\n") + 1
                 problems.append(f"{name}:{line}: {match.group(1)} does not exist")
+    index = (root / "docs/README.md").read_text(encoding="utf-8")
+    for page in sorted((root / "docs").rglob("*.md")):
+        name = page.relative_to(root / "docs").as_posix()
+        if name != "README.md" and f"({name})" not in index and not name.startswith(("reference/robots/", "examples/")):
+            problems.append(f"docs/README.md has no link to {name}")
+    numbers = [page.name[:4] for page in sorted((root / "docs/decisions").glob("*.md"))]
+    if numbers != [f"{number:04d}" for number in range(1, len(numbers) + 1)]:
+        problems.append(f"docs/decisions: {numbers}, expected 0001, 0002, ... once each")
+    version = subprocess.run([binary / "bin/mrroc", "--version"], capture_output=True, text=True, check=True).stdout.split()[-1]
+    if not re.match(rf"# Changelog\n\n## {re.escape(version)}, \d{{4}}-\d\d-\d\d\n", (root / "CHANGELOG.md").read_text(encoding="utf-8")):
+        problems.append(f"CHANGELOG.md does not begin with '## {version}, YYYY-MM-DD', the version that mrroc --version prints")
     shutil.rmtree(scratch)
     print("\n".join(problems) or f"{commands} commands run, every snippet and link found")
     return 1 if problems or commands == 0 else 0

@@ -1,4 +1,4 @@
-"""Holds docs/errors.md to the source: the table has every code of ErrorCode with its number, its text, the class that its
+"""Holds docs/reference/errors.md to the source: the table has every code of ErrorCode with its number, its text, the class that its
 number stands for and the parts of the project that report it, and nothing else.
 
 Usage: check_errors.py SOURCE_DIR
@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-PAGE = "docs/errors.md"
+PAGE = "docs/reference/errors.md"
 ROW = re.compile(r"^\| (\d+) \| `(\w+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \| ([^|]*) \|$", re.MULTILINE)
 PARTS = {  # word in the table: folders
     "language": ["src/language", "include"],

@@ -1,4 +1,4 @@
-"""Holds the pages of docs/robots/ to the parameter files: each has the table that its robot's EDP prints as its limits.
+"""Holds the pages of docs/reference/robots/ to the parameter files: each has the table that its robot's EDP prints as its limits.
 
 Usage: check_limits.py SOURCE_DIR BINARY_DIR
 """
@@ -14,7 +14,7 @@ def main():
     robots = sorted(folder.name for folder in (root / "robots").iterdir() if (folder / f"{folder.name}.toml").exists())
     for robot in robots:
         table = subprocess.run([binary / f"bin/{robot}_edp", "limits"], capture_output=True, text=True, check=True).stdout
-        page = root / f"docs/robots/{robot}.md"
+        page = root / f"docs/reference/robots/{robot}.md"
         if f"\n\n{table}\n" not in page.read_text(encoding="utf-8"):
             problems.append(f"{page.relative_to(root)}: this is what `{robot}_edp limits` prints, the page has not:\n{table}")
     print("\n".join(problems) or f"{len(robots)} pages have the limits of their robots")

@@ -1,4 +1,4 @@
-"""Holds docs/recovery.md to its picture and to the tests: every way in the graph has a row, every row is a way in the graph
+"""Holds docs/reference/recovery.md to its picture and to the tests: every way in the graph has a row, every row is a way in the graph
 between the same states, names at least one test, and every test that it names is in a file that is built.
 
 Usage: check_recovery.py SOURCE_DIR BINARY_DIR
@@ -12,7 +12,7 @@ import sys
 sys.dont_write_bytecode = True
 from check_defects import files_built, named, tests_in
 
-PAGE = "docs/recovery.md"
+PAGE = "docs/reference/recovery.md"
 GRAPH = "docs/pictures/recovery.dot"
 PICTURE = "docs/pictures/recovery.svg"
 ROW = re.compile(r"^\| (\d+) \| ([^|]+) \| ([^|]+) \| [^|]+ \| ([^|]*) \|$", re.MULTILINE)

@@ -1,4 +1,4 @@
-"""Holds docs/tasks.md to tasks/: a row for each, with what its deployment says it does and the lines of its program.
+"""Holds docs/reference/tasks.md to tasks/: a row for each, with what its deployment says it does and the lines of its program.
 
 Lines are those that are neither empty nor comment only. The program: the C++ files in the task's folder (not in folders
 below it), except parts: a header with a source file of its own that is no process, and that file.
@@ -37,15 +37,15 @@ def says(deployment):
 
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
-    page = root / "docs/tasks.md"
+    page = root / "docs/reference/tasks.md"
     text = page.read_text(encoding="utf-8")
     rows = []
     for deployment in sorted(root.glob("tasks/*/*.toml")):
         folder = deployment.parent
         if deployment.stem == folder.name:
-            rows.append(f"| [{folder.name}](../tasks/{folder.name}) | {says(deployment)} | {lines_of(folder)} |")
+            rows.append(f"| [{folder.name}](../../tasks/{folder.name}) | {says(deployment)} | {lines_of(folder)} |")
     missing = [row for row in rows if f"\n{row}\n" not in text]
-    print("\n".join(["docs/tasks.md has not these rows of its table:", *missing]) if missing else f"{len(rows)} tasks")
+    print("\n".join(["docs/reference/tasks.md has not these rows of its table:", *missing]) if missing else f"{len(rows)} tasks")
     return 1 if missing or not rows else 0
 
 

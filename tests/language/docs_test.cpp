@@ -1,4 +1,5 @@
-// The code of docs/language.md, compiled and run: every cpp block there stands here between "// [name]" and "// [end]".
+// The code of docs/explanation/language.md, compiled and run: every cpp block there stands here between "// [name]" and
+// "// [end]".
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -175,7 +176,7 @@ std::set<std::string> blocks(const std::string& path, const Begins& begins, cons
 
 TEST(Docs, EveryBlockOfThePageIsCompiledHere) {
   const auto page = blocks(
-      "docs/language.md", [](const std::string& line) { return line == "```cpp"; }, "```");
+      "docs/explanation/language.md", [](const std::string& line) { return line == "```cpp"; }, "```");
   const auto code = blocks(
       "tests/language/docs_test.cpp",
       [](const std::string& line) { return line.starts_with("// [") && line != "// [end]"; }, "// [end]");

@@ -7,9 +7,10 @@
 
 namespace mrroc::fakes {
 
-/// A task with one robot, a FreeModel that follows force motions tick by tick as docs/force.md says, with nothing but
-/// the law: no limits, no drives. `felt` is what the environment exerts on the tool, in tool axes, by the tool's place
-/// and twist (tool axes). Poses and joints are executed exactly; a `hold` stops at once. Replies at tick v of N.
+/// A task with one robot, a FreeModel that follows force motions tick by tick as docs/explanation/force.md says, with
+/// nothing but the law: no limits, no drives. `felt` is what the environment exerts on the tool, in tool axes, by the
+/// tool's place and twist (tool axes). Poses and joints are executed exactly; a `hold` stops at once. Replies at tick v
+/// of N.
 class ForceFlyer : public FakeTask, private RobotLink {
  public:
   using Environment = std::function<Wrench(const Pose& pose, const Twist& twist)>;

@@ -59,7 +59,7 @@ class Inside {
 
 /// Two hosts, a and b, joined by a cable that can be spoilt: namespaces with the device `cable0` and the addresses
 /// 10.77.0.1 and 10.77.0.2. Each end is one of a veth pair whose other end is in a third namespace, where a thread of
-/// this test carries the frames over (this kernel has no netem: docs/decisions/cable.md). The hosts compute their
+/// this test carries the frames over (this kernel has no netem: docs/decisions/0016-cable.md). The hosts compute their
 /// checksums themselves, as before real cables.
 class Cable {
  public:

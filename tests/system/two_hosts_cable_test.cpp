@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Security, TwoHostsWithOrWithoutKeys, testing::Bool(),
 TEST_P(TwoHostsWithOrWithoutKeys, GoOnOverABadCable) {
   const auto trace = file("press.trace");
   const CableFaults faults{.delay = 0.005, .jitter = 0.002, .loss = 0.02, .duplicate = 0.02, .reorder = 0.02};
-  // with keys once all are there: a start may fail when messages of the hand-shakes are lost (docs/two-hosts.md)
+  // with keys once all are there: a start may fail when messages of the hand-shakes are lost (docs/how-to/two-hosts.md)
   if (!GetParam()) cable_->set(faults);
   MrrocRun& run =
       start(write(hosts("two", "link_timeout = 2\nclock_error = 0.02\n", {}, press())), {"--trace", trace.string()});

@@ -36,8 +36,8 @@ struct ImpedanceParameters {
 /// tool will be in the middle of the coming macrostep. D is larger while the tool would become faster than it may. So K
 /// / D times the macrostep's duration must be at most kStiffest: shorter macrosteps for stiffer springs.
 ///
-/// On an environment of stiffness k the force settles as docs/force.md says of the law, k + K in place of k. Keeps on
-/// until a condition of `.until(...)` holds. The robot needs `force_sensor` in the deployment.
+/// On an environment of stiffness k the force settles as docs/explanation/force.md says of the law, k + K in place of
+/// k. Keeps on until a condition of `.until(...)` holds. The robot needs `force_sensor` in the deployment.
 class Impedance : public Generator {
  public:
   /// The set-point `seconds` after the start of the motion, pauses not counted: pose and twist in the robot's base

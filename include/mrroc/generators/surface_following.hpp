@@ -11,7 +11,7 @@ namespace mrroc {
 
 /// How a surface is followed.
 struct SurfaceContact {
-  double reciprocal_damping = 0.01;  ///< m/(N s), along the tool's z: see docs/force.md, choosing b
+  double reciprocal_damping = 0.01;  ///< m/(N s), along the tool's z: see docs/explanation/force.md, choosing b
   double inertia = 0.5;              ///< kg, likewise
   double approach_speed = 0.01;      ///< m/s, at most, while the tool touches nothing
   double acceleration = 0.2;         ///< m/s^2, along the surface

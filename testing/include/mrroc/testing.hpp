@@ -8,7 +8,7 @@ namespace mrroc::task_test {
 
 /// A GoogleTest fixture for a task of one's own: runs its deployment in lockstep, with real processes, real links and
 /// real physics, injects faults at ticks or steps, and asserts on what the robots did. `mrroc_add_task_test` in CMake
-/// builds such a test (docs/fault-injection.md):
+/// builds such a test (docs/how-to/fault-injection.md):
 ///
 ///     using Press = mrroc::task_test::DeploymentTest;
 ///

@@ -12,7 +12,7 @@ namespace mrroc::task_test {
 /// By what part of its velocity limit a joint may be faster where every motor obeys: what a regulator overshoots.
 inline constexpr double kOvershoot = 0.05;
 /// The same after a fault by which a motor does not obey or its encoder lies. Such a joint is stopped at 1.15 of its
-/// limit, or when it would come to 1.3 of it (docs/safety.md), and gains something until its drive is off.
+/// limit, or when it would come to 1.3 of it (docs/explanation/safety.md), and gains something until its drive is off.
 inline constexpr double kDisobedience = 0.5;
 
 /// What one robot of the simulated world truly did in a run, tick by tick, and the limits that its parameters give it.

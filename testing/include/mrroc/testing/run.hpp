@@ -10,7 +10,7 @@
 
 namespace mrroc::task_test {
 
-/// One step of a Move or Wait, as the trace tells it (docs/trace.md).
+/// One step of a Move or Wait, as the trace tells it (docs/reference/trace.md).
 struct Step {
   Tick tick = 0;
   std::string process;      ///< that runs the instruction
@@ -44,7 +44,7 @@ class DeploymentRun {
   /// `command`: the `mrroc` program.
   DeploymentRun(std::filesystem::path command, std::filesystem::path deployment);
 
-  /// "kill ecp:arm at step 120": docs/fault-injection.md.
+  /// "kill ecp:arm at step 120": docs/how-to/fault-injection.md.
   DeploymentRun& inject(std::string fault);
   /// Further arguments of `mrroc run`, one word each.
   DeploymentRun& option(std::string word);
