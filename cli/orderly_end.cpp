@@ -11,8 +11,6 @@ namespace mrroc::cli {
 namespace {
 
 constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;  // that robots get to stop
-constexpr std::int64_t kPatienceToEnd =
-    10 * clock::kSecond;  // that processes get to end: the kernel of a busy machine takes seconds
 constexpr std::int64_t kPatienceWithKilled = 3 * clock::kSecond;
 constexpr std::int64_t kPatienceWithHosts = 10 * clock::kSecond;  // longer than that of their agents
 
@@ -64,7 +62,7 @@ void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndLi
   // first the signal: who is still being set up must know that it is asked to end before its clock refuses it
   crew.signal(SIGTERM);
   clock.end();
-  const std::int64_t deadline = clock::monotonic_ns() + kPatienceToEnd;
+  const std::int64_t deadline = clock::monotonic_ns() + static_cast<std::int64_t>(listener.patience * clock::kSecond);
   while (!crew.all_ended() && clock::monotonic_ns() < deadline && !listener.hurried()) listener.turn();
   if (started && clock.state() == clock::State::ended) report_late_failures(crew, listener);
   for (const std::string& name : crew.kill_rest()) listener.message("process " + name + " does not end, killing it");

@@ -26,6 +26,7 @@ namespace mrroc::cli {
 namespace {
 
 constexpr double kHandShake = 0.1;         // s of one try to reach the MP
+constexpr double kPatienceOfSuccess = 10;  // s: to end a process the kernel of a busy machine takes seconds
 constexpr double kPatienceWithReader = 2;  // s that a reader of the trace may take nothing when the operator waits
 
 /// Those of one host; "": of this machine.
@@ -214,6 +215,7 @@ void Runner::end_processes() {
       .turn = [this] { supervisor_.turn_at_the_end(); },
       .message = [this](const std::string& line) { progress_.message(line); },
       .failed = [this](const std::string& reason) { supervisor_.fail(process::ExitCode::system, reason); },
+      .patience = supervisor_.result().code == process::ExitCode::success ? kPatienceOfSuccess : EndListener{}.patience,
       .hurried = [this] { return supervisor_.hurried(); }};
   if (hosts_) supervisor_.guard([this] { hosts_->stop(); });
   end_in_order(crew_, clock_, supervisor_.task_started(), listener);

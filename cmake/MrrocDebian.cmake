@@ -50,8 +50,8 @@ and Wait, and run as processes over Cyclone DDS: on real drives, or in MuJoCo.
 
 This package has the command mrroc, the processes of its robots and sensors, and
 tasks with their scenes.")
-set(CPACK_DEBIAN_LIBMRROC-DEV_DESCRIPTION "Headers, static libraries and the CMake package mrroc, with which tasks, robots
-and sensors are built in a project of their own.")
+set(CPACK_DEBIAN_LIBMRROC-DEV_DESCRIPTION "Headers, static libraries and the CMake package mrroc, with which tasks,
+robots and sensors are built in a project of their own.")
 
 include(CPack)
 cpack_add_component_group(mrroc)
