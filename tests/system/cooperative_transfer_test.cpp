@@ -56,8 +56,7 @@ TEST(CooperativeTransferTask, GoesOnAfterAPauseOnTheWay) {
 
 TEST(CooperativeTransferTask, FiveRunsAreTheSameBitForBit) {
   const ScratchFolder folder;
-  expect_equal_runs("tasks/cooperative_transfer/cooperative_transfer.toml", repetitions(5), folder,
-                    MrrocRun::kLongPatience);
+  expect_equal_runs("tasks/cooperative_transfer/cooperative_transfer.toml", folder, MrrocRun::kLongPatience);
 }
 
 }  // namespace
