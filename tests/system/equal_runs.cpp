@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 #include <set>
 
@@ -12,9 +11,7 @@
 
 namespace mrroc::test {
 
-EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& folder, int patience) {
-  const char* const given = std::getenv("MRROC_TEST_RUNS");
-  const int runs = given != nullptr ? std::atoi(given) : 2;
+EqualRuns expect_equal_runs(const std::string& deployment, int runs, const ScratchFolder& folder, int patience) {
   const auto trace = [&folder](int run) { return folder.path() / ("trace_" + std::to_string(run)); };
   EqualRuns left{{}, trace(0), folder.path() / "states"};
   std::filesystem::create_directory(left.states);

@@ -15,10 +15,9 @@ struct EqualRuns {
   std::filesystem::path states;      ///< folder of the snapshots that the first has saved
 };
 
-/// Runs the deployment in lockstep, two runs at a time, each for at most `patience` s: two runs, or as many as
-/// MRROC_TEST_RUNS says. Expects that all succeed and that all have the same trace, which keeps the laws and is read to
-/// the last bit. The files are in `folder`.
-EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& folder,
+/// Runs the deployment `runs` times in lockstep, two at a time, each for at most `patience` s. Expects that all succeed
+/// and that all have the same trace, which keeps the laws and is read to the last bit. The files are in `folder`.
+EqualRuns expect_equal_runs(const std::string& deployment, int runs, const ScratchFolder& folder,
                             int patience = MrrocRun::kPatience);
 
 }  // namespace mrroc::test

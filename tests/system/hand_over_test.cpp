@@ -110,9 +110,9 @@ HandOvers hand_overs_of(const std::filesystem::path& trace) {
   return found;
 }
 
-TEST(HandOver, ThreeBarsGoFromHandToHandWhenTheGiverFeelsThePull) {
+TEST(HandOver, ThreeBarsGoFromHandToHandWhenTheGiverFeelsThePullFiveTimesTheSame) {
   const ScratchFolder folder;
-  const EqualRuns runs = expect_equal_runs(kDeployment, folder, MrrocRun::kLongPatience);
+  const EqualRuns runs = expect_equal_runs(kDeployment, repetitions(5), folder, MrrocRun::kLongPatience);
   for (const std::string& output : runs.outputs)
     EXPECT_NE(output.find("bar 3: the giver feels the pull and lets go"), std::string::npos) << output;
   expect_in_place(runs.states);

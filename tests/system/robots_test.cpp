@@ -20,10 +20,10 @@ std::vector<std::string> robots_with_a_demo() {
 
 class Demo : public testing::TestWithParam<std::string> {};
 
-TEST_P(Demo, ToursItsWorkspaceTheSameWayEachTime) {
+TEST_P(Demo, ToursItsWorkspaceTheSameWayTenTimes) {
   const ScratchFolder folder;
   const std::string deployment = "robots/" + GetParam() + "/demo.toml";
-  const EqualRuns runs = expect_equal_runs(deployment, folder);
+  const EqualRuns runs = expect_equal_runs(deployment, repetitions(10), folder);
   EXPECT_NE(text_of(runs.trace).find(" move="), std::string::npos) << "nothing has moved";
 }
 
