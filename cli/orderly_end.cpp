@@ -25,16 +25,6 @@ void look_for_failures(Crew& crew, clock::ClockHost& clock, const EndListener& l
   }
 }
 
-/// Of processes that had left the clock before they failed. What a signal has ended, this one's most likely, is no
-/// failure here.
-void report_late_failures(Crew& crew, const EndListener& listener) {
-  for (const clock::Part part : {clock::Part::drives, clock::Part::world})
-    for (const Child* const child : crew.failed(part))
-      if (child->exit_code())
-        listener.failed("process " + child->name() + " failed at the end: " + child->how_it_ended() +
-                        (child->last_line().empty() ? "" : ": " + child->last_line()));
-}
-
 void stop_robots(Crew& crew, clock::ClockHost& clock, const EndListener& listener) {
   crew.signal(SIGTERM, clock::Part::task);
   clock.stop();
@@ -62,14 +52,16 @@ void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndLi
   // first the signal: who is still being set up must know that it is asked to end before its clock refuses it
   crew.signal(SIGTERM);
   clock.end();
-  const std::int64_t deadline = clock::monotonic_ns() + static_cast<std::int64_t>(listener.patience * clock::kSecond);
+  const std::int64_t deadline =
+      clock::monotonic_ns() + static_cast<std::int64_t>(listener.end_timeout * clock::kSecond);
   while (!crew.all_ended() && clock::monotonic_ns() < deadline && !listener.hurried()) listener.turn();
-  if (started && clock.state() == clock::State::ended) report_late_failures(crew, listener);
   for (const std::string& name : crew.kill_rest()) listener.message("process " + name + " does not end, killing it");
   const std::int64_t last = clock::monotonic_ns() + kPatienceWithKilled;
   while (!crew.all_ended() && clock::monotonic_ns() < last) listener.turn();
   for (const std::string& name : crew.kill_rest())
     listener.message("process " + name + " is killed, but a debugger or the kernel holds it: not waiting for it");
+  // one that has left the clock may still fail, or have to be killed: what it records is not complete
+  if (started && clock.state() == clock::State::ended) look_for_failures(crew, clock, listener);
 }
 
 void end_in_order(RemoteHosts& hosts, const EndListener& listener) {

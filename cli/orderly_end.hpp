@@ -14,7 +14,7 @@ struct EndListener {
   std::function<void()> turn;                             ///< waits some milliseconds, hands on what processes say
   std::function<void(const std::string& line)> message;   ///< a process had to be killed
   std::function<void(const std::string& reason)> failed;  ///< a robot may not have stopped as it should
-  double patience = 3;                                    ///< s that processes get to end when the robots stand
+  double end_timeout = 3;                                 ///< s for processes to end, once the robots stand
   std::function<bool()> hurried = [] { return false; };   ///< when the robots stand nothing more is waited for
 };
 

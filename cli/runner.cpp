@@ -25,9 +25,9 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr double kHandShake = 0.1;         // s of one try to reach the MP
-constexpr double kPatienceOfSuccess = 10;  // s: to end a process the kernel of a busy machine takes seconds
-constexpr double kPatienceWithReader = 2;  // s that a reader of the trace may take nothing when the operator waits
+constexpr double kHandShake = 0.1;              // s of one try to reach the MP
+constexpr double kEndTimeoutAfterSuccess = 10;  // s: on a busy machine the kernel takes seconds to end a process
+constexpr double kPatienceWithReader = 2;       // s that a reader of the trace may take nothing when the operator waits
 
 /// Those of one host; "": of this machine.
 std::vector<PlannedProcess> processes_on(const std::string& host, const std::vector<PlannedProcess>& plan) {
@@ -215,7 +215,8 @@ void Runner::end_processes() {
       .turn = [this] { supervisor_.turn_at_the_end(); },
       .message = [this](const std::string& line) { progress_.message(line); },
       .failed = [this](const std::string& reason) { supervisor_.fail(process::ExitCode::system, reason); },
-      .patience = supervisor_.result().code == process::ExitCode::success ? kPatienceOfSuccess : EndListener{}.patience,
+      .end_timeout =
+          supervisor_.result().code == process::ExitCode::success ? kEndTimeoutAfterSuccess : EndListener{}.end_timeout,
       .hurried = [this] { return supervisor_.hurried(); }};
   if (hosts_) supervisor_.guard([this] { hosts_->stop(); });
   end_in_order(crew_, clock_, supervisor_.task_started(), listener);

@@ -59,7 +59,7 @@ struct ConditionEntry {
   bool value = false;
 };
 
-/// One line of a trace: a step of a Move or Wait. docs/reference/trace.md tells what the fields mean.
+/// One line of a trace: a step of a Move or Wait. docs/reference/trace.md describes the fields.
 struct Line {
   std::size_t number = 0;  ///< in the file, from 1
   bool cut = false;        ///< it was too long: what stands after `step` is not all there

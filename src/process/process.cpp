@@ -24,7 +24,7 @@ std::atomic<clock::Clock*> interruptible{nullptr};
 std::atomic<bool> asked_to_end{false};
 std::atomic<bool> setting_up{true};
 
-constexpr unsigned kPatienceToEnd = 5;  // s; longer than the runner's, who is gone when it matters
+constexpr unsigned kPatienceToEnd = 5;  // s; longer than the runner's timeout after a failure or a stop
 
 void on_signal(int) {
   // before the barrier nothing moves and nothing is to be put away: the process may just go, whatever it waits for

@@ -27,7 +27,7 @@ class OrderlyEnd : public testing::Test {
     process.name = "arm_edp";
     process.program = "/bin/sh";
     process.part = clock::Part::drives;
-    crew_.start(process, {"-c", script()});
+    crew_.start(process, {"-c", "trap '" + at_end() + "' TERM; sleep 10 & echo ready; while :; do wait; done"});
     while (!ready_) crew_.wait(20, -1);
   }
 
@@ -38,8 +38,8 @@ class OrderlyEnd : public testing::Test {
     return options;
   }
 
-  /// What its process does: it sleeps.
-  virtual std::string script() const { return "echo ready; exec sleep 60"; }
+  /// What its process does when it is asked to end.
+  virtual std::string at_end() const { return "kill $!; exit 0"; }
 
   clock::ClockHost clock_{options()};
   std::unique_ptr<clock::Clock> edp_;
@@ -61,43 +61,60 @@ TEST_F(OrderlyEnd, TellsOfAClockThatFailsMeanwhile) {
   EXPECT_TRUE(crew_.all_ended());
 }
 
-TEST_F(OrderlyEnd, ARobotHasStoppedWhenItsProcessHasLeftTheClockHoweverLongTheProcessTakesToEnd) {
+/// Ends the crew, whose EDP leaves the clock at the first turn. Gives what is reported as failed.
+std::vector<std::string> failures_after_leaving(Crew& crew, clock::ClockHost& clock,
+                                                std::unique_ptr<clock::Clock>& edp) {
   std::vector<std::string> failures;
-  bool ended_before_clock = false;
-  end_in_order(crew_, clock_, true,
+  end_in_order(crew, clock, true,
                {.turn =
-                    [this, &ended_before_clock] {
-                      if (clock_.state() == clock::State::running) {
-                        ended_before_clock = crew_.all_ended();
-                        edp_.reset();
-                      }
-                      crew_.wait(20, -1);
+                    [&crew, &edp] {
+                      edp.reset();
+                      crew.wait(20, -1);
                     },
                 .message = [](const std::string&) {},
-                .failed = [&failures](const std::string& reason) { failures.push_back(reason); }});
-  EXPECT_FALSE(ended_before_clock);
-  EXPECT_EQ(failures, std::vector<std::string>{});
-  EXPECT_TRUE(crew_.all_ended());
+                .failed = [&failures](const std::string& reason) { failures.push_back(reason); },
+                .end_timeout = 1});
+  EXPECT_TRUE(crew.all_ended());
+  return failures;
 }
 
-/// Its process is asked to end and cannot write what it has recorded.
+TEST_F(OrderlyEnd, ARobotHasStoppedWhenItsProcessHasLeftTheClock) {
+  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_), std::vector<std::string>{});
+}
+
+class SlowEnd : public OrderlyEnd {
+  std::string at_end() const override { return "sleep 0.3; kill $!; exit 0"; }
+};
+
+TEST_F(SlowEnd, OfAProcessThatHasLeftTheClockIsNoFailure) {
+  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_), std::vector<std::string>{});
+}
+
 class FailingEnd : public OrderlyEnd {
-  std::string script() const override {
-    return "trap 'echo the disk is full; exit 3' TERM; echo ready; sleep 60 & wait";
-  }
+  std::string at_end() const override { return "kill $!; echo the disk is full; exit 3"; }
 };
 
 TEST_F(FailingEnd, OfAProcessThatHasLeftTheClockIsReported) {
-  std::vector<std::string> failures;
-  end_in_order(crew_, clock_, true,
-               {.turn =
-                    [this] {
-                      crew_.wait(20, -1);
-                      edp_.reset();
-                    },
-                .message = [](const std::string&) {},
-                .failed = [&failures](const std::string& reason) { failures.push_back(reason); }});
-  EXPECT_EQ(failures, (std::vector<std::string>{"process arm_edp failed at the end: exit code 3: the disk is full"}));
+  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
+            (std::vector<std::string>{"process arm_edp failed at the end: exit code 3: the disk is full"}));
+}
+
+class CrashAtTheEnd : public OrderlyEnd {
+  std::string at_end() const override { return "kill $!; kill -SEGV $$"; }
+};
+
+TEST_F(CrashAtTheEnd, OfAProcessThatHasLeftTheClockIsReported) {
+  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
+            (std::vector<std::string>{"process arm_edp failed at the end: signal 11 (Segmentation fault)"}));
+}
+
+class NoEnd : public OrderlyEnd {
+  std::string at_end() const override { return ":"; }
+};
+
+TEST_F(NoEnd, OfAProcessThatHasLeftTheClockIsReportedWhenItIsKilled) {
+  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
+            (std::vector<std::string>{"process arm_edp failed at the end: signal 9 (Killed)"}));
 }
 
 }  // namespace
