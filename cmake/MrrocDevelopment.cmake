@@ -32,6 +32,21 @@ if(CMAKE_UNITY_BUILD)
   endfunction()
 endif()
 
+# mrroc_own_program(NAME FOLDER SOURCES ... [LINKS ...] [ROOMS ...]): one program of the project's own, build/FOLDER/NAME, which no package has: benches, fuzzers,
+# the task programs of tests. It includes the headers of ROOMS, folders of the source tree.
+function(mrroc_own_program name folder)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;ROOMS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${folder})
+  list(TRANSFORM ARG_ROOMS PREPEND ${PROJECT_SOURCE_DIR}/)
+  target_include_directories(${name} PRIVATE ${ARG_ROOMS})
+  target_compile_definitions(${name} PRIVATE MRROC_SOURCE_DIR="${PROJECT_SOURCE_DIR}" MRROC_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  target_link_libraries(${name} PRIVATE mrroc_flags ${ARG_LINKS})
+  if(COMMAND mrroc_reuse_headers)
+    mrroc_reuse_headers(${name})
+  endif()
+endfunction()
+
 # GoogleTest's macros take GCC twice the time with -O3; what the tests call was compiled with the libraries. Three warnings of GCC 12 are wrong about
 # std::string and Eigen at -O1; the libraries are compiled with them.
 set(MRROC_TEST_OPTIMISATION -O1 -Wno-array-bounds -Wno-maybe-uninitialized -Wno-stringop-overflow)
@@ -75,20 +90,40 @@ endfunction()
 # builds what the fast tests need
 add_custom_target(fast_tests)
 
-# mrroc_test(NAME SOURCES ... LINKS ... [SHARDS n] [LABELS ...] [TIMEOUT s] [SLOTS n] [SLOW] [SERIAL]): one GoogleTest executable, one ctest entry;
-# with SHARDS its test cases are dealt out to the entries NAME_1 ... NAME_n, which run side by side.
-function(mrroc_test name)
-  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "SOURCES;LINKS;LABELS" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
-  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+# What the sources of tests are compiled with.
+function(mrroc_compile_as_test name)
+  target_link_libraries(${name} PRIVATE mrroc_flags GTest::gtest)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/testing/include)
   target_compile_definitions(${name} PRIVATE MRROC_SOURCE_DIR="${PROJECT_SOURCE_DIR}" MRROC_BINARY_DIR="${CMAKE_BINARY_DIR}")
   target_compile_options(${name} PRIVATE ${MRROC_TEST_OPTIMISATION})
-  target_link_libraries(${name} PRIVATE mrroc_flags ${ARG_LINKS} GTest::gtest_main)
   if(NOT TARGET mrroc_test_headers)
     mrroc_test_headers()
   endif()
   target_precompile_headers(${name} REUSE_FROM mrroc_test_headers)
+endfunction()
+
+# mrroc_shared_tests(NAME SOURCES ... [LINKS ...]): test cases of several test executables, compiled once; they have NAME among their LINKS.
+function(mrroc_shared_tests name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  add_library(${name} OBJECT ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINKS})
+  mrroc_compile_as_test(${name})
+endfunction()
+
+# mrroc_test_executable(NAME SOURCES ... [LINKS ...]): build/tests/NAME, a GoogleTest executable without a ctest entry.
+function(mrroc_test_executable name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests LINKER_LANGUAGE CXX)
+  target_link_libraries(${name} PRIVATE ${ARG_LINKS} GTest::gtest_main)
+  mrroc_compile_as_test(${name})
+endfunction()
+
+# mrroc_test(NAME SOURCES ... LINKS ... [SHARDS n] [LABELS ...] [TIMEOUT s] [SLOTS n] [SLOW] [SERIAL]): one GoogleTest executable, one ctest entry;
+# with SHARDS its test cases are dealt out to the entries NAME_1 ... NAME_n, which run side by side.
+function(mrroc_test name)
+  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "SOURCES;LINKS;LABELS" ${ARGN})
+  mrroc_test_executable(${name} SOURCES ${ARG_SOURCES} LINKS ${ARG_LINKS})
   if(NOT ARG_SHARDS)
     add_test(NAME ${name} COMMAND ${name})
     mrroc_describe_test(${name} ${ARGN})

@@ -9,7 +9,7 @@ set(package ${CMAKE_BINARY_DIR}/lib/cmake/mrroc)
 configure_file(cmake/mrrocConfig.cmake ${package}/mrrocConfig.cmake COPYONLY)
 configure_file(cmake/MrrocTargets.cmake ${package}/MrrocTargets.cmake COPYONLY)
 configure_file(cmake/MrrocSensorClass.cmake ${package}/MrrocSensorClass.cmake COPYONLY)
-write_basic_package_version_file(${package}/mrrocConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(${package}/mrrocConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 export(EXPORT mrroc NAMESPACE mrroc:: FILE ${package}/mrrocLibraries.cmake)
 
 install(EXPORT mrroc NAMESPACE mrroc:: FILE mrrocLibraries.cmake DESTINATION lib/cmake/mrroc COMPONENT development)

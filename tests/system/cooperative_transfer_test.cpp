@@ -4,7 +4,6 @@
 
 #include "cooperative_transfer/report/report.hpp"
 #include "cooperative_transfer/report/variant.hpp"
-#include "repetitions.hpp"
 #include "system/equal_runs.hpp"
 
 namespace mrroc::test {
@@ -56,8 +55,7 @@ TEST(CooperativeTransferTask, GoesOnAfterAPauseOnTheWay) {
 
 TEST(CooperativeTransferTask, FiveRunsAreTheSameBitForBit) {
   const ScratchFolder folder;
-  expect_equal_runs("tasks/cooperative_transfer/cooperative_transfer.toml", repetitions(5), folder,
-                    MrrocRun::kLongPatience);
+  expect_equal_runs("tasks/cooperative_transfer/cooperative_transfer.toml", folder, MrrocRun::kLongPatience);
 }
 
 }  // namespace

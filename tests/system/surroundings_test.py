@@ -136,7 +136,8 @@ class Users(Case):
 
     def test_two_users_at_once(self):
         users = (self.users() + self.users())[-3:]
-        runs = [subprocess.Popen([*user, MRROC, "run", deployment(self.folder, name="robot_type"), "--black-box", ""], cwd=self.folder,
+        file = deployment(self.folder)  # one file for all: written once, before the first of them reads it
+        runs = [subprocess.Popen([*user, MRROC, "run", file, "--black-box", ""], cwd=self.folder,
                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) for user in users]
         for one in runs:
             output, _ = one.communicate(timeout=PATIENCE)
