@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "privileges.hpp"
-#include "system/cable.hpp"
+#include "system/hosts/cable.hpp"
 #include "system/mrroc_run.hpp"
 
 using namespace mrroc::test;

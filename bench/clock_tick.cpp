@@ -15,9 +15,9 @@
 #include <thread>
 
 #include "clock/host.hpp"
-#include "clock/monotonic.hpp"
 #include "clock/participant.hpp"
-#include "clock/realtime.hpp"
+#include "clock/wall/monotonic.hpp"
+#include "clock/wall/realtime.hpp"
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "clock/monotonic.hpp"
-#include "links/sensor_requester.hpp"
-#include "links/sensor_responder.hpp"
+#include "clock/wall/monotonic.hpp"
+#include "links/exchange/sensor_requester.hpp"
+#include "links/exchange/sensor_responder.hpp"
 #include "links/test_clock.hpp"
 #include "links/test_domain.hpp"
 #include "mrroc/errors.hpp"

@@ -3,7 +3,7 @@
 //
 // Two processes. The asking one runs blocks of `steps` exchanges in turn: the bare ping-pong, answered by a thread that
 // a listener wakes (the yardstick); a real Move of an IRb-6, whose EDP side is all of an EDP but its grid: the servo is
-// ticked as soon as a command of N = 1, v = 1 has been accepted, so that nobody waits for the time of a tick; and the
+// ticked as soon as a command of N = 1, v = 1 has been accepted, so that no one waits for the time of a tick; and the
 // bare ping-pong answered inside the listener, for reference; with keys (`mrroc keys folder`) also the bare ping-pong
 // of the first kind in a domain with DDS Security, the one after `n`, between the same two processes. A step is what
 // the ECP sees: from one next_state() to the next. A round is one block of each; the figures are medians over the
@@ -20,15 +20,15 @@
 #include <vector>
 
 #include "clock/host.hpp"
-#include "clock/monotonic.hpp"
 #include "clock/participant.hpp"
-#include "clock/realtime.hpp"
-#include "edp/effector.hpp"
-#include "edp/loopback_hardware.hpp"
-#include "edp/servo.hpp"
-#include "links/bare_ping_pong.hpp"
-#include "links/robot_requester.hpp"
-#include "links/robot_responder.hpp"
+#include "clock/wall/monotonic.hpp"
+#include "clock/wall/realtime.hpp"
+#include "edp/command/effector.hpp"
+#include "edp/drivers/loopback_hardware.hpp"
+#include "edp/servo/servo.hpp"
+#include "links/exchange/bare_ping_pong.hpp"
+#include "links/exchange/robot_requester.hpp"
+#include "links/exchange/robot_responder.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 #include "one_robot_task.hpp"
@@ -153,7 +153,7 @@ class EcpSide {
     stamps_.reserve(static_cast<std::size_t>(steps) + 2);
   }
 
-  /// One block of each; the order turns round by round, so that nobody always comes after the same.
+  /// One block of each; the order turns round by round, so that no one always comes after the same.
   void run_round(bool forwards) {
     if (forwards) ping(bare_, bare);
     move();

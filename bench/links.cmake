@@ -3,4 +3,4 @@ if(TARGET mrroc_edp)
     SOURCES link_roundtrip.cpp
     LINKS mrroc_bare_ping_pong mrroc_edp mrroc_robot_irb6)
 endif()
-mrroc_bench(latest_value SOURCES latest_value.cpp LINKS mrroc_links)
+mrroc_bench(latest_value SOURCES latest_value.cpp LINKS mrroc_language mrroc_links)

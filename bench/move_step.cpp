@@ -12,7 +12,7 @@
 #include "language/fakes.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
-#include "process/step_reporter.hpp"
+#include "process/record/step_reporter.hpp"
 
 namespace mrroc {
 namespace {
@@ -92,7 +92,7 @@ class EchoTask : public Task {
   std::string name_ = "bench";
 };
 
-/// Every robot goes on at a constant joint velocity.
+/// Every robot continues at a constant joint velocity.
 class Advance : public Generator {
  public:
   explicit Advance(std::vector<Robot*> robots) : Generator("advance"), robots_(std::move(robots)) {}

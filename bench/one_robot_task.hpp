@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clock/clock.hpp"
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 #include "mrroc/generator.hpp"
 #include "mrroc/robot.hpp"
 #include "mrroc/task.hpp"
@@ -17,7 +17,7 @@ namespace mrroc {
 
 inline constexpr double kPeakSpeed = 0.1;  // rad/s, of `Cycloid`
 
-/// A task with one robot behind the given link, and nobody else to look at: neither operator nor observer.
+/// A task with one robot behind the given link, and no one else to look at: neither operator nor observer.
 class OneRobotTask : public Task {
  public:
   OneRobotTask(clock::Clock& clock, RobotLink& link) : clock_(clock), link_(link) {}

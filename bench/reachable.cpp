@@ -15,8 +15,8 @@
 #include <random>
 
 #include "bench/kinematics/robots.hpp"
-#include "language/joint_targets.hpp"
-#include "robots_common/one_robot_task.hpp"
+#include "language/joints/joint_targets.hpp"
+#include "robots/common/one_robot_task.hpp"
 
 namespace mrroc::bench {
 namespace {

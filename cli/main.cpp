@@ -4,9 +4,9 @@
 #include <exception>
 #include <string>
 
-#include "cli/command_line.hpp"
-#include "cli/output.hpp"
-#include "clock/monotonic.hpp"
+#include "cli/commands/command_line.hpp"
+#include "cli/output/output.hpp"
+#include "clock/wall/monotonic.hpp"
 #include "command/parse_command.hpp"
 #include "command/printable.hpp"
 #include "mrroc/errors.hpp"

@@ -3,6 +3,13 @@
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(CycloneDDS 0.10 REQUIRED)
+# src/links/cyclone replaces functions of this version by their names (docs/explanation/cyclone.md)
+set(MRROC_CYCLONE_VERSION 0.10.2)
+option(MRROC_ANY_CYCLONE "Build with a version of Cyclone DDS that src/links/cyclone was not written for" OFF)
+if(NOT CycloneDDS_VERSION VERSION_EQUAL MRROC_CYCLONE_VERSION AND NOT MRROC_ANY_CYCLONE)
+  message(FATAL_ERROR "Cyclone DDS ${CycloneDDS_VERSION} found, expected ${MRROC_CYCLONE_VERSION}: src/links/cyclone replaces functions of that version. "
+    "-DMRROC_ANY_CYCLONE=ON builds with this one; run links_test and system_security_test before you use it.")
+endif()
 find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto) # of `mrroc keys`; Cyclone's security plug-ins stand on it too
 find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)

@@ -16,13 +16,7 @@ install(EXPORT mrroc NAMESPACE mrroc:: FILE mrrocLibraries.cmake DESTINATION lib
 install(FILES ${package}/mrrocConfig.cmake ${package}/MrrocTargets.cmake ${package}/MrrocSensorClass.cmake
   ${package}/mrrocConfigVersion.cmake DESTINATION lib/cmake/mrroc COMPONENT development)
 
-# headers as they are included: "mrroc/move.hpp", "config/table.hpp", "robots/irb6/irb6_model.hpp"
-file(GLOB type_headers robots/*/include sensors/*/include)
-list(TRANSFORM type_headers APPEND /)
-install(DIRECTORY include/ src/ mp/include/ ecp/include/ testing/include/ ${type_headers} DESTINATION include/mrroc COMPONENT development FILES_MATCHING PATTERN "*.hpp")
-install(DIRECTORY edp vsp robots sensors DESTINATION include/mrroc COMPONENT development
-  FILES_MATCHING PATTERN "*.hpp" PATTERN include EXCLUDE PATTERN description EXCLUDE)
-install(FILES sim/mapped_world.hpp sim/world_memory.hpp DESTINATION include/mrroc/sim COMPONENT development)
+include(MrrocHeaders)
 
 install(DIRECTORY tasks DESTINATION share/mrroc COMPONENT runtime
   PATTERN "*.[ch]pp" EXCLUDE PATTERN CMakeLists.txt EXCLUDE PATTERN "*.py" EXCLUDE PATTERN "*.gp" EXCLUDE PATTERN demo EXCLUDE)

@@ -32,7 +32,7 @@ void Task::run_started() try {
   else
     behaviours_.run(started());
 } catch (const SystemError&) {
-  throw;  // there may be nobody to answer
+  throw;  // there may be no one to answer
 } catch (...) {
   come_to_rest();
   throw;

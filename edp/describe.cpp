@@ -11,7 +11,7 @@
 #include "command/parse_command.hpp"
 #include "command/print.hpp"
 #include "command/printable.hpp"
-#include "edp/postures.hpp"
+#include "edp/check/postures.hpp"
 #include "mrroc/tool_kinematics.hpp"
 
 namespace mrroc::edp {

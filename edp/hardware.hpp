@@ -17,7 +17,7 @@ struct AxisSwitches {
   double zero_position = 0;  ///< where, rad of the shaft as the encoder counts
 };
 
-/// How far drives are that find their positions by themselves.
+/// How far drives are that find their positions on their own.
 enum class Homing : std::uint8_t { none, running, attained, failed };
 
 /// What the drives report in one tick.
@@ -48,20 +48,20 @@ class Hardware {
   virtual void open() = 0;
   /// Power to the drives; the drives hold their position (brakes) while disabled.
   virtual void enable(bool on) noexcept = 0;
-  /// True: the drives are still on their way to what `enable` or `reset_fault` asked for. It ends by itself, if need be
-  /// with a fault. Servo thread, after `read`.
+  /// True: the drives are still on their way to what `enable` or `reset_fault` asked for. It ends on its own, if need
+  /// be with a fault. Servo thread, after `read`.
   virtual bool busy() const noexcept { return false; }
   /// Clears faults that the drives have latched. Servo thread.
   virtual void reset_fault() noexcept {}
   /// True: the drives wait for `write` of every tick, so a servo that is late executes each of its ticks; false: they
-  /// go on, and it executes the present one only.
+  /// continue, and it executes the present one only.
   virtual bool waits() const noexcept { return false; }
   /// True: the drives follow the currents of `write`; false: they follow `set_points` and regulate on their own. A
   /// current that no drive follows is no evidence that an axis is stuck (MotionWatch).
   virtual bool follows_current() const noexcept { return false; }
   /// Positions at tick `tick`. What it does not write is NaN before, and so found out. Servo thread.
   virtual void read(Tick tick, HardwareInput& input) noexcept = 0;
-  /// Set-points of the shafts (rad, rad/s) at this tick, for drives that regulate by themselves; the others follow the
+  /// Set-points of the shafts (rad, rad/s) at this tick, for drives that regulate on their own; the others follow the
   /// current alone. Before `write`. Servo thread.
   virtual void set_points(const JointVector& /*position*/, const JointVector& /*velocity*/) noexcept {}
   /// Currents (A) for the coming period, within current_max. Servo thread.
@@ -71,7 +71,7 @@ class Hardware {
   virtual void set_outputs(const Signals& /*outputs*/) noexcept {}
   /// From now on every shaft position is greater by `shift` (rad), and absolute. Servo thread.
   virtual void set_origin(const JointVector& shift) noexcept = 0;
-  /// Whether the drives find their positions by themselves, one axis after the other; else the servo does it.
+  /// Whether the drives find their positions on their own, one axis after the other; else the servo does it.
   virtual bool homes() const noexcept { return false; }
   /// Starts it for this axis: from now on the drive moves it, `HardwareInput::homing` tells how far it is. Servo
   /// thread.

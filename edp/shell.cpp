@@ -5,24 +5,24 @@
 #include <deque>
 #include <optional>
 
-#include "clock/monotonic.hpp"
-#include "config/drive_table.hpp"
-#include "edp/can/can_hardware.hpp"
+#include "clock/wall/monotonic.hpp"
+#include "config/drives/drive_table.hpp"
+#include "edp/check/robot_check.hpp"
+#include "edp/command/effector.hpp"
 #include "edp/describe.hpp"
-#include "edp/effector.hpp"
-#include "edp/injected_hardware.hpp"
-#include "edp/loopback_hardware.hpp"
-#include "edp/mujoco_hardware.hpp"
-#include "edp/robot_check.hpp"
-#include "edp/servo.hpp"
-#include "edp/servo_thread.hpp"
-#include "edp/wrist_sensor.hpp"
-#include "links/robot_responder.hpp"
-#include "links/state_feed.hpp"
+#include "edp/drivers/can/can_hardware.hpp"
+#include "edp/drivers/injected_hardware.hpp"
+#include "edp/drivers/loopback_hardware.hpp"
+#include "edp/drivers/mujoco_hardware.hpp"
+#include "edp/force/wrist_sensor.hpp"
+#include "edp/servo/servo.hpp"
+#include "edp/servo/servo_thread.hpp"
+#include "links/exchange/robot_responder.hpp"
+#include "links/telemetry/state_feed.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "process/standard_files.hpp"
-#include "sim/mapped_world.hpp"
+#include "world/mapped_world.hpp"
 
 namespace mrroc::edp {
 
@@ -93,8 +93,8 @@ class Shell {
   }
 
  private:
-  sim::WorldMemory& world() {
-    if (!world_) world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
+  world::WorldMemory& world() {
+    if (!world_) world_.emplace(world::MappedWorld::attach(process_.arguments().world_fd));
     return **world_;
   }
 
@@ -102,7 +102,7 @@ class Shell {
     const auto& sensors = process_.deployment().sensors;
     for (std::size_t i = 0; i < sensors.size(); ++i) {
       if (sensors[i].name != place_.entry.force_sensor) continue;
-      const sim::WorldMemory* const simulated = sensors[i].source == "simulated" ? &world() : nullptr;
+      const world::WorldMemory* const simulated = sensors[i].source == "simulated" ? &world() : nullptr;
       return std::make_unique<WristSensor>(vsp::SourceContext{process_.deployment(), sensors[i], i, simulated,
                                                               process_.clock().period(), nullptr, nullptr,
                                                               process_.faults().of(sensors[i].name, process_.clock())});
@@ -227,7 +227,7 @@ class Shell {
   Place place_;
   RobotModels models_;
   ModelSet model_set_;
-  std::optional<sim::MappedWorld> world_;
+  std::optional<world::MappedWorld> world_;
   std::unique_ptr<Hardware> hardware_;
   std::unique_ptr<ForceSensor> force_sensor_;  ///< null: none
   HandOver hand_over_;

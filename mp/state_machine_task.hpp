@@ -18,10 +18,10 @@ class StateMachineTask : public Task {
   void run() override;
 
  private:
-  /// Does what the state says; returns the state to go on to.
+  /// Does what the state says; returns the state to continue to.
   std::string enter(const config::State& state);
   std::string run_behaviours(const config::State& state);
-  /// The state to go on to now; empty: not yet.
+  /// The state to continue to now; empty: not yet.
   std::string transition(const config::State& state);
   /// The state itself, or those that follow it when it has been entered often enough.
   std::string not_exhausted(std::string name) const;

@@ -65,7 +65,7 @@ void Task::stop(const std::string& name) {
     stopped.asked_to_stop = true;
     stopped.link->send(links::TaskCommandKind::stop);
   }
-  for (;;) {  // looks before it waits: what has come already wakes nobody
+  for (;;) {  // looks before it waits: what has come already wakes no one
     read_superior();
     poll_others();
     if (!stopped.running) break;

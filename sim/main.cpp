@@ -5,15 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "clock/ticker.hpp"
+#include "clock/wall/ticker.hpp"
 #include "mrroc/errors.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "process/standard_files.hpp"
-#include "sim/mapped_world.hpp"
 #include "sim/motion_file.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
+#include "world/mapped_world.hpp"
 
 namespace {
 
@@ -27,7 +27,7 @@ constexpr Tick kSnapshotTicks = 50;
 class Records {
  public:
   Records(mrroc::process::Process& process, const mrroc::sim::Simulation& simulation,
-          const mrroc::sim::WorldMemory& memory)
+          const mrroc::world::WorldMemory& memory)
       : process_(process), simulation_(simulation), snapshots_(process.arguments().snapshots) {
     if (const auto& arguments = process.arguments(); arguments.motion_fd >= 0)
       motion_.emplace(arguments.motion_fd, arguments.motion, process.deployment(), memory);
@@ -101,7 +101,7 @@ void check_pace(Tick simulated, const mrroc::clock::Clock& clock) {
 }
 
 /// Real time: one step per tick of the grid, each after the drives of the tick before. A step that comes too late is
-/// made all the same: the world loses no time. Also when it is asked to end it goes on while a robot is driven: it is
+/// made all the same: the world loses no time. Also when it is asked to end it continues while a robot is driven: it is
 /// the robots' hardware, and they need it to stop.
 void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simulation, Records& records) {
   mrroc::clock::Ticker ticker(process.clock().epoch_ns(), std::llround(process.clock().period() * 1e9));
@@ -126,7 +126,7 @@ void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simula
 }
 
 void serve(mrroc::process::Process& process) {
-  const mrroc::sim::MappedWorld world = mrroc::sim::MappedWorld::attach(process.arguments().world_fd);
+  const mrroc::world::MappedWorld world = mrroc::world::MappedWorld::attach(process.arguments().world_fd);
   mrroc::sim::Simulation simulation(process.deployment(), *world);
   Records records(process, simulation, *world);
   simulation.publish_initial();

@@ -20,7 +20,7 @@ std::string problem(const std::filesystem::path& path, int reason) {
 }  // namespace
 
 MotionFile::MotionFile(int fd, std::filesystem::path path, const config::Deployment& deployment,
-                       const WorldMemory& memory)
+                       const world::WorldMemory& memory)
     : deployment_(deployment), memory_(memory), path_(std::move(path)), file_(command::output_stream(fd)) {
   if (file_ == nullptr) throw std::runtime_error(problem(path_, errno));
   for (const config::RobotEntry& robot : deployment_.robots)
@@ -51,9 +51,9 @@ void MotionFile::write(Tick tick) {
   if (failure_ != 0) return;
   for (std::size_t i = 0; i < deployment_.robots.size(); ++i) {
     const config::RobotEntry& robot = deployment_.robots[i];
-    JointMeasurement measurement{};
+    world::JointMeasurement measurement{};
     if (!robot.in_world() || !memory_.measurements[i].load(measurement)) continue;
-    JointDrive drive{};
+    world::JointDrive drive{};
     memory_.drives[i].load(drive);
     std::fprintf(file_, "%llu %s %d", static_cast<unsigned long long>(tick), robot.name.c_str(), drive.enabled == 0);
     for (std::uint32_t j = 0; j < drive.joint_count; ++j) std::fprintf(file_, " %.9g", measurement.position[j]);

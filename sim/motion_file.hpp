@@ -5,7 +5,7 @@
 #include <string>
 
 #include "config/deployment.hpp"
-#include "sim/world_memory.hpp"
+#include "world/world_memory.hpp"
 
 namespace mrroc::sim {
 
@@ -23,7 +23,8 @@ class MotionFile {
  public:
   /// Writes to a copy of the descriptor `fd`; `path` is its name in messages. References must outlive it. Throws
   /// std::runtime_error when it cannot be opened.
-  MotionFile(int fd, std::filesystem::path path, const config::Deployment& deployment, const WorldMemory& memory);
+  MotionFile(int fd, std::filesystem::path path, const config::Deployment& deployment,
+             const world::WorldMemory& memory);
   ~MotionFile();
   MotionFile(const MotionFile&) = delete;
   MotionFile& operator=(const MotionFile&) = delete;
@@ -38,7 +39,7 @@ class MotionFile {
   void write_limits(const config::RobotEntry& robot);
 
   const config::Deployment& deployment_;
-  const WorldMemory& memory_;
+  const world::WorldMemory& memory_;
   const std::filesystem::path path_;
   std::FILE* file_;
   int failure_ = 0;  // errno of the first write that failed: nothing is written after it

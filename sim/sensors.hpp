@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/model.hpp"
-#include "sim/world_memory.hpp"
+#include "sim/scene/model.hpp"
+#include "world/world_memory.hpp"
 
 namespace mrroc::sim {
 
@@ -22,7 +22,7 @@ class SensorSource {
   SensorSource(const mjModel& model, const std::string& name, const std::string& type, const std::string& robot);
 
   /// Copies the present values. No allocation; never throws.
-  void read(const mjData& data, HardwareReading& reading) const noexcept;
+  void read(const mjData& data, world::HardwareReading& reading) const noexcept;
 
  private:
   bool take(const mjModel& model, const std::string& prefix);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "config/message_text.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
+#include "config/text/message_text.hpp"
 
 namespace mrroc::sim {
 
@@ -24,13 +24,13 @@ std::size_t snapshot_values(const mjModel& model) {
 
 void check_snapshot(const mjModel& model, const config::SensorEntry& sensor) {
   const std::size_t count = snapshot_values(model);
-  if (count <= kMaxSnapshotValues) return;
+  if (count <= world::kMaxSnapshotValues) return;
   throw config::ConfigurationError({}, 0, "sensors." + sensor.name,
                                    "looks at a world with " + std::to_string(count) + " positions",
-                                   "at most " + std::to_string(kMaxSnapshotValues));
+                                   "at most " + std::to_string(world::kMaxSnapshotValues));
 }
 
-/// An input that is not there is off, as a cut wire is: the emergency stop would be pressed for ever.
+/// An input that is not there is off, as a cut wire is: the emergency stop would be pressed forever.
 void check_emergency_stop(const mjModel& model, const config::Deployment& deployment, const config::RobotEntry& robot) {
   if (!robot.emergency_stop) return;
   const std::string input = "input_" + std::to_string(*robot.emergency_stop);
@@ -43,10 +43,10 @@ void check_emergency_stop(const mjModel& model, const config::Deployment& deploy
 
 const config::SimEntry& sim_entry(const config::Deployment& deployment) {
   if (!deployment.sim) throw config::ConfigurationError(deployment.file, 0, "sim", "missing", "a table [sim]");
-  if (deployment.robots.size() > kMaxRobots || deployment.sensors.size() > kMaxSensors) {
-    throw config::ConfigurationError(
-        deployment.file, 0, "", "too many robots or sensors",
-        "at most " + std::to_string(kMaxRobots) + " robots and " + std::to_string(kMaxSensors) + " sensors");
+  if (deployment.robots.size() > world::kMaxRobots || deployment.sensors.size() > world::kMaxSensors) {
+    throw config::ConfigurationError(deployment.file, 0, "", "too many robots or sensors",
+                                     "at most " + std::to_string(world::kMaxRobots) + " robots and " +
+                                         std::to_string(world::kMaxSensors) + " sensors");
   }
   return *deployment.sim;
 }
@@ -67,7 +67,7 @@ Composition compose(const config::Deployment& deployment) {
   return compose(sim_entry(deployment).scene, parts);
 }
 
-Simulation::Simulation(const config::Deployment& deployment, WorldMemory& memory)
+Simulation::Simulation(const config::Deployment& deployment, world::WorldMemory& memory)
     : memory_(memory), world_(compose(deployment), deployment.servo_period, sim_entry(deployment).timestep) {
   for (std::size_t i = 0; i < deployment.robots.size(); ++i) {
     const config::RobotEntry& robot = deployment.robots[i];
@@ -127,7 +127,7 @@ void Simulation::step_in_real_time(Tick tick, double patience) {
 
 /// Whether the robot's newest drive acts in tick `tick`; else its brakes are on.
 bool Simulation::drives(const Slot& slot, Tick tick) const noexcept {
-  const JointDrive& drive = slot.drive;
+  const world::JointDrive& drive = slot.drive;
   return drive.tick > 0 && drive.enabled != 0 && drive.tick != slot.given_up && tick <= drive.tick + kDriveLifetime;
 }
 
@@ -145,7 +145,7 @@ bool Simulation::driven() const noexcept {
 void Simulation::await_bus(Slot& slot, Tick tick) {
   const auto there = [&] { return memory_.drives[slot.memory].load(slot.drive) && slot.drive.tick + 1 >= tick; };
   if (there() || slot.drive.tick == slot.given_up) return;
-  if (!memory_.driven.wait(there, std::llround(kPatienceWithDrives * 1e9))) slot.given_up = slot.drive.tick;
+  if (!memory_.driven.wait(there, std::llround(world::kPatienceWithDrives * 1e9))) slot.given_up = slot.drive.tick;
 }
 
 void Simulation::take_drive(Slot& slot, Tick tick) {
@@ -161,7 +161,7 @@ void Simulation::take_drive(Slot& slot, Tick tick) {
 void Simulation::publish(Tick tick) {
   tick_ = tick;
   for (const SensorSlot& slot : sensors_) {
-    HardwareReading reading{};
+    world::HardwareReading reading{};
     reading.tick = tick;
     slot.source.read(world_.data(), reading);
     memory_.readings[slot.memory].store(reading);
@@ -169,7 +169,7 @@ void Simulation::publish(Tick tick) {
   if (looked_at_) store_snapshot(tick);
   // last: a servo that sees them looks at its force sensor's reading, too
   for (const Slot& slot : robots_) {
-    JointMeasurement measurement{};
+    world::JointMeasurement measurement{};
     measurement.tick = tick;
     world_.measure(slot.world, measurement);
     memory_.measurements[slot.memory].store(measurement);

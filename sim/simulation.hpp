@@ -7,7 +7,7 @@
 #include "sim/sensors.hpp"
 #include "sim/state_file.hpp"
 #include "sim/world.hpp"
-#include "sim/world_memory.hpp"
+#include "world/world_memory.hpp"
 
 namespace mrroc::sim {
 
@@ -28,19 +28,19 @@ class Simulation {
 
   /// Builds the world with each robot at its home. `memory` must outlive this object. Throws config::ConfigurationError
   /// (no [sim], broken scene, joints or sensors that the MJCF does not have) or SystemError (no memory).
-  Simulation(const config::Deployment& deployment, WorldMemory& memory);
+  Simulation(const config::Deployment& deployment, world::WorldMemory& memory);
 
   /// Stores the measurements and readings of tick 0.
   void publish_initial();
   /// Has the feeders put their parts, reads the drives, advances the world from tick - 1 to `tick`, stores its
   /// measurements and readings. Brakes hold a robot that has no drive yet, a disabled one, or one older than
-  /// kDriveLifetime ticks: its EDP is gone. Drives on a bus are waited for, kPatienceWithDrives at most. Throws
+  /// kDriveLifetime ticks: its EDP is gone. Drives on a bus are waited for, world::kPatienceWithDrives at most. Throws
   /// SystemError (simulator), see World::step.
   void step(Tick tick);
   /// Real time: `step`, but not before every robot's drive of tick - 1 is there, as in lockstep. A robot whose brakes
   /// are on is not waited for; one that keeps the world waiting for `patience` (s of wall time) is braked, and the
-  /// world goes on without it until it drives again.
-  void step_in_real_time(Tick tick, double patience = kPatienceWithDrives);
+  /// world continues without it until it drives again.
+  void step_in_real_time(Tick tick, double patience = world::kPatienceWithDrives);
 
   /// Whether any robot's drive acted in the last step: if not, all brakes are on.
   bool driven() const noexcept;
@@ -51,11 +51,11 @@ class Simulation {
 
  private:
   struct Slot {
-    std::size_t memory;   ///< slot in WorldMemory
-    std::size_t world;    ///< index of the robot in the world
-    JointDrive drive{};   ///< the newest
-    Tick given_up = 0;    ///< tick of the drive after which none came in time
-    bool on_bus = false;  ///< its drives are a process of their own, which the clock does not wait for
+    std::size_t memory;         ///< slot in world::WorldMemory
+    std::size_t world;          ///< index of the robot in the world
+    world::JointDrive drive{};  ///< the newest
+    Tick given_up = 0;          ///< tick of the drive after which none came in time
+    bool on_bus = false;        ///< its drives are a process of their own, which the clock does not wait for
   };
   struct SensorSlot {
     std::size_t memory;
@@ -69,13 +69,13 @@ class Simulation {
   void publish(Tick tick);
   void store_snapshot(Tick tick) noexcept;
 
-  WorldMemory& memory_;
+  world::WorldMemory& memory_;
   World world_;
   std::vector<Slot> robots_;
   std::vector<SensorSlot> sensors_;
   std::vector<Feeder> feeders_;
-  bool looked_at_ = false;    ///< some sensor wants the snapshot
-  WorldSnapshot snapshot_{};  ///< the last one stored
+  bool looked_at_ = false;           ///< some sensor wants the snapshot
+  world::WorldSnapshot snapshot_{};  ///< the last one stored
   Tick tick_ = 0;
 };
 

@@ -58,7 +58,7 @@ void World::start() {
   }
 }
 
-void World::drive(std::size_t index, const JointDrive& drive, Tick tick) {
+void World::drive(std::size_t index, const world::JointDrive& drive, Tick tick) {
   DrivenJoints& robot = robots_.at(index);
   if (drive.joint_count != robot.count()) {
     fail("a drive for " + std::to_string(drive.joint_count) + " joints, expected " + std::to_string(robot.count()),
@@ -156,7 +156,7 @@ void World::set_outputs(std::size_t index, const Signals& outputs) noexcept {
   terminals_.at(index).write(*model_, *data_, outputs);
 }
 
-void World::measure(std::size_t index, JointMeasurement& measurement) const noexcept {
+void World::measure(std::size_t index, world::JointMeasurement& measurement) const noexcept {
   robots_.at(index).measure(*data_, measurement);
   measurement.inputs = terminals_.at(index).read(*data_);
 }

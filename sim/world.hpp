@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/driven_joints.hpp"
-#include "sim/free_body.hpp"
-#include "sim/model.hpp"
-#include "sim/mujoco_messages.hpp"
-#include "sim/terminals.hpp"
-#include "sim/weld_torques.hpp"
+#include "sim/scene/driven_joints.hpp"
+#include "sim/scene/free_body.hpp"
+#include "sim/scene/model.hpp"
+#include "sim/scene/mujoco_messages.hpp"
+#include "sim/scene/terminals.hpp"
+#include "sim/scene/weld_torques.hpp"
 
 namespace mrroc::sim {
 
@@ -43,7 +43,7 @@ class World {
 
   /// What robot `index` gets during the next `step`. Throws SystemError (simulator): not finite, or coupling joints of
   /// different branches.
-  void drive(std::size_t index, const JointDrive& drive, Tick tick);
+  void drive(std::size_t index, const world::JointDrive& drive, Tick tick);
   void brake(std::size_t index);
   /// Advances from tick - 1 to `tick`. Throws SystemError (simulator) with the tick and what diverged: MuJoCo met a
   /// bad position, velocity, acceleration or control (and has reset the world), its contact or constraint buffers are
@@ -56,7 +56,7 @@ class World {
   /// Sets the outputs of robot `index`'s controller.
   void set_outputs(std::size_t index, const Signals& outputs) noexcept;
   /// Joints and inputs.
-  void measure(std::size_t index, JointMeasurement& measurement) const noexcept;
+  void measure(std::size_t index, world::JointMeasurement& measurement) const noexcept;
   const mjModel& model() const noexcept { return *model_; }
   const mjData& data() const noexcept { return *data_; }
   /// For tests and scripts that act on the world itself: controls, poses of objects.

@@ -10,8 +10,9 @@ import sys
 LAYERS = [
     ("include/mrroc",),
     ("src/core",),
+    ("src/geometry",),
     ("src/language",),
-    ("src/clock", "src/config", "src/links", "src/faults", "src/can", "src/canopen", "src/command"),
+    ("src/clock", "src/config", "src/links", "src/world", "src/faults", "src/can", "src/canopen", "src/command"),
     ("src/process",),
     ("mp", "ecp", "edp", "vsp"),
     ("robots", "sensors"),
@@ -20,16 +21,12 @@ LAYERS = [
 RANK = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folders}
 
 # the public headers give a task their classes: what they include of the language is a part of them
-PUBLIC = {"include/mrroc": {"src/core", "src/language"}}
+PUBLIC = {"include/mrroc": {"src/core", "src/geometry", "src/language"}}
 
-# what is not in its place yet: the memory and the cameras of the simulated world, the EDP's one sensor type
+# what is not in its place yet: the cameras of the simulated world, the EDP's one sensor type
 MISPLACED = {
-    ("edp", "sim/mapped_world.hpp"),
-    ("edp", "sim/world_memory.hpp"),
-    ("vsp", "sim/world_memory.hpp"),
-    ("vsp", "sim/mapped_world.hpp"),
-    ("sensors", "sim/camera.hpp"),
-    ("sensors", "sim/model.hpp"),
+    ("sensors", "sim/rendering/camera.hpp"),
+    ("sensors", "sim/scene/model.hpp"),
     ("sensors", "sim/simulation.hpp"),
     ("edp", "sensors/force_torque/force_torque_sensor.hpp"),
 }

@@ -8,7 +8,7 @@ namespace mrroc::vsp {
 
 /// Simulated hardware that has not measured for this long, s, is silent. The world itself gives up when it is
 /// kPatienceWithWorld behind.
-inline constexpr double kSilentAfter = 1.5 * sim::kPatienceWithWorld;
+inline constexpr double kSilentAfter = 1.5 * world::kPatienceWithWorld;
 
 /// The source that the deployment asks for: the sensor type's own, else a played file or a slot of the simulated world.
 /// Throws what `open_source` throws, ConfigurationError for a played file that is wrong, SystemError(configuration)

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "config/file_text.hpp"
-#include "config/message_text.hpp"
 #include "config/table.hpp"
+#include "config/text/file_text.hpp"
+#include "config/text/message_text.hpp"
 #include "core/number_text.hpp"
 #include "core/text_lines.hpp"
 

@@ -19,7 +19,7 @@ namespace mrroc::vsp {
 ///
 /// The first line names the sensor's raw channels in order; each line below is a tick and one number per channel,
 /// ticks strictly increasing. The value at tick k is that of the last line with tick <= k: not ready before the first
-/// line, and the last line holds for ever. `nan` plays a hardware that fails. `#` at the begin of a line or behind a
+/// line, and the last line holds forever. `nan` plays a hardware that fails. `#` at the begin of a line or behind a
 /// blank begins a comment. What may surround a line: core/text_lines.hpp; numbers: core/number_text.hpp.
 class ReplaySource final : public Source {
  public:

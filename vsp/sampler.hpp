@@ -30,7 +30,7 @@ class ReadingSink {
 /// What a VSP does, without its transport. *Interactive*: a request is kept until the tick that it asks for, then the
 /// hardware is read, aggregated, and the reading given to the caller; every request is answered exactly once, in the
 /// order of ticks, then of arrival. *Non-interactive*: a reading is published at every whole multiple of the
-/// publication period. A reader holds the reading published last in a buffer of its own, so nobody ever waits for an
+/// publication period. A reader holds the reading published last in a buffer of its own, so no one ever waits for an
 /// aggregation but those who asked for it.
 ///
 /// All answers and the publication of one `on_tick` give one reading (a bias makes a new one). A reading without an

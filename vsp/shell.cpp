@@ -2,14 +2,14 @@
 
 #include <optional>
 
-#include "links/sensor_responder.hpp"
-#include "links/state_follower.hpp"
+#include "links/exchange/sensor_responder.hpp"
+#include "links/telemetry/state_follower.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "process/standard_files.hpp"
-#include "sim/mapped_world.hpp"
 #include "vsp/make_source.hpp"
 #include "vsp/sampler.hpp"
+#include "world/mapped_world.hpp"
 
 namespace mrroc::vsp {
 
@@ -63,7 +63,7 @@ class Shell : private ReadingSink {
   std::unique_ptr<Source> open_source() {
     const double period = process_.clock().period();
     sensor_->set_up(entry_, period);
-    if (process_.arguments().world_fd >= 0) world_.emplace(sim::MappedWorld::attach(process_.arguments().world_fd));
+    if (process_.arguments().world_fd >= 0) world_.emplace(world::MappedWorld::attach(process_.arguments().world_fd));
     return make_source(*sensor_,
                        {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period, &process_.clock(),
                         &process_.domain(), process_.faults().of(process_.name(), process_.clock())});
@@ -95,7 +95,7 @@ class Shell : private ReadingSink {
   std::size_t slot_;
   const config::SensorEntry& entry_;
   std::unique_ptr<VirtualSensor> sensor_;
-  std::optional<sim::MappedWorld> world_;
+  std::optional<world::MappedWorld> world_;
   std::unique_ptr<Source> source_;
   Sampler sampler_;
   links::SensorResponder responder_;

@@ -7,13 +7,13 @@
 
 namespace mrroc::vsp {
 
-static_assert(kMaxRawValues >= sim::kMaxHardwareValues);
+static_assert(kMaxRawValues >= world::kMaxHardwareValues);
 
-SimulatedSource::SimulatedSource(const sim::WorldMemory& world, std::size_t slot, Tick silent_after)
-    : slot_(slot < sim::kMaxSensors ? &world.readings[slot] : nullptr), silent_after_(silent_after) {
+SimulatedSource::SimulatedSource(const world::WorldMemory& world, std::size_t slot, Tick silent_after)
+    : slot_(slot < world::kMaxSensors ? &world.readings[slot] : nullptr), silent_after_(silent_after) {
   if (slot_ == nullptr) {
     throw SystemError(ErrorCode::configuration, "sensor slot " + std::to_string(slot) + " of the simulated world, " +
-                                                    "expected at most " + std::to_string(sim::kMaxSensors - 1));
+                                                    "expected at most " + std::to_string(world::kMaxSensors - 1));
   }
 }
 
@@ -22,7 +22,7 @@ SourceState SimulatedSource::read(Tick wanted, RawReading& raw) noexcept {
   if (wanted > newest_.tick && wanted - newest_.tick > silent_after_) return SourceState::silent;
   if (!there_) return SourceState::not_ready;
   raw.tick = newest_.tick;
-  raw.count = std::min(newest_.count, static_cast<std::uint32_t>(sim::kMaxHardwareValues));
+  raw.count = std::min(newest_.count, static_cast<std::uint32_t>(world::kMaxHardwareValues));
   std::copy_n(newest_.values.begin(), raw.count, raw.values.begin());
   return SourceState::ready;
 }

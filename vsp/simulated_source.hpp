@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/world_memory.hpp"
 #include "vsp/source.hpp"
+#include "world/world_memory.hpp"
 
 namespace mrroc::vsp {
 
@@ -12,14 +12,14 @@ class SimulatedSource final : public Source {
  public:
   /// `slot`: index of the sensor in the deployment's list. Throws SystemError(configuration) when there is no such
   /// slot. `world` outlives the source.
-  SimulatedSource(const sim::WorldMemory& world, std::size_t slot, Tick silent_after);
+  SimulatedSource(const world::WorldMemory& world, std::size_t slot, Tick silent_after);
 
   SourceState read(Tick wanted, RawReading& raw) noexcept override;
 
  private:
-  const clock::SharedSlot<sim::HardwareReading>* slot_;
+  const core::SharedSlot<world::HardwareReading>* slot_;
   Tick silent_after_;
-  sim::HardwareReading newest_{};
+  world::HardwareReading newest_{};
   bool there_ = false;  ///< `newest_` is one
 };
 

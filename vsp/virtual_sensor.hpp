@@ -8,9 +8,9 @@
 #include "faults/fault_plan.hpp"
 #include "mrroc/robot_state.hpp"
 #include "mrroc/sensor_link.hpp"
-#include "sim/world_memory.hpp"
 #include "vsp/raw_reading.hpp"
 #include "vsp/source.hpp"
+#include "world/world_memory.hpp"
 
 namespace mrroc::clock {
 class Clock;
@@ -25,12 +25,12 @@ using config::Channel;
 
 /// What a source can be opened from. `world`: the simulated hardware, null when there is none; `slot`: the sensor's
 /// index in the deployment. `servo_period` in s. `clock` and `domain`: for a source that has a link of its own to
-/// somebody; null in tests without a process.
+/// someone; null in tests without a process.
 struct SourceContext {
   const config::Deployment& deployment;
   const config::SensorEntry& entry;
   std::size_t slot;
-  const sim::WorldMemory* world;
+  const world::WorldMemory* world;
   double servo_period;
   clock::Clock* clock = nullptr;
   links::Domain* domain = nullptr;

@@ -98,7 +98,7 @@ void Row::add(const task_test::RunResult& run, const std::string& injected) {
     std::fprintf(stderr, "%s: ended before it: %s\n", injected.c_str(), run.output.c_str());
   }
   if (struck == run.injected.end() || (run.exit_code == 0 && error.empty())) {
-    ++unaffected_;  // it ended before, or went on in spite of it
+    ++unaffected_;  // it ended before, or continued in spite of it
     return;
   }
   ++(run.exit_code == 0 ? recovered_ : ended_);

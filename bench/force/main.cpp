@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "edp/every_robot.hpp"
-#include "edp/singular_postures.hpp"
+#include "edp/force/singular_postures.hpp"
 
 using namespace mrroc;
 using namespace mrroc::edp;

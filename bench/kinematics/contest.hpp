@@ -35,7 +35,7 @@ class Contest {
   const std::string& robot() const { return kinematics_.model().parameters().type; }
   /// Why KDL does not take part; else empty.
   const std::string& without_kdl() const { return without_kdl_; }
-  /// Postures that were drawn anew because an inverse did not find them.
+  /// Postures that were drawn again because an inverse did not find them.
   struct Refused {
     int own = 0;
     int lma = 0;

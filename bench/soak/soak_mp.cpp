@@ -8,7 +8,7 @@ using namespace mrroc::transfer;
 
 namespace {
 
-/// Laps after which the bar is put down and gripped anew: simulated pads let it creep down by 0.1 mm a lap.
+/// Laps after which the bar is put down and gripped again: simulated pads let it creep down by 0.1 mm a lap.
 constexpr int kLapsOfAGrip = 40;
 
 std::vector<Pose> reversed(const std::vector<Pose>& path) { return {path.rbegin(), path.rend()}; }
@@ -20,7 +20,7 @@ std::vector<Pose> onto_the_stands() { return {back().back(), bar_at(0.75, 0, 0.4
 }  // namespace
 
 /// The task cooperative_transfer for as long as one likes: carries the bar forth and back until the operator gives a
-/// trigger, which the deployment of the soak does at its tick. After every lap it says how long it has gone on.
+/// trigger, which the deployment of the soak does at its tick. After every lap it says how long it has continued.
 class Soak : public Transfer {
   void run() override {
     set_tools();

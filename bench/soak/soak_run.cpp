@@ -15,7 +15,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cli/trace.hpp"
+#include "cli/output/trace.hpp"
 #include "cooperative_transfer/report/variant.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 

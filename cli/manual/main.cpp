@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <string>
 
-#include "cli/command_line.hpp"
+#include "cli/commands/command_line.hpp"
 #include "cli/manual/bash_completion.hpp"
 #include "cli/manual/manual_page.hpp"
 

@@ -8,13 +8,13 @@
 
 namespace mrroc::cli::trace {
 
-/// What is known of an instruction that goes on.
+/// What is known of an instruction that continues.
 struct InstructionMemory {
   Line before;                         ///< its last line
   bool interrupted = false;            ///< lines behind `before` are missing
   Tick skew = 0;                       ///< worst spread of the robots' macrosteps so far
   bool skew_is_known = true;           ///< that of every step was seen
-  std::set<std::string> goes_on_with;  ///< values of the condition's parts with which it went on, as "0110"
+  std::set<std::string> goes_on_with;  ///< values of the condition's parts with which it continued, as "0110"
 };
 
 /// What is known of a process.
@@ -59,7 +59,7 @@ struct Memory {
   const RobotMemory* robot(const std::string& name) const;
   /// The step before `line`, when it was in the trace; else null.
   const Line* before(const Line& line) const;
-  /// The instruction of `line`, when it has begun and goes on; else null.
+  /// The instruction of `line`, when it has begun and continues; else null.
   const InstructionMemory* instruction(const Line& line) const;
 
   /// `line` is the first one of an instruction that began before the black box.

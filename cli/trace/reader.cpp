@@ -4,10 +4,10 @@
 #include <cstring>
 #include <limits>
 
-#include "cli/trace.hpp"
+#include "cli/output/trace.hpp"
 #include "cli/trace/parse_line.hpp"
 #include "core/text_lines.hpp"
-#include "process/text_line.hpp"
+#include "process/record/text_line.hpp"
 
 namespace mrroc::cli::trace {
 

@@ -84,7 +84,7 @@ void rest_before_resume(const Step& step, Findings& findings) {
   bool late = false;
   for (std::size_t i = 0; i < std::min(line.robots.size(), step.before->robots.size()); ++i)
     late = late || line.robots[i].late > step.before->robots[i].late;
-  const bool paused = line.held != 0 && line.is_move;  // a Wait goes on holding: it needs no rest
+  const bool paused = line.held != 0 && line.is_move;  // a Wait continues holding: it needs no rest
   if (!paused && !late) return;
   for (const RobotEntry& robot : line.robots)
     if (robot.moving)

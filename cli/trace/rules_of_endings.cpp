@@ -1,5 +1,5 @@
-// The cases of equations (3) and (5): an instruction goes on with a command, or ends by f_I or f_T, by f_E, or because
-// somebody wants it to.
+// The cases of equations (3) and (5): an instruction continues with a command, or ends by f_I or f_T, by f_E, or
+// because someone wants it to.
 #include "cli/trace/condition_value.hpp"
 #include "cli/trace/rule.hpp"
 #include "cli/trace/words.hpp"

@@ -127,7 +127,7 @@ void all_end(const Remark& remark, const Memory& memory, Findings& findings) {
   const ProcessMemory* process = memory.process(remark.process);
   if (process == nullptr) return;
   if (process->ended) findings.add(words("a second remark of process ", remark.process), "one");
-  if (memory.black_box) return;  // others go on, side by side, when an error ends one
+  if (memory.black_box) return;  // others continue, side by side, when an error ends one
   for (const auto& [number, open] : process->open)
     findings.add_unless_dropped(words("instruction ", number, " stops at line ", open.before.number, " without end="),
                                 "an end: the process was not killed");

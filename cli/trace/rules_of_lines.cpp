@@ -51,7 +51,7 @@ const SensorEntry* reading_before(const Step& step, const std::string& sensor) {
   return known == step.process->sensors.end() ? nullptr : &known->second;
 }
 
-/// By instruction: of two that go on side by side one may hold an older reading, which is not yet due again.
+/// By instruction: of two that continue side by side one may hold an older reading, which is not yet due again.
 void readings_go_on(const Step& step, Findings& findings) {
   for (const SensorEntry& sensor : step.line.sensors) {
     const SensorEntry* before = reading_before(step, sensor.name);

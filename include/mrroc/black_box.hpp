@@ -10,7 +10,7 @@ namespace mrroc {
 /// The last steps of a task's Moves and Waits, of all its strands, as they came: what every error that leaves one of
 /// them carries (`Error::black_box`), and what is written to disk when a task fails. Move and Wait record into that of
 /// their task (`Task::black_box`), which costs no allocation and no lock at a step; a copy stays as it is. Task's
-/// thread; a copy that nobody changes: any thread.
+/// thread; a copy that no one changes: any thread.
 class BlackBox {
  public:
   /// How many steps are kept.

@@ -13,7 +13,7 @@ namespace mrroc {
 /// The paper's three classes of f_E (section 5). The class says who reacts and what may follow.
 enum class ErrorClass : std::uint8_t {
   none = 0,       ///< no error
-  non_fatal = 1,  ///< a programmer's or a computation's error: robots hold, the task may catch it and go on
+  non_fatal = 1,  ///< a programmer's or a computation's error: robots hold, the task may catch it and continue
   hardware = 2,   ///< a robot or sensor malfunctions: its robot has stopped, the task may recover it
   system = 3      ///< a process, a link or the clock is lost: every robot stops, the deployment ends
 };
@@ -91,7 +91,7 @@ class Error : public std::runtime_error {
   const ErrorOrigin& origin() const noexcept { return origin_; }
   const char* what() const noexcept override { return text_.c_str(); }
   /// The last steps of the task until this error ended one of its Moves or Waits (`mrroc/black_box.hpp`); it stays as
-  /// it is while the task goes on. Null: it has not passed through a Move or Wait of this process.
+  /// it is while the task continues. Null: it has not passed through a Move or Wait of this process.
   const std::shared_ptr<const BlackBox>& black_box() const noexcept { return black_box_; }
 
   /// Fills in what the origin does not say yet. Move and Wait do it for every error that passes through them, so that
@@ -112,7 +112,7 @@ class Error : public std::runtime_error {
   std::shared_ptr<const BlackBox> black_box_;
 };
 
-/// Pose out of workspace, invalid argument, sensor not ready ...: robots hold, the task may catch it and go on.
+/// Pose out of workspace, invalid argument, sensor not ready ...: robots hold, the task may catch it and continue.
 class NonFatalError : public Error {
  public:
   explicit NonFatalError(ErrorCode code, std::string detail, ErrorOrigin origin = {});
@@ -120,7 +120,7 @@ class NonFatalError : public Error {
   explicit NonFatalError(std::string detail);
 };
 
-/// Following error, drive fault, dead sensor hardware ...: the robot has stopped by itself, the task may recover it.
+/// Following error, drive fault, dead sensor hardware ...: the robot has stopped on its own, the task may recover it.
 class HardwareError : public Error {
  public:
   explicit HardwareError(ErrorCode code, std::string detail, ErrorOrigin origin = {});

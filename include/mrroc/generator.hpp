@@ -25,10 +25,10 @@ class Generator {
   /// is started again.
   virtual void resume() { start(); }
   /// The operator pauses while robots move. True: from now on `next_state()` leads them to rest along their way, until
-  /// `resume()`. False, the default: it cannot; every robot brakes by itself, as fast as its limits allow, and robots
+  /// `resume()`. False, the default: it cannot; every robot brakes on its own, as fast as its limits allow, and robots
   /// that move together leave their common way. Called once per pause; must not allocate.
   virtual bool brake() { return false; }
-  /// f_T: the motion is over by itself. Evaluated once per step, before `next_state()`.
+  /// f_T: the motion is over on its own. Evaluated once per step, before `next_state()`.
   virtual bool terminal_condition() { return false; }
   /// f_e*: writes `robot.command()` of every robot it moves; a robot it leaves alone holds. Must not allocate.
   virtual void next_state() = 0;

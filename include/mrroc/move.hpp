@@ -40,7 +40,7 @@ using SensorList = ListOf<Sensor>;
 ///
 ///     obtain e^i, v^i                            (i = i0)
 ///     repeat
-///       f_E: the gravest error reported by e^i or v^i is thrown, with its class
+///       f_E: the most severe error reported by e^i or v^i is thrown, with its class
 ///       a robot has braked because its command came late: all come to rest, then generator.resume()
 ///       the operator: pause holds every robot until resume; stop throws Stopped; end-motion returns
 ///       f_T: generator.terminal_condition() or the condition of `until` holds: return

@@ -42,7 +42,7 @@ enum class Interpolation : std::uint8_t {
 /// 1 is the first tick after the macrostep. A command whose end velocity is not zero expects a successor: if none
 /// arrives in time, the EDP brakes within the limits, holds, and counts a late command.
 ///
-/// A `hold` in motion is a stop of which N ticks are made; the next `hold`, or no successor at all, goes on with it,
+/// A `hold` in motion is a stop of which N ticks are made; the next `hold`, or no successor at all, continues with it,
 /// any other command takes over from there. With v = N + 1 it lasts as long as the stop.
 ///
 /// Where a `force` motion leads is known only when it is there: another `force` command continues it, any other one is

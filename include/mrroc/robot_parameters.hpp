@@ -26,9 +26,9 @@ struct AxisParameters {
   double synchro_fine = 0;           ///< back off the switch and to the zero pulse, rad/s, with the other sign
   double encoder_increments = 4000;  ///< per shaft revolution
   double current_max = 0;            ///< A
-  /// s for which a measured current may stay at current_max or beyond; the default: for ever
+  /// s for which a measured current may stay at current_max or beyond; the default: forever
   double current_max_time = std::numeric_limits<double>::infinity();
-  /// rad of the shaft: how far its set-point may go on while it reads the very same position.
+  /// rad of the shaft: how far its set-point may continue while it reads the very same position.
   double stuck_max = std::numeric_limits<double>::infinity();
   /// A: by how much the drive's current may change before a standing shaft moves, its static friction.
   double stuck_current = std::numeric_limits<double>::infinity();

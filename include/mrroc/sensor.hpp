@@ -11,7 +11,7 @@ class Task;
 /// One virtual sensor v_p as a task program sees it. *Interactive*: `Move` requests a reading before the robots are
 /// commanded and collects it after their replies, so that measuring overlaps motion; *polled*: likewise, but a reading
 /// that has not come by then is not waited for: it is collected at the first step at which it is there, and requested
-/// anew after that; *non-interactive*: the newest published reading is read from a local buffer, never waiting. Which
+/// again after that; *non-interactive*: the newest published reading is read from a local buffer, never waiting. Which
 /// of the three is the deployment's choice. A sensor of a given type is a class derived from this one that names the
 /// channels. Task's thread only.
 class Sensor {

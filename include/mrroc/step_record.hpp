@@ -14,7 +14,7 @@ namespace mrroc {
 
 /// What ends an instruction at a step.
 enum class StepEnding : std::uint8_t {
-  none,             ///< nothing: it goes on, and every robot is commanded
+  none,             ///< nothing: it continues, and every robot is commanded
   condition,        ///< the condition waited for, or given to the generator with `until`, holds: f_I, f_T
   generator,        ///< the generator's own terminal condition holds: f_T
   end_motion,       ///< the operator or the superior process asks for the next instruction

@@ -57,10 +57,10 @@ class Task {
   virtual OperatorRequest operator_request() = 0;
   /// True once for each trigger that the operator gave.
   virtual bool take_trigger() noexcept = 0;
-  /// Is told every step; null: nobody. It must neither allocate nor block.
+  /// Is told every step; null: no one. It must neither allocate nor block.
   virtual StepObserver* observer() noexcept = 0;
 
-  /// The last steps of this task's Moves and Waits; it goes on as they do. Task's thread.
+  /// The last steps of this task's Moves and Waits; it continues as they do. Task's thread.
   BlackBox& black_box() noexcept { return black_box_; }
   const BlackBox& black_box() const noexcept { return black_box_; }
 

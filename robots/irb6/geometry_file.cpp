@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "config/message_text.hpp"
 #include "config/robot_parameters_file.hpp"
+#include "config/text/message_text.hpp"
 
 namespace mrroc::irb6 {
 namespace {

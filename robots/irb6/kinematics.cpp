@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "language/inverse_tools.hpp"
-#include "language/rigid_motion.hpp"
+#include "geometry/inverse_tools.hpp"
+#include "geometry/rigid_motion.hpp"
 
 namespace mrroc::irb6 {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "language/inverse_tools.hpp"
-#include "language/rigid_motion.hpp"
+#include "geometry/inverse_tools.hpp"
+#include "geometry/rigid_motion.hpp"
 
 namespace mrroc::irb6 {
 

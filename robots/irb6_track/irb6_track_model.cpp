@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "config/robot_parameters_file.hpp"
-#include "language/inverse_tools.hpp"
+#include "geometry/inverse_tools.hpp"
 #include "robots/irb6/geometry_file.hpp"
 
 namespace mrroc {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "robots/serial_parallel/wrist.hpp"
 
 namespace mrroc::serial_parallel {

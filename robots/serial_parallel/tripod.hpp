@@ -45,7 +45,7 @@ class Tripod {
 
   /// The placement whose legs have these lengths, by Newton's method on their squares from the platform level at the
   /// mean height of legs A and C; `kIterations` steps at most. It converges in these to every placement within
-  /// the passive limits and up to ten degrees beyond (tests/robots_serial_parallel/tripod_test.cpp goes through them).
+  /// the passive limits and up to ten degrees beyond (tests/robots/serial_parallel/tripod_test.cpp goes through them).
   /// False when the legs do not close with the platform upright: then `placement` is level, base.b high.
   bool assemble(const Eigen::Vector3d& legs, Placement& placement) const noexcept;
   static constexpr int kIterations = 8;

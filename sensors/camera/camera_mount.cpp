@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "sensors/camera/keys.hpp"
-#include "sim/camera.hpp"
+#include "sim/rendering/camera.hpp"
 #include "vsp/parameters.hpp"
 
 namespace mrroc::vsp {

@@ -4,7 +4,7 @@
 
 #include "config/deployment.hpp"
 #include "mrroc/types.hpp"
-#include "sim/model.hpp"
+#include "sim/scene/model.hpp"
 
 namespace mrroc::vsp {
 

@@ -4,9 +4,9 @@
 #include <opencv2/core/utility.hpp>
 #include <string>
 
-#include "sensors/camera/hardware_camera.hpp"
 #include "sensors/camera/keys.hpp"
-#include "sensors/camera/simulated_camera.hpp"
+#include "sensors/camera/pictures/hardware_camera.hpp"
+#include "sensors/camera/pictures/simulated_camera.hpp"
 #include "vsp/parameters.hpp"
 #include "vsp/reading_error.hpp"
 

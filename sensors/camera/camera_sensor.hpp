@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "sensors/camera/debug_view.hpp"
-#include "sensors/camera/detection.hpp"
-#include "sensors/camera/picture_source.hpp"
+#include "sensors/camera/detection/detection.hpp"
+#include "sensors/camera/pictures/picture_source.hpp"
 #include "sensors/camera/reading_frame.hpp"
 #include "vsp/virtual_sensor.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "mrroc/sensor_link.hpp"
-#include "process/claimed_file.hpp"
-#include "sensors/camera/detection.hpp"
+#include "process/record/claimed_file.hpp"
+#include "sensors/camera/detection/detection.hpp"
 
 namespace mrroc::vsp {
 

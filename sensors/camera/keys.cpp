@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "language/rigid_motion.hpp"
-#include "sensors/camera/blob_detector.hpp"
-#include "sensors/camera/marker_detector.hpp"
-#include "sensors/camera/marker_dictionary.hpp"
+#include "geometry/rigid_motion.hpp"
+#include "sensors/camera/detection/blob_detector.hpp"
+#include "sensors/camera/detection/marker_detector.hpp"
+#include "sensors/camera/detection/marker_dictionary.hpp"
 #include "vsp/parameters.hpp"
 
 namespace mrroc::vsp {

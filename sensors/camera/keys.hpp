@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/deployment.hpp"
-#include "sensors/camera/detection.hpp"
+#include "sensors/camera/detection/detection.hpp"
 
 /// What a deployment's keys of a camera mean (camera.toml declares them). All throw SystemError(configuration) naming
 /// the key, the value and what was expected.

@@ -14,8 +14,8 @@
 #include "command/printable.hpp"
 #include "command/write_file.hpp"
 #include "process/standard_files.hpp"
+#include "sensors/camera/detection/marker_dictionary.hpp"
 #include "sensors/camera/keys.hpp"
-#include "sensors/camera/marker_dictionary.hpp"
 
 namespace {
 

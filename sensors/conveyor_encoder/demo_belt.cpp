@@ -3,7 +3,7 @@
 
 using namespace mrroc;
 
-/// Drives the belt 0.6 m on and a little back, and tells nobody.
+/// Drives the belt 0.6 m on and a little back, and tells no one.
 class ConveyorEncoderDemoBelt : public ecp::Task {
   Conveyor belt{*this};
 

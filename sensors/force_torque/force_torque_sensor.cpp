@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/rigid_motion.hpp"
 #include "language/limits.hpp"
-#include "language/rigid_motion.hpp"
 #include "sensors/force_torque/simulated_gauges.hpp"
 #include "vsp/make_source.hpp"
 #include "vsp/parameters.hpp"

@@ -1,6 +1,6 @@
 #include "sensors/operator_input/operator_input_sensor.hpp"
 
-#include "config/operator_answer.hpp"
+#include "config/entries/operator_answer.hpp"
 #include "sensors/operator_input/operator_source.hpp"
 #include "vsp/parameters.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "config/operator_answer.hpp"
+#include "config/entries/operator_answer.hpp"
 
 namespace mrroc::vsp {
 

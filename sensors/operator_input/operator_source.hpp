@@ -3,7 +3,7 @@
 #include <string>
 
 #include "config/deployment.hpp"
-#include "links/operator_requester.hpp"
+#include "links/exchange/operator_requester.hpp"
 #include "vsp/source.hpp"
 
 namespace mrroc::vsp {

@@ -1,6 +1,6 @@
 #include "sensors/tracker/tracker_sensor.hpp"
 
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "vsp/parameters.hpp"
 #include "vsp/reading_error.hpp"
 

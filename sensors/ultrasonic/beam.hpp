@@ -19,7 +19,7 @@ struct Beam {
 /// what faces the transducer, or an edge, sends it back (R. Kuc, M. W. Siegel, "Physically based simulation model for
 /// acoustic sensor robot navigation", IEEE Trans. PAMI 9(6), 1987). So a ray gives an echo where its range is a local
 /// minimum of the fan: a surface at right angles or an edge; but not at the outermost ray when the surface there is
-/// flat, goes on inward for three rays, and is turned away by more than `max_incidence`: its edge is not in the beam.
+/// flat, continues inward for three rays, and is turned away by more than `max_incidence`: its edge is not in the beam.
 /// With d the angle between rays, ranges r0 (outermost), r1, r2 are of one flat surface, within 1 %, when
 ///
 ///     (1/r0 + 1/r2) r1 = 2 cos d,      and its incidence at r0 is      atan((r1 cos d - r0) / (r1 sin d))

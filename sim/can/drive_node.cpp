@@ -60,7 +60,7 @@ void DriveNode::reset_communication(std::int64_t now) {
   restart(now);
 }
 
-/// The communication begins anew.
+/// The communication begins again.
 void DriveNode::restart(std::int64_t now) {
   nmt_ = NmtState::pre_operational;
   store_.lock_mappings(false);

@@ -8,7 +8,7 @@
 #include "can/frame.hpp"
 #include "canopen/drive_state.hpp"
 #include "canopen/pdo_mapping.hpp"
-#include "config/drive_table.hpp"
+#include "config/drives/drive_table.hpp"
 #include "sim/can/motor_control.hpp"
 #include "sim/can/object_store.hpp"
 #include "sim/can/sdo_server.hpp"
@@ -68,7 +68,7 @@ class DriveNode {
   void withhold_status(bool on) noexcept { withholds_ = on; }
   /// Its positive limit switch is pressed, wherever the axis is.
   void press(bool on) noexcept { pressed_ = on; }
-  /// It goes on to operational by itself when it has booted (1F80h).
+  /// It continues to operational on its own when it has booted (1F80h).
   void start_itself(bool on) noexcept { starts_itself_ = on; }
   /// It hears nothing of the next SDO requests, as when it boots just then.
   void lose_requests(int count) noexcept { deaf_for_ = count; }

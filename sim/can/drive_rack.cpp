@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::sim {
 
@@ -12,7 +12,7 @@ using namespace canopen;
 namespace {
 
 constexpr std::int64_t kGlance = 2'000'000;      // ns: between two looks at the time and at `stop`
-constexpr double kOldest = 10;                   // periods that a shaft goes on as it was
+constexpr double kOldest = 10;                   // periods that a shaft continues as it was
 constexpr std::int64_t kPatience = 500'000'000;  // ns: lockstep, for set-points that belong to a cycle
 
 }  // namespace
@@ -83,7 +83,7 @@ void DriveRack::begin_cycle(bool on_bus) {
   if (!on_bus) return drive();
   cycles_.fetch_add(1);
   for (DriveNode& node : nodes_) node.synchronise();
-  // those that nobody waits for come first, so that they are there when the others are
+  // those that no one waits for come first, so that they are there when the others are
   for (DriveNode& node : nodes_) node.send_status();
   for (DriveNode& node : nodes_) node.send_feedback();
   if (all_commanded()) drive();

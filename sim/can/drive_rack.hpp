@@ -17,7 +17,7 @@ namespace mrroc::sim {
 /// set-points and writes the plant's currents. Real drives measure when the SYNC comes, the plant has ticks of its own:
 /// what a shaft has turned since is added, as fast as it was. The brakes of all axes hang on one relay: they let go
 /// while every drive has power. A SYNC that does not come while a motor has power is made up for after two periods:
-/// drives go on.
+/// drives continue.
 ///
 /// One thread serves it; `stop` and the nodes' faults may come from any other, under `with`.
 class DriveRack {

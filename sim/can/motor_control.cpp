@@ -77,7 +77,7 @@ void MotorControl::start_homing(double direction, double speed_switch, double sp
 }
 
 double MotorControl::follow_homing(edp::Synchroniser::Status& status) noexcept {
-  edp::DesiredState desired;
+  DesiredState desired;
   status = homing_->step(input_, desired);
   return regulate(desired.position[0]);
 }

@@ -5,8 +5,8 @@
 
 #include "canopen/drive_state.hpp"
 #include "edp/hardware.hpp"
-#include "edp/regulator.hpp"
-#include "edp/synchroniser.hpp"
+#include "edp/servo/regulator.hpp"
+#include "edp/servo/synchroniser.hpp"
 #include "mrroc/robot_parameters.hpp"
 
 namespace mrroc::sim {

@@ -9,15 +9,15 @@
 
 #include "can/bus.hpp"
 #include "can/hub.hpp"
-#include "clock/monotonic.hpp"
-#include "config/drive_table.hpp"
-#include "edp/mujoco_hardware.hpp"
+#include "clock/wall/monotonic.hpp"
+#include "config/drives/drive_table.hpp"
+#include "edp/drivers/mujoco_hardware.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "process/standard_files.hpp"
 #include "sim/can/drive_rack.hpp"
 #include "sim/can/injected_drives.hpp"
-#include "sim/mapped_world.hpp"
+#include "world/mapped_world.hpp"
 
 namespace mrroc::edp {
 
@@ -45,7 +45,7 @@ class Drives {
       : process_(process),
         place_(place_of(process)),
         models_(factory()),
-        world_(sim::MappedWorld::attach(process.arguments().world_fd)),
+        world_(world::MappedWorld::attach(process.arguments().world_fd)),
         plant_(*models_.front(), *world_, place_.index, MujocoHardware::Timing::newest, place_.entry.synchronised),
         hub_(open_hub(place_.entry.can->interface)),
         bus_(can::open_bus(place_.entry.can->interface)),
@@ -100,7 +100,7 @@ class Drives {
 
   /// Before the world is there, there are no shafts to measure.
   void await_world() {
-    sim::JointMeasurement measurement;
+    world::JointMeasurement measurement;
     const auto there = [&] { return world_->measurements[place_.index].load(measurement); };
     constexpr std::int64_t kSlice = clock::kSecond / 10;  // between two looks at whether all is over
     while (!process_.clock().stopping() && !world_->measured.wait(there, kSlice)) {
@@ -108,7 +108,7 @@ class Drives {
   }
 
   sim::DriveRack::Newest newest(Tick last, bool wait, std::int64_t now) {
-    sim::JointMeasurement measurement;
+    world::JointMeasurement measurement;
     const auto later = [&] { return world_->measurements[place_.index].load(measurement) && measurement.tick > last; };
     const bool there = later();
     if (process_.clock().simulated()) return {measurement.tick};
@@ -122,7 +122,7 @@ class Drives {
   process::Process& process_;
   Place place_;
   RobotModels models_;
-  sim::MappedWorld world_;
+  world::MappedWorld world_;
   MujocoHardware plant_;
   std::unique_ptr<can::Hub> hub_;  ///< null: the kernel has the bus
   std::unique_ptr<can::Bus> bus_;

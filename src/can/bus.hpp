@@ -13,7 +13,7 @@ namespace mrroc::can {
 /// What became of a frame that was to be sent.
 enum class Sent : std::uint8_t {
   yes,
-  full,  ///< the transmit queue takes no more: nobody acknowledges, or more is sent than the bus carries
+  full,  ///< the transmit queue takes no more: no one acknowledges, or more is sent than the bus carries
   down   ///< the interface is down, or gone; or a CAN FD frame, where it carries none
 };
 

@@ -6,15 +6,15 @@
 
 namespace mrroc::can {
 
-/// What is wrong with a bus: what its controller reports (linux/can/error.h), the gravest of what one error frame says,
-/// and what its user finds.
+/// What is wrong with a bus: what its controller reports (linux/can/error.h), the most severe of what one error frame
+/// says, and what its user finds.
 enum class BusError : std::uint8_t {
   none,
   bus_off,         ///< the controller has left the bus: too many errors of its own
   passive,         ///< more than 127 errors: it may no longer destroy what others send
   warning,         ///< more than 96 errors
   overflow,        ///< frames were lost: the controller's buffer was full
-  no_acknowledge,  ///< nobody has received what was sent: a cable, the bit rate, no other node
+  no_acknowledge,  ///< no one has received what was sent: a cable, the bit rate, no other node
   protocol,        ///< a frame was broken on the wire: form, stuffing, checksum
   transceiver,     ///< the wires: short circuit, no connection
   recovered,       ///< the controller is on the bus again

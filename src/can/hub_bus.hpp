@@ -10,7 +10,7 @@ namespace mrroc::can {
 /// kernel has no CAN.
 class HubBus : public Bus {
  public:
-  /// Throws std::runtime_error: nobody listens at `path`.
+  /// Throws std::runtime_error: no one listens at `path`.
   explicit HubBus(const std::string& path);
   ~HubBus() override;
   HubBus(const HubBus&) = delete;

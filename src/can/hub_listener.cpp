@@ -37,7 +37,7 @@ class FolderLock {
   bool held_;
 };
 
-/// Whether a socket is there at which nobody listens any more.
+/// Whether a socket is there at which no one listens any more.
 bool is_abandoned(const std::filesystem::path& path, const sockaddr_un& address) {
   struct stat status {};
   // of a file that is no socket a connection is refused, too
@@ -67,7 +67,7 @@ HubListener::HubListener(std::filesystem::path path) : path_(std::move(path)) {
 }
 
 HubListener::~HubListener() {
-  // the file first: while this listens, nobody takes the place of what is to be removed
+  // the file first: while this listens, no one takes the place of what is to be removed
   ::unlink(path_.c_str());
   ::close(fd_);
 }

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::can {
 

@@ -54,7 +54,7 @@ std::uint16_t status_bits(DriveState state) noexcept;
 std::uint16_t towards_operation(DriveState state) noexcept;
 
 /// What a controlword makes of a drive in `state`, `before` the one that it got last: the transitions of CiA 402-2 but
-/// those that the drive makes by itself. A quick stop is entered from operation enabled only.
+/// those that the drive makes on its own. A quick stop is entered from operation enabled only.
 DriveState commanded_state(DriveState state, std::uint16_t controlword, std::uint16_t before) noexcept;
 
 /// "operation enabled".

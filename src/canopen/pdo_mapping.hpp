@@ -10,7 +10,7 @@
 
 namespace mrroc::canopen {
 
-/// Bits of a PDO's identifier object (sub-index 1 of 1400h.., 1800h..): it is not used; nobody may ask for it by a
+/// Bits of a PDO's identifier object (sub-index 1 of 1400h.., 1800h..): it is not used; no one may ask for it by a
 /// remote frame (CiA 301, 7.5.2.35 and 37).
 inline constexpr std::uint32_t kPdoNotUsed = 0x80000000;
 inline constexpr std::uint32_t kPdoNoRemote = 0x40000000;

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "canopen/object_value.hpp"
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::canopen {
 

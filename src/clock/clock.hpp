@@ -12,8 +12,8 @@ namespace mrroc::clock {
 /// What a process is to the deployment when it comes to its end.
 enum class Part : std::uint32_t {
   task,    ///< it tells others what to do or measure: it leaves at once
-  drives,  ///< it moves a robot: it goes on until the robot stands and its drives are off
-  world    ///< the simulated world: it goes on until no robot is driven any more; in a new tick it runs first, alone
+  drives,  ///< it moves a robot: it continues until the robot stands and its drives are off
+  world    ///< the simulated world: it continues until no robot is driven any more; in a new tick it runs first, alone
 };
 
 /// Why a wait ended.
@@ -48,7 +48,7 @@ class Clock {
   virtual bool start() = 0;
   /// Blocks until mail arrives that was not visible at the end of the last wait, or `wake_tick` comes (kNever: mail
   /// only). When both have come it returns `tick`: look into the mailbox after every wait. In lockstep a wake tick that
-  /// has already passed ends the wait in the next delta. After `interrupted` nobody waits for this process any more.
+  /// has already passed ends the wait in the next delta. After `interrupted` no one waits for this process any more.
   virtual Wake wait(Tick wake_tick) = 0;
 
   /// The deployment is coming to its end: drives are to be switched off by a stop, and the process is to leave then.

@@ -11,7 +11,7 @@
 #include <new>
 #include <utility>
 
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::clock {

@@ -25,12 +25,12 @@ enum class State : std::uint32_t { setting_up, running, failed, ended };
 
 enum class Membership : std::uint32_t {
   alive,
-  left,  ///< it went by itself: nobody waits for it, what it has sent still arrives
+  left,  ///< it went on its own: no one waits for it, what it has sent still arrives
   dead   ///< it was lost: nothing from it or to it is waited for
 };
 
 inline constexpr std::size_t kMaxParticipants = 64;
-/// Slot of the runner's own links: a sender and receiver that nobody waits for.
+/// Slot of the runner's own links: a sender and receiver that no one waits for.
 inline constexpr std::uint32_t kOperator = kMaxParticipants;
 inline constexpr std::uint32_t kMaxLinks = 2048;
 inline constexpr std::size_t kTopicLength = 95;
@@ -39,7 +39,7 @@ inline constexpr std::size_t kMaxFaults = 32;
 /// One process. "Host" or "participant" says who writes.
 struct alignas(64) ParticipantSlot {
   FixedText<kNameLength> name;            // host, when the memory is created
-  std::atomic<std::int32_t> pid{0};       // participant; 0: nobody has attached
+  std::atomic<std::int32_t> pid{0};       // participant; 0: no one has attached
   std::atomic<std::uint32_t> ready{0};    // participant
   std::atomic<Part> part{Part::task};     // participant, before it is ready
   std::atomic<Membership> membership{};   // participant (left), host (dead)
@@ -143,7 +143,7 @@ void count_sent(ClockMemory& memory, int sender) noexcept;
 /// Sets injected fault `index` off from `tick` on, unless that has been done. Any thread.
 void set_off_fault(ClockMemory& memory, std::size_t index, Tick tick) noexcept;
 
-/// The beginning of the end: tasks are interrupted and not waited for any more, time goes on for drives and world.
+/// The beginning of the end: tasks are interrupted and not waited for any more, time continues for drives and world.
 /// Before the start: as `end`. Any thread.
 void stop(ClockMemory& memory) noexcept;
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::clock {
 

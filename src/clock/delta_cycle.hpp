@@ -10,17 +10,17 @@
 
 namespace mrroc::clock {
 
-/// The lockstep host's loop. Whenever nobody runs and nothing is in flight it opens the next delta:
+/// The lockstep host's loop. Whenever no one runs and nothing is in flight it opens the next delta:
 ///   1. for every participant that has mail or whose wake tick has come;
 ///   2. if there is none, for the next tick: the events of that tick, then its physics participants alone; after that
 ///      the tick is visible and 1. finds who waits for it.
 /// Paced: step 2 does not begin tick k before epoch + k T; mail is delivered meanwhile.
 ///
-/// It fails the clock when the deltas of one tick exceed the limit (a zero-time loop), when nobody waits for a tick and
+/// It fails the clock when the deltas of one tick exceed the limit (a zero-time loop), when no one waits for a tick and
 /// nothing is in flight (a dead end), and when a link counts more arrivals than messages.
 class DeltaCycle {
  public:
-  /// `live_operator`: messages may come from outside at any moment, so that having nobody to wake is no dead end.
+  /// `live_operator`: messages may come from outside at any moment, so that having no one to wake is no dead end.
   DeltaCycle(ClockMemory& memory, TickEvents& events, std::uint64_t delta_limit, bool live_operator) noexcept
       : memory_(memory), events_(events), delta_limit_(delta_limit), live_operator_(live_operator) {}
 

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::clock {
 

@@ -4,9 +4,9 @@
 
 #include <exception>
 
-#include "clock/monotonic.hpp"
 #include "clock/operator_clock.hpp"
-#include "clock/real_clock.hpp"
+#include "clock/wall/monotonic.hpp"
+#include "clock/wall/real_clock.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::clock {

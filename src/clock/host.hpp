@@ -21,7 +21,7 @@ struct HostOptions {
   double period = 0.002;                  ///< s
   std::vector<std::string> participants;  ///< names of the processes; their order is the order of the table
   std::uint64_t delta_limit = 1000;       ///< deltas in one tick; at least 2
-  /// Messages may come through the operator clock at any moment: having nobody to wake is then no error.
+  /// Messages may come through the operator clock at any moment: having no one to wake is then no error.
   bool live_operator = false;
 };
 
@@ -45,23 +45,23 @@ class ClockHost {
   /// mode: when the tick begins). What it sends through the operator clock is visible at that tick. An exception fails
   /// the clock. For a tick that has passed: before the next one.
   void at_tick(Tick tick, TickEvents::Callback callback);
-  /// Opens tick 0 and goes on in a thread of its own. `epoch_ns`: in real mode, the CLOCK_MONOTONIC time of tick 0 that
-  /// all hosts of the deployment have agreed upon; 0: a few periods from now. Throws SystemError when somebody is not
-  /// ready, or a topic has two senders, or the clock has failed or ended, or that time is past.
+  /// Opens tick 0 and continues in a thread of its own. `epoch_ns`: in real mode, the CLOCK_MONOTONIC time of tick 0
+  /// that all hosts of the deployment have agreed upon; 0: a few periods from now. Throws SystemError when someone is
+  /// not ready, or a topic has two senders, or the clock has failed or ended, or that time is past.
   void start(std::int64_t epoch_ns = 0);
-  /// As `start`, but goes on in the calling thread until the clock fails or ends.
+  /// As `start`, but continues in the calling thread until the clock fails or ends.
   void run();
 
   /// The tick from which injected fault `index` is in force; kNever: not yet. And to set it off.
   Tick fault_tick(std::size_t index) const noexcept { return memory_->fault_ticks[index].load(); }
   void set_off_fault(std::size_t index, Tick tick) noexcept { clock::set_off_fault(*memory_, index, tick); }
 
-  /// Nobody waits for this participant any more, nor for anything it has sent or was to receive. Its owner has seen it
-  /// die; for one that has left by itself it changes nothing. Throws SystemError for an unknown name.
+  /// No one waits for this participant any more, nor for anything it has sent or was to receive. Its owner has seen it
+  /// die; for one that has left on its own it changes nothing. Throws SystemError for an unknown name.
   void participant_died(std::string_view name);
   /// Whether it has left or died. An unknown name: true.
   bool has_left(std::string_view name) const noexcept;
-  /// The beginning of the end: the waits of tasks return `interrupted`, nobody waits for them any more; time goes on
+  /// The beginning of the end: the waits of tasks return `interrupted`, no one waits for them any more; time continues
   /// for drives and world (`Part`), who leave when the robots stand and their drives are off. Then call `end`. Before
   /// the start it is `end`.
   void stop();
@@ -83,10 +83,10 @@ class ClockHost {
   std::string error() const;
   /// One line: tick, delta, who is at work and what is in flight. What to print when time stands still.
   std::string describe() const { return clock::describe(*memory_); }
-  /// Simulated time: somebody is at work or a message is on its way, and time stands until then. Real: false.
+  /// Simulated time: someone is at work or a message is on its way, and time stands until then. Real: false.
   bool waits_for_somebody() const noexcept;
   /// Real: which participants are between two waits, each with the number of those that it has begun and ended; who
-  /// keeps his number computes, or is blocked. Simulated time: nobody.
+  /// keeps his number computes, or is blocked. Simulated time: no one.
   std::vector<std::pair<std::string, std::uint64_t>> at_work() const;
   /// The newest tick that participants may see.
   Tick tick() const noexcept;
@@ -95,7 +95,7 @@ class ClockHost {
   /// Paced: ticks that were due before the tick before them was done.
   std::uint64_t late_ticks() const noexcept { return cycle_.late_ticks(); }
 
-  /// A clock for the owner's own links: it sends counted messages but nobody waits for it. One per host (SystemError).
+  /// A clock for the owner's own links: it sends counted messages but no one waits for it. One per host (SystemError).
   std::unique_ptr<Clock> operator_clock();
 
  private:

@@ -1,6 +1,6 @@
 #include "clock/operator_clock.hpp"
 
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::clock {
 

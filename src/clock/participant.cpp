@@ -7,7 +7,7 @@
 
 #include "clock/clock_memory.hpp"
 #include "clock/lockstep_clock.hpp"
-#include "clock/real_clock.hpp"
+#include "clock/wall/real_clock.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::clock {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::clock {
 

@@ -13,7 +13,7 @@ class ParticipantClock : public Clock {
  public:
   /// Takes part as slot `index` of `memory`. Throws SystemError when the host has died already.
   ParticipantClock(MappedClock memory, std::uint32_t index);
-  /// Leaves: from now on nobody waits for this process.
+  /// Leaves: from now on no one waits for this process.
   ~ParticipantClock() override;
 
   double period() const noexcept override;

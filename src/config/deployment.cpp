@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/answers.hpp"
-#include "config/device_name.hpp"
-#include "config/events.hpp"
-#include "config/feeder_entry.hpp"
-#include "config/force_sensors.hpp"
-#include "config/hosts.hpp"
-#include "config/message_text.hpp"
-#include "config/mounts.hpp"
-#include "config/named_file.hpp"
-#include "config/network_entry.hpp"
+#include "config/entries/answers.hpp"
+#include "config/entries/device_name.hpp"
+#include "config/entries/events.hpp"
+#include "config/entries/feeder_entry.hpp"
+#include "config/entries/force_sensors.hpp"
+#include "config/entries/mounts.hpp"
+#include "config/entries/named_file.hpp"
+#include "config/entries/robot_entry.hpp"
+#include "config/entries/sensor_entry.hpp"
+#include "config/network/hosts.hpp"
+#include "config/network/network_entry.hpp"
 #include "config/resources.hpp"
-#include "config/robot_entry.hpp"
-#include "config/sensor_entry.hpp"
 #include "config/table.hpp"
+#include "config/text/message_text.hpp"
 
 namespace mrroc::config {
 

@@ -123,7 +123,7 @@ struct Event {
   double value = 0;     ///< the answer
 };
 
-/// What the operator answers to a question of a task program, so that nobody need be there: the text that he would
+/// What the operator answers to a question of a task program, so that no one need be there: the text that he would
 /// type.
 struct Answer {
   std::string question;  ///< its whole text

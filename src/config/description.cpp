@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "config/message_text.hpp"
+#include "config/text/message_text.hpp"
 
 namespace mrroc::config {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "config/message_text.hpp"
 #include "config/resources.hpp"
-#include "language/rigid_motion.hpp"
+#include "config/text/message_text.hpp"
+#include "geometry/rigid_motion.hpp"
 
 namespace mrroc::config {
 

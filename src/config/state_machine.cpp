@@ -4,9 +4,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "config/message_text.hpp"
-#include "config/parcel_of_table.hpp"
 #include "config/table.hpp"
+#include "config/text/message_text.hpp"
+#include "config/text/parcel_of_table.hpp"
 
 namespace mrroc::config {
 

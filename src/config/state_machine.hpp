@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/deployment.hpp"
-#include "config/program_behaviours.hpp"
+#include "config/entries/program_behaviours.hpp"
 #include "mrroc/parcel.hpp"
 
 namespace mrroc::config {
@@ -14,7 +14,7 @@ namespace mrroc::config {
 /// The name of the state that ends a task with success.
 inline constexpr const char* kEndState = "end";
 
-/// One state of a task: it starts behaviours, or asks the operator, and then goes on to another.
+/// One state of a task: it starts behaviours, or asks the operator, and then continues to another.
 struct State {
   struct Start {
     std::string robot;
@@ -23,14 +23,14 @@ struct State {
   };
   std::string name;
   std::vector<Start> starts;  ///< in file order
-  bool any = false;           ///< goes on when the first has ended, not all; the others are stopped
+  bool any = false;           ///< continues when the first has ended, not all; the others are stopped
   std::string question;       ///< to answer by yes or no; empty: none
-  std::string next, yes, no;  ///< states to go on to
+  std::string next, yes, no;  ///< states to continue to
   std::string on_error;       ///< after a non-fatal error of a started robot; empty: the task fails with it
-  /// States to go on to when a started robot tells a message with this label; what runs is stopped.
+  /// States to continue to when a started robot tells a message with this label; what runs is stopped.
   std::vector<std::pair<std::string, std::string>> on;
   std::int64_t at_most = 0;  ///< how often it is entered; 0: as often as it comes
-  std::string afterwards;    ///< state to go on to instead, when it has been entered so often
+  std::string afterwards;    ///< state to continue to instead, when it has been entered so often
 };
 
 /// A task as states and transitions, read from a file (docs/reference/state-machines.md): what the stock MP runs when

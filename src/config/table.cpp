@@ -16,8 +16,8 @@
 #include <cmath>
 #include <set>
 
-#include "config/file_text.hpp"
-#include "config/message_text.hpp"
+#include "config/text/file_text.hpp"
+#include "config/text/message_text.hpp"
 #include "core/text_lines.hpp"
 
 namespace mrroc::config {

@@ -29,7 +29,7 @@ struct Range {
 
 /// Read-only view of one TOML table that knows its place in the file. Every getter throws ConfigurationError naming
 /// file, line, full key (`robots.arm.type`), the value found and what was expected: missing key, wrong type, not
-/// finite, out of range. `finish()` refuses keys that nobody asked for, naming the nearest known one. Copies share the
+/// finite, out of range. `finish()` refuses keys that no one asked for, naming the nearest known one. Copies share the
 /// record of used keys. Configuration time only; any thread, one at a time.
 class Table {
  public:

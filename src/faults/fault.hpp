@@ -19,7 +19,7 @@ enum class Kind : std::uint8_t {
   silence,      ///< the drives, one drive, or a sensor's hardware, do not answer
   unreference,  ///< the drives have lost their positions
   jump,         ///< an axis's encoder, or every value of a sensor, is off by `value`
-  freeze,       ///< an axis's encoder, all that a drive says, or a sensor, goes on giving the last value
+  freeze,       ///< an axis's encoder, all that a drive says, or a sensor, continues giving the last value
   nan,          ///< an axis's encoder, or a sensor, gives something that is no number
   overload,     ///< an axis's measured current is `value` times its greatest one
   disconnect,   ///< an axis's motor gets no current
@@ -47,7 +47,7 @@ struct Fault {
   bool at_step = false;  ///< `when` counts the steps of process `counter`; else it is a tick
   std::uint64_t when = 0;
   std::string counter;     ///< the task process whose steps are counted, from its start; empty: not by steps
-  Tick duration = kNever;  ///< ticks; kNever: for ever
+  Tick duration = kNever;  ///< ticks; kNever: forever
   std::string text;        ///< as it was given
 };
 

@@ -39,7 +39,7 @@ class FaultPlan {
   explicit FaultPlan(const std::vector<std::string>& texts);
 
   const std::vector<Fault>& all() const noexcept { return faults_; }
-  /// Of those that strike `process` by itself (not by a signal of the runner); `clock` must outlive them.
+  /// Of those that strike `process` on its own (not by a signal of the runner); `clock` must outlive them.
   std::vector<FaultSwitch> of(const std::string& process, const clock::Clock& clock) const;
   /// Sets off, at tick `tick` + 1, what waits for step number `step` of process `process`. Allocates nothing.
   void count_step(const std::string& process, std::uint64_t step, Tick tick, clock::Clock& clock) const noexcept;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "language/bring_to_rest.hpp"
 #include "language/instruction_lists.hpp"
+#include "language/joints/bring_to_rest.hpp"
 #include "mrroc/stopped.hpp"
 
 namespace mrroc {
@@ -28,7 +28,7 @@ bool ends_in_motion(const RobotCommand& command) {
   }
 }
 
-/// The robot is to go on moving and says that it comes to rest: no command has come in time for it.
+/// The robot is to continue moving and says that it comes to rest: no command has come in time for it.
 bool has_braked(const Robot& robot) { return ends_in_motion(robot.command()) && rests(robot.state()); }
 
 StepEnding ending_of(ErrorClass error_class) {
@@ -130,7 +130,7 @@ bool Instruction::operator_ends_it() {
   OperatorRequest request = task_->operator_request();
   const bool pause = request == OperatorRequest::pause;
   if (pause && !braking_ && generator_ != nullptr && moving()) braking_ = generator_->brake();
-  // a pause that ends early leads to rest all the same: the generator goes on from there
+  // a pause that ends early leads to rest all the same: the generator continues from there
   if (braking_ && (pause || request == OperatorRequest::none) && moving()) return false;
   if (pause || braking_) request = hold_until_resumed(request);
   if (request == OperatorRequest::stop) throw Stopped{};

@@ -20,7 +20,7 @@ class Instruction {
  private:
   Outcome run_steps();
   void obtain_initial_state();
-  /// f_E: throws the gravest error reported by e^i or v^i, the first in the lists among equals.
+  /// f_E: throws the most severe error reported by e^i or v^i, the first in the lists among equals.
   void throw_reported_errors() const;
   /// Handles pause (holding), stop (throws) and end-motion (true).
   bool operator_ends_it();

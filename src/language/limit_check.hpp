@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "language/error_report.hpp"
+#include "core/error_report.hpp"
+#include "geometry/quintic.hpp"
 #include "language/limit_switches.hpp"
-#include "language/quintic.hpp"
 #include "language/stop.hpp"
 #include "mrroc/robot_model.hpp"
 #include "mrroc/robot_state.hpp"

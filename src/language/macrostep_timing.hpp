@@ -16,7 +16,7 @@ class MacrostepTiming {
  public:
   /// Writes start ticks into the commands that have none; `now` is the present tick. While all rest: the tick at which
   /// the last of them can, and not before the margin, time for every command to arrive. While some move: the tick at
-  /// which the last of these can; one that rests and cannot yet begins later by itself, a moving one would have to
+  /// which the last of these can; one that rests and cannot yet begins later on its own, a moving one would have to
   /// brake. Once a command has come late, a robot replies at least the margin before its macrostep's end (the first
   /// tick at the earliest) unless it is to reply after that.
   void plan(const std::vector<Robot*>& robots, Tick now);

@@ -8,7 +8,7 @@
 namespace mrroc {
 
 /// A motion that is refused is planned again in a whole number of macrosteps, because a last macrostep that is longer
-/// than the rest of the motion overshoots its end, and then slower: stops on the way, each axis by itself, stay nearer
+/// than the rest of the motion overshoots its end, and then slower: stops on the way, each axis on its own, stay nearer
 /// to the path. So many times as long, at least:
 inline constexpr double kSlower[] = {1, 1.02, 1.1, 1.25, 1.5, 2.25, 3.4, 5.1, 7.7, 11.5, 17};
 

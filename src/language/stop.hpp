@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "language/axis_stop.hpp"
-#include "language/desired_state.hpp"
+#include "geometry/desired_state.hpp"
+#include "language/joints/axis_stop.hpp"
 #include "mrroc/robot_parameters.hpp"
 
 namespace mrroc {

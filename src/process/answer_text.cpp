@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "config/message_text.hpp"
+#include "config/text/message_text.hpp"
 #include "core/number_text.hpp"
 
 namespace mrroc::process {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "links/operator_messages.hpp"
+#include "links/wire/operator_messages.hpp"
 
 namespace mrroc::process {
 

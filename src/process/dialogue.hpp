@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "links/operator_requester.hpp"
+#include "links/exchange/operator_requester.hpp"
 #include "process/process.hpp"
 
 namespace mrroc::process {

@@ -10,10 +10,10 @@
 #include <system_error>
 
 #include "clock/participant.hpp"
-#include "clock/realtime.hpp"
+#include "clock/wall/realtime.hpp"
 #include "config/table.hpp"
 #include "mrroc/stopped.hpp"
-#include "process/text_memory.hpp"
+#include "process/record/text_memory.hpp"
 
 namespace mrroc::process {
 
@@ -81,7 +81,7 @@ links::DomainOptions domain_options(const Arguments& arguments, bool simulated, 
   return options;
 }
 
-/// An exception that is no `Error`: the system's, or one that a task throws by itself.
+/// An exception that is no `Error`: the system's, or one that a task throws on its own.
 ErrorCode code_of_foreign(const std::exception& error) noexcept {
   if (dynamic_cast<const config::ConfigurationError*>(&error) != nullptr) return ErrorCode::configuration;
   const bool system = dynamic_cast<const std::system_error*>(&error) != nullptr ||

@@ -7,7 +7,7 @@
 #include "clock/clock.hpp"
 #include "config/deployment.hpp"
 #include "faults/fault_plan.hpp"
-#include "links/domain.hpp"
+#include "links/transport/domain.hpp"
 #include "process/arguments.hpp"
 #include "process/exit_code.hpp"
 #include "process/status_board.hpp"
@@ -67,7 +67,8 @@ int run_process(int argc, char** argv, links::ProcessRole role, const std::funct
 /// system) or task_failed, with its `what()`.
 ErrorReport report_of(const std::exception& error) noexcept;
 
-/// What a process says when this ends it: usage for a ConfigurationError, a file that its user can mend, else by class.
+/// What a process says when this ends it: usage for a ConfigurationError, a file that its user can repair, else by
+/// class.
 ExitCode exit_code(const std::exception& error) noexcept;
 
 }  // namespace mrroc::process

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "clock/clock.hpp"
-#include "clock/shared_slot.hpp"
-#include "links/status_publisher.hpp"
+#include "core/lockfree/shared_slot.hpp"
+#include "links/telemetry/status_publisher.hpp"
 
 namespace mrroc::process {
 
@@ -42,8 +42,8 @@ class StatusBoard {
 
   links::StatusPublisher& publisher_;
   const clock::Clock& clock_;
-  clock::SharedSlot<Activity> activity_;
-  clock::SharedSlot<links::Counters> counters_;
+  core::SharedSlot<Activity> activity_;
+  core::SharedSlot<links::Counters> counters_;
   std::mutex mutex_;  // of status_ and the thread's end; never taken by a real-time thread
   std::condition_variable wake_;
   links::ProcessStatus status_;

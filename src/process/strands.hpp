@@ -12,16 +12,16 @@ namespace mrroc::process {
 
 /// The clock of a process whose task may run several strands: lines of control that take turns in the task's thread of
 /// control. One strand runs at a time, each on a thread of its own; it gives way when it waits on this clock, so that
-/// the others go on meanwhile. Turns follow the order of the strands, which makes lockstep deterministic; whenever
-/// something has come they go round until nobody has anything left to do. Outside of `run` it is the clock that it
+/// the others continue meanwhile. Turns follow the order of the strands, which makes lockstep deterministic; whenever
+/// something has come they go round until no one has anything left to do. Outside of `run` it is the clock that it
 /// wraps.
 class StrandClock final : public clock::Clock {
  public:
   explicit StrandClock(std::unique_ptr<clock::Clock> clock) : clock_(std::move(clock)) {}
   ~StrandClock() override;
 
-  /// Runs the strands until all have ended. When one throws, the others are told to stop (`cancelled`), and when they
-  /// have ended the first error is thrown; `Stopped` only when there is no other. Throws
+  /// Runs the strands until all have ended. When one throws, the others are instructed to stop (`cancelled`), and when
+  /// they have ended the first error is thrown; `Stopped` only when there is no other. Throws
   /// NonFatalError(invalid_argument) when called by a strand. The task's thread.
   void run(const std::vector<std::function<void()>>& strands);
   /// Whether the running strand is to end because another has failed. The task's threads.

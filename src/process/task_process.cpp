@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "mrroc/stopped.hpp"
-#include "process/black_box_file.hpp"
+#include "process/record/black_box_file.hpp"
 
 namespace mrroc::process {
 
@@ -196,7 +196,7 @@ bool TaskProcess::may_go_on() {
 void TaskProcess::wait_until(const std::function<bool()>& holds) {
   StrandClock* const strands = process_.strands();
   if (strands != nullptr) strands->note_progress();
-  for (;;) {  // looks before it waits: what has come already wakes nobody
+  for (;;) {  // looks before it waits: what has come already wakes no one
     if (may_go_on() && holds()) {
       if (strands != nullptr) strands->note_progress();
       return;

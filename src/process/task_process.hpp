@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "links/robot_requester.hpp"
-#include "links/sensor_requester.hpp"
-#include "links/task_subordinate.hpp"
+#include "links/exchange/robot_requester.hpp"
+#include "links/exchange/sensor_requester.hpp"
+#include "links/exchange/task_subordinate.hpp"
 #include "mrroc/task.hpp"
 #include "process/dialogue.hpp"
 #include "process/faulty_robot_link.hpp"
 #include "process/mailbox.hpp"
 #include "process/process.hpp"
-#include "process/step_reporter.hpp"
+#include "process/record/step_reporter.hpp"
 
 namespace mrroc::process {
 

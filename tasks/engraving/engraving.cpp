@@ -13,7 +13,7 @@
 using namespace mrroc;
 using engraving::Lettering, engraving::Points, engraving::Stroke, engraving::Surface;
 
-/// Engraves a board whose shape nobody has told it: touches it at a grid of places, fits a surface through them, and
+/// Engraves a board whose shape no one has told it: touches it at a grid of places, fits a surface through them, and
 /// goes along the strokes of the letters a constant depth below, the spindle at right angles to the surface.
 class Engraving : public ecp::Task {
   SerialParallel machine{*this};

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string_view>
 
-#include "config/file_text.hpp"
 #include "config/table.hpp"
+#include "config/text/file_text.hpp"
 #include "core/number_text.hpp"
 #include "mrroc/errors.hpp"
 

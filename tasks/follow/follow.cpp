@@ -3,7 +3,7 @@
 
 using namespace mrroc;
 
-/// Follows a curved workpiece that nobody has measured: come down until it is felt, press with 10 N, go along at 50
+/// Follows a curved workpiece that no one has measured: come down until it is felt, press with 10 N, go along at 50
 /// mm/s.
 class Follow : public ecp::Task {
   Irb6 arm{*this};

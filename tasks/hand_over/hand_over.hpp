@@ -6,7 +6,7 @@ struct Reach {  // up, over and down to (x, y, z) m in its base frame and `turn`
   double x = 0, y = 0, z = 0, turn = 0;
 };
 MRROC_MESSAGE(Reach, x, y, z, turn)
-struct Give {};  // waits until somebody pulls at the bar
+struct Give {};  // waits until someone pulls at the bar
 MRROC_MESSAGE(Give)
 struct Take {};  // gives way to what the hand grips until end-motion, then pulls until end-motion
 MRROC_MESSAGE(Take)

@@ -10,7 +10,7 @@
 
 using namespace mrroc;
 
-/// Polishes a curved workpiece that nobody has measured: touches it, probes it at a grid, goes over it from place to
+/// Polishes a curved workpiece that no one has measured: touches it, probes it at a grid, goes over it from place to
 /// place with the tool turned to its normal, and rubs a spot in circles on a spring.
 class Polish : public ecp::Task {
   Irb6 arm{*this};

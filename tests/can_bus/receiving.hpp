@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "can/bus.hpp"
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::test {
 

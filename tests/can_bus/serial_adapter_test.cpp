@@ -19,7 +19,7 @@
 namespace mrroc::can {
 namespace {
 
-/// The kernel's interface of an adapter that says what it is told to.
+/// The kernel's interface of an adapter that says what it is instructed to.
 class SerialAdapter {
  public:
   SerialAdapter() : line_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)) {

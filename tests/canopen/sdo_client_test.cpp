@@ -5,7 +5,7 @@
 #include <deque>
 
 #include "canopen/plain_server.hpp"
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::canopen {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 class AnsweringBus : public can::Bus {
  public:
   explicit AnsweringBus(test::PlainServer& server) : server_(server) {}
-  bool babbles = false;  ///< there is always one more frame of somebody
+  bool babbles = false;  ///< there is always one more frame of someone
   bool takes = true;
 
   can::Sent send(const can::Frame& frame) noexcept override {

@@ -14,7 +14,7 @@ using Status = SdoTransfer::Status;
 constexpr NodeId kServedNode = 5;
 constexpr Object kThing{0x2001, 3};
 
-/// Carries frames to and fro until the transfer is over, or nobody answers.
+/// Carries frames to and fro until the transfer is over, or no one answers.
 void carry(SdoTransfer& transfer, PlainServer& server, can::Frame frame) {
   for (int i = 0; i < 1000 && transfer.status() == Status::waiting; ++i) {
     const auto answer = server.answer(frame);

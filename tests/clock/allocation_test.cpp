@@ -4,7 +4,7 @@
 #include <new>
 
 #include "clock/thread_deployment.hpp"
-#include "clock/ticker.hpp"
+#include "clock/wall/ticker.hpp"
 
 namespace {
 

@@ -90,7 +90,8 @@ TEST(HostLife, NorDoesOneThatGetsMailAllTheTime) {
   EXPECT_EQ(owned.answer(), 'y');
 }
 
-/// Whoever started it may be unable to kill it: an agent behind ssh. Robots must not go on without anybody who watches.
+/// Whoever started it may be unable to kill it: an agent behind ssh. Robots must not continue without anybody who
+/// watches.
 TEST(HostLife, NorAStoppedHostUnderTheRealClock) {
   for (const auto& [part, body] : {std::pair{Part::task, &wait_for_mail},
                                    {Part::task, &get_mail_all_the_time},

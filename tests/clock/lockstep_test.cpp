@@ -171,7 +171,7 @@ TEST(Lockstep, NobodyWaitsForAParticipantThatHasLeft) {
   const int sender = a.register_sender("a/b");
   deployment.body([sender](Clock& clock) {
     EXPECT_EQ(clock.wait(3), Wake::tick);
-    clock.sent(sender);  // nobody will ever receive it
+    clock.sent(sender);  // no one will ever receive it
     EXPECT_EQ(clock.wait(6), Wake::tick);
   });
   Clock& b = deployment.add("b", [](Clock& clock) { EXPECT_EQ(clock.wait(2), Wake::tick); });

@@ -8,7 +8,7 @@
 #include <random>
 #include <tuple>
 
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::clock {
 

@@ -2,7 +2,7 @@
 #include <unistd.h>
 
 #include "config/deployment_fixture.hpp"
-#include "config/network_entry.hpp"
+#include "config/network/network_entry.hpp"
 
 namespace mrroc::config {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "config/deployment_fixture.hpp"
-#include "config/operator_answer.hpp"
+#include "config/entries/operator_answer.hpp"
 #include "config/resources.hpp"
 
 namespace mrroc::config {

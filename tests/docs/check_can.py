@@ -44,15 +44,15 @@ def main():
     import can_load
 
     in_script = (can_load.COMMAND, can_load.FEEDBACK, can_load.STATUS)
-    in_source = pdo_sizes((root / "edp/can/drive_setup.cpp").read_text(encoding="utf-8"))
+    in_source = pdo_sizes((root / "edp/drivers/can/drive_setup.cpp").read_text(encoding="utf-8"))
     if in_source != in_script:
-        problems.append(f"the PDOs of edp/can/drive_setup.cpp have {in_source} bytes, those of bench/can_load.py {in_script}")
+        problems.append(f"the PDOs of edp/drivers/can/drive_setup.cpp have {in_source} bytes, those of bench/can_load.py {in_script}")
 
     rows = {key: line for line in page.splitlines() if line.startswith("| `") for key in re.findall(r"`(\w+)`", line.split("|")[1])}
-    tables = only((root / "src/config/drive_table.cpp").read_text(encoding="utf-8"))
-    keys = sum([*tables, *only((root / "src/config/can_entry.cpp").read_text(encoding="utf-8"))], [])
+    tables = only((root / "src/config/drives/drive_table.cpp").read_text(encoding="utf-8"))
+    keys = sum([*tables, *only((root / "src/config/entries/can_entry.cpp").read_text(encoding="utf-8"))], [])
     problems += [f"the key {key} has no row" for key in keys if key not in rows]
-    struct = re.search(r"^struct DriveTable \{.*?^\};", (root / "src/config/drive_table.hpp").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    struct = re.search(r"^struct DriveTable \{.*?^\};", (root / "src/config/drives/drive_table.hpp").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
     for key, value in DEFAULT.findall(struct.group()):
         if key in rows and not rows[key].rstrip(" |").endswith(f"| {value}"):
             problems.append(f"the default of {key} is {value}: {rows[key]}")

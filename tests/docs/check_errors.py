@@ -22,7 +22,7 @@ PARTS = {  # word in the table: folders
     "simulator": ["sim"],
     "mrroc run": ["cli", "src/command"],
 }
-CODES_THEMSELVES = ("include/mrroc/errors.hpp", "src/language/errors.cpp")
+CODES_THEMSELVES = ("include/mrroc/errors.hpp", "src/core/errors.cpp")
 
 
 def class_of(number):

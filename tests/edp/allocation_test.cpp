@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "allocation_counter.hpp"
-#include "force_rig.hpp"
+#include "edp/force/force_rig.hpp"
 
 namespace mrroc::edp {
 namespace {

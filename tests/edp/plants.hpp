@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "edp/mujoco_hardware.hpp"
+#include "edp/drivers/mujoco_hardware.hpp"
 #include "rig.hpp"
 #include "sim/simulation.hpp"
 
@@ -14,7 +14,7 @@ class Plant {
  public:
   virtual ~Plant() = default;
   virtual Hardware& hardware() = 0;
-  /// The world goes on to `tick`; before the servo's.
+  /// The world continues to `tick`; before the servo's.
   virtual void advance(Tick tick) = 0;
   /// A fault that the drives report, while `on`.
   virtual void fail(bool on) = 0;
@@ -58,7 +58,7 @@ class MujocoPlant final : public Plant {
     simulation_.world().data().xfrc_applied[6 * tool_ + 2] = pushed_ ? kForce : 0;
     simulation_.step(tick);
     if (!silent_) return;
-    sim::JointMeasurement measurement;
+    world::JointMeasurement measurement;
     memory_->measurements[0].load(measurement);
     measurement.tick -= 1;
     memory_->measurements[0].store(measurement);
@@ -81,7 +81,7 @@ class MujocoPlant final : public Plant {
     return deployment;
   }
 
-  std::unique_ptr<sim::WorldMemory> memory_ = std::make_unique<sim::WorldMemory>();
+  std::unique_ptr<world::WorldMemory> memory_ = std::make_unique<world::WorldMemory>();
   sim::Simulation simulation_;
   MujocoHardware drives_;
   int tool_;

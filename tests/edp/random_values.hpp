@@ -2,7 +2,7 @@
 
 #include <rapidcheck.h>
 
-#include "edp/desired_state.hpp"
+#include "geometry/desired_state.hpp"
 
 namespace mrroc::edp {
 

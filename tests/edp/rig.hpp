@@ -3,9 +3,9 @@
 #include <functional>
 #include <vector>
 
-#include "edp/effector.hpp"
-#include "edp/loopback_hardware.hpp"
-#include "edp/servo.hpp"
+#include "edp/command/effector.hpp"
+#include "edp/drivers/loopback_hardware.hpp"
+#include "edp/servo/servo.hpp"
 #include "test_robots.hpp"
 
 namespace mrroc::edp {
@@ -33,7 +33,7 @@ class FaultyHardware : public LoopbackHardware {
     if (rewire) rewire(input);
     if (slip_.size() != 0) input.motors += slip_;
     if (jammed.size() == 0 && jam) jammed = input.motors;
-    if (jammed.size() != 0 && !jam) {  // it goes on from where it has stuck
+    if (jammed.size() != 0 && !jam) {  // it continues from where it has stuck
       slip_ = (slip_.size() != 0 ? slip_ : JointVector::Zero(jammed.size()).eval()) + jammed - input.motors;
       input.motors = jammed;
       jammed.resize(0);

@@ -6,9 +6,9 @@
 #include "can/raw_frame.hpp"
 #include "canopen/emergency.hpp"
 #include "canopen/sdo.hpp"
-#include "cli/can_frame_words.hpp"
-#include "cli/can_nodes.hpp"
-#include "edp/can/drive.hpp"
+#include "cli/can/can_frame_words.hpp"
+#include "cli/can/can_nodes.hpp"
+#include "edp/drivers/can/drive.hpp"
 #include "fuzz/fuzz.hpp"
 
 namespace {

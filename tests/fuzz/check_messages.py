@@ -1,4 +1,4 @@
-"""Holds tests/fuzz/messages.cpp to src/links/messages.idl: every struct that travels, one with a Header, is fuzzed, each once,
+"""Holds tests/fuzz/messages.cpp to src/links/wire/messages.idl: every struct that travels, one with a Header, is fuzzed, each once,
 in an array of just that length.
 
 Usage: check_messages.py SOURCE_DIR
@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-IDL = "src/links/messages.idl"
+IDL = "src/links/wire/messages.idl"
 FUZZER = "tests/fuzz/messages.cpp"
 STRUCT = re.compile(r"\bstruct (\w+) \{(.*?)\};", re.DOTALL)
 FUZZED = re.compile(r"std::make_unique<TypeOf<(?:\w+::)*(\w+)>>")

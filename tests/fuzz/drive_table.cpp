@@ -1,12 +1,12 @@
 // A table of drives for the IRb-6 and, behind the line "====", an EDS file "own.eds" beside it; then what would be
 // written into each drive.
-#include "config/drive_table.hpp"
+#include "config/drives/drive_table.hpp"
 
 #include <cmath>
 #include <set>
 
 #include "config/robot_parameters_file.hpp"
-#include "edp/can/drive_setup.hpp"
+#include "edp/drivers/can/drive_setup.hpp"
 #include "fuzz/fuzz.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 

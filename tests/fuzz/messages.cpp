@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "fuzz/fuzz.hpp"
-#include "links/codec.hpp"
-#include "links/domain.hpp"
 #include "links/test_domain.hpp"
+#include "links/transport/domain.hpp"
+#include "links/wire/codec.hpp"
 #include "mrroc/message.hpp"
 
 namespace fuzz {

@@ -6,7 +6,7 @@
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
-#include "sim/mjcf_part.hpp"
+#include "sim/scene/mjcf_part.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const mrroc::task_test::ScratchFolder folder;  // where an input finds nothing to include but itself

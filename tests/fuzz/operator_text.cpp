@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/typed_lines.hpp"
-#include "config/message_text.hpp"
+#include "cli/operator/typed_lines.hpp"
+#include "config/text/message_text.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
 #include "process/answer_text.hpp"

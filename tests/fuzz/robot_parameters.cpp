@@ -3,7 +3,7 @@
 #include <array>
 
 #include "config/robot_parameters_file.hpp"
-#include "edp/model_check.hpp"
+#include "edp/check/model_check.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
 #include "robots/conveyor/conveyor_model.hpp"

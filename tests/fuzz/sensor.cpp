@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "config/sensor_type.hpp"
+#include "config/entries/sensor_type.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
 #include "mrroc/errors.hpp"

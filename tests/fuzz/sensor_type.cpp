@@ -1,6 +1,6 @@
 // What sensors/<type>/<type>.toml declares, then the line "====", then the keys that a deployment gives a sensor of the
 // type.
-#include "config/sensor_type.hpp"
+#include "config/entries/sensor_type.hpp"
 
 #include <stdlib.h>
 

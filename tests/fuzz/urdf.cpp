@@ -2,7 +2,7 @@
 #include <array>
 
 #include "config/table.hpp"
-#include "edp/urdf_check.hpp"
+#include "edp/check/urdf_check.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
 #include "robots/conveyor/conveyor_model.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "edp/wrist_sensor.hpp"
+#include "edp/force/wrist_sensor.hpp"
 #include "generators/simulated_cell.hpp"
 #include "sensors/entry.hpp"
 
@@ -15,7 +15,7 @@ class ForceCell : public SimulatedCell {
 
   explicit ForceCell(const std::string& scene, const std::string& keys = kToolTakenOut)
       : SimulatedCell(
-            scene, {}, [keys](const config::Deployment& deployment, std::size_t slot, const sim::WorldMemory& world) {
+            scene, {}, [keys](const config::Deployment& deployment, std::size_t slot, const world::WorldMemory& world) {
               const config::SensorEntry entry =
                   vsp::entry_of("force_torque", "wrist", "position = [0.0, 0.0, 0.09]\n" + keys);
               return std::make_unique<edp::WristSensor>(vsp::SourceContext{deployment, entry, slot, &world, kPeriod});

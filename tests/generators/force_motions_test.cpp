@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "generators/force_cell.hpp"
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/travelled.hpp"
 #include "mrroc/generators/contact_search.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "generators/loopback_cell.hpp"
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "mrroc/conditions/elapsed_time.hpp"
 #include "mrroc/generators/cartesian_line.hpp"
 #include "mrroc/generators/hold.hpp"
@@ -48,7 +48,7 @@ class Drive : public Generator {
   double velocity_ = 0;
 };
 
-/// Throws by itself in the middle of a motion.
+/// Throws on its own in the middle of a motion.
 class Failing : public Drive {
  public:
   using Drive::Drive;

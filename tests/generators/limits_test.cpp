@@ -29,7 +29,7 @@ constexpr double kClearance = 40;  // rad of a motor, per way from home: stops l
 struct Cell : PlannedCell {
   explicit Cell(const std::shared_ptr<const RobotModel>& its_model, std::uint64_t seed)
       : PlannedCell(its_model), model(its_model), random(seed), arm(*this, "", {its_model}) {
-    on_tick = [this](const edp::DesiredState& now, const edp::DesiredState&, const RobotCommand&) {
+    on_tick = [this](const DesiredState& now, const DesiredState&, const RobotCommand&) {
       ++ticks;
       JointVector motors;
       ASSERT_EQ(model->joints_to_motors(now.position, motors), ErrorCode::none);

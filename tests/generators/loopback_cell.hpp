@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "edp/effector.hpp"
-#include "edp/loopback_hardware.hpp"
-#include "edp/servo.hpp"
+#include "edp/command/effector.hpp"
+#include "edp/drivers/loopback_hardware.hpp"
+#include "edp/servo/servo.hpp"
 #include "generators/cell_task.hpp"
 #include "language/limits.hpp"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "generators/planned_cell.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "language/limits.hpp"
 #include "language/random_values.hpp"
-#include "language/rigid_motion.hpp"
 #include "mrroc/move.hpp"
 #include "mrroc/robots/irb6.hpp"
 #include "robots/irb6/irb6_model.hpp"
@@ -24,7 +24,7 @@ struct Worst {
 struct PathCell : PlannedCell {
   PathCell() : PlannedCell(load_irb6().front()), home(kinematics().direct(axes_home())) {
     arm.set_macrostep(static_cast<std::uint16_t>(fakes::pick(2, 25)), 2);
-    on_tick = [this](const edp::DesiredState& now, const edp::DesiredState& before, const RobotCommand& command) {
+    on_tick = [this](const DesiredState& now, const DesiredState& before, const RobotCommand& command) {
       look(now, before, command);
     };
   }
@@ -61,7 +61,7 @@ struct PathCell : PlannedCell {
   int ticks = 0;
 
  private:
-  void look(const edp::DesiredState& now, const edp::DesiredState& before, const RobotCommand& command) {
+  void look(const DesiredState& now, const DesiredState& before, const RobotCommand& command) {
     ++ticks;
     for (Eigen::Index i = 0; i < now.position.size(); ++i) {
       const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];

@@ -2,9 +2,9 @@
 #include <rapidcheck.h>
 
 #include "generators/path_cell.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "language/property.hpp"
 #include "language/random_values.hpp"
-#include "language/rigid_motion.hpp"
 #include "mrroc/generators/blended_path.hpp"
 #include "mrroc/generators/cartesian_arc.hpp"
 #include "mrroc/generators/cartesian_line.hpp"

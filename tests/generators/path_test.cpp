@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "generators/simulated_cell.hpp"
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "mrroc/generators/blended_path.hpp"
 #include "mrroc/generators/cartesian_arc.hpp"
 #include "mrroc/generators/cartesian_line.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "edp/planner.hpp"
+#include "edp/command/planner.hpp"
 #include "generators/cell_task.hpp"
 
 namespace mrroc::test {
@@ -20,7 +20,7 @@ class PlannedCell : public CellTask, private RobotLink {
     state_.synchronised = state_.enabled = true;
     state_.tool = tool_.tool();
     state_.tick = state_.desired_tick = now_;
-    now_state_ = edp::DesiredState::resting_at(model_->parameters().home);
+    now_state_ = DesiredState::resting_at(model_->parameters().home);
     tell();
   }
 
@@ -36,11 +36,11 @@ class PlannedCell : public CellTask, private RobotLink {
 
   const ToolKinematics& kinematics() const noexcept { return tool_; }
   const std::vector<AxisParameters>& axes() const { return model_->parameters().axes; }
-  const edp::DesiredState& desired() const noexcept { return now_state_; }
+  const DesiredState& desired() const noexcept { return now_state_; }
 
   int pause_at = 1 << 30;
   /// The desired state, the one a tick before it, and the command that is executed.
-  std::function<void(const edp::DesiredState&, const edp::DesiredState&, const RobotCommand&)> on_tick;
+  std::function<void(const DesiredState&, const DesiredState&, const RobotCommand&)> on_tick;
 
  private:
   void tell() {
@@ -61,9 +61,9 @@ class PlannedCell : public CellTask, private RobotLink {
     if (state_.error.error_class != ErrorClass::none) return;
     now_ += macrostep.steps;
     if (macrostep.kind == edp::Macrostep::Kind::path && on_tick) {
-      edp::DesiredState before = now_state_;
+      DesiredState before = now_state_;
       for (std::uint32_t k = 1; k <= macrostep.steps; ++k) {
-        edp::DesiredState state = macrostep.to;
+        DesiredState state = macrostep.to;
         if (k < macrostep.steps) macrostep.path.at(k * kPeriod, before.position, state);
         on_tick(state, before, command_);
         before = state;
@@ -79,7 +79,7 @@ class PlannedCell : public CellTask, private RobotLink {
   ToolKinematics tool_;
   RobotState state_;
   RobotCommand command_;
-  edp::DesiredState now_state_;
+  DesiredState now_state_;
   Tick now_ = 1000;
   int asked_ = 0;
 };

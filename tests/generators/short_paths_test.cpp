@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "generators/path_cell.hpp"
-#include "language/near_places.hpp"
+#include "geometry/near_places.hpp"
 #include "language/property.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/generators/blended_path.hpp"

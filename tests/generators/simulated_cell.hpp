@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "edp/effector.hpp"
-#include "edp/mujoco_hardware.hpp"
-#include "edp/servo.hpp"
+#include "edp/command/effector.hpp"
+#include "edp/drivers/mujoco_hardware.hpp"
+#include "edp/servo/servo.hpp"
 #include "mrroc/robots/irb6.hpp"
 #include "mrroc/sensor.hpp"
 #include "mrroc/task.hpp"
@@ -21,12 +21,12 @@ namespace mrroc::test {
 
 /// A task program's process around an IRb-6 in the simulated world, its base 0.7 m above the floor, without processes
 /// and transport: the EDP core answers the robot's link, the world's raw readings are the sensors' values. Waiting for
-/// a reply lets the world go on, tick by tick.
+/// a reply lets the world continue, tick by tick.
 class SimulatedCell : public Task, private RobotLink {
  public:
   /// Opens the force sensor of the arm's EDP (tests/generators/force_cell.hpp), whose hardware is slot `slot`.
   using Wrist = std::function<std::unique_ptr<edp::ForceSensor>(const config::Deployment& deployment, std::size_t slot,
-                                                                const sim::WorldMemory& world)>;
+                                                                const world::WorldMemory& world)>;
 
   /// `wrist`: the arm has a sensor of type force_torque, too.
   explicit SimulatedCell(const std::string& scene, const std::vector<std::string>& sensors = {},
@@ -88,7 +88,7 @@ class SimulatedCell : public Task, private RobotLink {
         : cell(&cell_), name(std::move(name_)), slot(slot_) {}
     void request(const SensorRequest&) override {}
     void receive(SensorReading& reading) override {
-      sim::HardwareReading raw;
+      world::HardwareReading raw;
       ASSERT_TRUE(cell->memory_->readings[slot].load(raw));
       reading = {};
       reading.sequence = ++sequence;
@@ -153,7 +153,7 @@ class SimulatedCell : public Task, private RobotLink {
 
   std::string name_ = "arm";
   task_test::ScratchFolder scratch_;
-  std::unique_ptr<sim::WorldMemory> memory_ = std::make_unique<sim::WorldMemory>();
+  std::unique_ptr<world::WorldMemory> memory_ = std::make_unique<world::WorldMemory>();
   config::Deployment deployment_;
   sim::Simulation simulation_;
   std::shared_ptr<const RobotModel> model_ = load_irb6().front();

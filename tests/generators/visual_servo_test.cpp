@@ -1,5 +1,5 @@
 #include "generators/simulated_cell.hpp"
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/generators/image_servo.hpp"
 #include "mrroc/generators/position_servo.hpp"

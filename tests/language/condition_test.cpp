@@ -134,7 +134,7 @@ TEST(Condition, ElapsedStepsEndsAfterThatManyStepsEveryTime) {
     Advance generator(*arm, 0);
     generator.until(condition);
     EXPECT_EQ(Move({*arm}, {}, generator).steps, steps);
-    EXPECT_EQ(Move({*arm}, {}, generator).steps, steps);  // it starts anew
+    EXPECT_EQ(Move({*arm}, {}, generator).steps, steps);  // it starts again
   }
 }
 

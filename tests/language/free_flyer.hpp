@@ -3,8 +3,8 @@
 #include <functional>
 #include <limits>
 
+#include "geometry/rigid_motion.hpp"
 #include "language/fakes.hpp"
-#include "language/rigid_motion.hpp"
 
 namespace mrroc::fakes {
 

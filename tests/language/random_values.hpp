@@ -2,7 +2,7 @@
 
 #include <rapidcheck.h>
 
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
 
 namespace mrroc::fakes {
 

@@ -223,7 +223,7 @@ class Model {
     }
   }
 
-  /// f_E at this step: the gravest error reported, the first in the lists among equals.
+  /// f_E at this step: the most severe error reported, the first in the lists among equals.
   bool error() {
     const auto look = [&](ErrorClass error_class, ErrorCode code, const std::string& device, Tick tick) {
       if (run_.error && run_.error->error_class >= error_class) return;

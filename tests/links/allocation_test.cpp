@@ -7,13 +7,13 @@
 #include <functional>
 #include <new>
 
-#include "links/robot_requester.hpp"
-#include "links/robot_responder.hpp"
-#include "links/sensor_requester.hpp"
-#include "links/sensor_responder.hpp"
-#include "links/status_publisher.hpp"
-#include "links/task_subordinate.hpp"
-#include "links/task_superior.hpp"
+#include "links/exchange/robot_requester.hpp"
+#include "links/exchange/robot_responder.hpp"
+#include "links/exchange/sensor_requester.hpp"
+#include "links/exchange/sensor_responder.hpp"
+#include "links/exchange/task_subordinate.hpp"
+#include "links/exchange/task_superior.hpp"
+#include "links/telemetry/status_publisher.hpp"
 #include "links/test_clock.hpp"
 #include "links/test_domain.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "clock/host.hpp"
 #include "clock/participant.hpp"
+#include "links/exchange/robot_requester.hpp"
 #include "links/peer_process.hpp"
-#include "links/robot_requester.hpp"
 #include "links/test_domain.hpp"
 
 namespace mrroc::links {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "clock/participant.hpp"
-#include "links/robot_requester.hpp"
-#include "links/robot_responder.hpp"
-#include "links/status_publisher.hpp"
+#include "links/exchange/robot_requester.hpp"
+#include "links/exchange/robot_responder.hpp"
+#include "links/telemetry/status_publisher.hpp"
 #include "links/test_clock.hpp"
 #include "mrroc/errors.hpp"
 
@@ -66,7 +66,7 @@ void command(Domain& domain, clock::Clock& clock, const std::string& prefix, Tic
     try {
       link.connect(0.02);
     } catch (const SystemError&) {
-      // it knocks and goes on all the same
+      // it knocks and continues all the same
     }
     link.send(command);
   }

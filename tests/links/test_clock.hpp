@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "clock/clock.hpp"
-#include "clock/monotonic.hpp"
+#include "clock/wall/monotonic.hpp"
 
 namespace mrroc::links {
 

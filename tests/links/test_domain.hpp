@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <thread>
 
-#include "links/domain.hpp"
+#include "links/transport/domain.hpp"
 
 namespace mrroc::links {
 
-/// A DDS domain number that nobody else on this machine uses meanwhile: taken in the way of the runner's own lock.
+/// A DDS domain number that no one else on this machine uses meanwhile: taken in the way of the runner's own lock.
 class FreeDomain {
  public:
   FreeDomain() : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {

@@ -9,7 +9,7 @@
 namespace mrroc::process {
 namespace {
 
-/// Time goes on when somebody waits for it, and only then; mail never comes.
+/// Time continues when someone waits for it, and only then; mail never comes.
 class JumpingClock final : public clock::Clock {
  public:
   double period() const noexcept override { return 0.001; }
@@ -78,7 +78,7 @@ TEST_F(Strands, TakeTurnsInTheirOrderAtEachTick) {
 
 TEST_F(Strands, WhatOneDoesTheOthersSeeAtOnce) {
   EXPECT_TRUE(rc::check([this] {
-    // strand k waits for number p(k), a permutation: nobody but the others can wake it
+    // strand k waits for number p(k), a permutation: no one but the others can wake it
     const auto count = *rc::gen::inRange(1, 6);
     std::vector<int> order;
     for (int i = 0; i < count; ++i) order.push_back(i);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "config/sensor_type.hpp"
+#include "config/entries/sensor_type.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::vsp {

@@ -5,7 +5,7 @@
 
 #include "language/property.hpp"
 #include "language/random_values.hpp"
-#include "sim/model.hpp"
+#include "sim/scene/model.hpp"
 #include "worlds.hpp"
 
 namespace mrroc::sim {

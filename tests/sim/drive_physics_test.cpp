@@ -215,7 +215,7 @@ TEST(DrivePhysics, AnEndlessBeltCarriesAPartAndStaysUnderIt) {
     world.drive(0, drive, k);
     world.step(k);
   }
-  JointMeasurement measurement{};
+  world::JointMeasurement measurement{};
   world.measure(0, measurement);
   EXPECT_NEAR(measurement.velocity[0], 0.2, 1e-3);
   EXPECT_NEAR(measurement.position[0], 3.0 + 0.2 * 6 - 0.2 * 0.12, 2e-3);

@@ -74,7 +74,7 @@ class FeederTest : public testing::Test {
   task_test::ScratchFolder scratch_;
   config::Deployment deployment_;
   std::map<std::string, double> resting_;  ///< heights at the end of `run`
-  std::unique_ptr<WorldMemory> memory_ = std::make_unique<WorldMemory>();
+  std::unique_ptr<world::WorldMemory> memory_ = std::make_unique<world::WorldMemory>();
 };
 
 TEST_F(FeederTest, PutsThePartsInTheirOrderWithinSpreadAndInterval) {

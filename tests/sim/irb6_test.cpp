@@ -4,9 +4,9 @@
 #include <bit>
 #include <memory>
 
-#include "edp/effector.hpp"
-#include "edp/mujoco_hardware.hpp"
-#include "edp/servo.hpp"
+#include "edp/command/effector.hpp"
+#include "edp/drivers/mujoco_hardware.hpp"
+#include "edp/servo/servo.hpp"
 #include "robots/irb6/irb6_model.hpp"
 #include "sim/simulation.hpp"
 #include "worlds.hpp"
@@ -39,7 +39,7 @@ config::Deployment two_irb6() {
 
 /// One robot's EDP core on slot `slot`.
 struct Edp {
-  Edp(WorldMemory& memory, std::size_t slot)
+  Edp(world::WorldMemory& memory, std::size_t slot)
       : model(load_irb6().front()), hardware(*model, memory, slot, edp::MujocoHardware::Timing::lockstep) {}
 
   void tick(Tick now) {
@@ -85,13 +85,13 @@ class TwoIrb6 : public testing::Test {
       right.tick(now);
     }
   }
-  HardwareReading wrist() const {
-    HardwareReading reading;
+  world::HardwareReading wrist() const {
+    world::HardwareReading reading;
     EXPECT_TRUE(memory->readings[0].load(reading));
     return reading;
   }
 
-  std::unique_ptr<WorldMemory> memory = std::make_unique<WorldMemory>();
+  std::unique_ptr<world::WorldMemory> memory = std::make_unique<world::WorldMemory>();
   Simulation simulation;
   Edp left{*memory, 0}, right{*memory, 1};
   Tick now = 0;
@@ -111,7 +111,7 @@ int contacts_of_robots(const World& world) {
 TEST_F(TwoIrb6, StandAtHomeWithoutTouchingThemselvesAndFeelTheToolsWeight) {
   run(5);
   EXPECT_EQ(contacts_of_robots(simulation.world()), 0);
-  const HardwareReading reading = wrist();
+  const world::HardwareReading reading = wrist();
   ASSERT_EQ(reading.count, 6U);
   const Eigen::Vector3d force(reading.values[0], reading.values[1], reading.values[2]);
   EXPECT_NEAR(force.norm(), 1.1 * 9.81, 1.0);
@@ -144,7 +144,7 @@ TEST_F(TwoIrb6, RegulatorsHoldThemAgainstGravityAndBringThemWhereTheyAreSent) {
 
 TEST_F(TwoIrb6, ClosedLoopsAreTheSameBitForBit) {
   const auto hash_of_run = [] {
-    auto own_memory = std::make_unique<WorldMemory>();
+    auto own_memory = std::make_unique<world::WorldMemory>();
     Simulation own(two_irb6(), *own_memory);
     own.publish_initial();
     Edp arm(*own_memory, 0);

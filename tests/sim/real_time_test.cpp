@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "bent_model.hpp"
-#include "edp/mujoco_hardware.hpp"
+#include "edp/drivers/mujoco_hardware.hpp"
 #include "reference_dynamics.hpp"
 #include "sim/simulation.hpp"
 #include "worlds.hpp"
@@ -33,13 +33,13 @@ JointVector currents(Tick tick, std::size_t robot, const HardwareInput& input) {
 class RealTime : public testing::Test {
  protected:
   RealTime() { setenv("MRROC_SHARE", kData.c_str(), 1); }
-  JointMeasurement measurement(std::size_t robot) const {
-    JointMeasurement value;
+  world::JointMeasurement measurement(std::size_t robot) const {
+    world::JointMeasurement value;
     EXPECT_TRUE(memory_->measurements[robot].load(value));
     return value;
   }
   BentModel model_;
-  std::unique_ptr<WorldMemory> memory_ = std::make_unique<WorldMemory>();
+  std::unique_ptr<world::WorldMemory> memory_ = std::make_unique<world::WorldMemory>();
 };
 
 /// Sleeps now and then, for up to a millisecond, as a thread of a busy machine does.
@@ -59,7 +59,7 @@ constexpr Tick kTicks = 1500;
 /// The positions of both arms over all ticks; `seed` 0: in lockstep, else in three threads that straggle.
 std::vector<double> run(unsigned seed) {
   const BentModel model;
-  const auto memory = std::make_unique<WorldMemory>();
+  const auto memory = std::make_unique<world::WorldMemory>();
   Simulation simulation(twolink_deployment(2), *memory);
   simulation.publish_initial();
   const auto timing = seed == 0 ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::real;
@@ -71,7 +71,7 @@ std::vector<double> run(unsigned seed) {
     else
       simulation.step_in_real_time(tick, kForEver);
     for (const std::size_t robot : {0U, 1U}) {
-      JointMeasurement measured;
+      world::JointMeasurement measured;
       EXPECT_TRUE(memory->measurements[robot].load(measured));
       positions.insert(positions.end(), measured.position.begin(), measured.position.begin() + 2);
     }
@@ -84,7 +84,7 @@ std::vector<double> run(unsigned seed) {
   };
   for (MujocoHardware& each : drives) each.enable(true);
   step(1);
-  for (const std::size_t robot : {0U, 1U}) serve(robot, 1);  // from here on nobody may run ahead
+  for (const std::size_t robot : {0U, 1U}) serve(robot, 1);  // from here on no one may run ahead
   if (seed == 0) {
     for (Tick tick = 2; tick <= kTicks; ++tick) {
       step(tick);

@@ -2,8 +2,8 @@
 
 #include <Eigen/Dense>
 
-#include "sim/model.hpp"
-#include "sim/world_memory.hpp"
+#include "sim/scene/model.hpp"
+#include "world/world_memory.hpp"
 
 namespace mrroc::sim {
 
@@ -54,9 +54,9 @@ class ReferenceDynamics {
 };
 
 /// A drive with these matrices, enabled.
-inline JointDrive drive_of(const Eigen::MatrixXd& b, const Eigen::MatrixXd& d, const Eigen::VectorXd& tau,
-                           const Eigen::VectorXd& c) {
-  JointDrive drive{};
+inline world::JointDrive drive_of(const Eigen::MatrixXd& b, const Eigen::MatrixXd& d, const Eigen::VectorXd& tau,
+                                  const Eigen::VectorXd& c) {
+  world::JointDrive drive{};
   drive.tick = 1;
   drive.enabled = 1;
   drive.joint_count = static_cast<std::uint32_t>(tau.size());

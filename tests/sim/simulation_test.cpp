@@ -24,24 +24,25 @@ class SimulationTest : public testing::Test {
   SimulationTest() { setenv("MRROC_SHARE", kData.c_str(), 1); }
 
   /// A drive that pushes the arm down towards the box and swings it.
-  static JointDrive swing(Tick tick) {
+  static world::JointDrive swing(Tick tick) {
     const double phase = 0.002 * static_cast<double>(tick);
-    JointDrive drive = drive_of((MatrixXd(2, 2) << 0.4, -0.1, -0.1, 0.2).finished(), 0.5 * MatrixXd::Identity(2, 2),
-                                Vector2d(4 * std::sin(3 * phase), -3 * std::cos(2 * phase)), Vector2d::Zero());
+    world::JointDrive drive =
+        drive_of((MatrixXd(2, 2) << 0.4, -0.1, -0.1, 0.2).finished(), 0.5 * MatrixXd::Identity(2, 2),
+                 Vector2d(4 * std::sin(3 * phase), -3 * std::cos(2 * phase)), Vector2d::Zero());
     drive.tick = tick;
     return drive;
   }
-  JointMeasurement measurement(std::size_t robot) const {
-    JointMeasurement value;
+  world::JointMeasurement measurement(std::size_t robot) const {
+    world::JointMeasurement value;
     EXPECT_TRUE(memory_->measurements[robot].load(value));
     return value;
   }
-  HardwareReading reading(std::size_t sensor) const {
-    HardwareReading value;
+  world::HardwareReading reading(std::size_t sensor) const {
+    world::HardwareReading value;
     EXPECT_TRUE(memory_->readings[sensor].load(value));
     return value;
   }
-  std::unique_ptr<WorldMemory> memory_ = std::make_unique<WorldMemory>();
+  std::unique_ptr<world::WorldMemory> memory_ = std::make_unique<world::WorldMemory>();
 };
 
 TEST_F(SimulationTest, PublishesTickZeroWithEveryRobotAtHome) {
@@ -81,7 +82,7 @@ TEST_F(SimulationTest, ForceTorqueAtRestReadsTheWeightBeyondTheWrist) {
   simulation.publish_initial();
   for (Tick k = 0; k <= 10; k += 5) {
     if (k > 0) simulation.step(k);
-    const HardwareReading wrist = reading(1);
+    const world::HardwareReading wrist = reading(1);
     ASSERT_EQ(wrist.count, 6U);
     // hand: 0.5 kg, 0.05 m along the site's z, which is turned by 0.5 + 0.8 from vertical about y
     const double weight = 0.5 * 9.81, angle = 1.3;
@@ -102,12 +103,12 @@ TEST_F(SimulationTest, BrakesHoldWithoutADriveWhenDisabledAndWhenTheDriveExpires
   };
   simulation.publish_initial();
   EXPECT_FALSE(moved_in_step(1)) << "no drive yet";
-  JointDrive never = swing(0);
+  world::JointDrive never = swing(0);
   memory_->drives[0].store(never);
   EXPECT_FALSE(moved_in_step(2)) << "tick 0: never attached";
   memory_->drives[0].store(swing(2));
   EXPECT_TRUE(moved_in_step(3));
-  JointDrive disabled = swing(3);
+  world::JointDrive disabled = swing(3);
   disabled.enabled = 0;
   memory_->drives[0].store(disabled);
   EXPECT_FALSE(moved_in_step(4)) << "disabled";
@@ -119,7 +120,7 @@ TEST_F(SimulationTest, BrakesHoldWithoutADriveWhenDisabledAndWhenTheDriveExpires
 TEST_F(SimulationTest, ANotANumberFromADriveEndsTheSimulation) {
   Simulation simulation(twolink_deployment(1), *memory_);
   simulation.publish_initial();
-  JointDrive drive = swing(1);
+  world::JointDrive drive = swing(1);
   drive.torque[0] = std::numeric_limits<double>::quiet_NaN();
   memory_->drives[0].store(drive);
   EXPECT_THROW(simulation.step(2), SystemError);
@@ -127,7 +128,7 @@ TEST_F(SimulationTest, ANotANumberFromADriveEndsTheSimulation) {
 
 TEST_F(SimulationTest, FiveThousandStepsAreTheSameBitForBit) {
   const auto run = [] {
-    auto memory = std::make_unique<WorldMemory>();
+    auto memory = std::make_unique<world::WorldMemory>();
     Simulation simulation(twolink_deployment(2), *memory);
     simulation.publish_initial();
     std::uint64_t hash = 14695981039346656037U;
@@ -149,12 +150,12 @@ TEST_F(SimulationTest, StepsAllocateNothing) {
   count_mujoco_allocations();
   Simulation simulation(twolink_deployment(2), *memory_);
   simulation.publish_initial();
-  std::vector<JointDrive> drives;
+  std::vector<world::JointDrive> drives;
   for (Tick k = 0; k <= 1100; ++k) drives.push_back(swing(k));
   const auto run = [&](Tick first, Tick last) {
     for (Tick k = first; k <= last; ++k) {
       for (std::size_t robot = 0; robot < 2; ++robot) memory_->drives[robot].store(drives[k]);
-      if (k % 50 == 0) memory_->drives[1].store(JointDrive{});  // brakes
+      if (k % 50 == 0) memory_->drives[1].store(world::JointDrive{});  // brakes
       simulation.step(k);
     }
   };
@@ -171,7 +172,7 @@ TEST_F(SimulationTest, OnlyMujocoRobotsAndSimulatedSensorsArePartOfTheWorld) {
   deployment.sensors[1].source = "replay";
   Simulation simulation(deployment, *memory_);
   simulation.publish_initial();
-  JointMeasurement unused;
+  world::JointMeasurement unused;
   EXPECT_FALSE(memory_->measurements[0].load(unused));
   EXPECT_EQ(measurement(1).position[0], 0.5);
   EXPECT_LT(mj_name2id(&simulation.world().model(), mjOBJ_BODY, "a0"), 0);

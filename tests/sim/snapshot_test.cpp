@@ -25,7 +25,7 @@ config::SensorEntry camera_entry() {
 class Snapshot : public testing::Test {
  protected:
   Snapshot() { setenv("MRROC_SHARE", kData.c_str(), 1); }
-  std::unique_ptr<WorldMemory> memory_ = std::make_unique<WorldMemory>();
+  std::unique_ptr<world::WorldMemory> memory_ = std::make_unique<world::WorldMemory>();
 };
 
 TEST_F(Snapshot, IsStoredAtEveryTickForASensorThatLooksAtTheWorld) {
@@ -33,7 +33,7 @@ TEST_F(Snapshot, IsStoredAtEveryTickForASensorThatLooksAtTheWorld) {
   deployment.sensors.push_back(camera_entry());
   Simulation simulation(deployment, *memory_);
   simulation.publish_initial();
-  WorldSnapshot snapshot;
+  world::WorldSnapshot snapshot;
   for (Tick tick = 0; tick < 20; ++tick) {
     if (tick > 0) simulation.step(tick);
     ASSERT_TRUE(memory_->snapshot.load(snapshot));
@@ -48,7 +48,7 @@ TEST_F(Snapshot, IsNotStoredForNobody) {
   Simulation simulation(twolink_deployment(1), *memory_);
   simulation.publish_initial();
   simulation.step(1);
-  WorldSnapshot snapshot;
+  world::WorldSnapshot snapshot;
   EXPECT_FALSE(memory_->snapshot.load(snapshot));
   EXPECT_EQ(memory_->snapshot.sequence(), 0U);
 }
@@ -73,7 +73,7 @@ TEST_F(Snapshot, CarriesThePosesOfMocapBodies) {
 <body name="b" mocap="true" pos="4 5 6" quat="0 1 0 0"><geom size="0.1"/></body></worldbody></mujoco>)");
   Simulation simulation(deployment, *memory_);
   simulation.publish_initial();
-  WorldSnapshot snapshot;
+  world::WorldSnapshot snapshot;
   ASSERT_TRUE(memory_->snapshot.load(snapshot));
   EXPECT_EQ(snapshot.position_count, 1U);
   EXPECT_EQ(snapshot.mocap_count, 2U);

@@ -42,7 +42,7 @@ class WorldFailure : public testing::Test {
     world_.start();
     for (Tick k = 1; k <= 5; ++k) world_.step(k);
   }
-  JointDrive drive() const {
+  world::JointDrive drive() const {
     return drive_of(MatrixXd::Identity(2, 2), MatrixXd::Zero(2, 2), VectorXd::Zero(2), VectorXd::Zero(2));
   }
   World world_;
@@ -50,12 +50,12 @@ class WorldFailure : public testing::Test {
 
 TEST_F(WorldFailure, NotFiniteDrivesAreRefusedNamingTheRobotAndJoint) {
   for (const double bad : {kNan, std::numeric_limits<double>::infinity()}) {
-    JointDrive torque = drive(), inertia = drive(), damping = drive(), bias = drive();
+    world::JointDrive torque = drive(), inertia = drive(), damping = drive(), bias = drive();
     torque.torque[1] = bad;
     inertia.rotor_inertia[kMaxJoints + 1] = bad;
     damping.damping[kMaxJoints] = bad;
     bias.bias[1] = bad;
-    for (const JointDrive& each : {torque, inertia, damping, bias}) {
+    for (const world::JointDrive& each : {torque, inertia, damping, bias}) {
       const std::string message = simulator_error(6, [&] { world_.drive(0, each, 6); });
       EXPECT_CONTAINS(message, "the drive of joint 2 is not finite");
       EXPECT_CONTAINS(message, "device a");
@@ -64,13 +64,13 @@ TEST_F(WorldFailure, NotFiniteDrivesAreRefusedNamingTheRobotAndJoint) {
 }
 
 TEST_F(WorldFailure, ADriveForAnotherNumberOfJointsIsRefused) {
-  JointDrive three = drive();
+  world::JointDrive three = drive();
   three.joint_count = 3;
   EXPECT_CONTAINS(simulator_error(6, [&] { world_.drive(0, three, 6); }), "3 joints, expected 2");
 }
 
 TEST_F(WorldFailure, AWorldThatResetItselfIsAnErrorThatNamesTheJoint) {
-  JointDrive huge = drive();
+  world::JointDrive huge = drive();
   huge.torque[0] = 1e30;
   world_.drive(0, huge, 6);
   const std::string message = simulator_error(6, [&] { world_.step(6); });

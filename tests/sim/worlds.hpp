@@ -7,9 +7,9 @@
 #include "config/deployment.hpp"
 #include "config/message_of.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
-#include "sim/compose.hpp"
-#include "sim/model.hpp"
-#include "sim/world_memory.hpp"
+#include "sim/scene/compose.hpp"
+#include "sim/scene/model.hpp"
+#include "world/world_memory.hpp"
 
 namespace mrroc::sim {
 

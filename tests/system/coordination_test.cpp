@@ -122,13 +122,13 @@ std::string answers_but(const std::string& unanswered) {
   return text;
 }
 
-/// Clock, and the question that nobody answers: "More?" is the MP's, "Where to?" an ECP's.
+/// Clock, and the question that no one answers: "More?" is the MP's, "Where to?" an ECP's.
 class Dialogue : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
 TEST_P(Dialogue, IsLeftWhenTheOperatorStopsTheTask) {
   const auto [clock, question] = GetParam();
   const ScratchFolder folder;
-  const Keyboard keyboard;  // nobody types
+  const Keyboard keyboard;  // no one types
   MrrocRun run({"run", deployment(folder, "questions", answers_but(question)).string(), "--clock", clock});
   ASSERT_TRUE(run.wait_for_output(question)) << run.out() << run.err();
   const std::vector<pid_t> pids = run.children();

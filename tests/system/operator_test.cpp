@@ -63,7 +63,7 @@ TEST(Operator, APauseHoldsTheRobotAndTheTaskGoesOnAfterwards) {
     hashes.insert(trace_hash(trace));
   }
   EXPECT_EQ(hashes.size(), 1U);
-  // the motion is planned anew from where the robot has stopped: it takes the pause and some more
+  // the motion is planned again from where the robot has stopped: it takes the pause and some more
   const std::vector<Step> steps = read_trace(trace);
   EXPECT_GE(steps.back().tick, undisturbed + (resume - pause) * 9 / 10);
   const auto after = std::find_if(steps.begin(), steps.end(), [](const Step& step) { return step.tick > resume; });

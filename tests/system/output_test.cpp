@@ -22,7 +22,7 @@ std::vector<pid_t> processes_with(MrrocRun& run, const std::string& name) {
   return run.children();
 }
 
-/// A pipe with a name that is full, and that nobody reads.
+/// A pipe with a name that is full, and that no one reads.
 class FullPipe {
  public:
   explicit FullPipe(const std::filesystem::path& path) {
@@ -38,7 +38,7 @@ class FullPipe {
   ~FullPipe() { leave(); }
   FullPipe(const FullPipe&) = delete;
   FullPipe& operator=(const FullPipe&) = delete;
-  /// From now on nobody could read it.
+  /// From now on no one could read it.
   void leave() {
     if (reader_ >= 0) close(reader_);
     reader_ = -1;

@@ -68,7 +68,7 @@ void PacketStorm::blow() {
       const std::string packet = datagram();
       const auto port = first_port(domain_) + 10 + static_cast<int>(random_() % (2 * kParticipants));
       address.sin_port = htons(static_cast<in_port_t>(port));
-      // where nobody listens it is refused: no matter
+      // where no one listens it is refused: no matter
       if (::sendto(mouth_, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&address),
                    sizeof address) >= 0) {
         ++sent_;

@@ -154,7 +154,7 @@ TEST(AnonymousMemory, GoesToTheProcessesThatItIsFor) {
 /// With keys or without.
 class Storm : public task_test::DeploymentTest, public testing::WithParamInterface<bool> {
  protected:
-  /// A domain that nobody uses; the runner locks it by its number.
+  /// A domain that no one uses; the runner locks it by its number.
   static int free_domain() { return links::FreeDomain{}.id(); }
 
   static void expect_no_crash(const std::string& said) {

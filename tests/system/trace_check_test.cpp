@@ -34,7 +34,7 @@ std::filesystem::path press_with_pause(const ScratchFolder& folder) {
 
 /// A test of this task runs it several times and checks its trace already.
 bool is_run_by_its_test(const std::string& task) {
-  return text_of(MRROC_SOURCE_DIR "/tests/system/" + task + "_test.cpp").find("expect_equal_runs(") !=
+  return text_of(MRROC_SOURCE_DIR "/tests/system/tasks/" + task + "_test.cpp").find("expect_equal_runs(") !=
          std::string::npos;
 }
 

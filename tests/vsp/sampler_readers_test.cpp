@@ -3,7 +3,7 @@
 #include <latch>
 #include <thread>
 
-#include "clock/shared_slot.hpp"
+#include "core/lockfree/shared_slot.hpp"
 #include "vsp/fakes.hpp"
 
 namespace mrroc::vsp {
@@ -30,7 +30,7 @@ class BufferSink : public ReadingSink {
  public:
   void reply(const Caller& /*caller*/, const SensorReading& /*reading*/) override {}
   void publish(const SensorReading& reading) override { buffer.store(reading); }
-  clock::SharedSlot<SensorReading> buffer;
+  core::SharedSlot<SensorReading> buffer;
 };
 
 // The original's non-interactive VSP held a lock over its aggregation: a reader waited for all of it.

@@ -6,15 +6,15 @@
 
 #include "mrroc/errors.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
-#include "sim/mapped_world.hpp"
 #include "vsp/fakes.hpp"
 #include "vsp/make_source.hpp"
+#include "world/mapped_world.hpp"
 
 namespace mrroc::vsp {
 namespace {
 
-sim::HardwareReading hardware_reading(Tick tick, std::vector<double> values) {
-  sim::HardwareReading reading;
+world::HardwareReading hardware_reading(Tick tick, std::vector<double> values) {
+  world::HardwareReading reading;
   reading.tick = tick;
   reading.count = static_cast<std::uint32_t>(values.size());
   std::copy(values.begin(), values.end(), reading.values.begin());
@@ -22,8 +22,8 @@ sim::HardwareReading hardware_reading(Tick tick, std::vector<double> values) {
 }
 
 TEST(SimulatedSource, GivesTheNewestReadingOfItsSlotThroughSharedMemory) {
-  const sim::MappedWorld world = sim::MappedWorld::create();
-  const sim::MappedWorld mine = sim::MappedWorld::attach(world.fd());
+  const world::MappedWorld world = world::MappedWorld::create();
+  const world::MappedWorld mine = world::MappedWorld::attach(world.fd());
   SimulatedSource source(*mine, 3, 50);
   world->readings[2].store(hardware_reading(7, {99}));
   world->readings[3].store(hardware_reading(7, {1.5, -2.5}));
@@ -40,7 +40,7 @@ TEST(SimulatedSource, GivesTheNewestReadingOfItsSlotThroughSharedMemory) {
 }
 
 TEST(SimulatedSource, IsNotReadyBeforeTheFirstReadingThenSilent) {
-  const auto world = std::make_unique<sim::WorldMemory>();
+  const auto world = std::make_unique<world::WorldMemory>();
   SimulatedSource source(*world, 0, 50);
   RawReading raw;
   EXPECT_EQ(source.read(0, raw), SourceState::not_ready);
@@ -49,7 +49,7 @@ TEST(SimulatedSource, IsNotReadyBeforeTheFirstReadingThenSilent) {
 }
 
 TEST(SimulatedSource, IsSilentWhenReadingsStopAndReadyWhenTheyComeAgain) {
-  const auto world = std::make_unique<sim::WorldMemory>();
+  const auto world = std::make_unique<world::WorldMemory>();
   SimulatedSource source(*world, 0, 50);
   RawReading raw;
   world->readings[0].store(hardware_reading(100, {1}));
@@ -61,12 +61,12 @@ TEST(SimulatedSource, IsSilentWhenReadingsStopAndReadyWhenTheyComeAgain) {
 }
 
 TEST(SimulatedSource, RefusesASlotThatTheWorldDoesNotHave) {
-  const auto world = std::make_unique<sim::WorldMemory>();
-  EXPECT_THROW(SimulatedSource(*world, sim::kMaxSensors, 50), SystemError);
+  const auto world = std::make_unique<world::WorldMemory>();
+  EXPECT_THROW(SimulatedSource(*world, world::kMaxSensors, 50), SystemError);
 }
 
 TEST(MakeSource, ChoosesWhatTheDeploymentAsksFor) {
-  const auto world = std::make_unique<sim::WorldMemory>();
+  const auto world = std::make_unique<world::WorldMemory>();
   world->readings[1].store(hardware_reading(0, {4}));
   config::SensorEntry entry;
   entry.name = "gate";

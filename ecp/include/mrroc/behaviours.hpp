@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "config/program_behaviours.hpp"
+#include "config/entries/program_behaviours.hpp"
 #include "mrroc/message.hpp"
 
 namespace mrroc::ecp {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "links/robot_responder.hpp"
+#include "links/exchange/robot_responder.hpp"
 #include "mrroc/behaviours.hpp"
 #include "mrroc/conditions/digital_input.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"

@@ -6,7 +6,7 @@
 namespace mrroc {
 
 /// The last reading of a sensor was measured more than `seconds` ago (`Sensor::age()`), or there is none yet. What a
-/// task that goes on without a sensor's newest reading (polled, non-interactive) says about how long.
+/// task that continues without a sensor's newest reading (polled, non-interactive) says about how long.
 class ReadingOlderThan : public Condition {
  public:
   /// Throws NonFatalError(invalid_argument) unless `seconds` is finite and not negative.

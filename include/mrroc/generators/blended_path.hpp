@@ -20,7 +20,7 @@ struct BlendPoint {
 /// smooth step u^2 (3 - 2u): between lines of full linear speed v the position is
 ///   p(u) = corner + v h ((2u^3 - u^4) e_out - (2w^3 - w^4) e_in),   u of 0..1,   w = 1 - u,
 /// which passes the corner at 3/16 radius |e_out - e_in|. The orientation goes over likewise, as one polynomial for its
-/// rotation vector (src/language/pose_path.hpp). So linear AND angular velocity and acceleration are continuous
+/// rotation vector (src/geometry/pose_path.hpp). So linear AND angular velocity and acceleration are continuous
 /// everywhere (those of KDL's Path_RoundedComposite are not). Blends begin at the middle of a line at the latest; the
 /// one of a line on which the tool only turns begins there. A line that goes straight back is turned round in
 /// before the corner.

@@ -41,8 +41,8 @@ struct Probing {
 /// frame's origin. On the ways between, too, it gives way to what it meets, and NonFatalError(force_limit) is thrown
 /// when that is more than twice the contact force.
 ///
-/// Ends by itself after the last probe, at rest at its start; with `first_only` at the first contact. After a pause it
-/// goes on with the probe that it was at. The robot needs `force_sensor` in the deployment; take its zero before.
+/// Ends on its own after the last probe, at rest at its start; with `first_only` at the first contact. After a pause it
+/// continues with the probe that it was at. The robot needs `force_sensor` in the deployment; take its zero before.
 class ContactSearch : public Generator {
  public:
   /// Throws NonFatalError(invalid_argument) without a probe, or for numbers that are not finite and above 0.

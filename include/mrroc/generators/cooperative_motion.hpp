@@ -65,9 +65,9 @@ struct InternalForce {
 /// It is computed here and not by the EDPs' force law (ForceControl): an EDP knows its own wrist only and cannot tell a
 /// squeeze from the object's weight, and its motion has no place to come back to.
 ///
-/// Ends by itself when the path does and the arms rest. A pause brings the object to rest on its path, within the
+/// Ends on its own when the path does and the arms rest. A pause brings the object to rest on its path, within the
 /// limits. After a late command the arms stand where each of them has stopped; the object is taken to be in the middle
-/// of that, comes back to its path within a second and goes on along it.
+/// of that, comes back to its path within a second and continues along it.
 class CooperativeMotion : public Generator {
  public:
   /// Throws NonFatalError(invalid_argument): no arm, one twice, some with wrench and some without, no pose, one that is

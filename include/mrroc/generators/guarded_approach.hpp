@@ -17,17 +17,17 @@ class TwistFollower;
 ///   v = min(speed, sqrt(2 a (r - r0 / 2)))   and  v = k r  for r < r0 = a / k^2,   r = d - d_stop,
 ///
 /// with a half of `acceleration` and k = 4 / s (less for macrosteps longer than 50 ms: 0.2 / duration). v is followed
-/// with at most `acceleration` and a jerk of 10 / s times that; it is never negative: what comes nearer by itself is
+/// with at most `acceleration` and a jerk of 10 / s times that; it is never negative: what comes nearer on its own is
 /// not run away from. r is that of the end of the coming macrostep: from the reading the way between the measured pose
 /// and the desired one, and the way at the present speed, are taken off. So the reading has to be of the tick of the
 /// robot's state, as an interactive sensor's is; one that is older by t lets the tool come nearer by up to v t while it
 /// moves, and by nothing where it stops.
 ///
-/// Ends by itself when r is at most kTolerance and the motion is at rest: the tool stands between d_stop and d_stop +
+/// Ends on its own when r is at most kTolerance and the motion is at rest: the tool stands between d_stop and d_stop +
 /// kTolerance, when the readings are right. At that distance already, and at rest, it commands nothing.
 ///
-/// A reading that is lost (the function gives nothing, or no number) slows the tool to a stop; it goes on when there is
-/// one again. After `patience` steps in a row without one NonFatalError(sensor_not_ready) is thrown. An error of the
+/// A reading that is lost (the function gives nothing, or no number) slows the tool to a stop; it continues when there
+/// is one again. After `patience` steps in a row without one NonFatalError(sensor_not_ready) is thrown. An error of the
 /// sensor itself is thrown by the Move that has it in its list.
 class GuardedApproach : public Generator {
  public:

@@ -12,7 +12,7 @@ namespace mrroc {
 /// force): what is met is pressed with twice the contact force at most, once it has settled, however late the task
 /// notices. The other axes keep their place. The velocity is come up to with `acceleration`.
 ///
-/// Ends by itself when the tool presses with the contact force along its way; `touched()` tells where. Meeting nothing
+/// Ends on its own when the tool presses with the contact force along its way; `touched()` tells where. Meeting nothing
 /// is for a condition to end: `.until(Travelled{arm, 0.1})`; then `touched()` is empty. The first contact costs what
 /// the tool's mass and the drives' lag make of it: some v sqrt(m k) on a surface of stiffness k. The robot needs
 /// `force_sensor` in the deployment. (The original's `tff_gripper_approach`; `GuardedApproach` is led by a range

@@ -39,10 +39,10 @@ Eigen::Matrix<double, 2, 6> point_interaction(double x, double y, double depth) 
 /// down as a whole to the limits. Four points and more fix the pose; three have up to four solutions and singular ones.
 /// Wrong depths change the way, not the place where it ends; far from it the way may lead points out of the image.
 ///
-/// Ends by itself when no point is farther than `tolerance` from its place and the motion is at rest.
+/// Ends on its own when no point is farther than `tolerance` from its place and the motion is at rest.
 ///
-/// A target that is lost (the function gives nothing) lets the tool come to rest smoothly; it goes on when there is one
-/// again. After `patience` steps in a row NonFatalError(sensor_not_ready) is thrown.
+/// A target that is lost (the function gives nothing) lets the tool come to rest smoothly; it continues when there is
+/// one again. After `patience` steps in a row NonFatalError(sensor_not_ready) is thrown.
 class ImageServo : public Generator {
  public:
   /// The points as they are seen, in the order of the wanted ones; nothing while they are not. Called once per step,

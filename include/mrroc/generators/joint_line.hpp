@@ -9,11 +9,11 @@ namespace mrroc {
 
 /// Straight line in joint space, time-optimal under the robot's velocity, acceleration and jerk limits scaled by
 /// `speed` (Ruckig, phase-synchronised: all joints start and end together). It starts from the desired state, moving or
-/// not, and ends at rest. The motion ends by itself when the last macrostep has been commanded.
+/// not, and ends at rest. The motion ends on its own when the last macrostep has been commanded.
 ///
 /// From a motion under way the speed factor holds for what is driven after the braking: a joint that is too fast for
 /// the scaled limits, or could not stop before its target with them, is braked with the unscaled ones. So no joint
-/// passes its target by more than it needs to brake, at any speed (src/language/joint_leg.hpp).
+/// passes its target by more than it needs to brake, at any speed (src/language/joints/joint_leg.hpp).
 ///
 /// The EDP joins the points of a macrostep's ends by polynomials of degree five. Their jerk is the least-squares fit of
 /// the trajectory's by a parabola, at most 2.18 times the trajectory's (the fit's Lebesgue constant), and their

@@ -12,7 +12,8 @@ namespace mrroc {
 ///
 /// The spline's parameter is the time from waypoint to waypoint at full speed (of the slowest joint). It stays within
 /// the position limits: where it would swing out, the joint's tangents are made flatter; waypoints at a limit are
-/// passed some microradians inside (src/language/joint_spline.hpp). See PathGenerator for limits and interruptions.
+/// passed some microradians inside (src/language/joints/joint_spline.hpp). See PathGenerator for limits and
+/// interruptions.
 class JointPath : public PathGenerator {
  public:
   /// Joint positions, rad or m. Of those that differ by less than 1e-4 in every joint one is passed, and always the

@@ -25,7 +25,7 @@ struct TimedPose {
 /// The position's spline is the cubic or quintic (C4) one of the textbooks. The orientation follows, from pose i on,
 ///   R(s) = exp([phi_i(s)]) R_i,
 /// with a polynomial of degree five for the rotation vector phi_i that has at both ends the angular velocity and its
-/// rate of the knots (through the Jacobian of the exponential map: src/language/rotation_rates.hpp), so both are
+/// rate of the knots (through the Jacobian of the exponential map: src/geometry/rotation_rates.hpp), so both are
 /// continuous, exactly, however far the tool turns; from knot to knot by less than pi. Those of the knots are the
 /// derivatives of the spline, cubic or quintic, through the sums of the turns from knot to knot in base axes. About a
 /// fixed axis that is the spline of the angle; in general nearly, and then the quintic's angular jerk may step.

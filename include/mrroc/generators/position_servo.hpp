@@ -23,10 +23,10 @@ class VisualServo;
 /// T_desired is the pose at the end of what has been commanded, so that a reading's delay, and a drive's lag, do not
 /// make it overshoot, for a target at rest and a reading of the tick of the robot's state.
 ///
-/// Ends by itself when t and theta are within the tolerances and the motion is at rest.
+/// Ends on its own when t and theta are within the tolerances and the motion is at rest.
 ///
-/// A target that is lost (the function gives nothing) lets the tool come to rest smoothly; it goes on when there is one
-/// again. After `patience` steps in a row NonFatalError(sensor_not_ready) is thrown.
+/// A target that is lost (the function gives nothing) lets the tool come to rest smoothly; it continues when there is
+/// one again. After `patience` steps in a row NonFatalError(sensor_not_ready) is thrown.
 class PositionServo : public Generator {
  public:
   /// The target's pose; nothing while it is not seen. Called once per step, must not allocate.

@@ -19,7 +19,7 @@ namespace mrroc {
 ///   places         a joint line from place to place, at rest at each; `speed` is JointLine's.
 ///
 /// First it goes to the first point by a joint line. Poses become joints as JointLine's target does, each the
-/// posture nearest to the point before it. Ends by itself at the last point, at rest; after a pause it goes back to
+/// posture nearest to the point before it. Ends on its own at the last point, at rest; after a pause it goes back to
 /// where it was on its way, and on. (The original's `teach_in` replayed; its `spline`.)
 class Replay : public Generator {
  public:

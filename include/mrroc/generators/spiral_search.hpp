@@ -15,7 +15,7 @@ namespace mrroc {
 /// place within `radius` is farther from the spiral than half the pitch: for a peg in a hole choose it below the
 /// clearance of the diameters.
 ///
-/// Ends by itself when r has come to `radius`: nothing has been found. What finding means is the condition of
+/// Ends on its own when r has come to `radius`: nothing has been found. What finding means is the condition of
 /// `.until(...)`. The robot needs `force_sensor` in the deployment.
 class SpiralSearch : public Generator {
  public:

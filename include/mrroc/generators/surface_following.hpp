@@ -23,17 +23,17 @@ struct SurfaceContact {
   Eigen::Vector3d gravity = standard_gravity();
 };
 
-/// Follows a surface that nobody has measured: presses along the tool's z axis with a force, and moves along the
+/// Follows a surface that no one has measured: presses along the tool's z axis with a force, and moves along the
 /// surface with a velocity in the tool's x-y plane, or along a path. What to do along z is the force law's of the
 /// robot's EDP, at every servo tick (a contact axis); x and y are unguarded.
 ///
-///   velocity   in tool axes; its z component must be 0. Goes on until a condition of `.until(...)` holds.
+///   velocity   in tool axes; its z component must be 0. Continues until a condition of `.until(...)` holds.
 ///   path       points in the robot's base frame, joined by straight lines; only what of them lies across the tool's z
 ///              axis counts, the surface gives the rest. With p(s) the point at the way s along them, the tool moves at
 ///
 ///                v = dp/ds ds/dt + 4/s (p(s) - x)        without its z component, ds/dt <= speed
 ///
-///              and ends by itself when it has come to the last point within kTolerance. Begins at the first point:
+///              and ends on its own when it has come to the last point within kTolerance. Begins at the first point:
 ///              the way there is made along the surface. It does not slow down in corners: when it turns round there it
 ///              goes too far by v^2 / (2 acceleration) and what it makes in two steps.
 ///
@@ -44,7 +44,7 @@ struct SurfaceContact {
 /// surface. Along the way the angle is that of the measured motion, through a low-pass of kSmoothing; across it, where
 /// friction does not matter, that of the force: -atan2(F_s, -F_z). The turning is come up to with angular_acceleration.
 /// At a speed v on a radius r it lags by v / r (1 / turning_gain + kSmoothing) rad. A tool that is flat
-/// and turns by itself needs no such thing, but axes 3 and 4 guarded: ForceControl.
+/// and turns on its own needs no such thing, but axes 3 and 4 guarded: ForceControl.
 ///
 /// The robot needs `force_sensor` in the deployment. (The original's edge_follow.)
 class SurfaceFollowing : public Generator {

@@ -15,7 +15,7 @@ namespace mrroc {
 ///   Move({arm}, {}, Together{LeadThrough{arm}, TeachIn{arm, path, 0.1}}.until(OperatorTrigger{*this}));
 ///
 /// The desired state is what is noted, joints and pose, so a replay commands what was commanded. Continuously: a timed
-/// path, which it begins anew, a point every `interval` s (rounded up to whole steps); pauses are not part of its
+/// path, which it begins again, a point every `interval` s (rounded up to whole steps); pauses are not part of its
 /// time. At the operator's triggers: a point for each, added to the path; leave `OperatorTrigger` out of such a Move, a
 /// trigger is taken once.
 ///

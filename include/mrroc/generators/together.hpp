@@ -15,9 +15,9 @@ namespace mrroc {
 ///
 ///   Move({arm, gripper}, {encoder}, Together{TrackFrame{arm, frame, above}, JointLine{gripper, open}});
 ///
-/// A part ends when it ends by itself or the condition of its own `until` holds; its robots then hold, while the others
-/// go on. The whole ends when all parts have ended, or by the condition of its own `until`. Two parts that command one
-/// robot: the later one has its way. Named after its parts: "TrackFrame + JointLine".
+/// A part ends when it ends on its own or the condition of its own `until` holds; its robots then hold, while the
+/// others continue. The whole ends when all parts have ended, or by the condition of its own `until`. Two parts that
+/// command one robot: the later one has its way. Named after its parts: "TrackFrame + JointLine".
 class Together : public Generator {
  public:
   /// Parts that are temporaries are moved in; those that are variables, or come out of `until`, are referred to.

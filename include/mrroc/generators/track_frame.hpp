@@ -18,7 +18,7 @@ struct FramePoint {
 };
 
 /// Of the motion relative to the frame, per axis of the frame; the jerks are 10 / s times the accelerations. The axes
-/// are planned each by itself: in a frame with an axis along the belt the tool catches up without swerving across it.
+/// are planned each on its own: in a frame with an axis along the belt the tool catches up without swerving across it.
 struct FrameLimits {
   double speed = 0.2;                 ///< m/s
   double acceleration = 0.3;          ///< m/s^2
@@ -31,16 +31,17 @@ struct FrameLimits {
 /// frame: its pose is F(t) X(t), commanded with twist and twist rate.
 ///
 /// F is the frame as a sensor tells it, extrapolated from the reading's tick to the end of the macrostep and smoothed
-/// (w = 10 / s: src/language/frame_observer.hpp): at constant velocity it is exact, at an acceleration a it lags a /
-/// w^2. X goes from where the tool is in the frame, with its velocity relative to it (a tool at rest begins with minus
-/// the frame's), to the first point and from point to point, at rest in each, time-optimal under the limits (Ruckig).
+/// (w = 10 / s: src/language/servoing/frame_observer.hpp): at constant velocity it is exact, at an acceleration a it
+/// lags a / w^2. X goes from where the tool is in the frame, with its velocity relative to it (a tool at rest begins
+/// with minus the frame's), to the first point and from point to point, at rest in each, time-optimal under the limits
+/// (Ruckig).
 ///
 /// Drives lag behind their set-points, by some mm at conveyor speeds. So X is shifted by a correction c in frame axes,
 ///   dc/dt = 4 / s (F X - measured tool position),  |c| <= 20 mm,
 ///
 /// dc/dt itself through a low-pass of 60 ms. The dwell at a point begins when X has come to it and the measured tool is
-/// within the tolerance of it. The motion ends by itself after the last dwell, *moving with the frame*: the next Move
-/// goes on from there; without one the EDP brakes.
+/// within the tolerance of it. The motion ends on its own after the last dwell, *moving with the frame*: the next Move
+/// continues from there; without one the EDP brakes.
 ///
 /// A reading that is lost (the function gives nothing) is replaced by the frame's constant motion; after `patience`
 /// steps in a row NonFatalError(sensor_not_ready) is thrown. Limits of the joints are the EDP's business: it refuses

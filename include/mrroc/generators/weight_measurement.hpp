@@ -28,7 +28,7 @@ struct Weighing {
 /// `tool_mass` in the deployment, of what the tool holds; without, of the tool too. The sensor's zero does not matter
 /// unless the offset is said to be zero.
 ///
-/// Ends by itself after the last posture; after a pause it goes on with the posture that it was at. The robot needs
+/// Ends on its own after the last posture; after a pause it continues with the posture that it was at. The robot needs
 /// `force_sensor` in the deployment. (The original's `weight_measure`.)
 class WeightMeasurement : public Generator {
  public:

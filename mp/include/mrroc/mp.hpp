@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "links/task_superior.hpp"
+#include "links/exchange/task_superior.hpp"
 #include "mrroc/conditions/digital_input.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/operator_trigger.hpp"
@@ -54,7 +54,7 @@ class Task : public process::TaskProcess {
   }
   /// Starts the program of every ECP.
   void start_all();
-  /// Whether what was started in the ECP of robot `name` goes on. In a Move: .until(When{"belt has ended", [this] {
+  /// Whether what was started in the ECP of robot `name` continues. In a Move: .until(When{"belt has ended", [this] {
   /// return !running("belt"); }}).
   bool running(const std::string& name);
   /// Ends the Move or Wait under way in the ECP of robot `name`, as if its condition had held; does nothing when
@@ -68,7 +68,7 @@ class Task : public process::TaskProcess {
   /// its class and where it arose; when the operator stops, all are stopped and Stopped is thrown.
   void wait_for_all();
   /// Waits until those of them that were started have ended. When an ECP fails, its error is thrown here, and the
-  /// others go on. Throws NonFatalError when there is no such robot, Stopped.
+  /// others continue. Throws NonFatalError when there is no such robot, Stopped.
   void wait_for_all(const std::vector<std::string>& names);
   /// Waits until one of them has ended, or none runs, and returns its name: the first in the list of those that do not
   /// run. Likewise.
@@ -94,8 +94,8 @@ class Task : public process::TaskProcess {
   }
 
   /// Runs these parts of the task side by side until all have ended: each may Move and Wait, ask, start and wait for
-  /// ECPs. They take turns: a part goes on until it waits for a reply, a tick or the operator. Two parts must not have
-  /// one robot, or one interactive sensor, at the same time (NonFatalError(busy)). When one throws, the others are
+  /// ECPs. They take turns: a part continues until it waits for a reply, a tick or the operator. Two parts must not
+  /// have one robot, or one interactive sensor, at the same time (NonFatalError(busy)). When one throws, the others are
   /// stopped at their next step, and the error is thrown here. Not within a part (NonFatalError(invalid_argument)).
   void concurrently(const std::vector<std::function<void()>>& parts);
 
@@ -129,7 +129,7 @@ class Task : public process::TaskProcess {
   bool heard_label(const std::string& name, std::string_view label);
   Ecp& ecp(const std::string& name, const char* asked);
   [[noreturn]] static void rethrow(Ecp& failed);
-  /// Takes note of how an ECP stands. One that ends for a stop that nobody here has asked for was ended from outside:
+  /// Takes note of how an ECP stands. One that ends for a stop that no one here has asked for was ended from outside:
   /// it has failed.
   static void note(const std::string& name, Ecp& ecp, links::TaskStatus status);
   void wait_for_running();

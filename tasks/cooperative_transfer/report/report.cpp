@@ -10,8 +10,8 @@
 #include <string>
 
 #include "cooperative_transfer/transfer_path.hpp"
-#include "language/object_path.hpp"
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
+#include "language/cooperation/object_path.hpp"
 
 namespace mrroc::transfer {
 

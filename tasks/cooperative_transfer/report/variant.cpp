@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cooperative_transfer/transfer_path.hpp"
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
 
 namespace mrroc::transfer {
 

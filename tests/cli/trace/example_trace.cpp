@@ -57,7 +57,7 @@ class Cell {
     read_sensors(true);
   }
 
-  /// One step: the line, then the answer to its commands. `moving`: the robots go on moving after it.
+  /// One step: the line, then the answer to its commands. `moving`: the robots continue moving after it.
   void step(std::vector<CommandEntry> commands, std::vector<ConditionEntry> conditions = {}, bool moving = false) {
     show(std::move(conditions));
     const Tick start = common_start();

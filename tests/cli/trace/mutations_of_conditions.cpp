@@ -22,8 +22,8 @@ PossibleValues value_of(const Line& line) {
   return value_of_condition(line.is_move ? line.until.value_or("") : line.name, line.conditions);
 }
 
-/// A part whose other value would decide: the condition would hold where the instruction goes on, or not where it ended
-/// by it. A part of an `and` whose other parts are false, of an `or` that holds anyway, decides nothing.
+/// A part whose other value would decide: the condition would hold where the instruction continues, or not where it
+/// ended by it. A part of an `and` whose other parts are false, of an `or` that holds anyway, decides nothing.
 std::vector<std::size_t> deciding_parts(const Line& line) {
   std::vector<std::size_t> parts;
   for (std::size_t i = 0; i < line.conditions.size(); ++i) {

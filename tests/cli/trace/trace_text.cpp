@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "cli/trace.hpp"
+#include "cli/output/trace.hpp"
 #include "cli/trace/format_line.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "sensors/camera/live_camera.hpp"
+#include "sensors/camera/pictures/live_camera.hpp"
 #include "sensors/camera/seen_world.hpp"
 
 namespace mrroc::vsp {

@@ -1,12 +1,12 @@
-#include "sensors/camera/outline.hpp"
+#include "sensors/camera/detection/outline.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <cmath>
 
-#include "language/rigid_motion.hpp"
-#include "sensors/camera/marker_detector.hpp"
+#include "geometry/rigid_motion.hpp"
+#include "sensors/camera/detection/marker_detector.hpp"
 
 namespace mrroc::vsp {
 namespace {

@@ -8,8 +8,8 @@
 #include <random>
 #include <string>
 
-#include "config/sensor_type.hpp"
-#include "language/rigid_motion.hpp"
+#include "config/entries/sensor_type.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 #include "sensors/camera/camera_sensor.hpp"
 #include "sim/simulation.hpp"
@@ -92,7 +92,7 @@ class SeenWorld {
   void turn(const std::string& joint, double position) { *position_of(joint) = position; }
 
   void store(Tick tick) {
-    sim::WorldSnapshot snapshot{};
+    world::WorldSnapshot snapshot{};
     snapshot.tick = tick;
     snapshot.position_count = static_cast<std::uint32_t>(positions_.size());
     std::copy(positions_.begin(), positions_.end(), snapshot.values.begin());
@@ -128,7 +128,7 @@ class SeenWorld {
   config::SensorEntry entry_;
   sim::Model model_;
   std::vector<double> positions_;
-  std::unique_ptr<sim::WorldMemory> memory_ = std::make_unique<sim::WorldMemory>();
+  std::unique_ptr<world::WorldMemory> memory_ = std::make_unique<world::WorldMemory>();
   CameraSensor sensor_;
   std::unique_ptr<Source> source_;  // after the sensor: destroyed before it
   SourceState state_ = SourceState::not_ready;

@@ -43,7 +43,7 @@ class Arm {
 
   /// Brings the arm to rest at `joints`, brakes on. False: it touches itself or the floor.
   bool rest_at(const JointVector& joints) {
-    sim::JointDrive none;
+    world::JointDrive none;
     none.joint_count = 6;
     world_.drive(0, none, tick_);  // releases the brakes
     std::copy(joints.begin(), joints.end(), world_.data().qpos);
@@ -56,7 +56,7 @@ class Arm {
   }
 
   RawReading wrist() const {
-    sim::HardwareReading slot;
+    world::HardwareReading slot;
     hardware_->read(world_.data(), slot);
     RawReading r;
     r.tick = tick_;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <sstream>
 
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 #include "mrroc/sensors/force_torque.hpp"

@@ -1,9 +1,9 @@
 // The same sensor as the EDP of a robot reads it.
-#include "edp/wrist_sensor.hpp"
+#include "edp/force/wrist_sensor.hpp"
 
 #include <gtest/gtest.h>
 
-#include "language/rigid_motion.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "sensors/force_torque/made_sensor.hpp"
 
 namespace mrroc::vsp {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "links/operator_responder.hpp"
+#include "links/exchange/operator_responder.hpp"
 #include "links/test_clock.hpp"
 #include "links/test_domain.hpp"
 #include "sensors/entry.hpp"

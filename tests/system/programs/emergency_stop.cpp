@@ -55,7 +55,7 @@ class EmergencyStop : public ecp::Task {
     require(stopped([&] { Move({arm}, {}, JointLine{arm, home}); }), "it moved with the stop pressed");
     if (by_input) require(stopped([&] { press(false); }), "outputs are set and the fault is told");
 
-    // the arm has come to rest, and stays there until it is told to move, reset or not
+    // the arm has come to rest, and stays there until it is instructed to move, reset or not
     JointVector stands;
     Tick pressed = 0;
     for (bool recovered = false; !recovered;) {

@@ -66,7 +66,7 @@ class Nested : public mp::Task {
                 static_cast<int>(origin.step), static_cast<int>(origin.tick));
   }
 
-  /// It stands when nobody has commanded it, and goes on standing.
+  /// It stands when no one has commanded it, and continues standing.
   void rests(const char* name, Robot& belt) {
     Wait({belt}, {}, ElapsedSteps{1});
     const double place = belt.state().desired_joints[0];

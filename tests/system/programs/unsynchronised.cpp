@@ -1,4 +1,4 @@
-// Synchronises the arm, goes on with another tool and the calibrated model, and checks what it sees on its way.
+// Synchronises the arm, continues with another tool and the calibrated model, and checks what it sees on its way.
 #include <cmath>
 #include <cstdio>
 

@@ -26,7 +26,7 @@ struct Motion {
   /// moved to the end. Regulators that hold a position tremble by some 0.005 rad/s.
   Tick standstill(double speed = 0.02) const;
   /// The first tick from `from` on at which no joint is faster than `speed`, nor at the next nine: a robot that stops
-  /// in the middle of a run and goes on later. kNever: it did not stop.
+  /// in the middle of a run and continues later. kNever: it did not stop.
   Tick at_rest(Tick from, double speed = 0.02) const;
   /// The greatest speed of any joint, as a part of its limit.
   double fastest() const;

@@ -17,7 +17,7 @@ struct Step {
   std::string instruction;  ///< name of the generator, or of the condition waited for
   bool is_move = false;
   std::uint64_t step = 0;  ///< of the instruction, from 0
-  std::string ending;      ///< what ends the instruction here; empty: it goes on
+  std::string ending;      ///< what ends the instruction here; empty: it continues
   std::string line;        ///< the whole
 };
 

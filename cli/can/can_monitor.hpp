@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string_view>
+
+#include "can/bus.hpp"
+#include "cli/can/can_frame_words.hpp"
+
+namespace mrroc::cli {
+
+struct MonitorOptions {
+  std::uint64_t count = std::numeric_limits<std::uint64_t>::max();  ///< frames, then it ends
+  double seconds = std::numeric_limits<double>::infinity();
+  bool summary = false;  ///< at the end, instead of a line for each frame
+  double bit_rate = 1e6;
+};
+
+/// Listens until the frames or the seconds are over, or `stop` returns true: gives `show` one line for each frame, s
+/// since the first one and the frame in words, or a summary. Sends nothing. Throws std::runtime_error when the bus has
+/// gone, and what `show` throws.
+void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, const std::function<bool()>& stop,
+             const std::function<void(std::string_view text)>& show);
+
+}  // namespace mrroc::cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "can/frame.hpp"
+#include "cli/can/can_frame_words.hpp"
+
+namespace mrroc::cli {
+
+/// Bits that a classical frame takes on the wire, with the pause behind it, where as many are stuffed as ever can be
+/// (Davis, Burns, Bril, Lukkien: "Controller Area Network (CAN) schedulability analysis", Real-Time Systems 35, 2007).
+constexpr std::uint64_t bits_on_the_wire(std::size_t bytes) noexcept {
+  return 47 + 8 * bytes + (34 + 8 * bytes - 1) / 4;
+}
+
+/// Counts frames by identifier. One thread.
+class CanSummary {
+ public:
+  void add(const can::Frame& frame);
+  /// A table: how many frames of each kind, how often, and what part of a bus of `bit_rate` (bit/s) they take at most;
+  /// `seconds`: how long was listened. Frames of CAN FD have two bit rates: they are counted, and no load is told.
+  std::string text(const FrameWords& words, double seconds, double bit_rate) const;
+
+ private:
+  struct Count {
+    std::uint64_t frames = 0;
+    std::uint64_t bits = 0;
+  };
+  std::map<std::uint32_t, Count> counts_;
+  std::uint64_t errors_ = 0;
+  std::uint64_t fd_ = 0;
+};
+
+}  // namespace mrroc::cli

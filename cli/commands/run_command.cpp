@@ -1,0 +1,112 @@
+#include "cli/commands/run_command.hpp"
+
+#include <cstdint>
+#include <limits>
+
+#include "cli/processes/ask_programs.hpp"
+#include "cli/run/runner.hpp"
+#include "command/number_option.hpp"
+#include "command/print.hpp"
+#include "config/description.hpp"
+#include "config/state_machine.hpp"
+#include "config/table.hpp"
+#include "config/text/deployment_text.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+struct RunArguments {
+  std::filesystem::path file;
+  std::string clock;
+  RunOptions options;
+  bool check = false;
+};
+
+config::ClockMode clock_mode(const std::string& name) {
+  if (name == "real") return config::ClockMode::real;
+  return name == "paced" ? config::ClockMode::paced : config::ClockMode::lockstep;
+}
+
+/// What the command line may not ask of a deployment on several machines.
+void check_hosts(const config::Deployment& deployment, const RunArguments& arguments,
+                 const config::DeploymentText& source) {
+  const auto used = deployment.hosts_used();
+  if (used.empty()) return;
+  if (!source.is_file)
+    throw config::ConfigurationError(arguments.file, 0, "", "host '" + used.front()->name + "' is another machine",
+                                     "a file that every machine has");
+  if (deployment.clock != config::ClockMode::real)
+    throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
+                                     "host '" + used.front()->name + "' is another machine", "--clock real");
+  if (!arguments.options.snapshots.empty() && deployment.sim && !deployment.sim->host.empty())
+    throw config::ConfigurationError(deployment.file, 0, "--snapshots",
+                                     "the simulator runs on host '" + deployment.sim->host + "'",
+                                     "a simulator on this machine");
+}
+
+/// Real drives continue on their own, whatever the clock of the command line.
+void check_drives(const config::Deployment& deployment, const RunArguments& arguments) {
+  if (deployment.clock == config::ClockMode::real) return;
+  for (const config::RobotEntry& robot : deployment.robots)
+    if (robot.can && !robot.can->simulated)
+      throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
+                                       "robot '" + robot.name + "' has real drives", "--clock real");
+}
+
+int run(const RunArguments& arguments) {
+  const config::DeploymentText source = config::read_deployment_text(arguments.file);
+  // messages name a file as it was given
+  config::Deployment deployment = config::load_deployment(source.is_file ? arguments.file : source.file, source.text);
+  RunOptions options = arguments.options;
+  options.text = source.text;
+  options.attended = !source.from_stdin;
+  if (!arguments.clock.empty()) deployment.clock = clock_mode(arguments.clock);
+  check_hosts(deployment, arguments, source);
+  check_drives(deployment, arguments);
+  if (!deployment.mp.states.empty()) {
+    const config::ProgramsByRobot programs = ask_programs(deployment);
+    config::load_state_machine(deployment.mp.states, deployment, programs);
+    options.behaviours = config::to_text(programs);
+  }
+  if (arguments.check) {
+    command::print(config::describe(deployment) + "\n");
+    return 0;
+  }
+  return static_cast<int>(Runner(deployment, options).run());
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command = app.add_subcommand("run", "Start a deployment, show its progress, exit with the task's result");
+  command->add_option("FILE", arguments->file, "Deployment file (TOML)")->required();
+  command->add_option("--clock", arguments->clock, "Clock instead of the deployment's")
+      ->check(CLI::IsMember({"real", "paced", "lockstep"}));
+  command->add_option("--trace", arguments->options.trace, "Write every step of every Move and Wait to this file");
+  arguments->options.black_box = "mrroc-black-box";
+  command
+      ->add_option("--black-box", arguments->options.black_box,
+                   "Folder for the last steps of a task that fails, one file for each; empty: none")
+      ->capture_default_str();
+  command->add_option("--snapshots", arguments->options.snapshots,
+                      "Write states of the simulated world to this folder");
+  command->add_option("--motion", arguments->options.motion,
+                      "Write where the simulated world's robots are at every tick, and how fast, to this file; of a "
+                      "simulator on another host it lies there");
+  command
+      ->add_option(
+          "--inject", arguments->options.faults,
+          "Inject a fault, e.g. \"kill ecp:arm at step 120\" (docs/how-to/fault-injection.md); may be given again")
+      ->take_all()
+      ->expected(1);
+  command::add_number<std::uint64_t>(*command, "--shuffle-start", arguments->options.shuffle_seed, 0,
+                                     std::numeric_limits<std::uint64_t>::max(),
+                                     "Start the processes in a random order with random delays, from this seed");
+  command->add_flag("--quiet", arguments->options.quiet, "No progress and no report");
+  command->add_flag("--check", arguments->check, "Validate the deployment and show its processes; start nothing");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace mrroc::cli

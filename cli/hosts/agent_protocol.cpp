@@ -1,0 +1,117 @@
+#include "cli/hosts/agent_protocol.hpp"
+
+#include <charconv>
+#include <stdexcept>
+
+#include "config/drives/drive_objects.hpp"
+#include "config/robot_parameters_file.hpp"
+#include "config/text/file_text.hpp"
+#include "core/number_text.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+/// FNV-1a, as that of traces: it tells files apart, no one is to be kept out by it.
+std::string hash_of(const std::filesystem::path& file) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char character : config::read_file(file)) {
+    hash ^= static_cast<unsigned char>(character);
+    hash *= 0x100000001b3U;
+  }
+  char text[17] = "";
+  std::to_chars(text, text + 16, hash, 16);
+  return text;
+}
+
+int number_in(const std::string& line, std::int64_t most) {
+  const auto number = whole_number(split_word(line).second);
+  if (!number || *number < 0 || *number > most) throw std::runtime_error("order '" + line + "': expected a number");
+  return static_cast<int>(*number);
+}
+
+}  // namespace
+
+std::vector<std::string> to_lines(const AgentOrder& order) {
+  std::vector<std::string> lines{"host " + order.host, "deployment " + order.deployment.string()};
+  for (const auto& [key, hash] : order.files) lines.push_back("file " + key + " " + hash);
+  lines.push_back("domain " + std::to_string(order.domain));
+  for (const std::string& machine : order.machines) lines.push_back("machine " + machine);
+  lines.push_back("beat_port " + std::to_string(order.beat_port));
+  lines.push_back("key " + to_hex(order.key));
+  if (order.trace) lines.emplace_back("trace");
+  if (order.black_box) lines.emplace_back("black_box");
+  if (!order.motion.empty()) lines.push_back("motion " + order.motion.string());
+  return lines;
+}
+
+AgentOrder order_of_lines(const std::vector<std::string>& lines) {
+  AgentOrder order;
+  bool has_key = false;
+  for (const std::string& line : lines) {
+    const auto [word, text] = split_word(line);
+    if (word == "host") {
+      order.host = text;
+    } else if (word == "deployment") {
+      order.deployment = text;
+    } else if (word == "file") {
+      order.files.push_back(split_word(text));
+    } else if (word == "domain") {
+      order.domain = number_in(line, 230);
+    } else if (word == "machine") {
+      order.machines.push_back(text);
+    } else if (word == "beat_port") {
+      order.beat_port = number_in(line, 65535);
+    } else if (word == "key") {
+      const auto key = key_of_hex(text);
+      if (!key) throw std::runtime_error("order 'key': expected 64 hexadecimal digits");
+      order.key = *key;
+      has_key = true;
+    } else if (word == "trace") {
+      order.trace = true;
+    } else if (word == "black_box") {
+      order.black_box = true;
+    } else if (word == "motion") {
+      order.motion = text;
+    } else {
+      throw std::runtime_error("order '" + line + "' is not known: the runner is of another version");
+    }
+  }
+  if (order.host.empty() || order.deployment.empty() || order.machines.empty() || order.beat_port == 0 || !has_key)
+    throw std::runtime_error("the order is incomplete: `mrroc agent` is started by `mrroc run`, not by hand");
+  return order;
+}
+
+std::pair<std::string, std::string> split_word(const std::string& line) {
+  const std::size_t space = line.find(' ');
+  if (space == std::string::npos) return {line, ""};
+  return {line.substr(0, space), line.substr(space + 1)};
+}
+
+std::optional<std::int64_t> whole_number(const std::string& text) { return core::to_whole<std::int64_t>(text); }
+
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const config::Deployment& deployment) {
+  std::vector<std::pair<std::string, std::filesystem::path>> files{{"deployment", deployment.file}};
+  if (!deployment.mp.states.empty()) files.emplace_back("mp.states", deployment.mp.states);
+  if (deployment.sim) files.emplace_back("sim.scene", deployment.sim->scene);
+  for (const config::RobotEntry& robot : deployment.robots) {
+    const std::string key = std::string("robots.").append(robot.name);
+    files.emplace_back(key + ".type", config::robot_file(robot.type, robot.type + ".toml"));
+    if (robot.can) files.emplace_back(key + ".can.drives", robot.can->drives);
+  }
+  for (const config::SensorEntry& sensor : deployment.sensors)
+    if (!sensor.replay.empty()) files.emplace_back("sensors." + sensor.name + ".replay", sensor.replay);
+  return files;
+}
+
+std::vector<std::pair<std::string, std::string>> files_of(const config::Deployment& deployment) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& [key, file] : input_files(deployment)) files.emplace_back(key, hash_of(file));
+  for (const config::RobotEntry& robot : deployment.robots)
+    if (robot.can)
+      files.emplace_back(std::string("robots.").append(robot.name) + ".can.drives: eds",
+                         hash_of(config::eds_file(config::Table::load(robot.can->drives))));
+  return files;
+}
+
+}  // namespace mrroc::cli

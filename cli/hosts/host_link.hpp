@@ -1,0 +1,88 @@
+#pragma once
+
+#include <netinet/in.h>
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "cli/run/beat.hpp"
+#include "clock/emergency_stop.hpp"
+#include "clock/wall/peer_clock.hpp"
+
+namespace mrroc::cli {
+
+/// What a link has been like, for reports.
+struct LinkFigures {
+  std::uint64_t sent = 0;
+  std::uint64_t heard = 0;
+  std::uint64_t refused = 0;         ///< datagrams that were no beat of the peer, or an old one
+  std::int64_t longest_silence = 0;  ///< ns, since `watch()`
+  std::int64_t drift_ns = 0;         ///< PeerClock::worst_drift_ns
+  std::int64_t certain_drift_ns = 0;
+};
+
+/// One end of the link between the runner and another host: a thread sends a beat in each tenth of the time-out, at
+/// least every 50 ms (until the start every 4 ms, to learn the clock soon), listens to the peer's, learns its clock
+/// from them and notices when they stay away. UDP, for TCP would continue repeating itself behind a cut; every beat is
+/// sealed. The runner's beats tell its emergency stop, too: the other end's follows it within a tenth of the time-out,
+/// later when beats are lost, and when all are, the link is. The main thread constructs it; any thread may ask.
+class HostLink {
+ public:
+  /// Binds a port of `own` in those that a DDS domain leaves free: 7600 + 250 domain to 7649 + 250 domain.
+  /// `emergency_stop`: of this host; it must outlive the link. Throws std::runtime_error when there is no port.
+  HostLink(in_addr own, int domain, const BeatKey& key, bool is_runner, double timeout,
+           clock::EmergencyStop& emergency_stop);
+  ~HostLink();
+  HostLink(const HostLink&) = delete;
+  HostLink& operator=(const HostLink&) = delete;
+
+  int port() const noexcept { return port_; }
+  /// Begins to send beats to the peer's end.
+  void start(in_addr peer, int port);
+  /// From now on silence counts, and the peer's clock may not drift.
+  void watch();
+
+  /// No beat has come for the time-out since `watch()`. It stays so.
+  bool lost() const noexcept { return lost_.load(); }
+  /// Becomes readable when the link is lost.
+  int event_fd() const noexcept { return event_; }
+  /// The peer's clock; nothing for the first 128 beats.
+  std::optional<clock::ClockOffset> offset() const;
+  LinkFigures figures() const;
+  /// What the system has refused to the thread; empty: nothing.
+  std::string warning() const;
+
+ private:
+  void run();
+  void listen();
+  void take(const Beat& beat, std::int64_t now);
+  void send(std::int64_t now);
+  void look_for_silence(std::int64_t now);
+
+  const BeatKey key_;
+  const bool is_runner_;
+  const std::int64_t timeout_;  // ns
+  clock::EmergencyStop& emergency_stop_;
+  int socket_ = -1;
+  int event_ = -1;
+  int port_ = 0;
+  sockaddr_in peer_{};
+
+  std::uint64_t peer_sequence_ = 0;  // the thread's, up to `thread_`
+  std::int64_t peer_sent_ = 0;
+  std::int64_t heard_at_ = 0;
+
+  mutable std::mutex mutex_;  // of what the thread tells
+  clock::PeerClock clock_;
+  LinkFigures figures_;
+  std::string warning_;
+  std::int64_t watched_since_ = 0;  // 0: not watched
+  std::atomic<bool> lost_{false};
+  std::atomic<bool> ended_{false};
+  std::thread thread_;
+};
+
+}  // namespace mrroc::cli

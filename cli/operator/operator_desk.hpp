@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "cli/operator/typed_lines.hpp"
+#include "clock/clock.hpp"
+#include "config/deployment.hpp"
+#include "links/exchange/operator_responder.hpp"
+#include "links/transport/domain.hpp"
+
+namespace mrroc::cli {
+
+/// Throws ConfigurationError when a sensor asks the operator and no one could ever answer it: no event of the
+/// deployment does, and `attended` is false or time is lockstep's, where a typed answer would come at another tick on
+/// every run.
+void check_somebody_answers(const config::Deployment& deployment, bool attended);
+
+/// Where what sensors and task programs ask and tell the operator comes together, and his answers leave: those of the
+/// deployment's events at their ticks, those that he types as soon as he has. A sensor's question is answered by the
+/// first event for it at a later tick; without one, as a program's, it is shown, the oldest first, and asked again
+/// until the line typed is an answer. Messages are shown at once. The main thread, but for `answer`.
+class OperatorDesk {
+ public:
+  using Show = std::function<void(const std::string& line)>;
+
+  /// `clock`: the operator's; `input`: where answers are typed; `show`: a line for him to read. All outlive the desk.
+  OperatorDesk(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock, TypedLines& input,
+               Show show);
+
+  /// Sends the answer of an event. The clock's thread, at the event's tick.
+  void answer(const config::Event& event);
+  /// `estop` or `reset` of an event: presses or resets the emergency stop of all robots. Any thread.
+  void emergency(const std::string& word);
+  /// Looks for questions and for what has been typed: the words `estop` and `reset` at any time, before every answer.
+  /// Throws NonFatalError(sensor_not_ready) for a question that no one
+  /// is left to answer.
+  void look();
+  /// Whether a question waits for a line to be typed.
+  bool waits_for_line() const noexcept { return !open_.empty(); }
+
+ private:
+  struct Open {
+    std::string asker;  // sensor or process
+    std::uint64_t number = 0;
+    links::OperatorQuestion question;
+    std::string text() const { return asker + ": " + std::string{question.text.view()}; }
+    bool same(const Open& other) const { return asker == other.asker && number == other.number; }
+  };
+
+  void take_questions();
+  void take_question(const Open& open);
+  const config::Event* event_for(const std::string& asker, Tick asked) const noexcept;
+  bool somebody_types() const noexcept;
+  [[noreturn]] void refuse(const Open& question) const;
+  void ask_aloud();
+  void read_lines();
+  void send(const std::string& asker, const links::OperatorAnswer& answer);
+
+  const config::Deployment& deployment_;
+  clock::EmergencyStop& emergency_stop_;
+  TypedLines& input_;
+  Show show_;
+  std::map<std::string, std::unique_ptr<links::OperatorResponder>> links_;  // by asker
+  std::deque<Open> open_;                                                   // the first is the one shown
+  Open shown_;
+  std::mutex sending_;
+};
+
+}  // namespace mrroc::cli

@@ -1,0 +1,85 @@
+#include "cli/operator/typed_lines.hpp"
+
+#include <poll.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r";
+constexpr std::size_t kTyped = 65536;  // a pipe may hold more than anybody types
+
+bool same_word(std::string_view typed, std::string_view word) {
+  return typed.size() == word.size() && strncasecmp(typed.data(), word.data(), word.size()) == 0;
+}
+
+}  // namespace
+
+bool TypedLines::attended() const noexcept {
+  if (!unread_.empty()) return true;
+  if (ended_) return false;
+  struct stat status {};
+  if (fstat(fd_, &status) != 0) return false;
+  return isatty(fd_) != 0 || S_ISFIFO(status.st_mode) || S_ISREG(status.st_mode) || S_ISSOCK(status.st_mode);
+}
+
+std::optional<std::string> TypedLines::next() {
+  read_more();
+  const std::size_t end = unread_.find('\n');
+  if (end == std::string::npos && (!ended_ || unread_.empty())) return std::nullopt;
+  std::string line = unread_.substr(0, end);
+  unread_.erase(0, end == std::string::npos ? end : end + 1);
+  return line;
+}
+
+std::optional<std::string> TypedLines::next_of(std::initializer_list<std::string_view> words) {
+  read_more();
+  std::size_t begin = 0;
+  for (std::size_t end = 0; begin < unread_.size(); begin = end + 1) {
+    end = unread_.find('\n', begin);
+    if (end == std::string::npos && !ended_) break;  // the line is being typed
+    end = std::min(end, unread_.size());
+    std::string_view line = std::string_view{unread_}.substr(begin, end - begin);
+    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    line = line.substr(0, line.find_last_not_of(kBlanks) + 1);
+    const auto word = std::find_if(words.begin(), words.end(), [line](auto each) { return same_word(line, each); });
+    if (word == words.end()) continue;
+    unread_.erase(begin, end + 1 - begin);
+    return std::string{*word};
+  }
+  return std::nullopt;
+}
+
+/// Lines that no one has asked for must not keep an emergency stop behind them from being read.
+void TypedLines::forget_oldest() {
+  const std::size_t end = unread_.find('\n', unread_.size() - kTyped);
+  unread_.erase(0, end == std::string::npos ? end : end + 1);
+}
+
+/// What has come; of what no one types, a part.
+void TypedLines::read_more() {
+  // reading a terminal from the background would stop this process, and the deployment with it
+  if (isatty(fd_) != 0 && tcgetpgrp(fd_) != getpgrp()) return;
+  struct stat status {};
+  const bool is_file = fstat(fd_, &status) == 0 && S_ISREG(status.st_mode);
+  if (is_file && unread_.size() >= kTyped) return;  // no one types into it, and it does not run away
+  std::array<char, 256> buffer;
+  std::size_t taken = 0;
+  for (pollfd look{fd_, POLLIN, 0}; !ended_ && taken < kTyped && poll(&look, 1, 0) > 0;) {
+    const ssize_t count = read(fd_, buffer.data(), buffer.size());
+    if (count == 0 && isatty(fd_) != 0) break;  // Ctrl-D ends a line there, not the typing
+    ended_ = count <= 0;
+    if (count <= 0) break;
+    unread_.append(buffer.data(), static_cast<std::size_t>(count));
+    taken += static_cast<std::size_t>(count);
+  }
+  if (unread_.size() > kTyped) forget_oldest();
+}
+
+}  // namespace mrroc::cli

@@ -1,0 +1,71 @@
+#include "cli/output/outputs.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+#include "cli/hosts/agent_protocol.hpp"
+
+namespace mrroc::cli {
+
+process::ClaimedFile claim_motion(const std::filesystem::path& path) {
+  struct stat status {};
+  // the simulator writes it between two steps of the world: a reader that stops would stop the world
+  if (::stat(path.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)))
+    throw std::runtime_error("--motion " + path.string() + ": is a pipe, expected a file");
+  return {path, "the motion file"};
+}
+
+Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment,
+                 const std::vector<PlannedProcess>& plan, const TraceOutput::Wait& wait) {
+  for (const auto& [key, file] : input_files(deployment)) known_.emplace_back(key, process::identity_of(file));
+  const bool remote = deployment.sim && !deployment.sim->host.empty();
+  if (!options.motion.empty() && !remote) {
+    check_apart("--motion", options.motion);
+    known_.emplace_back("--motion", motion_.emplace(claim_motion(options.motion)).identity());
+  }
+  if (!options.trace.empty()) {
+    check_apart("--trace", options.trace);
+    trace_.emplace(options.trace, deployment.start_timeout, wait);
+    if (!trace_->opened()) return;
+    known_.emplace_back("--trace", trace_->file().identity());
+    parts_.emplace(*trace_, plan);
+  }
+  if (!options.snapshots.empty()) {
+    std::filesystem::create_directories(options.snapshots);
+    snapshots_.emplace(process::ClaimedFile::folder(options.snapshots, "the snapshots"));
+    if (access(options.snapshots.c_str(), W_OK | X_OK) != 0)
+      throw std::runtime_error("cannot write the snapshots " + options.snapshots.string() + ": " +
+                               std::strerror(errno));
+  }
+  if (!options.black_box.empty()) check_apart("--black-box", options.black_box);
+}
+
+void Outputs::check_apart(const std::string& option, const std::filesystem::path& path) const {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || S_ISCHR(status.st_mode)) return;
+  for (const auto& [name, identity] : known_)
+    if (identity == process::identity_of(path))
+      throw std::runtime_error(option + " " + path.string() + ": is the file of " + name +
+                               ", too, expected another file");
+}
+
+Outputs::~Outputs() {
+  if (!begun_ && parts_) parts_->remove();
+}
+
+void Outputs::begin() {
+  begun_ = true;
+  if (trace_) trace_->clear();
+  if (motion_ && motion_->is_own_regular_file() && ftruncate(motion_->fd(), 0) != 0)
+    throw std::runtime_error("cannot write the motion file " + motion_->path().string() + ": " + std::strerror(errno));
+}
+
+void Outputs::join_trace(config::ClockMode clock, const TraceOutput::Continue& go_on) {
+  if (parts_) parts_->join(*trace_, clock, go_on);
+}
+
+}  // namespace mrroc::cli

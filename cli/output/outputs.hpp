@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/output/trace_output.hpp"
+#include "cli/output/trace_parts.hpp"
+#include "cli/processes/process_plan.hpp"
+#include "cli/run/run_options.hpp"
+#include "config/deployment.hpp"
+#include "process/record/claimed_file.hpp"
+
+namespace mrroc::cli {
+
+/// All files and folders that a run writes by name, claimed before anything starts: no other run has one of them, none
+/// is named twice, and none is a file that the deployment is made of. Main thread.
+class Outputs {
+ public:
+  /// Throws std::runtime_error that names the option, the file and the reason; nothing has been emptied then. `wait`:
+  /// see TraceOutput.
+  Outputs(const RunOptions& options, const config::Deployment& deployment, const std::vector<PlannedProcess>& plan,
+          const TraceOutput::Wait& wait);
+  ~Outputs();
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+
+  /// Empties what has been left of an earlier run: from now on the outputs are this run's.
+  void begin();
+
+  /// The open part of the trace of a process, the open motion file; -1: none.
+  int trace_of(const std::string& process) const noexcept { return parts_ ? parts_->fd_of(process) : -1; }
+  int motion() const noexcept { return motion_ ? motion_->fd() : -1; }
+  /// Null: no trace is written.
+  TraceParts* parts() noexcept { return parts_ ? &*parts_ : nullptr; }
+  /// At the end of the run. Throws as TraceParts::join.
+  void join_trace(config::ClockMode clock, const TraceOutput::Continue& go_on);
+
+ private:
+  void check_apart(const std::string& option, const std::filesystem::path& path) const;
+
+  std::vector<std::pair<std::string, process::FileIdentity>> known_;  // what no further output may be
+  std::optional<TraceOutput> trace_;
+  std::optional<process::ClaimedFile> motion_;
+  std::optional<process::ClaimedFile> snapshots_;
+  std::optional<TraceParts> parts_;
+  bool begun_ = false;
+};
+
+/// A motion file: a regular file or a device. Throws std::runtime_error for another, or as ClaimedFile.
+process::ClaimedFile claim_motion(const std::filesystem::path& path);
+
+}  // namespace mrroc::cli

@@ -1,0 +1,107 @@
+#include "cli/output/trace.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <stdexcept>
+
+namespace mrroc::cli {
+
+namespace {
+
+const char* name_of(config::ClockMode clock) noexcept {
+  switch (clock) {
+    case config::ClockMode::real:
+      return "real";
+    case config::ClockMode::paced:
+      return "paced";
+    case config::ClockMode::lockstep:
+      return "lockstep";
+  }
+  return "real";
+}
+
+/// Takes off what an editor or a file transfer has put around a line of a trace: it has the same hash again.
+void take_off_extras(std::string& text, bool first) {
+  if (first && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  while (text.ends_with('\r')) text.pop_back();
+}
+
+/// A line without a tick belongs to the line before, as does one with an older tick.
+std::uint64_t tick_of(const std::string& text, std::uint64_t before) {
+  constexpr std::string_view key = "tick=";
+  std::uint64_t tick = before;
+  if (text.starts_with(key)) std::from_chars(text.data() + key.size(), text.data() + text.size(), tick);
+  return std::max(tick, before);
+}
+
+/// A part that is read line by line: a trace of hours is larger than memory.
+class Part {
+ public:
+  explicit Part(const std::filesystem::path& path) : file_(path) {
+    if (!file_) throw std::runtime_error("cannot read the trace " + path.string());
+    next();
+  }
+  bool ended() const noexcept { return ended_; }
+  std::uint64_t tick() const noexcept { return tick_; }
+  const std::string& text() const noexcept { return text_; }
+  void next() {
+    // a last line without an end: its process was killed while it wrote
+    ended_ = !std::getline(file_, text_) || file_.eof();
+    if (!ended_) tick_ = tick_of(text_, tick_);
+  }
+
+ private:
+  std::ifstream file_;
+  std::string text_;
+  std::uint64_t tick_ = 0;  // the newest so far
+  bool ended_ = false;
+};
+
+}  // namespace
+
+void merge_traces(const std::vector<std::filesystem::path>& parts, config::ClockMode clock,
+                  const std::function<void(std::string_view text)>& write) {
+  constexpr std::size_t kPiece = 65536;
+  std::vector<std::filesystem::path> sorted = parts;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<Part> open(sorted.begin(), sorted.end());
+  std::string text = std::string{kTraceHeader} + name_of(clock) + "\n";
+  const auto earlier = [](const Part& a, const Part& b) { return !a.ended() && (b.ended() || a.tick() < b.tick()); };
+  for (auto first = open.begin(); !open.empty(); first->next()) {
+    first = std::min_element(open.begin(), open.end(), earlier);  // the first of those that are equally early
+    if (first->ended()) break;
+    text.append(first->text()).push_back('\n');
+    if (text.size() < kPiece) continue;
+    write(text);
+    text.clear();
+  }
+  write(text);
+}
+
+std::string hash_trace(const std::filesystem::path& trace) {
+  std::ifstream file(trace, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read the trace " + trace.string());
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  std::string text;
+  const bool any = static_cast<bool>(std::getline(file, text));
+  take_off_extras(text, true);
+  if (!any || !text.starts_with(kTraceHeader)) {
+    throw std::runtime_error(trace.string() + ":1: is no trace, expected the line \"" + std::string{kTraceHeader} +
+                             "...\"");
+  }
+  while (std::getline(file, text)) {
+    take_off_extras(text, false);
+    text += '\n';
+    for (const char character : text) {
+      hash ^= static_cast<unsigned char>(character);
+      hash *= 0x100000001b3U;
+    }
+  }
+  const char* const digits = "0123456789abcdef";
+  std::string result(16, '0');
+  for (std::size_t i = 0; i < 16; ++i) result[15 - i] = digits[(hash >> (4 * i)) & 15U];
+  return result;
+}
+
+}  // namespace mrroc::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "config/deployment.hpp"
+#include "config/entries/program_behaviours.hpp"
+
+namespace mrroc::cli {
+
+/// Asks the ECP program of every robot for its behaviours. Throws ConfigurationError that names the robot whose program
+/// does not tell them. Starts processes. Main thread.
+config::ProgramsByRobot ask_programs(const config::Deployment& deployment);
+
+}  // namespace mrroc::cli

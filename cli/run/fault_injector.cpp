@@ -1,0 +1,118 @@
+#include "cli/run/fault_injector.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "clock/wall/monotonic.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr std::int64_t kPatienceWithSignal = 2 * clock::kSecond;
+
+int signal_of(faults::Kind kind) {
+  if (kind == faults::Kind::halt) return SIGSTOP;
+  return kind == faults::Kind::end ? SIGTERM : SIGKILL;
+}
+
+[[noreturn]] void refuse(const faults::Fault& fault, const std::string& why) {
+  throw std::invalid_argument("the fault \"" + fault.text + "\": " + why);
+}
+
+/// The process `name` of the fault, here.
+const PlannedProcess& find(const faults::Fault& fault, const std::vector<PlannedProcess>& plan,
+                           const std::string& name) {
+  std::string known;
+  for (const PlannedProcess& process : plan) {
+    known += (known.empty() ? "" : ", ") + process.name;
+    if (process.name != name) continue;
+    if (process.host.empty()) return process;
+    refuse(fault, name + " is on host " + process.host + ", faults are injected on this machine only");
+  }
+  refuse(fault, "the deployment has no process '" + name + "', it has " + known);
+}
+
+}  // namespace
+
+FaultInjector::FaultInjector(const std::vector<std::string>& texts, const std::vector<PlannedProcess>& plan,
+                             clock::ClockHost& clock, const Crew& crew, bool simulated,
+                             std::function<void(const std::string&)> show)
+    : plan_(texts), clock_(clock), crew_(crew), simulated_(simulated), show_(std::move(show)) {
+  for (const faults::Fault& fault : plan_.all()) {
+    find(fault, plan, fault.process);
+    if (fault.at_step && !find(fault, plan, fault.counter).has_task)
+      refuse(fault, "'" + fault.counter + "' counts no steps, expected mp or the name of a robot");
+  }
+}
+
+void FaultInjector::schedule() {
+  for (std::size_t i = 0; i < plan_.all().size(); ++i) {
+    const faults::Fault& fault = plan_.all()[i];
+    if (!fault.at_step) clock_.set_off_fault(i, fault.when);
+    const Tick first = fault.at_step ? 1 : fault.when;
+    clock_.at_tick(first, [this, i, first] { look(i, first); });
+  }
+}
+
+/// An event of tick `tick`: strikes when the fault is in force, else looks again at the next tick.
+void FaultInjector::look(std::size_t index, Tick tick) {
+  if (clock_.fault_tick(index) > tick) {
+    clock_.at_tick(tick + 1, [this, index, tick] { look(index, tick + 1); });
+    return;
+  }
+  const faults::Fault& fault = plan_.all()[index];
+  if (faults::is_signal(fault.kind)) strike(fault);
+}
+
+/// Sends the signal and waits until it has acted, so that in simulated time no tick goes by.
+void FaultInjector::strike(const faults::Fault& fault) {
+  const Child* const child = crew_.find(fault.process);
+  if (child == nullptr) return;
+  const std::int64_t now = clock::monotonic_ns();
+  {
+    const std::lock_guard lock(struck_mutex_);
+    struck_.emplace(fault.process, now);
+  }
+  child->signal(signal_of(fault.kind));
+  if (!simulated_) return;
+  while (child->is_at_work() && clock::monotonic_ns() < now + kPatienceWithSignal) usleep(200);
+  clock_.participant_died(fault.process);
+  clock_.stop();
+}
+
+std::vector<std::string> FaultInjector::struck() {
+  const std::lock_guard lock(struck_mutex_);
+  std::vector<std::string> names;
+  for (const auto& [name, time] : struck_) names.push_back(name);
+  return names;
+}
+
+void FaultInjector::tell() {
+  for (std::size_t i = 0; i < plan_.all().size(); ++i) {
+    // the tick that it strikes at is not visible yet while it does
+    if (told_.contains(i) || clock_.fault_tick(i) > clock_.tick() + 1) continue;
+    told_.insert(i);
+    show_("injected at tick " + std::to_string(clock_.fault_tick(i)) + ": " + plan_.all()[i].text);
+  }
+}
+
+void FaultInjector::tell_left() {
+  for (std::size_t i = 0; i < plan_.all().size(); ++i)
+    if (!told_.contains(i)) show_("not injected, the run ended before: " + plan_.all()[i].text);
+}
+
+void FaultInjector::tell_noticed(const std::string& process) {
+  if (simulated_) return;
+  const std::lock_guard lock(struck_mutex_);
+  const auto struck = struck_.find(process);
+  if (struck == struck_.end()) return;
+  const double after = static_cast<double>(clock::monotonic_ns() - struck->second) * 1e-6;
+  show_("noticed after " + std::to_string(after) + " ms: " + process);
+}
+
+}  // namespace mrroc::cli

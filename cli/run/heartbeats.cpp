@@ -1,0 +1,24 @@
+#include "cli/run/heartbeats.hpp"
+
+namespace mrroc::cli {
+
+void Heartbeats::expect(const std::vector<std::string>& processes, double now) {
+  for (const std::string& process : processes) heard_[process] = now;
+}
+
+bool Heartbeats::take(const links::ProcessStatus& status, double now) {
+  const std::string name{status.process.view()};
+  const auto known = statuses_.find(name);
+  if (known != statuses_.end() && known->second.beat == status.beat) return false;
+  statuses_[name] = status;
+  if (const auto heard = heard_.find(name); heard != heard_.end()) heard->second = now;
+  return true;
+}
+
+std::string Heartbeats::silent(double now) const {
+  for (const auto& [name, heard] : heard_)
+    if (now - heard > timeout_) return name;
+  return "";
+}
+
+}  // namespace mrroc::cli

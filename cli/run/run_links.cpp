@@ -1,0 +1,15 @@
+#include "cli/run/run_links.hpp"
+
+#include <utility>
+
+namespace mrroc::cli {
+
+RunLinks::RunLinks(const config::Deployment& deployment, const links::DomainOptions& options, clock::Clock& clock,
+                   TypedLines& input, std::function<void(const std::string& line)> show)
+    : domain(options),
+      processes(domain, deployment.name),
+      mp(domain, clock, deployment.name + "/mp", "mp"),
+      commands(mp),
+      desk(deployment, domain, clock, input, std::move(show)) {}
+
+}  // namespace mrroc::cli

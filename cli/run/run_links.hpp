@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cli/operator/operator_desk.hpp"
+#include "cli/operator/task_commands.hpp"
+#include "cli/operator/typed_lines.hpp"
+#include "clock/clock.hpp"
+#include "config/deployment.hpp"
+#include "links/exchange/task_superior.hpp"
+#include "links/telemetry/status_collector.hpp"
+#include "links/transport/domain.hpp"
+
+namespace mrroc::cli {
+
+/// The runner's own part in a deployment's communication: the words of its processes, the task in the MP, the operator.
+/// Main thread, but for the commands.
+struct RunLinks {
+  /// Opens the links when all processes have been started: they would inherit the domain's sockets. Deployment, clock
+  /// and input outlive it; `show`: a line for the operator.
+  RunLinks(const config::Deployment& deployment, const links::DomainOptions& options, clock::Clock& clock,
+           TypedLines& input, std::function<void(const std::string& line)> show);
+
+  links::Domain domain;
+  links::StatusCollector processes;
+  links::TaskSuperior mp;
+  TaskCommands commands;
+  OperatorDesk desk;
+};
+
+}  // namespace mrroc::cli

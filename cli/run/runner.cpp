@@ -1,0 +1,229 @@
+#include "cli/run/runner.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/processes/launch.hpp"
+#include "cli/processes/resource_limits.hpp"
+#include "cli/run/clock_options.hpp"
+#include "cli/run/orderly_end.hpp"
+#include "cli/run/report.hpp"
+#include "cli/run/run_result.hpp"
+#include "clock/wall/realtime.hpp"
+#include "config/resources.hpp"
+#include "mrroc/errors.hpp"
+#include "process/record/trace_file.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr double kHandShake = 0.1;              // s of one try to reach the MP
+constexpr double kEndTimeoutAfterSuccess = 10;  // s: on a busy machine the kernel takes seconds to end a process
+constexpr double kPatienceWithReader = 2;       // s that a reader of the trace may take nothing when the operator waits
+
+/// Those of one host; "": of this machine.
+std::vector<PlannedProcess> processes_on(const std::string& host, const std::vector<PlannedProcess>& plan) {
+  std::vector<PlannedProcess> found;
+  for (const PlannedProcess& process : plan)
+    if (process.host == host) found.push_back(process);
+  return found;
+}
+
+/// The text, when the limits of this process leave room for what a run needs.
+const std::string& within_limits(const std::vector<PlannedProcess>& plan, const std::string& text) {
+  check_limits(processes_on("", plan).size());
+  return text;
+}
+
+}  // namespace
+
+Runner::Runner(const config::Deployment& deployment, RunOptions options)
+    : deployment_(deployment),
+      options_(std::move(options)),
+      plan_(plan_processes(deployment_)),
+      text_(within_limits(plan_, options_.text)),
+      black_boxes_(options_.black_box, deployment_, plan_),
+      progress_(names_of(plan_), deployment_.servo_period, options_.quiet, descriptor_for_progress(options_.trace)),
+      domain_lock_(deployment_.domain),
+      clock_(clock_options(deployment_, names_of(processes_on("", plan_)))),
+      operator_clock_(clock_.operator_clock()),
+      crew_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
+      faults_(options_.faults, plan_, clock_, crew_, deployment_.clock != config::ClockMode::real,
+              [this](const std::string& line) { progress_.message(line); }),
+      supervisor_({deployment_, plan_, clock_, *operator_clock_, crew_, faults_, black_boxes_, progress_}),
+      input_(options_.attended ? STDIN_FILENO : -1) {
+  if (deployment_.sim && deployment_.sim->host.empty())
+    world_ = std::make_unique<world::MappedWorld>(world::MappedWorld::create());
+}
+
+Runner::~Runner() {
+  clock_.end();
+  clock_.join();  // its events use the links
+}
+
+process::ExitCode Runner::run() {
+  check_somebody_answers(deployment_, input_.attended());
+  if (const std::string warning = check_network(deployment_.network); !warning.empty()) progress_.error(warning);
+  // before anything is started: a run whose outputs are lost would be in vain
+  bool waits = false;
+  Outputs outputs(options_, deployment_, plan_, [&](int milliseconds) {
+    if (!std::exchange(waits, true)) progress_.message("waiting for a reader of the trace " + options_.trace.string());
+    return supervisor_.turn(milliseconds);
+  });
+  if (!supervisor_.ending()) outputs.begin();
+  // lockstep is serial by nature: one CPU for all is several times faster than two
+  if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
+  supervisor_.guard([&] {
+    if (!supervisor_.ending()) start_processes(outputs);
+    if (!supervisor_.ending()) pass_barrier();
+    if (!supervisor_.ending()) supervisor_.supervise();
+  });
+  end_processes();
+  // a task that has failed has written its own; here are those that died, or were ended because of it
+  if (supervisor_.result().code == process::ExitCode::system)
+    if (const std::string line = black_boxes_.save_rest(); !line.empty()) progress_.message(line);
+  join_trace(outputs);
+  RunResult result = supervisor_.result();
+  if (hosts_) result.hosts = hosts_->summaries();
+  if (!options_.quiet) progress_.message(report_of(deployment_, result));
+  return result.code;
+}
+
+/// A success without its trace is a failure.
+void Runner::join_trace(Outputs& outputs) {
+  for (const PlannedProcess& process : plan_) {
+    const Child* const child = crew_.find(process.name);
+    // a task that could not write its part has reported that last
+    if (child != nullptr && child->exit_code() == static_cast<int>(process::ExitCode::system) &&
+        child->last_line().starts_with(process::kTraceProblem))
+      supervisor_.fail(process::ExitCode::system, child->last_line());
+  }
+  try {
+    outputs.join_trace(deployment_.clock, [this](double stalled) {
+      supervisor_.watch_operator(0);
+      return !supervisor_.hurried() && !(supervisor_.interrupted() && stalled > kPatienceWithReader);
+    });
+  } catch (const std::exception& error) {
+    if (supervisor_.result().code == process::ExitCode::success)
+      supervisor_.fail(supervisor_.hurried() ? process::ExitCode::stopped : process::ExitCode::system, error.what());
+    else
+      progress_.error("mrroc: " + deployment_.name + ": " + error.what());  // no consequence of why the run has failed
+  }
+}
+
+void Runner::start_processes(Outputs& outputs) {
+  // a program may lie elsewhere than the others: it finds them, and the data files, where the runner does
+  config::hand_down_directories();
+  std::vector<PlannedProcess> order = plan_;
+  std::mt19937_64 random(options_.shuffle_seed.value_or(0));
+  if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);
+  hosts_ = std::make_unique<RemoteHosts>(deployment_, host_listener(outputs), operator_clock_->emergency_stop());
+  supervisor_.watch(*hosts_);
+  hosts_->start_agents(common_order());
+  const Surroundings surroundings{.deployment = deployment_,
+                                  .options = options_,
+                                  .outputs = outputs,
+                                  .black_boxes = black_boxes_,
+                                  .domain = domain_lock_.domain(),
+                                  .own_address = hosts_->own_address(),
+                                  .peers = hosts_->machines(),
+                                  .deployment_fd = text_.fd(),
+                                  .clock_fd = clock_.fd(),
+                                  .world_fd = world_ ? world_->fd() : -1};
+  for (const PlannedProcess& process : order) {
+    if (!process.host.empty()) continue;
+    if (options_.shuffle_seed && !supervisor_.turn(static_cast<int>(random() % 300))) return;
+    const process::Arguments arguments = arguments_for(process, surroundings);
+    crew_.start(process, process::to_command_line(arguments), arguments.descriptors());
+  }
+  links_ = std::make_unique<RunLinks>(deployment_, domain_options(surroundings), *operator_clock_, input_,
+                                      [this](const std::string& line) { progress_.message(line); });
+  supervisor_.watch(*links_);
+}
+
+void Runner::pass_barrier() {
+  const double deadline = operator_clock_->wall_seconds() + deployment_.start_timeout;
+  std::vector<std::string> missing;
+  while (!(missing = not_ready()).empty()) {
+    if (!supervisor_.turn(Supervisor::kTurn)) return;
+    if (operator_clock_->wall_seconds() > deadline) {
+      supervisor_.fail(process::ExitCode::system,
+                       fmt::format("not ready within {} s: {}", deployment_.start_timeout, fmt::join(missing, ", ")));
+      return;
+    }
+  }
+  if (!connect_to_mp(deadline)) return;
+  links_->commands.schedule(clock_, deployment_, links_->desk);
+  faults_.schedule();
+  supervisor_.task_starts();
+  clock_.start(hosts_->start());
+}
+
+HostListener Runner::host_listener(Outputs& outputs) {
+  HostListener listener;
+  listener.message = [this](const std::string& line) { progress_.message(line); };
+  listener.lost = [this](const std::string& name, int exit_code, const std::string& how) {
+    supervisor_.process_lost(name, exit_code, how);
+  };
+  listener.failed = [this](process::ExitCode code, const std::string& reason) { supervisor_.fail(code, reason); };
+  listener.trace = [parts = outputs.parts()](const std::string& name, const std::string& line) {
+    if (parts != nullptr) parts->take(name, line);
+  };
+  listener.last_step = [this](const std::string& name, const std::string& line) { black_boxes_.take(name, line); };
+  return listener;
+}
+
+AgentOrder Runner::common_order() const {
+  AgentOrder order;
+  order.domain = domain_lock_.domain();
+  order.trace = !options_.trace.empty();
+  order.black_box = !options_.black_box.empty();
+  if (!options_.motion.empty()) order.motion = std::filesystem::absolute(options_.motion);
+  return order;
+}
+
+std::vector<std::string> Runner::not_ready() {
+  std::vector<std::string> missing = clock_.wait_ready(0);
+  const std::vector<std::string> elsewhere = hosts_->missing();
+  missing.insert(missing.end(), elsewhere.begin(), elsewhere.end());
+  return missing;
+}
+
+bool Runner::connect_to_mp(double deadline) {
+  for (;;) {
+    try {
+      links_->mp.connect(kHandShake);
+      return true;
+    } catch (const SystemError& error) {
+      if (error.code() != ErrorCode::link_lost || operator_clock_->wall_seconds() > deadline) throw;
+    }
+    if (!supervisor_.turn(0)) return false;
+  }
+}
+
+void Runner::end_processes() {
+  supervisor_.task_ends();
+  const EndListener listener{
+      .turn = [this] { supervisor_.turn_at_the_end(); },
+      .message = [this](const std::string& line) { progress_.message(line); },
+      .failed = [this](const std::string& reason) { supervisor_.fail(process::ExitCode::system, reason); },
+      .end_timeout =
+          supervisor_.result().code == process::ExitCode::success ? kEndTimeoutAfterSuccess : EndListener{}.end_timeout,
+      .hurried = [this] { return supervisor_.hurried(); }};
+  if (hosts_) supervisor_.guard([this] { hosts_->stop(); });
+  end_in_order(crew_, clock_, supervisor_.task_started(), listener);
+  if (hosts_) supervisor_.guard([&] { end_in_order(*hosts_, listener); });
+  supervisor_.guard([this] { supervisor_.turn(0); });
+  if (supervisor_.task_started()) faults_.tell_left();
+  progress_.finish();
+}
+
+}  // namespace mrroc::cli

@@ -1,0 +1,226 @@
+#include "cli/run/supervisor.hpp"
+
+#include <poll.h>
+#include <signal.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "mrroc/errors.hpp"
+#include "process/process.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr double kPatienceWithCause = 0.5;  // s from a task's word of a loss to its cause
+
+/// Between machines a process that has died and a cut link look alike to its peers.
+bool tells_of_a_loss(ErrorCode code) { return code == ErrorCode::process_died || code == ErrorCode::link_lost; }
+
+}  // namespace
+
+// SIGTTOU: a terminal may be set to stop those who write to it from the background
+Supervisor::Supervisor(const Watched& watched)
+    : watched_(watched),
+      signals_({SIGTSTP, SIGTTOU}),
+      heartbeats_(watched.deployment.heartbeat_timeout),
+      stall_(watched.clock) {}
+
+void Supervisor::task_starts() {
+  const double now = watched_.wall.wall_seconds();
+  heartbeats_.expect(names_of(watched_.plan), now);
+  started_at_ = now;
+  task_started_ = true;
+}
+
+void Supervisor::task_ends() {
+  if (!task_started_) return;
+  result_.wall_seconds = watched_.wall.wall_seconds() - started_at_;
+  if (result_.ticks == 0) result_.ticks = watched_.clock.tick();
+}
+
+RunResult Supervisor::result() const {
+  RunResult result = result_;
+  result.statuses = heartbeats_.statuses();
+  return result;
+}
+
+void Supervisor::guard(const std::function<void()>& step) {
+  try {
+    step();
+  } catch (const std::exception& error) {
+    fail(process::exit_code(error), error.what());
+  }
+}
+
+void Supervisor::supervise() {
+  while (turn(kTurn)) {
+    check_heartbeats();
+    if (const std::string line = stall_.look(watched_.wall.wall_seconds()); !line.empty())
+      watched_.progress.message(line);
+  }
+}
+
+bool Supervisor::turn(int milliseconds) {
+  watched_.crew.wait(milliseconds, descriptor());
+  read_signals();
+  if (links_ != nullptr) read_statuses();
+  watched_.faults.tell();
+  // first the causes: what the task says about a death or a lost clock is but their consequence
+  check_stop();
+  check_children();
+  if (hosts_ != nullptr) hosts_->look();
+  check_clock();
+  if (task_started_ && !ending_) look_at_desk();  // what was said before the end is shown before it
+  if (task_started_) read_task_status();
+  watched_.progress.draw();
+  return !ending_;
+}
+
+void Supervisor::read_signals() {
+  while (const int number = signals_.take()) {
+    if (number == SIGTSTP)
+      watched_.progress.message("Ctrl-Z does nothing: robots that move must be watched");
+    else if (number != SIGCHLD)
+      interrupt_by_operator();
+  }
+}
+
+void Supervisor::interrupt_by_operator() {
+  if (ending_) {
+    hurried_ = true;
+    return;
+  }
+  ++interrupts_;
+  if (interrupts_ > 1 || !task_started_) {
+    fail(process::ExitCode::stopped, "ended by the operator");
+    return;
+  }
+  watched_.progress.message("stopping (once more to end at once)");
+  links_->commands.send(links::TaskCommandKind::stop);
+}
+
+void Supervisor::read_statuses() {
+  links_->processes.poll();
+  for (const auto& [name, process] : links_->processes.processes())
+    if (heartbeats_.take(process.status, watched_.wall.wall_seconds())) watched_.progress.update(process.status);
+}
+
+void Supervisor::await_cause() {
+  // of an agent that stands still its processes leave before its silence has lasted long enough
+  const double silence = watched_.deployment.hosts_used().empty() ? 0 : watched_.deployment.link_timeout;
+  const double deadline = watched_.wall.wall_seconds() + kPatienceWithCause + silence;
+  while (!ending_ && watched_.wall.wall_seconds() < deadline) {
+    watched_.crew.wait(kTurn, descriptor());
+    read_signals();
+    check_children();
+    if (hosts_ != nullptr) hosts_->look();
+    if (task_started_ && !ending_) look_at_desk();  // an emergency stop may not wait for it
+  }
+}
+
+void Supervisor::read_task_status() {
+  links::TaskStatus status;
+  std::uint64_t last_command = 0;
+  while (links_->mp.take(status, last_command)) {
+    check_children();  // a death may be why the task ends
+    if (watched_.faults.ends_run()) continue;
+    if (!ending_ && status.state == links::TaskState::failed && tells_of_a_loss(status.error.code)) await_cause();
+    // asked by someone else, with a signal to the MP alone: its end is that of a process
+    if (!ending_ && status.state == links::TaskState::stopped && !links_->commands.stop_sent()) await_cause();
+    if (!ending_) take(status);
+  }
+}
+
+void Supervisor::take(const links::TaskStatus& status) {
+  using links::TaskState;
+  if (status.state == TaskState::running || status.state == TaskState::paused) return;
+  result_.ticks = status.tick;
+  if (status.state == TaskState::failed)
+    fail(process::exit_code(status.error.error_class),
+         std::string{describe(status.error.error_class)} + ": " + std::string{describe(status.error.code)} + ": " +
+             std::string{status.error.detail.view()} + watched_.black_boxes.told());
+  else if (status.state == TaskState::stopped)
+    fail(process::ExitCode::stopped, "stopped by the operator");
+  else
+    ending_ = true;
+}
+
+void Supervisor::look_at_desk() {
+  links_->desk.look();
+  watched_.progress.pause(links_->desk.waits_for_line());
+}
+
+void Supervisor::check_stop() {
+  if (!ending_ && watched_.clock.was_stopped())
+    fail(process::ExitCode::system,
+         "mrroc run itself was stopped by a signal: its robots have braked, its processes left");
+}
+
+void Supervisor::check_children() {
+  if (ending_) return;
+  if (watched_.crew.first_lost() == nullptr) return;
+  // a second look: the cause came before what it caused, but may have been looked at too early
+  Child* const child = watched_.crew.first_lost(watched_.faults.struck());
+  const int code = child->exit_code().value_or(-1);
+  const bool left =
+      code == static_cast<int>(process::ExitCode::success) || code == static_cast<int>(process::ExitCode::stopped);
+  if (left && watched_.clock.failed_with(child->name())) return check_clock();
+  std::string how = child->how_it_was_lost();
+  if (task_started_)
+    how += " [tick " + std::to_string(std::min(watched_.clock.stop_tick(), watched_.clock.tick())) + "]";
+  watched_.faults.tell_noticed(child->name());
+  watched_.clock.participant_died(child->name());
+  process_lost(child->name(), code, how);
+}
+
+void Supervisor::process_lost(const std::string& name, int exit_code, const std::string& how) {
+  const auto named = [&name](const PlannedProcess& process) { return process.name == name; };
+  const auto process = std::find_if(watched_.plan.begin(), watched_.plan.end(), named);
+  const bool here = process == watched_.plan.end() || process->host.empty();
+  fail(code_of_death(exit_code), "process " + name + (here ? " " : " on host " + process->host + " ") + how);
+}
+
+process::ExitCode Supervisor::code_of_death(int exit_code) const {
+  // a process that refuses its part of the deployment says how grave that is; later it would be missed by the others
+  const bool refused = !task_started_ && exit_code >= static_cast<int>(process::ExitCode::task_failed) &&
+                       exit_code <= static_cast<int>(process::ExitCode::hardware);
+  return refused ? static_cast<process::ExitCode>(exit_code) : process::ExitCode::system;
+}
+
+void Supervisor::check_heartbeats() {
+  if (ending_) return;
+  if (const std::string name = heartbeats_.silent(watched_.wall.wall_seconds()); !name.empty())
+    fail(process::ExitCode::system,
+         fmt::format("process {} is silent for {} s", name, watched_.deployment.heartbeat_timeout));
+}
+
+void Supervisor::check_clock() {
+  if (!ending_ && watched_.clock.state() == clock::State::failed)
+    fail(process::ExitCode::system, "clock lost: " + watched_.clock.error());
+}
+
+void Supervisor::fail(process::ExitCode code, std::string reason) {
+  if (result_.code != process::ExitCode::success) return;  // it is but a consequence
+  watched_.faults.tell();
+  ending_ = true;
+  result_.code = code;
+  result_.reason = std::move(reason);
+  watched_.progress.error("mrroc: " + watched_.deployment.name + ": " + result_.reason);
+}
+
+void Supervisor::watch_operator(int milliseconds) {
+  ending_ = true;
+  pollfd signal{signals_.descriptor(), POLLIN, 0};
+  poll(&signal, 1, milliseconds);
+  read_signals();
+  watched_.progress.draw();
+}
+
+void Supervisor::turn_at_the_end() {
+  guard([this] { turn(kTurn); });
+}
+
+}  // namespace mrroc::cli

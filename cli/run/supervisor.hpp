@@ -1,0 +1,109 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/hosts/remote_hosts.hpp"
+#include "cli/output/black_boxes.hpp"
+#include "cli/processes/crew.hpp"
+#include "cli/processes/process_plan.hpp"
+#include "cli/processes/signals.hpp"
+#include "cli/run/fault_injector.hpp"
+#include "cli/run/heartbeats.hpp"
+#include "cli/run/progress.hpp"
+#include "cli/run/run_links.hpp"
+#include "cli/run/run_result.hpp"
+#include "cli/run/stall_watch.hpp"
+#include "clock/host.hpp"
+#include "config/deployment.hpp"
+#include "process/exit_code.hpp"
+
+namespace mrroc::cli {
+
+/// What a supervisor watches and tells; all outlive it.
+struct Watched {
+  const config::Deployment& deployment;
+  const std::vector<PlannedProcess>& plan;
+  clock::ClockHost& clock;
+  const clock::Clock& wall;  ///< the operator's
+  Crew& crew;
+  FaultInjector& faults;
+  BlackBoxes& black_boxes;
+  Progress& progress;
+};
+
+/// Finds the one reason why a run ends. It hears the operator's signals, the deaths and silences of processes, here and
+/// on other hosts, the clock and the task, looks for causes before their consequences, and shows the progress. Before
+/// the first turn it blocks the signals that it hears (see Signals). Main thread.
+class Supervisor {
+ public:
+  static constexpr int kTurn = 20;  ///< ms between looks at the mail
+
+  explicit Supervisor(const Watched& watched);
+
+  /// From now on these are looked at, too; they outlive the supervisor's last turn.
+  void watch(RemoteHosts& hosts) { hosts_ = &hosts; }
+  void watch(RunLinks& links) { links_ = &links; }
+  /// All processes are ready and the clock starts: from now on each is expected to beat.
+  void task_starts();
+  bool task_started() const noexcept { return task_started_; }
+  /// The processes begin to go: the task's length is known.
+  void task_ends();
+  /// How the run has ended, with the last words of its processes.
+  RunResult result() const;
+
+  /// One turn: waits at most `milliseconds` for signals and output; true when all is well.
+  bool turn(int milliseconds);
+  /// Turns until the run has to end.
+  void supervise();
+  /// A turn while processes end, from which nothing may keep them.
+  void turn_at_the_end();
+  /// Waits at most `milliseconds` for the operator's signals, when all processes have ended, and writes what is shown.
+  void watch_operator(int milliseconds);
+  /// Takes a step; what it throws is why the run fails.
+  void guard(const std::function<void()>& step);
+
+  /// The operator has asked for the end.
+  bool interrupted() const noexcept { return interrupts_ > 0 || hurried_; }
+  /// The operator has asked for the end while the run was ending: nothing that only takes time is waited for.
+  bool hurried() const noexcept { return hurried_; }
+  /// The task has ended or failed: processes may go.
+  bool ending() const noexcept { return ending_; }
+  /// Why the run fails; a later reason is but a consequence.
+  void fail(process::ExitCode code, std::string reason);
+  /// The same when a process is lost. `exit_code` -1: a signal has ended it.
+  void process_lost(const std::string& name, int exit_code, const std::string& how);
+
+ private:
+  void read_signals();
+  void interrupt_by_operator();
+  void read_statuses();
+  void read_task_status();
+  void take(const links::TaskStatus& status);
+  /// The task says that a process has died or is cut off: looks for a moment which one, and why.
+  void await_cause();
+  /// Who finds the runner stopped by a signal begins the end of all, which is else the runner's to begin.
+  void check_stop();
+  void check_children();
+  void check_heartbeats();
+  void check_clock();
+  void look_at_desk();
+  process::ExitCode code_of_death(int exit_code) const;
+  int descriptor() { return hosts_ ? hosts_->descriptor(signals_.descriptor()) : signals_.descriptor(); }
+
+  const Watched watched_;
+  Signals signals_;
+  Heartbeats heartbeats_;
+  StallWatch stall_;
+  RemoteHosts* hosts_ = nullptr;
+  RunLinks* links_ = nullptr;
+  int interrupts_ = 0;
+  bool ending_ = false;
+  bool hurried_ = false;
+  bool task_started_ = false;
+  double started_at_ = 0;  // s of wall time
+  RunResult result_;
+};
+
+}  // namespace mrroc::cli

@@ -1,0 +1,304 @@
+#include "edp/command/effector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edp/force/force_law.hpp"
+#include "edp/safety/error_report.hpp"
+#include "geometry/rigid_motion.hpp"
+
+namespace mrroc::edp {
+
+namespace {
+
+bool is_motion(CommandKind kind) noexcept {
+  return kind != CommandKind::query && kind != CommandKind::hold && !is_change(kind);
+}
+
+Macrostep::Kind kind_of(CommandKind change) noexcept {
+  switch (change) {
+    case CommandKind::use_model:
+      return Macrostep::Kind::model;
+    case CommandKind::use_regulators:
+      return Macrostep::Kind::regulators;
+    case CommandKind::bias_force:
+      return Macrostep::Kind::bias;
+    default:
+      return Macrostep::Kind::synchronise;
+  }
+}
+
+}  // namespace
+
+Effector::Effector(const ModelSet& models, double period, HandOver& hand_over)
+    : models_(models), hand_over_(hand_over), planner_(models.at(0), period), tool_(models.at(0).default_tool()) {}
+
+void Effector::enable(bool on) noexcept {
+  hand_over_.order.store(on ? DriveOrder::enable : DriveOrder::disable, std::memory_order_release);
+}
+
+void Effector::refresh() noexcept {
+  const bool first = snapshot_ == nullptr;
+  snapshot_ = hand_over_.snapshot.load();
+  if (snapshot_ == nullptr) return;
+  if (snapshot_->model != model_) use_model();
+  planner_.stand_on(snapshot_->switches);
+  if (first || snapshot_->epoch != epoch_) {
+    epoch_ = snapshot_->epoch;
+    end_ = snapshot_->end;
+    end_tick_ = snapshot_->end_tick;
+    untold_ = snapshot_->braking;
+    forced_ = false;
+  }
+  for (Outstanding& entry : outstanding_)
+    if (entry.used && entry.replied && entry.ticket <= snapshot_->finished) entry.used = false;
+}
+
+/// The servo has changed to another model.
+void Effector::use_model() noexcept {
+  model_ = snapshot_->model;
+  planner_.use(ToolKinematics(models_.at(model_), tool_));
+}
+
+bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& reply) noexcept {
+  refresh();
+  ErrorReport error;
+  if (snapshot_ == nullptr) {
+    error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "the servo has not ticked yet");
+  } else if (command.kind == CommandKind::recover) {
+    if (!recovery_.under_way) {
+      recovery_ = {true, number, snapshot_->orders};
+      hand_over_.order.store(DriveOrder::recover, std::memory_order_release);
+      return false;
+    }
+    error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "a recovery is under way");
+  } else if (command.kind == CommandKind::set_outputs) {
+    error = take_outputs(command.outputs);
+  } else if (command.kind != CommandKind::query) {
+    error = refuse(command);
+    if (!bad(error) && command.kind == CommandKind::set_tool) {
+      tool_ = command.pose;
+      planner_.use(ToolKinematics(models_.at(model_), tool_));
+      answer(number, {}, reply);
+      return true;
+    }
+    Outstanding* entry = free_place();
+    if (!bad(error)) {
+      if (entry == nullptr) {
+        error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "one command runs and one waits already");
+      } else {
+        entry->used = true;
+        entry->replied = entry->late = entry->after_force = false;
+        entry->ticket = ++last_ticket_;
+        entry->number = number;
+        entry->command = command;
+        entry->interruptions = interruptions_told_;
+        error = hand_over(*entry);
+        if (!bad(error)) {
+          ++counters_.accepted;
+          return false;
+        }
+        entry->used = false;
+      }
+    }
+  }
+  answer(number, error, reply);
+  return true;
+}
+
+ErrorReport Effector::take_outputs(const Signals& outputs) noexcept {
+  const ErrorReport error = refusal_of_outputs(outputs);
+  if (bad(error) || hand_over_.outputs.push(outputs)) return error;
+  return make_report(ErrorClass::non_fatal, ErrorCode::busy, "outputs that the servo has not taken yet");
+}
+
+/// The answer to a motion or change that is not possible; with it an interruption is told.
+ErrorReport Effector::refuse(const RobotCommand& command) noexcept {
+  const ErrorReport error = refusal(command);
+  if (bad(error)) interruptions_told_ = snapshot_->interruptions;
+  return error;
+}
+
+Effector::Outstanding* Effector::free_place() noexcept {
+  for (Outstanding& entry : outstanding_)
+    if (!entry.used) return &entry;
+  return nullptr;
+}
+
+ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
+  const RobotCommand& command = entry.command;
+  const bool moves = is_motion(command.kind);
+  if (untold_ && moves && !entry.late) {
+    entry.late = true;
+    ++counters_.late;
+  }
+
+  if (forced_ && (command.kind != CommandKind::force || command.start_tick > end_tick_)) {
+    entry.after_force = true;
+    macrostep_.kind = Macrostep::Kind::unplanned;
+    macrostep_.ticket = entry.ticket;
+    macrostep_.epoch = epoch_;
+    macrostep_.start = 0;
+    hand_over_.macrosteps.push(macrostep_);
+    return {};
+  }
+
+  DesiredState from = end_;
+  Tick at = from.at_rest() ? std::max(end_tick_, snapshot_->tick) : end_tick_;
+  const bool stop_first = !from.at_rest() && (command.start_tick > at || is_change(command.kind));
+  if (stop_first) {
+    planner_.plan_stop(from, 1, stop_);
+    stop_.ticket = 0;
+    stop_.epoch = epoch_;
+    stop_.start = at;
+    from = stop_.to;
+    at += stop_.steps;
+  }
+  if (is_change(command.kind)) {
+    macrostep_.kind = kind_of(command.kind);
+    macrostep_.choice = command.choice;
+    macrostep_.steps = macrostep_.reply_step = 1;
+    macrostep_.from = macrostep_.to = from;
+  } else {
+    const Pace pace = entry.late || entry.after_force ? Pace::stretched : Pace::as_commanded;
+    const ErrorReport error = planner_.plan(command, from, pace, macrostep_);
+    if (bad(error)) return error;
+  }
+  if (moves && macrostep_.steps > command.motion_steps) ++counters_.stretched;
+  macrostep_.ticket = entry.ticket;
+  macrostep_.epoch = epoch_;
+  macrostep_.with_outputs = moves && command.with_outputs;
+  macrostep_.outputs = command.outputs;
+  macrostep_.start = std::max(at, command.start_tick);
+  if (stop_first) hand_over_.macrosteps.push(stop_);
+  hand_over_.macrosteps.push(macrostep_);
+  end_ = macrostep_.to;
+  end_tick_ = macrostep_.start + macrostep_.steps;
+  entry.start = macrostep_.start;
+  entry.end = end_tick_;
+  forced_ = macrostep_.kind == Macrostep::Kind::force;
+  holding_ = command.kind == CommandKind::hold;
+  return {};
+}
+
+/// Beside a servo with a thread of its own a resting robot begins a tick later than planned when that tick began
+/// meanwhile; and so does what follows at once.
+void Effector::begun(Outstanding& entry, Tick start) noexcept {
+  if (start <= entry.start) return;
+  const Tick delay = start - entry.start, end = entry.end;
+  entry.start += delay;
+  entry.end += delay;
+  if (end_tick_ == end) end_tick_ = entry.end;
+  for (Outstanding& next : outstanding_) {
+    if (!next.used || next.ticket <= entry.ticket || next.start != end) continue;
+    next.start += delay;
+    next.end += delay;
+    end_tick_ = next.end;
+  }
+}
+
+bool Effector::poll_recovery(Reply& reply) noexcept {
+  refresh();
+  if (!recovery_.under_way || snapshot_ == nullptr || snapshot_->orders == recovery_.orders) return false;
+  recovery_.under_way = false;
+  answer(recovery_.number, {}, reply);  // a fault that came back is in it
+  return true;
+}
+
+bool Effector::poll(Reply& reply) noexcept {
+  if (recovery_.under_way && poll_recovery(reply)) return true;
+  while (const Report* report = hand_over_.reports.front()) {
+    refresh();  // after the report was seen, so that the snapshot is at least as new
+    Outstanding* entry = nullptr;
+    for (Outstanding& candidate : outstanding_)
+      if (candidate.used && candidate.ticket == report->ticket) entry = &candidate;
+    const Report::Outcome outcome = report->outcome;
+    bool answered = entry != nullptr;
+    if (entry != nullptr && outcome == Report::Outcome::refused) {
+      ErrorReport error = refuse(entry->command);
+      if (!bad(error) && snapshot_->interruptions != entry->interruptions)
+        error = snapshot_->interruption;  // told to the command before, which its sender had not heard of
+      if (!bad(error)) error = hand_over(*entry);
+      answered = bad(error);
+      if (answered) {
+        entry->used = false;
+        answer(entry->number, error, reply);
+      }
+    } else if (entry != nullptr) {
+      const Snapshot& then = report->snapshot;
+      reply.command = entry->number;
+      if (outcome == Report::Outcome::reply) {
+        macrostep_start_ = report->start;
+        if (then.epoch == epoch_) begun(*entry, report->start);
+      }
+      fill(then, then.end, then.end_tick, reply.state);
+      if (outcome == Report::Outcome::aborted && then.fault.code == ErrorCode::none) {
+        const bool interrupted = then.interruptions != interruptions_told_;
+        reply.state.error =
+            interrupted ? then.interruption
+                        : make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "the drives were switched off");
+        interruptions_told_ = then.interruptions;
+      }
+      if (then.epoch == epoch_) untold_ = false;
+      entry->replied = true;
+    }
+    hand_over_.reports.pop();
+    if (answered) return true;
+  }
+  return false;
+}
+
+void Effector::answer(std::uint64_t number, const ErrorReport& error, Reply& reply) noexcept {
+  reply.command = number;
+  reply.state = RobotState{};
+  fill_present(reply.state);
+  if (bad(error)) {
+    reply.state.error = error;
+    ++counters_.refused;
+  }
+  untold_ = false;
+}
+
+bool Effector::peek(RobotState& state) noexcept {
+  refresh();
+  fill_present(state);
+  return snapshot_ != nullptr;
+}
+
+void Effector::fill_present(RobotState& state) const noexcept {
+  if (snapshot_ == nullptr) return;
+  if (snapshot_->enabled)
+    fill(*snapshot_, end_, std::max(end_tick_, snapshot_->tick), state);
+  else
+    fill(*snapshot_, snapshot_->end, snapshot_->end_tick, state);
+}
+
+void Effector::fill(const Snapshot& snapshot, const DesiredState& end, Tick end_tick,
+                    RobotState& state) const noexcept {
+  state.tick = snapshot.tick;
+  state.joints = snapshot.joints;
+  state.joint_velocity = snapshot.velocity;
+  state.motors = snapshot.motors;
+  state.current = snapshot.current;
+  state.pose = planner_.kinematics().direct(snapshot.joints);
+  state.macrostep_start = macrostep_start_;
+  state.desired_tick = end_tick;
+  state.desired_joints = end.position;
+  state.desired_velocity = end.velocity;
+  state.desired_acceleration = end.acceleration;
+  state.desired_pose = planner_.kinematics().direct(end.position);
+  state.model = model_;
+  state.tool = tool_;
+  state.wrench = mount_ ? seen_from(mount_->inverse() * tool_, snapshot.wrench) : Wrench::Zero();
+  state.lost = snapshot.lost;
+  state.inputs = snapshot.inputs;
+  state.outputs = snapshot.outputs;
+  state.regulators = snapshot.regulators;
+  state.synchronised = snapshot.synchronised;
+  state.enabled = snapshot.enabled;
+  state.late_commands = counters_.late;
+  state.error =
+      snapshot.fault.code == ErrorCode::none ? ErrorReport{} : make_report(snapshot.fault, models_.parameters());
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,150 @@
+#include "edp/command/goal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edp/command/path.hpp"
+#include "edp/safety/error_report.hpp"
+#include "geometry/rigid_motion.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+constexpr double kTwistResidual = 1e-6;  // m/s, rad/s
+
+ErrorReport refuse(ErrorCode code, const char* text) noexcept {
+  return make_report(ErrorClass::non_fatal, code, "%s", text);
+}
+
+/// An empty vector stands for "not given".
+ErrorReport check_vector(const JointVector& vector, const char* name, Eigen::Index count, bool may_be_empty) noexcept {
+  if (vector.size() != count && !(may_be_empty && vector.size() == 0))
+    return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "%s has %d values, expected %d", name,
+                       static_cast<int>(vector.size()), static_cast<int>(count));
+  for (Eigen::Index i = 0; i < vector.size(); ++i)
+    if (!std::isfinite(vector[i]))
+      return make_report(ErrorClass::non_fatal, ErrorCode::not_finite, "%s of axis %d is %g", name,
+                         static_cast<int>(i) + 1, vector[i]);
+  return {};
+}
+
+/// Joints, their velocity and acceleration as the command gives them; shafts alike.
+ErrorReport read_axes(const RobotCommand& command, const JointVector& base, Goal& goal) noexcept {
+  const Eigen::Index count = base.size();
+  const bool velocity_only = command.kind == CommandKind::joint_velocity;
+  if (!velocity_only)
+    if (const ErrorReport report = check_vector(command.joints, "joints", count, false); bad(report)) return report;
+  if (const ErrorReport report = check_vector(command.joint_velocity, "joint_velocity", count, !velocity_only);
+      bad(report))
+    return report;
+  if (const ErrorReport report = check_vector(command.joint_acceleration, "joint_acceleration", count, true);
+      bad(report))
+    return report;
+  goal.joints = DesiredState::resting_at(base);
+  if (!velocity_only) goal.joints.position = command.relative ? JointVector(base + command.joints) : command.joints;
+  if (command.joint_velocity.size() != 0) goal.joints.velocity = command.joint_velocity;
+  goal.acceleration_given = command.joint_acceleration.size() != 0;
+  if (goal.acceleration_given) goal.joints.acceleration = command.joint_acceleration;
+  return {};
+}
+
+/// Shafts to joints, with their velocities and accelerations.
+ErrorReport shafts_to_joints(const RobotModel& model, double period, DesiredState& state) noexcept {
+  JointVector joints;
+  if (const ErrorCode code = model.motors_to_joints(state.position, joints); code != ErrorCode::none)
+    return refuse(code, "no joints belong to the motors");
+  if (!state.at_rest()) {
+    const Eigen::PartialPivLU<JointMatrix> ratio(model.transmission(joints));
+    state.velocity = ratio.solve(state.velocity);
+    const double dt = Path::kDifference * period;
+    const JointVector step = state.velocity * dt;
+    const JointMatrix change = model.transmission(joints + step) - model.transmission(joints - step);
+    state.acceleration = ratio.solve(state.acceleration - change * state.velocity / (2 * dt));
+    if (!state.velocity.allFinite() || !state.acceleration.allFinite())
+      return refuse(ErrorCode::singular, "the transmission cannot be inverted there");
+  }
+  state.position = joints;
+  return {};
+}
+
+ErrorReport read_twist(const RobotCommand& command, const Pose& tool, Goal& goal) noexcept {
+  if (!command.twist.allFinite()) return refuse(ErrorCode::not_finite, "a value of the twist");
+  if (const ErrorReport report = check_vector(command.twist_rate, "twist_rate", 6, true); bad(report)) return report;
+  goal.tool.twist = command.twist;
+  if (command.kind == CommandKind::twist && command.relative)  // in tool axes
+    goal.tool.twist = turned(tool.linear(), command.twist);
+  goal.acceleration_given = command.twist_rate.size() != 0;
+  if (goal.acceleration_given) goal.tool.rate = command.twist_rate;
+  return {};
+}
+
+/// Joint velocity and acceleration of the goal's twist, at the goal's joints.
+ErrorReport twist_to_joints(const ToolKinematics& kinematics, double period, Goal& goal) noexcept {
+  if (goal.tool.twist.isZero(0) && goal.tool.rate.isZero(0)) return {};
+  const double residual = joint_motion(kinematics, goal.joints.position, goal.tool, Path::kDifference * period,
+                                       goal.joints.velocity, goal.joints.acceleration);
+  if (!(residual <= kTwistResidual * std::max(1.0, goal.tool.twist.norm())))
+    return make_report(ErrorClass::non_fatal, ErrorCode::singular,
+                       "the robot cannot move with the twist there: %.4g of it is out of reach", residual);
+  return {};
+}
+
+ErrorReport read_pose(const RobotCommand& command, const DesiredState& from, const ToolKinematics& kinematics,
+                      Goal& goal) noexcept {
+  if (!command.pose.matrix().allFinite()) return refuse(ErrorCode::not_finite, "a value of the pose");
+  if (!is_rigid(command.pose)) return refuse(ErrorCode::invalid_argument, "the pose's orientation is not a rotation");
+  goal.tool.pose = command.relative ? Pose(kinematics.direct(from.position) * command.pose) : command.pose;
+  goal.joints = DesiredState::resting_at(from.position);
+  // a way of the tool keeps its branch, one of the joints or motors may end on another one
+  const ErrorCode code = command.interpolation == Interpolation::task
+                             ? kinematics.follow(goal.tool.pose, from.position, goal.joints.position)
+                             : kinematics.inverse(goal.tool.pose, from.position, goal.joints.position);
+  const Eigen::Vector3d p = goal.tool.pose.translation();
+  if (code != ErrorCode::none && code != ErrorCode::singular)
+    return make_report(ErrorClass::non_fatal, code, "position (%.4g, %.4g, %.4g)", p.x(), p.y(), p.z());
+  if (goal.joints.position.size() != from.position.size() || !goal.joints.position.allFinite())
+    return refuse(ErrorCode::out_of_workspace, "the inverse kinematics has no solution");
+  return {};
+}
+
+}  // namespace
+
+ErrorReport read_goal(const RobotCommand& command, const DesiredState& from, const ToolKinematics& kinematics,
+                      double duration, double period, Goal& goal) noexcept {
+  const RobotModel& model = kinematics.model();
+  goal = Goal{};
+  goal.wants_tool = command.interpolation == Interpolation::task;
+  switch (command.kind) {
+    case CommandKind::joint:
+      if (const ErrorReport report = read_axes(command, from.position, goal); bad(report)) return report;
+      break;
+    case CommandKind::motor: {
+      JointVector shafts;
+      if (const ErrorCode code = model.joints_to_motors(from.position, shafts); code != ErrorCode::none)
+        return refuse(code, "the robot stands where its transmission cannot reach");
+      if (const ErrorReport report = read_axes(command, shafts, goal); bad(report)) return report;
+      if (const ErrorReport report = shafts_to_joints(model, period, goal.joints); bad(report)) return report;
+      break;
+    }
+    case CommandKind::pose:
+      if (const ErrorReport report = read_pose(command, from, kinematics, goal); bad(report)) return report;
+      if (const ErrorReport report = read_twist(command, goal.tool.pose, goal); bad(report)) return report;
+      return twist_to_joints(kinematics, period, goal);
+    case CommandKind::joint_velocity:
+      goal.wants_velocity = true;
+      return read_axes(command, from.position, goal);
+    case CommandKind::twist:
+      goal.wants_velocity = true;
+      goal.joints = DesiredState::resting_at(from.position + from.velocity * (0.5 * duration));
+      if (const ErrorReport report = read_twist(command, kinematics.direct(from.position), goal); bad(report))
+        return report;
+      return twist_to_joints(kinematics, period, goal);
+    default:
+      return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "kind %d is not a motion",
+                         static_cast<int>(command.kind));
+  }
+  if (goal.wants_tool) goal.tool = tool_motion(kinematics, goal.joints, Path::kDifference * period);
+  return {};
+}
+
+}  // namespace mrroc::edp

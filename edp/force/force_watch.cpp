@@ -1,0 +1,45 @@
+#include "edp/force/force_watch.hpp"
+
+#include <cmath>
+
+#include "edp/safety/error_report.hpp"
+#include "language/limits.hpp"
+
+namespace mrroc::edp {
+
+void ForceWatch::use(ForceSensor& sensor, const ForceLimits& limits) noexcept {
+  sensor_ = &sensor;
+  guard_ = ForceGuard(limits);
+}
+
+void ForceWatch::read(Tick tick, const Pose* flange) noexcept {
+  tick_ = tick;
+  flange_ = flange != nullptr ? std::optional<Pose>(*flange) : std::nullopt;
+  reading_ = sensor_->read(tick, flange);
+}
+
+void ForceWatch::bias() noexcept {
+  sensor_->bias();
+  reading_ = sensor_->read(tick_, flange_ ? &*flange_ : nullptr);
+}
+
+ErrorReport ForceWatch::look(Doing doing) noexcept {
+  const int axis = guard_.look(reading_.wrench, doing != Doing::resting);
+  if (doing == Doing::resting) return {};
+  const auto tick = static_cast<unsigned long long>(tick_);
+  if (axis >= 0) {
+    const double value = reading_.wrench[axis], limit = guard_.limit(axis);
+    const int digits = digits_to_differ(std::abs(value), limit);
+    return make_report(ErrorClass::non_fatal, ErrorCode::force_limit,
+                       "axis %d of the force sensor: %.*g %s at tick %llu, limit %.*g", axis + 1, digits, value,
+                       axis < 3 ? "N" : "N m", tick, digits, limit);
+  }
+  if (reading_.error == ErrorCode::none) return {};
+  // the tool's weight is not known before the robot is synchronised
+  if (reading_.error == ErrorCode::sensor_not_ready && !flange_) return {};
+  // a wrench beyond the sensor's range is known well enough to come out of it, not to follow it
+  if (reading_.error == ErrorCode::sensor_out_of_range && doing != Doing::following) return {};
+  return make_report(ErrorClass::non_fatal, reading_.error, "the force sensor, at tick %llu", tick);
+}
+
+}  // namespace mrroc::edp

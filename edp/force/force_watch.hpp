@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include "edp/force/force_guard.hpp"
+#include "edp/force/force_sensor.hpp"
+#include "mrroc/robot_state.hpp"
+
+namespace mrroc::edp {
+
+/// The force sensor of one robot, if it has one, and what its readings mean for a motion. The servo's thread; allocates
+/// nothing, never throws.
+class ForceWatch {
+ public:
+  /// What the robot does in the tick that is looked at.
+  enum class Doing : std::uint8_t {
+    resting,    ///< or stopping already: whatever it meets is allowed
+    moving,     ///< along a path
+    following,  ///< the force
+  };
+
+  /// From now on there is `sensor`, which must outlive this object.
+  void use(ForceSensor& sensor, const ForceLimits& limits) noexcept;
+  bool present() const noexcept { return sensor_ != nullptr; }
+  /// The sensor frame in the flange frame. Only where a sensor is present, as the following ones.
+  const Pose& mount() const noexcept { return sensor_->mount(); }
+
+  /// Takes the reading of `tick`; `flange` as in ForceSensor::read.
+  void read(Tick tick, const Pose* flange) noexcept;
+  /// What was read is zero from now on, this very tick included.
+  void bias() noexcept;
+  /// As read last: in the axes of the sensor frame, about its origin.
+  const Wrench& wrench() const noexcept { return reading_.wrench; }
+
+  /// Whether the motion may continue: class `none`, or the non-fatal error to interrupt it with. Once per tick.
+  ErrorReport look(Doing doing) noexcept;
+
+ private:
+  ForceSensor* sensor_ = nullptr;
+  ForceGuard guard_{ForceLimits::Zero()};
+  WrenchReading reading_;
+  Tick tick_ = 0;
+  std::optional<Pose> flange_;
+};
+
+}  // namespace mrroc::edp

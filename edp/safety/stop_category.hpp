@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mrroc/errors.hpp"
+
+namespace mrroc::edp {
+
+/// The stop categories of IEC 60204-1, 9.2.2.
+enum class StopCategory : std::uint8_t {
+  drives_off = 0,     ///< the drives lose their power at once: their brakes stop the robot
+  stop_then_off = 1,  ///< along the jerk-limited Stop, then the drives go off
+  stop_and_hold = 2   ///< along the jerk-limited Stop, then the drives hold the robot where it is
+};
+
+/// How the servo stops its robot for `reason`; `none`: no one commands it on (a command is late or its ECP silent, the
+/// end of a motion). Categories 0 and 1 latch a fault, 2 does not.
+constexpr StopCategory stop_category(ErrorCode reason) noexcept {
+  switch (reason) {
+    // a drive that is broken, that says nothing, or whose position is not known follows no stop: a controlled one would
+    // be wishful thinking, or a motion without feedback
+    case ErrorCode::drive_fault:
+    case ErrorCode::hardware_silent:
+    case ErrorCode::encoder_fault:
+    case ErrorCode::overspeed:
+    case ErrorCode::axis_stuck:
+    case ErrorCode::bus_off:
+    case ErrorCode::drive_not_ready:
+    case ErrorCode::heartbeat_lost:
+    case ErrorCode::drive_restarted:
+      return StopCategory::drives_off;
+    // nothing is broken: the robot can be commanded on at once, and power keeps it where it is, weight and all
+    case ErrorCode::none:
+    case ErrorCode::force_limit:
+    case ErrorCode::sensor_not_ready:
+    case ErrorCode::sensor_out_of_range:
+    case ErrorCode::sensor_hardware:
+      return StopCategory::stop_and_hold;
+    // something is in the way or someone in danger, and the drives still follow: the shortest way to rest that tears
+    // at nothing, and no power after it. So is what no one has thought of.
+    case ErrorCode::emergency_stop:
+    case ErrorCode::following_error:
+    case ErrorCode::over_current:
+    case ErrorCode::limit_switch:
+    case ErrorCode::bus_error:  // it still carries frames
+    case ErrorCode::synchronisation_failed:
+    case ErrorCode::not_enabled:  // switched off by order, or the deployment ends
+    default:                      // a set-point that passes a limit, joints that are none
+      return StopCategory::stop_then_off;
+  }
+}
+
+/// Whether a fault stops the robot more sharply than another that has been found already; `none` is no fault.
+constexpr bool graver(ErrorCode fault, ErrorCode found) noexcept {
+  if (fault == ErrorCode::none) return false;
+  return found == ErrorCode::none || stop_category(fault) < stop_category(found);
+}
+
+}  // namespace mrroc::edp

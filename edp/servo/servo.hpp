@@ -1,0 +1,192 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "edp/check/model_set.hpp"
+#include "edp/command/hand_over.hpp"
+#include "edp/force/force_motion.hpp"
+#include "edp/force/force_watch.hpp"
+#include "edp/hardware.hpp"
+#include "edp/safety/current_watch.hpp"
+#include "edp/safety/encoder_watch.hpp"
+#include "edp/safety/limit_switches.hpp"
+#include "edp/safety/motion_watch.hpp"
+#include "edp/safety/stop_category.hpp"
+#include "edp/servo/drive_homing.hpp"
+#include "edp/servo/emergency_latch.hpp"
+#include "edp/servo/regulator.hpp"
+#include "edp/servo/synchroniser.hpp"
+#include "language/stop.hpp"
+
+namespace mrroc::edp {
+
+/// The servo of one robot. One tick: read the hardware, estimate the state, take the set-point of this tick, look at
+/// the limits, regulate, write the hardware, count. Ticked by whoever owns it: a thread of its own in real time, the
+/// participant in lockstep; the other side of `HandOver` may be any one other thread.
+///
+/// Set-points: macrosteps one after the other, each from the tick at which its predecessor ended. When a macrostep ends
+/// in motion and no successor has come by the next tick, the robot brakes within its limits from where it should be and
+/// holds there. At rest it holds the desired position.
+///
+/// Life: it starts stopped, with the drives off. `enable` switches them on at the measured position, so nothing jumps,
+/// and clears a latched fault; while its cause lasts they stay off. A robot whose drives have lost their positions, but
+/// find them on their own (Hardware::homes), is switched on as one that is not synchronised. `disable` and every fault
+/// stop the robot, each in its category (stop_category.hpp): faults that the drives report, readings of the encoders
+/// that cannot be true, the emergency stop, a limit switch, a current or a following error beyond the axis's limit, a
+/// set-point beyond a limit.
+///
+/// Joints are those of the model in use: the shafts themselves until the hardware is synchronised, the robot's first
+/// model then, another one when a macrostep says so.
+///
+/// The servo's plan has an epoch: it is left (braking, stopping, switching on, another model) by counting it up, and a
+/// macrostep planned for an older epoch is refused, because it would continue a motion that is no more.
+///
+/// With a force sensor it follows force macrosteps, and watches every motion: a wrench beyond its limits, a sensor that
+/// does not answer, a set-point of a force motion from which a stop would not stay inside the limits interrupt the
+/// motion. The robot then brakes and holds; what was commanded is given back, with a non-fatal error.
+///
+/// `tick` allocates nothing, takes no lock, does not log, never throws; the constructor allocates.
+class Servo {
+ public:
+  /// `period` in s. `models` and `hardware` must outlive it. Throws SystemError when an axis has no acceleration or
+  /// jerk limit.
+  Servo(const ModelSet& models, Hardware& hardware, double period, HandOver& hand_over);
+
+  /// The robot has a force sensor, which must outlive this object, and stops where it meets more than `limits`. Before
+  /// the first tick.
+  void use_force_sensor(ForceSensor& sensor, const ForceLimits& limits) noexcept;
+
+  /// The operator's emergency stop, which must outlive this object. Before the first tick.
+  void use_emergency_stop(const clock::EmergencyStop& stop) noexcept { emergency_.use(stop); }
+  /// The digital input that presses the emergency stop while it is off. Before the first tick.
+  void use_emergency_terminal(int terminal) noexcept { emergency_.use_terminal(terminal); }
+
+  /// Executes tick `tick`, greater than the last one; a gap counts as missed ticks. True: reports have been put out,
+  /// the comms side should look.
+  bool tick(Tick tick) noexcept;
+
+  /// The process ends: from the next tick on the robot stops, then its drives go off, and no order switches them on
+  /// again. The servo's thread.
+  void leave() noexcept;
+  /// Whether the drives wait for each tick (Hardware::waits), so that none may be skipped.
+  bool drives_wait() const noexcept { return hardware_.waits(); }
+  /// False once nothing moves any more: the drives are off, and have said so. The servo's thread.
+  bool drives_on() const noexcept { return enabled_ || (leaving_ && hardware_.busy()); }
+
+  /// What the last tick published. The servo's thread.
+  const Snapshot& snapshot() const noexcept { return snapshot_; }
+
+ private:
+  struct Outcome {
+    Report::Outcome outcome;
+    std::uint64_t ticket;
+    Tick start = 0;
+  };
+  struct PendingReply {
+    std::uint64_t ticket;
+    Tick due;
+    Tick start;
+  };
+
+  bool use(std::uint8_t model) noexcept;
+  void widen_limits() noexcept;
+  void measure(Tick tick) noexcept;
+  void look_at_encoders(Tick tick) noexcept;
+  void find_fault(const Fault& fault) noexcept;
+  bool switch_on() noexcept;
+  void give_up_power() noexcept;
+  void obey_order() noexcept;
+  void watch(Tick tick) noexcept;
+  Fault find_in_motion() noexcept;
+  void watch_force(Tick tick) noexcept;
+  void abort_pending() noexcept;
+  void interrupt(const ErrorReport& report, Tick from) noexcept;
+  void advance(Tick tick) noexcept;
+  void follow(double time, Tick tick) noexcept;
+  void follow_force(Tick tick) noexcept;
+  bool synchronise(Tick tick) noexcept;
+  int synchronised_axis() const noexcept;
+  /// The same, where the axis's drive finds its position on its own.
+  int homing_axis() const noexcept;
+  void change_model() noexcept;
+  void use_regulators() noexcept;
+  void put_out(const Signals& outputs) noexcept;
+  bool start_next(Tick tick) noexcept;
+  void refuse_foreign() noexcept;
+  void brake(Tick from) noexcept;
+  void stop(StopCategory category) noexcept;
+  void stop_and_switch_off() noexcept;
+  void drives_off() noexcept;
+  void latch(ErrorCode code, int axis, double value, double limit, Tick tick) noexcept;
+  bool keeps_limits(Tick tick) noexcept;
+  void regulate() noexcept;
+  bool publish(Tick tick) noexcept;
+
+  const ModelSet& models_;
+  const RobotModel* model_;
+  std::uint8_t model_index_ = 0;
+  Hardware& hardware_;
+  double period_;
+  HandOver& hand_over_;
+  Stop stop_;
+  Synchroniser synchroniser_;
+  DriveHoming homing_;
+  std::vector<Regulator> regulators_;
+  std::uint8_t regulator_set_ = 0;
+  Signals outputs_;
+
+  // measured
+  bool ticked_ = false;  ///< at least once
+  Tick last_ = 0;        ///< the last executed tick
+  Tick elapsed_ = 1;     ///< since then
+  HardwareInput input_;
+  JointVector joints_, velocity_, measured_motors_, measured_increment_;
+  JointVector read_joints_;  ///< those of the last new reading
+
+  // what may stop the robot
+  Fault found_;  ///< by the readings of this tick, whatever the robot does
+  EncoderWatch encoders_;
+  CurrentWatch currents_;
+  MotionWatch motion_;
+  LimitSwitchWatch switches_;
+  EmergencyLatch emergency_;
+
+  // desired
+  DesiredState desired_;
+  JointVector desired_motors_, previous_position_, previous_motors_;
+  JointVector position_min_, position_max_;  ///< widened by where the robot was switched on
+  Macrostep active_;
+  bool running_ = false;
+  Tick boundary_ = 0;  ///< tick in which the last macrostep ended
+  std::uint64_t finished_ = 0;
+  std::uint32_t epoch_ = 0;
+  bool braking_ = false;
+
+  // force
+  ForceWatch force_;
+  ForceMotion force_motion_;
+  bool forced_ = false;  ///< the last macrostep started is one of force
+  Tick force_tick_ = 0;  ///< tick of its last set-point
+  std::uint32_t interruptions_ = 0;
+  ErrorReport interruption_;
+
+  // drives
+  std::uint32_t orders_ = 0;  ///< obeyed
+  bool reset_ = false;        ///< a recovery has cleared the drives' faults and waits for the next reading
+  bool powering_ = false;     ///< they are on their way to being on
+  bool enabled_ = false;
+  bool leaving_ = false;   ///< the process ends
+  bool stopping_ = false;  ///< the drives go off at the end of the stop
+  Fault fault_;
+  JointVector current_;
+
+  std::array<PendingReply, 8> pending_{};
+  std::size_t pending_count_ = 0;
+  std::array<Outcome, 16> outbox_{};
+  std::size_t outbox_count_ = 0;
+  ServoCounters counters_;
+  Snapshot snapshot_;
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,214 @@
+// What the servo follows: macrosteps one after the other, and the ways out of them.
+#include <algorithm>
+
+#include "edp/servo/servo.hpp"
+
+namespace mrroc::edp {
+
+void Servo::advance(Tick tick) noexcept {
+  refuse_foreign();
+  for (;;) {
+    if (running_ && active_.kind == Macrostep::Kind::force) {
+      const Tick end = active_.start + active_.steps;
+      follow_force(std::min(tick, end));
+      if (active_.kind == Macrostep::Kind::force && tick < end) return;
+    }
+    if (running_) {
+      const Tick step = tick - active_.start;
+      if (active_.kind == Macrostep::Kind::synchronise) {
+        if (!synchronise(tick)) return;
+      } else if (step < active_.steps) {
+        const double time = static_cast<double>(step) * period_;
+        if (active_.kind == Macrostep::Kind::stop)
+          desired_ = stop_.at(time);
+        else if (active_.kind == Macrostep::Kind::path && step > 0)
+          follow(time, tick);
+        return;
+      }
+      if (active_.kind == Macrostep::Kind::model)
+        change_model();
+      else if (active_.kind == Macrostep::Kind::regulators)
+        use_regulators();
+      else if (active_.kind == Macrostep::Kind::bias)
+        force_.bias();
+      else if (active_.kind != Macrostep::Kind::synchronise && active_.kind != Macrostep::Kind::force)
+        desired_ = active_.to;
+      running_ = false;
+      boundary_ = active_.start + active_.steps;
+      if (active_.ticket != 0) finished_ = active_.ticket;
+      if (boundary_ == tick) return;
+    }
+    if (start_next(tick)) continue;
+    if (desired_.at_rest()) return;
+    if (active_.kind != Macrostep::Kind::stop)
+      ++counters_.stops;  // else a hold that ended before its stop: it continues
+    brake(boundary_);
+    braking_ = true;
+    refuse_foreign();
+  }
+}
+
+void Servo::follow(double time, Tick tick) noexcept {
+  DesiredState next;
+  const ErrorCode code = active_.path.at(time, desired_.position, next);
+  if (code == ErrorCode::none)
+    desired_ = next;
+  else  // the planner has been along this path: only a missed tick can bring it to another branch
+    latch(code, -1, 0, 0, tick);
+}
+
+/// The set-point of tick `tick` of the force macrostep, which is not its end or a tick before it.
+void Servo::follow_force(Tick tick) noexcept {
+  if (tick == force_tick_) return;
+  const ErrorReport report = force_motion_.step(active_.force, force_.wrench(), force_.mount(),
+                                                period_ * static_cast<double>(tick - force_tick_), desired_);
+  if (report.error_class != ErrorClass::none) return interrupt(report, force_tick_);
+  force_tick_ = tick;
+}
+
+/// One tick of the synchronisation; true: it is over.
+bool Servo::synchronise(Tick tick) noexcept {
+  const bool homes = hardware_.homes();
+  const Synchroniser::Status status =
+      homes ? homing_.step(hardware_, input_, desired_) : synchroniser_.step(input_, desired_);
+  if (status == Synchroniser::Status::running) return false;
+  if (status == Synchroniser::Status::failed) {
+    latch(ErrorCode::synchronisation_failed, synchronised_axis(), 0, 0, tick);
+    return false;  // the fault stops the robot
+  }
+  const JointVector& shift = homes ? homing_.shift() : synchroniser_.shift();
+  hardware_.set_origin(shift);
+  input_.synchronised = true;
+  encoders_.shift(shift);
+  measured_motors_ += shift;
+  desired_motors_ += shift;
+  previous_motors_ += shift;
+  if (!use(0)) latch(ErrorCode::motor_limit, -1, 0, 0, tick);
+  active_.steps = static_cast<std::uint32_t>(tick - active_.start);
+  for (std::size_t i = 0; i < pending_count_; ++i)
+    if (pending_[i].ticket == active_.ticket) pending_[i].due = tick;
+  return true;
+}
+
+int Servo::synchronised_axis() const noexcept {
+  if (!running_ || active_.kind != Macrostep::Kind::synchronise) return -1;
+  return hardware_.homes() ? homing_.axis() : synchroniser_.axis();
+}
+
+int Servo::homing_axis() const noexcept { return hardware_.homes() ? synchronised_axis() : -1; }
+
+void Servo::change_model() noexcept {
+  if (!use(active_.choice)) latch(ErrorCode::motor_limit, -1, 0, 0, last_);
+}
+
+void Servo::use_regulators() noexcept {
+  regulator_set_ = active_.choice;
+  const std::vector<AxisParameters>& axes = models_.parameters().regulators[regulator_set_].axes;
+  for (std::size_t i = 0; i < axes.size(); ++i) regulators_[i].use(axes[i]);
+}
+
+void Servo::put_out(const Signals& outputs) noexcept {
+  outputs_ = outputs;
+  hardware_.set_outputs(outputs);
+}
+
+bool Servo::start_next(Tick tick) noexcept {
+  const Macrostep* next = hand_over_.macrosteps.front();
+  if (next == nullptr || next->epoch != epoch_ || stopping_ || next->start > tick) return false;
+  if (next->kind == Macrostep::Kind::unplanned) {
+    brake(boundary_);
+    braking_ = false;
+    refuse_foreign();
+    return true;
+  }
+  active_ = *next;
+  hand_over_.macrosteps.pop();
+  running_ = true;
+  // a moving predecessor ended at `start`, be it in a missed tick; a resting robot begins now
+  active_.start = std::max({active_.start, boundary_, last_});
+  if (active_.kind == Macrostep::Kind::stop) stop_.plan(desired_);
+  if (active_.kind == Macrostep::Kind::force) {
+    if (!forced_) force_motion_.start(desired_, active_.force.tool);
+    force_tick_ = active_.start;
+  }
+  forced_ = active_.kind == Macrostep::Kind::force;
+  if (active_.with_outputs) put_out(active_.outputs);
+  if (active_.kind == Macrostep::Kind::synchronise) {
+    synchroniser_.start(desired_.position);
+    if (hardware_.homes()) homing_.start(hardware_, desired_.position);
+  }
+  if (active_.ticket != 0 && pending_count_ < pending_.size())
+    pending_[pending_count_++] = {
+        active_.ticket,
+        active_.kind == Macrostep::Kind::synchronise ? kNever : active_.start + active_.reply_step,
+        active_.start,
+    };
+  return true;
+}
+
+void Servo::refuse_foreign() noexcept {
+  while (const Macrostep* next = hand_over_.macrosteps.front()) {
+    if (enabled_ && !stopping_ && next->epoch == epoch_) return;
+    if (next->ticket != 0 && outbox_count_ < outbox_.size())
+      outbox_[outbox_count_++] = {Report::Outcome::refused, next->ticket};
+    hand_over_.macrosteps.pop();
+  }
+}
+
+void Servo::brake(Tick from) noexcept {
+  ++epoch_;
+  forced_ = false;
+  stop_.plan(desired_);
+  active_.kind = Macrostep::Kind::stop;
+  active_.ticket = 0;
+  active_.start = from;
+  active_.steps = stop_.ticks();
+  active_.from = desired_;
+  active_.to = stop_.end();
+  running_ = true;
+}
+
+void Servo::stop(StopCategory category) noexcept {
+  if (category == StopCategory::drives_off)
+    drives_off();
+  else if (!stopping_)
+    stop_and_switch_off();
+}
+
+void Servo::stop_and_switch_off() noexcept {
+  if (homing_axis() >= 0) return drives_off();  // a drive that homes follows no stop of ours
+  if (running_ && active_.ticket != 0) finished_ = active_.ticket;
+  abort_pending();
+  brake(last_);
+  braking_ = false;
+  stopping_ = true;
+}
+
+/// At once, whatever the robot does.
+void Servo::drives_off() noexcept {
+  if (running_ && active_.ticket != 0) finished_ = active_.ticket;
+  abort_pending();
+  ++epoch_;
+  running_ = braking_ = forced_ = false;
+  hardware_.enable(false);
+  enabled_ = stopping_ = false;
+  current_.setZero();
+}
+
+/// The motion is given up: the robot brakes from the desired state, which is that of tick `from`.
+void Servo::interrupt(const ErrorReport& report, Tick from) noexcept {
+  ++interruptions_;
+  interruption_ = report;
+  if (active_.ticket != 0) finished_ = active_.ticket;
+  abort_pending();
+  brake(from);
+  braking_ = false;
+}
+
+void Servo::abort_pending() noexcept {
+  for (std::size_t i = 0; i < pending_count_ && outbox_count_ < outbox_.size(); ++i)
+    outbox_[outbox_count_++] = {Report::Outcome::aborted, pending_[i].ticket};
+  pending_count_ = 0;
+}
+
+}  // namespace mrroc::edp

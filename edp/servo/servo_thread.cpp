@@ -1,0 +1,48 @@
+#include "edp/servo/servo_thread.hpp"
+
+#include <pthread.h>
+
+#include <cmath>
+
+namespace mrroc::edp {
+namespace {
+
+void raise_priority() noexcept {
+  int policy = 0;
+  sched_param parameters{};
+  if (pthread_getschedparam(pthread_self(), &policy, &parameters) != 0 || policy != SCHED_FIFO) return;
+  if (parameters.sched_priority >= sched_get_priority_max(SCHED_FIFO)) return;
+  ++parameters.sched_priority;
+  pthread_setschedparam(pthread_self(), policy, &parameters);  // refused: it stays as it was inherited
+}
+
+}  // namespace
+
+ServoThread::ServoThread(Servo& servo, clock::Clock& clock, bool notify_always)
+    : servo_(servo),
+      clock_(clock),
+      notify_always_(notify_always),
+      ticker_(clock.epoch_ns(), std::llround(clock.period() * 1e9)),
+      thread_([this] { run(); }) {}
+
+ServoThread::~ServoThread() {
+  end_.store(true, std::memory_order_release);
+  thread_.join();
+}
+
+void ServoThread::run() noexcept {
+  raise_priority();
+  Tick next = 0;
+  for (;;) {
+    const Tick present = ticker_.wait_next();
+    if (next == 0 || !servo_.drives_wait()) next = present;
+    for (; next <= present; ++next) {
+      const bool ending = end_.load(std::memory_order_acquire);
+      if (ending) servo_.leave();
+      if (servo_.tick(next) || notify_always_) clock_.notify();
+      if (ending && !servo_.drives_on()) return;
+    }
+  }
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,158 @@
+// What the servo measures, and what it stops the robot for.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "edp/servo/servo.hpp"
+#include "language/limits.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+// the planner has checked the limits; this guard only meets what it cannot see
+constexpr double kGuard = 2;        // of the planner's tolerance of positions
+constexpr double kRounding = 1e-6;  // of velocities
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void Servo::widen_limits() noexcept {
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];
+    const double beyond = kGuard * position_tolerance(axis.position_min, axis.position_max);
+    position_min_[i] = std::min(axis.position_min, joints_[i]) - beyond;
+    position_max_[i] = std::max(axis.position_max, joints_[i]) + beyond;
+  }
+}
+
+void Servo::measure(Tick tick) noexcept {
+  elapsed_ = ticked_ ? tick - last_ : 1;
+  const Tick last_read = input_.tick;
+  input_.tick = tick;
+  input_.late = 0;
+  input_.motors.setConstant(kNothing);
+  input_.current.setConstant(kNothing);
+  input_.fault_axis = -1;
+  input_.fault_value = input_.fault_limit = 0;
+  hardware_.read(tick, input_);
+  found_ = {input_.fault, input_.fault_axis, input_.fault_value, input_.fault_limit};
+  look_at_encoders(tick);
+  if (!ticked_) {
+    last_ = tick == 0 ? 0 : tick - 1;
+    measured_motors_ = desired_motors_ = input_.motors;
+    if (!use(input_.synchronised ? 0 : ModelSet::kShafts)) find_fault({ErrorCode::motor_limit});
+  } else if (!input_.synchronised && model_index_ != ModelSet::kShafts) {
+    find_fault({ErrorCode::drive_fault});  // the drives have lost their positions
+  }
+  JointVector joints = joints_;
+  if (model_->motors_to_joints(input_.motors, joints) != ErrorCode::none) {
+    joints = joints_;
+    find_fault({ErrorCode::motor_limit});
+  }
+  if (emergency_.look(input_.inputs)) find_fault({ErrorCode::emergency_stop});
+  if (ticked_) {
+    measured_increment_ = input_.motors - measured_motors_;
+    if (input_.tick > last_read)  // else it is the same reading again
+      velocity_ = (joints - read_joints_) / (period_ * static_cast<double>(input_.tick - last_read));
+  }
+  if (!ticked_ || input_.tick > last_read) read_joints_ = joints;
+  measured_motors_ = input_.motors;
+  joints_ = joints;
+  ++counters_.ticks;
+  counters_.missed += elapsed_ - 1;
+}
+
+/// Positions and currents that cannot be true are as if they had not changed.
+void Servo::look_at_encoders(Tick tick) noexcept {
+  if (found_.code != ErrorCode::hardware_silent || !input_.motors.allFinite()) {
+    // after a silence the first reading need not be of a new tick, but the axis has had all that time
+    const EncoderWatch::Finding finding = encoders_.look(input_.motors, std::max(input_.tick, tick));
+    if (finding.axis >= 0) {
+      find_fault({ErrorCode::encoder_fault, finding.axis, finding.value, finding.limit});
+      input_.motors = measured_motors_;
+    }
+  }
+  for (Eigen::Index i = 0; i < input_.current.size(); ++i) {
+    if (std::isfinite(input_.current[i])) continue;
+    find_fault({ErrorCode::drive_fault, static_cast<int>(i), input_.current[i]});
+    input_.current[i] = 0;
+  }
+}
+
+/// What the readings show stops the robot as if the drives had reported it; of two the graver one counts.
+void Servo::find_fault(const Fault& fault) noexcept {
+  if (graver(fault.code, found_.code)) found_ = fault;
+}
+
+void Servo::watch(Tick tick) noexcept {
+  const bool moves = enabled_ && !stopping_;
+  const Fault in_motion = find_in_motion();
+  if (moves) find_fault(in_motion);
+  if (enabled_) {
+    const bool given = hardware_.follows_current();
+    find_fault(motion_.look(
+        *model_, {joints_, velocity_, measured_motors_, desired_motors_, given ? current_ : input_.current, given},
+        {input_.tick, input_.late}, moves, homing_axis()));
+  }
+  if (found_.code != ErrorCode::none) latch(found_.code, found_.axis, found_.value, found_.limit, tick);
+  if (enabled_ && fault_.code != ErrorCode::none)
+    stop(stop_category(found_.code != ErrorCode::none ? found_.code : fault_.code));
+  if (force_.present()) watch_force(tick);
+}
+
+/// What matters while the drives are on and are to stay on; counts, whatever they do.
+Fault Servo::find_in_motion() noexcept {
+  const bool moves = enabled_ && !stopping_;
+  const std::vector<AxisParameters>& axes = model_->parameters().axes;
+  const int axis = switches_.look(input_, desired_motors_ - previous_motors_,
+                                  moves ? synchronised_axis() : LimitSwitchWatch::kEvery);
+  if (!moves) return {};
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    const double error = std::abs(desired_motors_[i] - measured_motors_[i]);
+    const double limit = axes[static_cast<std::size_t>(i)].following_error_max;
+    counters_.following_error[i] = std::max(counters_.following_error[i], error);
+    if (!(error <= limit)) return {ErrorCode::following_error, i, error, limit};
+  }
+  if (axis >= 0) return {ErrorCode::limit_switch, axis, measured_motors_[axis]};
+  const int hot = currents_.look(input_.current, elapsed_);
+  if (hot < 0) return {};
+  return {ErrorCode::over_current, hot, input_.current[hot], axes[static_cast<std::size_t>(hot)].current_max};
+}
+
+void Servo::watch_force(Tick tick) noexcept {
+  const bool synchronised = model_index_ != ModelSet::kShafts;
+  const Pose flange = synchronised ? model_->flange(joints_) : Pose::Identity();
+  force_.read(tick, synchronised ? &flange : nullptr);
+  ForceWatch::Doing doing = ForceWatch::Doing::resting;
+  if (running_ && enabled_ && !stopping_) {
+    if (active_.kind == Macrostep::Kind::path) doing = ForceWatch::Doing::moving;
+    if (active_.kind == Macrostep::Kind::force) doing = ForceWatch::Doing::following;
+  }
+  if (const ErrorReport report = force_.look(doing); report.error_class != ErrorClass::none) interrupt(report, last_);
+}
+
+void Servo::latch(ErrorCode code, int axis, double value, double limit, Tick tick) noexcept {
+  if (fault_.code == ErrorCode::none) fault_ = {code, axis, value, limit, tick};
+}
+
+bool Servo::keeps_limits(Tick tick) noexcept {
+  if (model_->joints_to_motors(desired_.position, desired_motors_) != ErrorCode::none) {
+    latch(ErrorCode::motor_limit, -1, 0, 0, tick);
+    return stopping_;
+  }
+  if (stopping_) return true;  // nothing better than the stop is left
+  const int homing = homing_axis();
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    if (i == homing) continue;  // the set-point is where the drive has brought it
+    const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];
+    const double position = desired_.position[i];
+    const double velocity = (position - previous_position_[i]) / (period_ * static_cast<double>(elapsed_));
+    if (!(position >= position_min_[i])) latch(ErrorCode::joint_limit, i, position, axis.position_min, tick);
+    if (!(position <= position_max_[i])) latch(ErrorCode::joint_limit, i, position, axis.position_max, tick);
+    if (!(std::abs(velocity) <= axis.velocity_max * (1 + kRounding) + kRounding))
+      latch(ErrorCode::velocity_limit, i, velocity, axis.velocity_max, tick);
+  }
+  return fault_.code == ErrorCode::none;
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,62 @@
+#include "sensors/camera/pictures/live_camera.hpp"
+
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+namespace mrroc::vsp {
+
+LiveCamera::LiveCamera(Take take, HardwareCamera camera, Tick silent_after, cv::Mat& picture)
+    : take_(std::move(take)),
+      camera_(std::move(camera)),
+      silent_after_(silent_after),
+      picture_(&picture),
+      thread_([this] { take_pictures(); }) {}
+
+LiveCamera::~LiveCamera() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  thread_.join();
+}
+
+void LiveCamera::take_pictures() {
+  cv::Mat taken, picture;
+  bool alive = true;
+  while (alive) {
+    try {
+      alive = take_(taken) && taken.cols == camera_.intrinsics.width && taken.rows == camera_.intrinsics.height;
+      if (alive) cv::cvtColor(taken, picture, cv::COLOR_BGR2RGB);
+    } catch (const std::exception&) {
+      alive = false;
+    }
+    const std::lock_guard lock(mutex_);
+    ended_ = !alive;
+    if (stop_) return;
+    if (!alive) continue;
+    std::swap(newest_, picture);
+    ++taken_;
+  }
+}
+
+/// Whether the device is alive; its newest picture is then in `picture_`.
+bool LiveCamera::fetch() noexcept {
+  const std::lock_guard lock(mutex_);
+  if (taken_ != seen_) std::swap(newest_, *picture_);
+  seen_ = taken_;
+  return !ended_;
+}
+
+SourceState LiveCamera::read(Tick wanted, RawReading& raw) noexcept {
+  const std::uint64_t before = seen_;
+  if (!fetch()) return SourceState::silent;
+  if (seen_ != before || seen_at_ == kNever) seen_at_ = wanted;
+  if (wanted - seen_at_ > silent_after_) return SourceState::silent;
+  if (seen_ == 0) return SourceState::not_ready;
+  raw.tick = seen_at_;
+  raw.count = 1;
+  raw.values[0] = static_cast<double>(seen_);
+  return SourceState::ready;
+}
+
+}  // namespace mrroc::vsp

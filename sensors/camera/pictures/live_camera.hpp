@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "sensors/camera/pictures/hardware_camera.hpp"
+
+namespace mrroc::vsp {
+
+/// A camera of hardware. A thread of its own takes pictures as they come, so that `read` never waits for one: it gives
+/// the newest, as of the tick at which it was first seen here, at most one picture's time and one reading's period
+/// late. Silent when none has come for `silent_after` ticks, or the device has ended.
+class LiveCamera final : public PictureSource {
+ public:
+  /// Takes the next picture (8-bit BGR of the camera's size), waiting for it; false: the device has ended.
+  using Take = std::function<bool(cv::Mat&)>;
+  LiveCamera(Take take, HardwareCamera camera, Tick silent_after, cv::Mat& picture);
+  /// Waits for the picture that is being taken.
+  ~LiveCamera() override;
+  LiveCamera(const LiveCamera&) = delete;
+  LiveCamera& operator=(const LiveCamera&) = delete;
+
+  SourceState read(Tick wanted, RawReading& raw) noexcept override;
+  const Intrinsics& intrinsics() const noexcept override { return camera_.intrinsics; }
+  const Pose& mount() const noexcept override { return camera_.mount; }
+
+ private:
+  void take_pictures();
+  bool fetch() noexcept;
+
+  Take take_;
+  HardwareCamera camera_;
+  Tick silent_after_;
+  cv::Mat* picture_;
+  std::uint64_t seen_ = 0;  ///< pictures that have come up to the one in `picture_`
+  Tick seen_at_ = kNever;   ///< that one's tick, or that of the first `read`
+
+  std::mutex mutex_;  ///< of all below
+  cv::Mat newest_;
+  std::uint64_t taken_ = 0;
+  bool ended_ = false;
+  bool stop_ = false;
+  std::thread thread_;  ///< last: it uses all above
+};
+
+}  // namespace mrroc::vsp

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "sensors/camera/camera_mount.hpp"
+#include "sensors/camera/pictures/picture_source.hpp"
+#include "sim/rendering/camera.hpp"
+#include "vsp/noise.hpp"
+#include "vsp/virtual_sensor.hpp"
+
+namespace mrroc::vsp {
+
+/// A camera of the simulated world. It draws the state that the simulator has stored last (in lockstep the present
+/// tick's; in real time the newest, `raw.tick` says which) in this process, 4 samples per pixel, without shadows, and
+/// adds noise that depends on (sensor, tick) only. The same state gives the same picture, bit for bit, on one machine.
+class SimulatedCamera final : public PictureSource {
+ public:
+  /// `picture` outlives it. Throws SystemError: no simulated world, no such camera, no OpenGL; ConfigurationError: a
+  /// broken scene.
+  SimulatedCamera(const SourceContext& context, cv::Mat& picture);
+
+  SourceState read(Tick wanted, RawReading& raw) noexcept override;
+  const Intrinsics& intrinsics() const noexcept override { return intrinsics_; }
+  const Pose& mount() const noexcept override { return camera_.mount; }
+
+ private:
+  void draw();
+
+  const core::SharedSlot<world::WorldSnapshot>* slot_;
+  Tick silent_after_;
+  Noise noise_;
+  double noise_deviation_;
+  sim::Model model_;
+  CameraMount camera_;
+  Intrinsics intrinsics_;
+  double field_of_view_ = 0;
+  sim::Renderer renderer_;
+  world::WorldSnapshot snapshot_{};
+  sim::Picture drawn_;
+  cv::Mat* picture_;
+  cv::Mat noise_picture_;
+  std::uint64_t pictures_ = 0;
+  Tick drawn_tick_ = kNever;
+};
+
+}  // namespace mrroc::vsp

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "mrroc/types.hpp"
+#include "sim/scene/model.hpp"
+#include "world/world_memory.hpp"
+
+namespace mrroc::sim {
+
+/// The joints of one robot in the world, and what its drives do to them during one tick:
+///
+///   (M(q) + B) d2q/dt2 = tau - D dq/dt - c + all that MuJoCo computes,
+///
+/// with B, D, tau, c of the robot's `world::JointDrive`, constant within a tick. B is added to MuJoCo's sparse inertia
+/// matrix before it is factored; D acts implicitly in the integration, as MuJoCo's own joint damping does. Armature and
+/// damping that the MJCF gives these joints only scale its constraints (they were used for invweight0): they are set to
+/// zero.
+///
+/// With brakes on, the joints stand where they were when the brakes engaged, whatever pushes them: they get an inertia
+/// of 1e10, so that contact forces and force sensors see a rigid robot, and their positions are restored after the
+/// step.
+///
+/// A joint in the robot's MJCF tuple "endless" (a conveyor's belt) is put back to zero after every step while its
+/// travel is counted, so that the belt's geometry stays in place under the parts that it carries. MJCF sensors
+/// `jointpos` of it read the travel.
+///
+/// The simulation's thread; only the constructor allocates or throws.
+class DrivenJoints {
+ public:
+  /// Joints "<robot>/<name>" of `model`, in the order of `names`. Throws config::ConfigurationError: one is
+  /// missing (the message lists what the robot has) or is neither hinge nor slide.
+  DrivenJoints(mjModel& model, const std::string& robot, const std::vector<std::string>& names);
+
+  const std::string& robot() const noexcept { return robot_; }
+  std::size_t count() const noexcept { return count_; }
+  /// Puts the joints at `position`, at rest; brakes on. Joints that an equality makes follow one of them are put where
+  /// it wants them.
+  void place(const mjModel& model, mjData& data, const JointVector& position) noexcept;
+
+  /// Index of the first joint that has a number in `drive` that is not finite; -1: none.
+  int find_not_finite(const world::JointDrive& drive) const noexcept;
+  /// Whether B and D couple only joints that lie on one kinematic chain (MuJoCo's matrix has no place for others).
+  bool couples_one_chain(const world::JointDrive& drive) const noexcept;
+  /// Takes the drive of the coming tick; brakes off.
+  void drive(mjModel& model, const world::JointDrive& drive) noexcept;
+  /// Brakes on, here and now.
+  void brake(mjModel& model, mjData& data) noexcept;
+  bool braked() const noexcept { return braked_; }
+
+  // ---- parts of one physics step, in this order
+  // ----------------------------------------------------------------------
+  /// M += B, after mj_fwdPosition.
+  void add_inertia(mjData& data) const noexcept;
+  /// qfrc_applied = tau - c - (what of D dq/dt couples joints); its diagonal is MuJoCo's joint damping.
+  void apply_torque(mjData& data) const noexcept;
+  /// M += h D off its diagonal, which mj_Euler adds itself.
+  void add_damping(mjData& data, double h) const noexcept;
+  /// After the integration: holds braked joints, rolls endless ones back.
+  void finish(mjData& data) noexcept;
+  /// After mj_sensorPos: what it has stored for endless joints becomes their travel.
+  void add_travel(mjData& data) const noexcept;
+
+  void measure(const mjData& data, world::JointMeasurement& measurement) const noexcept;
+
+ private:
+  struct Joint {
+    int dof = 0;
+    int position = 0;  ///< index into qpos
+    bool endless = false;
+    double travel = 0;  ///< of an endless joint
+    double held = 0;    ///< position where the brakes engaged
+  };
+  struct TravelSensor {
+    int address;  ///< in sensordata
+    std::size_t joint;
+  };
+  double entry(const std::array<double, kMaxJoints * kMaxJoints>& matrix, std::size_t i, std::size_t j) const noexcept {
+    return matrix[i * kMaxJoints + j];
+  }
+  void find_addresses(const mjModel& model);
+  void find_travel_sensors(const mjModel& model);
+  void disable_actuators(mjModel& model) const;
+
+  std::string robot_;
+  std::size_t count_ = 0;
+  std::array<Joint, kMaxJoints> joints_{};
+  std::array<int, kMaxJoints * kMaxJoints> addresses_{};  ///< (i, j) in MuJoCo's sparse M; -1: not on one chain
+  std::vector<TravelSensor> travel_sensors_;
+  world::JointDrive drive_{};
+  bool braked_ = true;
+};
+
+}  // namespace mrroc::sim

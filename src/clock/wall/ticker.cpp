@@ -1,0 +1,27 @@
+#include "clock/wall/ticker.hpp"
+
+#include <cerrno>
+
+#include "clock/wall/monotonic.hpp"
+
+namespace mrroc::clock {
+
+Ticker::Ticker(std::int64_t epoch_ns, std::int64_t period_ns) noexcept : epoch_ns_(epoch_ns), period_ns_(period_ns) {
+  const std::int64_t since = monotonic_ns() - epoch_ns;
+  next_ = since <= 0 ? 0 : static_cast<Tick>(since / period_ns) + 1;
+}
+
+Tick Ticker::wait_next() noexcept {
+  if (woken_ns_ != 0) execution_.add(monotonic_ns() - woken_ns_);
+  const timespec due = to_timespec(begin_of(next_));
+  while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR) {
+  }
+  woken_ns_ = monotonic_ns();
+  const auto present = static_cast<Tick>((woken_ns_ - epoch_ns_) / period_ns_);
+  missed_.store(missed() + (present - next_), std::memory_order_relaxed);
+  lateness_.add(woken_ns_ - begin_of(present));
+  next_ = present + 1;
+  return present;
+}
+
+}  // namespace mrroc::clock

@@ -1,0 +1,123 @@
+#include "config/entries/can_entry.hpp"
+
+#include <net/if.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/drives/drive_table.hpp"
+#include "config/entries/named_file.hpp"
+#include "config/resources.hpp"
+#include "config/robot_parameters_file.hpp"
+#include "config/text/file_text.hpp"
+#include "config/text/message_text.hpp"
+#include "mrroc/types.hpp"
+
+namespace mrroc::config {
+
+namespace {
+
+constexpr std::string_view kHub = "unix:";
+constexpr std::size_t kInterfaceLength = IFNAMSIZ - 1;
+constexpr std::size_t kHubLength = 107;  // of a socket's path
+constexpr std::string_view kProcess = "_drives";
+
+/// A name of the kernel as it is; a hub's path from the folder of the deployment file.
+std::string read_interface(const Table& table) {
+  const std::string name = table.text("interface");
+  if (name.starts_with(kHub)) {
+    const std::string path = beside(table.file(), name.substr(kHub.size())).string();
+    if (name.size() == kHub.size()) table.fail("interface", in_quotes(name) + " has no path", "\"unix:PATH\"");
+    if (path.size() > kHubLength)
+      table.fail("interface", in_quotes(path) + " has " + std::to_string(path.size()) + " characters",
+                 "at most " + std::to_string(kHubLength));
+    return std::string(kHub) + path;
+  }
+  const auto odd = [](char c) { return c == '/' || c <= ' ' || c == 0x7f; };
+  if (name.empty() || name.size() > kInterfaceLength || std::any_of(name.begin(), name.end(), odd))
+    table.fail("interface", in_quotes(name) + " is not the name of an interface", "as \"can0\", or \"unix:PATH\"");
+  return name;
+}
+
+void check_clock(const Table& table, const Deployment& deployment, const CanEntry& can) {
+  if (can.simulated && !deployment.sim) table.fail("simulated", "true needs a simulator", "a table [sim]");
+  if (!can.simulated && deployment.clock != ClockMode::real)
+    table.fail("", "real drives go on by themselves", "clock = \"real\", or simulated = true");
+}
+
+/// The drives are told the period as a whole number of 8 bits and a power of ten (60C2h).
+void check_period(const Table& table, double period) {
+  for (const double unit : {1e-3, 1e-4, 1e-5, 1e-6}) {
+    const double number = period / unit;
+    if (std::abs(number - std::round(number)) < 1e-6 && number < 255.5) return;
+  }
+  table.fail("", "drives on a bus cannot be told a servo period of " + number_text(period) + " s",
+             "a whole number up to 255 of 1 ms, 0.1 ms, 10 us or 1 us");
+}
+
+void check_interface_is_free(const Table& table, const Deployment& deployment, const RobotEntry& robot) {
+  for (const RobotEntry& other : deployment.robots)
+    if (other.can && other.can->interface == robot.can->interface && other.host == robot.host)
+      table.fail("interface", in_quotes(robot.can->interface) + " is that of robot " + in_quotes(other.name),
+                 "a bus of its own for each robot: one sends the SYNC");
+}
+
+void check_process_name(const Table& table, const RobotEntry& robot) {
+  const std::size_t most = kNameLength - kProcess.size();
+  if (robot.name.size() > most)
+    table.fail("simulated",
+               "true, but the name of process " + in_quotes(robot.name + std::string(kProcess)) + " is too long",
+               "a robot's name of at most " + std::to_string(most) + " characters");
+}
+
+/// A robot whose encoders count from where the power came on must be synchronised first; a simulated one may be born
+/// synchronised.
+void settle_synchronised(const Table& robot_table, const DriveTable& drives, RobotEntry& robot) {
+  const bool counting = !robot.can->simulated && !drives.absolute_encoders;
+  const std::string why = "the drives have no absolute encoders (" + drives.file.string() + ")";
+  if (counting && robot_table.has("synchronised") && robot.synchronised)
+    robot_table.fail("synchronised", "true, but " + why, "false (leave the key out)");
+  if (robot.synchronised && !counting) return;
+  robot.synchronised = false;
+  for (const DriveEntry& drive : drives.drives)
+    if (drive.homing.method == 0)
+      robot_table.fail(counting ? "can" : "synchronised",
+                       (counting ? why : "false") + ", but axis " + in_quotes(drive.axis) +
+                           " has no switch, and its drive no homing method, to find its position by",
+                       "a homing_method, or absolute_encoders = true, in the table of drives");
+}
+
+}  // namespace
+
+void read_can(const Table& robot_table, const Deployment& deployment, RobotEntry& robot) {
+  if (robot.hardware != "socketcan") {
+    if (robot_table.has("can")) robot_table.fail("can", "a robot without a bus", "hardware = \"socketcan\" beside it");
+    return;
+  }
+  if (!robot_table.has("can"))
+    robot_table.fail("hardware", "'socketcan' needs a bus",
+                     "a table [robots." + robot.name + ".can] with its interface");
+  if (robot_table.has("emergency_stop"))
+    robot_table.fail("emergency_stop", "a robot on a CAN bus has no inputs", "no such key");
+  const Table table = robot_table.table("can");
+  table.only({"interface", "drives", "simulated"});
+  CanEntry& can = robot.can.emplace();
+  can.interface = read_interface(table);
+  can.simulated = table.boolean_or("simulated", false);
+  check_clock(table, deployment, can);
+  check_period(table, deployment.servo_period);
+  check_interface_is_free(table, deployment, robot);
+  if (can.simulated) check_process_name(table, robot);
+  can.drives = table.has("drives") ? beside(table.file(), table.text("drives"))
+                                   : robot_file(robot.type, robot.type + "_drives.toml");
+  if (can.simulated) can.program = robot.type + "_drives";
+  if (robot.host != deployment.here) return;
+  if (const std::string problem = reading_problem(can.drives); !problem.empty())
+    table.fail("drives", in_quotes(can.drives.string()) + " " + problem,
+               "a table of the robot's drives (docs/how-to/can.md)");
+  const RobotParameters parameters = read_robot_parameters(Table::load(robot_file(robot.type, robot.type + ".toml")));
+  settle_synchronised(robot_table, read_drive_table(can.drives, parameters), robot);
+  if (can.simulated) can.program = require_program(table, "simulated", can.program);
+}
+
+}  // namespace mrroc::config

@@ -1,0 +1,81 @@
+#include "config/entries/robot_entry.hpp"
+
+#include "config/entries/can_entry.hpp"
+#include "config/entries/named_file.hpp"
+#include "config/network/hosts.hpp"
+#include "config/resources.hpp"
+#include "config/robot_parameters_file.hpp"
+#include "config/text/message_text.hpp"
+#include "geometry/rigid_motion.hpp"
+#include "mrroc/signals.hpp"
+
+namespace mrroc::config {
+
+namespace {
+
+std::string read_hardware(const Table& table, const Deployment& deployment) {
+  const std::string hardware = table.choice("hardware", {"socketcan", "mujoco", "loopback"});
+  if (hardware == "mujoco" && !deployment.sim) table.fail("hardware", "'mujoco' needs a simulator", "a table [sim]");
+  return hardware;
+}
+
+/// Whether the drives know their positions from the start. If not, every axis must have a switch to find them by, or a
+/// drive that has its own means.
+bool read_synchronised(const Table& table, const std::string& type, const std::string& hardware) {
+  if (table.boolean_or("synchronised", true)) return true;
+  if (hardware == "socketcan") return false;
+  const RobotParameters parameters = read_robot_parameters(Table::load(robot_file(type, type + ".toml")));
+  for (const AxisParameters& axis : parameters.axes) {
+    if (axis.synchro_coarse != 0) continue;
+    table.fail("synchronised",
+               "false, but axis " + in_quotes(axis.name) + " of " + type + " has no switch to find its position by",
+               "true (leave the key out)");
+  }
+  return false;
+}
+
+Pose read_base(const Table& table) {
+  const std::vector<double> none(3, 0.0);
+  const auto position = table.optional_numbers("position", 3).value_or(none);
+  const auto rotation = table.optional_numbers("rotation", 3).value_or(none);
+  return frame_at(Eigen::Vector3d(position.data()), Eigen::Vector3d(rotation.data()));
+}
+
+void read_force(const Table& table, RobotEntry& robot) {
+  robot.force_sensor = table.optional_text("force_sensor").value_or("");
+  for (const auto& [key, first] : {std::pair{"force_limit", 0}, {"torque_limit", 3}}) {
+    if (!table.has(key)) continue;
+    if (robot.force_sensor.empty()) table.fail(key, "a robot without a force sensor", "force_sensor beside it");
+    const auto limits = *table.optional_numbers(key, 3, {0, 1e6});
+    robot.force_limits.segment<3>(first) = Eigen::Map<const Eigen::Vector3d>(limits.data());
+  }
+}
+
+}  // namespace
+
+RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
+  table.only({"type", "program", "hardware", "host", "mount", "position", "rotation", "synchronised", "emergency_stop",
+              "force_sensor", "force_limit", "torque_limit", "can"});
+  RobotEntry robot;
+  robot.name = name;
+  robot.type = table.choice("type", robot_types());
+  robot.hardware = read_hardware(table, deployment);
+  robot.host = read_host(table, deployment);
+  robot.mount = table.optional_text("mount").value_or("");
+  robot.base = read_base(table);
+  robot.synchronised = read_synchronised(table, robot.type, robot.hardware);
+  read_can(table, deployment, robot);
+  if (table.has("emergency_stop"))
+    robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, Signals::kDigital - 1));
+  read_force(table, robot);
+  robot.program = table.optional_text("program").value_or(robot.program);
+  robot.edp_program = robot.type + "_edp";
+  const bool here = robot.host == deployment.here;
+  // the runner asks the programs for their behaviours when the MP runs a state machine
+  if (here || (deployment.here.empty() && !deployment.mp.states.empty()))
+    robot.program = require_program(table, "program", robot.program);
+  if (here) robot.edp_program = require_program(table, "type", robot.edp_program);
+  return robot;
+}
+
+}  // namespace mrroc::config

@@ -1,0 +1,57 @@
+#include <cmath>
+
+#include "core/short_number.hpp"
+#include "mrroc/conditions/digital_input.hpp"
+#include "mrroc/conditions/elapsed_steps.hpp"
+#include "mrroc/conditions/operator_trigger.hpp"
+#include "mrroc/conditions/touching.hpp"
+#include "mrroc/conditions/travelled.hpp"
+#include "mrroc/task.hpp"
+
+namespace mrroc {
+
+Travelled::Travelled(const Robot& robot, double distance)
+    : Condition("travelled " + short_number(distance) + " m"), robot_(&robot), distance_(distance) {
+  if (!(distance > 0) || !std::isfinite(distance)) {
+    throw NonFatalError(ErrorCode::invalid_argument,
+                        "Travelled " + std::to_string(distance) + " m, expected a finite distance above 0");
+  }
+}
+
+void Travelled::start() { origin_ = robot_->state().pose.translation(); }
+
+bool Travelled::holds() { return (robot_->state().pose.translation() - origin_).norm() >= distance_; }
+
+Touching::Touching(const Robot& robot, double newtons)
+    : Condition(robot.name() + " feels " + short_number(newtons) + " N"), robot_(&robot), newtons_(newtons) {
+  if (!(newtons > 0) || !std::isfinite(newtons)) {
+    throw NonFatalError(ErrorCode::invalid_argument,
+                        "Touching with " + std::to_string(newtons) + " N, expected a finite force above 0");
+  }
+}
+
+DigitalInput::DigitalInput(const Robot& robot, int terminal)
+    : Condition(robot.name() + " input " + std::to_string(terminal)), robot_(&robot), terminal_(terminal) {
+  if (terminal < 0 || terminal >= Signals::kDigital) {
+    throw NonFatalError(ErrorCode::invalid_argument, "DigitalInput " + std::to_string(terminal) + ", expected 0 to " +
+                                                         std::to_string(Signals::kDigital - 1));
+  }
+}
+
+ElapsedSteps::ElapsedSteps(std::uint64_t steps)
+    : Condition("elapsed " + std::to_string(steps) + " steps"), steps_(steps) {}
+
+OperatorTrigger::OperatorTrigger(Task& task) : Condition("operator trigger"), task_(&task) {}
+
+void OperatorTrigger::start() {
+  given_ = false;
+  while (task_->take_trigger()) {
+  }
+}
+
+bool OperatorTrigger::holds() {
+  given_ = given_ || task_->take_trigger();
+  return given_;
+}
+
+}  // namespace mrroc

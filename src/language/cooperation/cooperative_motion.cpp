@@ -1,0 +1,75 @@
+#include "mrroc/generators/cooperative_motion.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "geometry/rigid_motion.hpp"
+#include "language/cooperation/cooperative_plan.hpp"
+
+namespace mrroc {
+
+namespace {
+
+void require(bool good, const char* what, double value, const char* expected) {
+  if (good && std::isfinite(value)) return;
+  throw NonFatalError(ErrorCode::invalid_argument, std::string("CooperativeMotion: ") + what + " " +
+                                                       std::to_string(value) + ", expected " + expected);
+}
+
+void check(const std::vector<CooperatingArm>& arms) {
+  const auto refuse = [](const char* what) { throw NonFatalError(ErrorCode::invalid_argument, what); };
+  if (arms.empty()) refuse("CooperativeMotion without an arm");
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    if (arms[i].robot == nullptr) refuse("CooperativeMotion: an arm without a robot");
+    if (!is_rigid(arms[i].base)) refuse("CooperativeMotion: a base is no rigid pose");
+    if (!arms[i].wrench != !arms[0].wrench) refuse("CooperativeMotion: a wrench of some arms only");
+    for (std::size_t j = 0; j < i; ++j)
+      if (arms[i].robot == arms[j].robot) refuse("CooperativeMotion: an arm stands twice in the list");
+  }
+}
+
+}  // namespace
+
+struct CooperativeMotion::Plan : CooperativePlan {
+  using CooperativePlan::CooperativePlan;
+};
+
+CooperativeMotion::CooperativeMotion(std::vector<CooperatingArm> arms, const std::vector<Pose>& path,
+                                     const CooperativeLimits& limits, const InternalForce& internal)
+    : Generator("CooperativeMotion") {
+  check(arms);
+  require(true, "squeeze", internal.squeeze, "a finite number");
+  require(internal.admittance >= 0, "admittance", internal.admittance, "a finite number of at least 0");
+  require(internal.length > 0, "length", internal.length, "a finite number above 0");
+  require(internal.lag > 0, "lag", internal.lag, "a finite number above 0");
+  require(internal.travel > 0, "travel", internal.travel, "a finite number above 0");
+  require(internal.limit > 0, "limit", internal.limit, "a finite number above 0");
+  plan_ = std::make_unique<Plan>(std::move(arms), path, limits, internal);
+}
+
+CooperativeMotion::~CooperativeMotion() = default;
+CooperativeMotion::CooperativeMotion(CooperativeMotion&&) noexcept = default;
+CooperativeMotion& CooperativeMotion::operator=(CooperativeMotion&&) noexcept = default;
+
+double CooperativeMotion::duration() const noexcept { return plan_->duration(); }
+const Pose& CooperativeMotion::object() const noexcept { return plan_->object(); }
+double CooperativeMotion::internal_force() const noexcept { return plan_->internal_force(); }
+double CooperativeMotion::internal_torque() const noexcept { return plan_->internal_torque(); }
+
+void CooperativeMotion::start() { plan_->start(); }
+void CooperativeMotion::resume() { plan_->resume(); }
+bool CooperativeMotion::brake() {
+  plan_->brake();
+  return true;
+}
+bool CooperativeMotion::terminal_condition() { return plan_->ended(); }
+
+void CooperativeMotion::next_state() {
+  plan_->measure();
+  plan_->give_way();
+  for (std::size_t i = 0; i < plan_->size(); ++i) plan_->command(i);
+  plan_->advance();
+}
+
+}  // namespace mrroc

@@ -1,0 +1,90 @@
+#include "mrroc/generators/guarded_approach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "language/servoing/twist_follower.hpp"
+#include "mrroc/task.hpp"
+
+namespace mrroc {
+
+namespace {
+
+/// Of the acceleration, for the profile; the rest is for following it.
+constexpr double kShare = 0.5;
+constexpr double kApproachGain = 4;  // 1/s
+constexpr double kGainSteps = 0.2;   // the gain times the macrostep, at most
+
+void require(bool good, const char* what, double value, const char* expected) {
+  if (good && std::isfinite(value)) return;
+  throw NonFatalError(ErrorCode::invalid_argument,
+                      std::string("GuardedApproach: ") + what + " " + std::to_string(value) + ", expected " + expected);
+}
+
+}  // namespace
+
+GuardedApproach::GuardedApproach(Robot& robot, Range range, const Eigen::Vector3d& direction, double speed,
+                                 double stop_distance, double acceleration, int patience)
+    : Generator("GuardedApproach"),
+      robot_(&robot),
+      range_(std::move(range)),
+      direction_(direction.normalized()),
+      speed_(speed),
+      stop_distance_(stop_distance),
+      acceleration_(acceleration),
+      patience_(patience),
+      follower_(std::make_unique<TwistFollower>(
+          robot, acceleration,
+          Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), direction_).toRotationMatrix())) {
+  if (!direction.allFinite())
+    throw NonFatalError(ErrorCode::not_finite, "direction of the approach of " + robot.name());
+  require(direction.norm() > 0, "direction of length", direction.norm(), "a length above 0");
+  require(speed > 0, "speed", speed, "a finite number above 0");
+  require(true, "stop distance", stop_distance, "a finite number");
+  require(patience >= 0, "patience", patience, "a number of steps, at least 0");
+  if (!range_) throw NonFatalError(ErrorCode::invalid_argument, "GuardedApproach without a function for the range");
+}
+
+GuardedApproach::~GuardedApproach() = default;
+GuardedApproach::GuardedApproach(GuardedApproach&&) noexcept = default;
+GuardedApproach& GuardedApproach::operator=(GuardedApproach&&) noexcept = default;
+
+void GuardedApproach::start() {
+  follower_->start();
+  remaining_.reset();
+  lost_ = 0;
+}
+
+bool GuardedApproach::terminal_condition() {
+  const std::optional<double> range = range_();
+  remaining_.reset();
+  if (range && std::isfinite(*range)) {
+    const RobotState& state = robot_->state();
+    const Eigen::Vector3d ahead = follower_->pose().translation() - state.pose.translation();
+    remaining_ = *range - stop_distance_ - ahead.dot(state.pose.linear() * direction_);
+  }
+  return remaining_ && *remaining_ <= kTolerance && follower_->at_rest();
+}
+
+void GuardedApproach::next_state() {
+  Twist wanted = Twist::Zero();
+  if (remaining_) {
+    lost_ = 0;
+    const double speed = follower_->twist().head<3>().dot(direction_);
+    wanted.head<3>() = direction_ * allowed_speed(*remaining_ - std::max(speed, 0.0) * robot_->step_duration());
+  } else if (++lost_ > patience_) {
+    throw NonFatalError(ErrorCode::sensor_not_ready, "no range for " + std::to_string(patience_) + " steps",
+                        {robot_->task().process_name(), robot_->name(), 0, robot_->state().tick});
+  }
+  follower_->step(wanted);
+}
+
+double GuardedApproach::allowed_speed(double remaining) const noexcept {
+  if (remaining <= kTolerance) return 0;
+  const double a = kShare * acceleration_;
+  const double k = std::min(kApproachGain, kGainSteps / robot_->step_duration());
+  const double knee = a / (k * k);
+  return std::min(speed_, remaining < knee ? k * remaining : std::sqrt(2 * a * (remaining - 0.5 * knee)));
+}
+
+}  // namespace mrroc

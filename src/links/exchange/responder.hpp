@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "clock/clock.hpp"
+#include "links/transport/reader.hpp"
+#include "links/transport/writer.hpp"
+
+namespace mrroc::links {
+
+/// The answering side of a link; it answers the requester's hand-shake on its own. The participant's thread calls it.
+/// <Request, Reply> as for `Requester`.
+template <class Request, class Reply>
+class Responder {
+ public:
+  /// A request older than `max_age` s is dropped (`Reader::take_fresh`). Pings are answered through `also` as well.
+  Responder(Domain& domain, clock::Clock& clock, const std::string& request_topic, const std::string& reply_topic,
+            double max_age = std::numeric_limits<double>::infinity(), std::vector<WriterBase*> also = {});
+
+  /// The newest request not yet taken, and its number for `reply`; false when there is none. Does not wait.
+  bool take(Request& request, std::uint64_t& sequence);
+
+  /// Answers the request taken last. One that has been overtaken by another is not answered any more: false.
+  bool reply(const Reply& reply, std::uint64_t sequence);
+
+  bool peer_alive() const noexcept { return reader_.peer_alive(); }
+  ReaderCounters counters() const noexcept { return reader_.counters(); }
+
+ private:
+  const double max_age_;
+  Writer<Reply> writer_;
+  Reader<Request> reader_;
+  Header taken_;
+};
+
+}  // namespace mrroc::links

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "links/exchange/requester.hpp"
+#include "mrroc/robot_link.hpp"
+
+namespace mrroc::links {
+
+/// The link of a `Robot` to its EDP, or of an MP to an ECP: topics `<prefix>/command` and `<prefix>/state`. Errors and
+/// threads: see `Requester`.
+class RobotRequester final : public RobotLink {
+ public:
+  static constexpr Tick kTimeout = 500;
+  static constexpr Tick kSynchronisation = 150'000;  ///< what a robot may take to find its positions
+
+  /// `prefix`: "<deployment>/<robot>"; `peer`: the other process's name, for errors; `timeout`: how many ticks a reply
+  /// may be late.
+  RobotRequester(Domain& domain, clock::Clock& clock, const std::string& prefix, std::string peer,
+                 Tick timeout = kTimeout);
+
+  /// Hand-shake with the responder, about `timeout` s at most; before the clock starts.
+  void connect(double timeout) { exchange_.connect(timeout); }
+
+  /// The reply is due at the command's tick v, counted from the present, from `start_tick` or from the end of the
+  /// macrostep under way as the last state tells it, whichever comes last; `timeout` ticks later it is missed.
+  void send(const RobotCommand& command) override { send(command, timeout_); }
+  void send(const RobotCommand& command, Tick timeout);
+  void receive(RobotState& state) override;
+
+  bool peer_alive() const noexcept { return exchange_.peer_alive(); }
+  std::uint64_t stale_replies() const noexcept { return exchange_.stale_replies(); }
+  std::uint64_t malformed_replies() const noexcept { return exchange_.malformed_replies(); }
+
+ private:
+  clock::Clock& clock_;
+  const Tick timeout_;
+  Requester<RobotCommand, RobotState> exchange_;
+  Tick busy_until_ = 0;  // the last state's desired_tick
+};
+
+}  // namespace mrroc::links

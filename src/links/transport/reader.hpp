@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "clock/clock.hpp"
+#include "links/transport/domain.hpp"
+#include "links/transport/endpoint.hpp"
+#include "links/transport/header.hpp"
+
+namespace mrroc::links {
+
+struct ReaderOptions {
+  /// Messages kept between two looks; when more come the oldest are overwritten and counted.
+  std::size_t depth = 16;
+  bool counted = true;  ///< as the topic's writer
+  /// Writers through which a ping that comes here is answered; they outlive the reader.
+  std::vector<WriterBase*> answer_through = {};
+};
+
+/// What a reader has thrown away, since its creation.
+struct ReaderCounters {
+  std::uint64_t malformed = 0;    ///< values out of range: never trusted
+  std::uint64_t stale = 0;        ///< overtaken by a newer message, or too old
+  std::uint64_t overwritten = 0;  ///< no one looked in time
+};
+
+/// A reader of a topic: a listener (Cyclone's receive thread) stores each message and tells the clock; the
+/// participant's thread takes them. Messages under simulated time are seen in the delta after their own. T as for
+/// `Writer`. Construct before the clock starts; the domain and the clock outlive it. One thread calls the taking
+/// functions: they neither wait, lock nor allocate, and when they return false they leave their arguments alone.
+template <class T>
+class Reader final : public ReaderBase {
+ public:
+  /// Throws SystemError: a bad topic name (configuration), what DDS refuses (resources).
+  Reader(Domain& domain, clock::Clock& clock, const std::string& topic, ReaderOptions options = {});
+  ~Reader() override;
+
+  /// The oldest message not yet taken.
+  bool take(T& message, Header& header);
+  /// The newest message; those before it are dropped as stale.
+  bool take_newest(T& message, Header& header);
+  /// As `take_newest`, but a message sent more than `max_age` s ago is stale too: what may move a robot, because a
+  /// process that was stopped is handed everything that queued up. Stamps count from tick 0, which machines have in
+  /// common; under simulated time, and from another machine before tick 0, every message counts as fresh.
+  bool take_fresh(T& message, Header& header, double max_age);
+  /// The newest message so far, however often it is asked for.
+  bool latest(T& message);
+
+  /// Whether a writer of the topic is alive. It is lost when it says so or its process is silent for the domain's
+  /// lease; the clock is notified of every change. Any thread.
+  bool peer_alive() const noexcept;
+  ReaderCounters counters() const noexcept;
+
+  const std::string& topic() const noexcept override;
+  void expect_pong() noexcept override;
+  std::uint64_t ponged() const noexcept override;
+  std::string problem() const override;
+  /// The DDS reader.
+  std::int32_t entity() const noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mrroc::links

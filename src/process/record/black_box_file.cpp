@@ -1,0 +1,71 @@
+#include "process/record/black_box_file.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+#include "process/record/claimed_file.hpp"
+#include "process/record/step_reporter.hpp"
+#include "process/record/trace_header.hpp"
+
+namespace mrroc::process {
+
+namespace {
+
+/// A simulated clock may be another one than the deployment's: for the rules of a trace they are alike.
+const char* clock_of(const config::Deployment& deployment, bool simulated) noexcept {
+  if (!simulated) return "real";
+  return deployment.clock == config::ClockMode::paced ? "paced" : "lockstep";
+}
+
+/// Returns 0, or the errno of the write that failed.
+int write_all(int fd, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t size = ::write(fd, text.data(), text.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) return size < 0 ? errno : EIO;
+    text.remove_prefix(static_cast<std::size_t>(size));
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::filesystem::path black_box_path(const std::filesystem::path& folder, const config::Deployment& deployment,
+                                     const std::string& process, std::uint64_t number) {
+  std::string name = deployment.name + "-" + process;
+  if (number > 1) name += "-" + std::to_string(number);
+  return folder / (name + ".trace");
+}
+
+std::uint64_t write_black_box(const std::filesystem::path& folder, const BlackBox& box,
+                              const config::Deployment& deployment, const std::string& process, bool simulated) {
+  std::vector<TextLine> lines(box.size());
+  for (std::size_t i = 0; i < box.size(); ++i) format_step(lines[i], deployment, process, box.at(i));
+  return write_black_box(folder, lines, deployment, process, simulated);
+}
+
+std::uint64_t write_black_box(const std::filesystem::path& folder, const std::vector<TextLine>& lines,
+                              const config::Deployment& deployment, const std::string& process, bool simulated) {
+  std::error_code ignored;  // the file says what is wrong with its folder
+  std::filesystem::create_directories(folder, ignored);
+  const auto name = [&](std::uint64_t number) { return black_box_path(folder, deployment, process, number); };
+  ClaimedFile file = ClaimedFile::create(name, "the black box");
+  std::string text = std::string{kTraceHeader} + clock_of(deployment, simulated) + std::string{kBlackBoxMark} + "\n";
+  for (const TextLine& line : lines) text.append(line.view()).append("\n");
+  const auto cut = std::count_if(lines.begin(), lines.end(), [](const TextLine& line) { return line.cut(); });
+  text += "# process=" + process + " lines=" + std::to_string(lines.size()) + " dropped=0 cut=" + std::to_string(cut) +
+          "\n";
+  int problem = write_all(file.fd(), text);
+  if (const int at_close = file.close(); problem == 0) problem = at_close;
+  if (problem == 0) return file.number();
+  std::filesystem::remove(file.path(), ignored);
+  throw std::runtime_error("cannot write the black box " + file.path().string() + ": " + std::strerror(problem));
+}
+
+}  // namespace mrroc::process

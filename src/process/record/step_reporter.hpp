@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "mrroc/step_observer.hpp"
+#include "process/process.hpp"
+#include "process/record/shared_black_box.hpp"
+#include "process/record/trace_file.hpp"
+
+namespace mrroc::process {
+
+/// Tells the operator which step a task is at, keeps the last ones where they outlive the process, and writes the trace
+/// when one is asked for: one line per step, documented in docs/reference/trace.md. Neither allocates nor blocks (but
+/// for a trace under a simulated clock, which loses nothing).
+class StepReporter : public StepObserver {
+ public:
+  explicit StepReporter(Process& process);
+  /// A trace that is not complete becomes the failure of its process.
+  ~StepReporter() override;
+  StepReporter(const StepReporter&) = delete;
+  StepReporter& operator=(const StepReporter&) = delete;
+  void on_step(const StepRecord& record) noexcept override;
+
+ private:
+  void write_line(const StepRecord& record) noexcept;
+
+  Process& process_;
+  TextLine line_;
+  std::optional<SharedBlackBox> last_steps_;
+  std::unique_ptr<TraceFile> trace_;
+  links::Counters counters_;
+  std::uint64_t steps_ = 0;  ///< of all instructions
+};
+
+/// Writes one step as a line of a trace (without the end of line).
+void format_step(TextLine& line, const config::Deployment& deployment, std::string_view process,
+                 const StepRecord& record) noexcept;
+
+}  // namespace mrroc::process

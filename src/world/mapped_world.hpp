@@ -1,0 +1,30 @@
+#pragma once
+
+#include "world/world_memory.hpp"
+
+namespace mrroc::world {
+
+/// The simulated hardware's memory mapped into this process. The runner creates it, its children attach through the
+/// inherited descriptor; it is anonymous (memfd), so nothing is left behind.
+class MappedWorld {
+ public:
+  /// Throws SystemError when there is no memory.
+  static MappedWorld create();
+  /// Throws SystemError when `fd` is no world's memory. The descriptor stays the caller's.
+  static MappedWorld attach(int fd);
+  ~MappedWorld();
+  MappedWorld(MappedWorld&& other) noexcept;
+  MappedWorld& operator=(MappedWorld&&) = delete;
+
+  WorldMemory& operator*() const noexcept { return *memory_; }
+  WorldMemory* operator->() const noexcept { return memory_; }
+  /// Descriptor of a memory that was created here; -1 otherwise. Closed with this object.
+  int fd() const noexcept { return fd_; }
+
+ private:
+  MappedWorld(WorldMemory* memory, int fd) noexcept : memory_(memory), fd_(fd) {}
+  WorldMemory* memory_;
+  int fd_;
+};
+
+}  // namespace mrroc::world

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "clock/gate.hpp"
+#include "core/lockfree/shared_slot.hpp"
+#include "mrroc/signals.hpp"
+#include "mrroc/types.hpp"
+
+namespace mrroc::world {
+
+/// The simulated hardware's "bus": plain values in memory shared by the sim process, the EDPs' mujoco driver and the
+/// VSPs' simulated source. Each value has one writer; `SharedSlot` makes reads untorn and wait-free for the writer, so
+/// the same layout serves lockstep (where phases never overlap) and real time, where drives and measurements wait for
+/// one another at the gates. The runner creates the memory (memfd, zeroed, inherited by its children): nothing is left
+/// behind whatever dies.
+
+inline constexpr std::size_t kMaxRobots = 16;
+inline constexpr std::size_t kMaxSensors = 32;
+inline constexpr std::size_t kMaxHardwareValues = 16;
+/// Positions and mocap poses of the largest world that a camera may look at: robots' joints and some 100 free objects.
+inline constexpr std::size_t kMaxSnapshotValues = 1024;
+
+/// Real time: how long the simulator waits for an EDP's drive, then how long an EDP waits for the simulator, which may
+/// just be waiting for other EDPs; s of wall time.
+inline constexpr double kPatienceWithDrives = 0.5;
+inline constexpr double kPatienceWithWorld = 2.0;
+
+/// EDP -> sim, every tick. At the joints: M(q) + B is the inertia, tau - D dq/dt - c the torque that the drives add.
+struct JointDrive {
+  Tick tick = 0;  ///< tick in which it was computed; 0: never attached
+  std::uint32_t joint_count = 0;
+  std::uint32_t enabled = 0;                                    ///< 0: brakes on
+  Signals outputs;                                              ///< of the robot's controller, whatever the brakes do
+  std::array<double, kMaxJoints> torque{};                      ///< tau = G^T (torque constant * current), N m or N
+  std::array<double, kMaxJoints> bias{};                        ///< c = G^T J dG/dt dq/dt
+  std::array<double, kMaxJoints * kMaxJoints> rotor_inertia{};  ///< B = G^T J G, row major
+  std::array<double, kMaxJoints * kMaxJoints> damping{};        ///< D = G^T b G, row major
+};
+
+/// sim -> EDP, every tick.
+struct JointMeasurement {
+  Tick tick = 0;
+  std::array<double, kMaxJoints> position{};
+  std::array<double, kMaxJoints> velocity{};
+  Signals inputs;  ///< of the robot's controller
+};
+
+/// sim -> VSP, every tick: the raw values of one hardware sensor, in the order in which the scene declares them.
+struct HardwareReading {
+  Tick tick = 0;
+  std::uint32_t count = 0;
+  std::uint32_t padding = 0;
+  std::array<double, kMaxHardwareValues> values{};
+};
+
+/// sim -> VSPs that look at the world (cameras), every tick if there is one: all that a picture of it depends on. The
+/// poses of bodies follow from it and the model, which every process composes from the deployment. An endless belt
+/// stands at its origin here, whatever its travel.
+struct WorldSnapshot {
+  Tick tick = 0;
+  std::uint32_t position_count = 0;
+  std::uint32_t mocap_count = 0;  ///< bodies
+  std::array<double, kMaxSnapshotValues>
+      values{};  ///< MuJoCo's qpos, then mocap_pos (3 each), then mocap_quat (4 each)
+};
+
+/// The whole memory. Robot slot i is deployment.robots[i]; sensor slot j is deployment.sensors[j].
+struct WorldMemory {
+  std::array<core::SharedSlot<JointDrive>, kMaxRobots> drives;
+  std::array<core::SharedSlot<JointMeasurement>, kMaxRobots> measurements;
+  std::array<core::SharedSlot<HardwareReading>, kMaxSensors> readings;
+  core::SharedSlot<WorldSnapshot> snapshot;
+  clock::Gate driven;    ///< real time: opened after each store into `drives`
+  clock::Gate measured;  ///< real time: opened when a tick's measurements and readings are stored
+};
+
+}  // namespace mrroc::world

@@ -1,0 +1,71 @@
+#include "cli/hosts/agent_protocol.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "cli/hosts/remote_host.hpp"
+
+namespace mrroc::cli {
+namespace {
+
+AgentOrder some_order() {
+  AgentOrder order;
+  order.host = "cell";
+  order.deployment = "/a folder/press.toml";
+  order.files = {{"deployment", "12ab"}, {"sim.scene", "0"}};
+  order.domain = 7;
+  order.machines = {"10.0.0.1", "10.0.0.2"};
+  order.beat_port = 9350;
+  order.key = new_beat_key();
+  order.trace = true;
+  order.black_box = true;
+  order.motion = "/a folder/motion";
+  return order;
+}
+
+TEST(AgentOrder, ComesOutAsItWentIn) {
+  const AgentOrder order = some_order();
+  EXPECT_EQ(order_of_lines(to_lines(order)), order);
+}
+
+TEST(AgentOrder, NoLineMayBeMissing) {
+  const auto lines = to_lines(some_order());
+  for (const std::string needed : {"host", "deployment", "machine", "beat_port", "key"}) {
+    std::vector<std::string> rest;
+    for (const std::string& line : lines)
+      if (split_word(line).first != needed) rest.push_back(line);
+    EXPECT_THROW(order_of_lines(rest), std::runtime_error) << needed;
+  }
+}
+
+RC_GTEST_PROP(AgentOrder, AnyOtherLineIsRefused, (std::vector<std::string> lines)) {
+  auto order = to_lines(some_order());
+  const std::string line = *rc::gen::element<std::string>("", "domain", "domain 231", "domain -1", "beat_port x",
+                                                          "key 00", "start 5", "hosts cell");
+  order.push_back(line);
+  RC_ASSERT_THROWS_AS(order_of_lines(order), std::runtime_error);
+  lines.push_back(line);
+  RC_ASSERT_THROWS_AS(order_of_lines(lines), std::runtime_error);
+}
+
+TEST(WholeNumber, IsTheWholeText) {
+  EXPECT_EQ(whole_number("-12"), -12);
+  EXPECT_EQ(whole_number("9223372036854775807"), INT64_MAX);
+  for (const char* text : {"", " 1", "1 ", "1x", "x", "9223372036854775808", "0x1"})
+    EXPECT_FALSE(whole_number(text)) << text;
+}
+
+TEST(AgentCommand, IsSshUnlessTheDeploymentSaysOtherwise) {
+  config::HostEntry host;
+  host.address = "pc-2";
+  host.mrroc = "/opt/it's here/mrroc";
+  EXPECT_EQ(agent_command(host),
+            (std::vector<std::string>{"ssh", "-T", "-o", "BatchMode=yes", "-o", "ConnectTimeout=10", "--", "pc-2",
+                                      "'/opt/it'\\''s here/mrroc' agent"}));
+  host.command = {"ip", "netns", "exec", "b"};
+  EXPECT_EQ(agent_command(host),
+            (std::vector<std::string>{"ip", "netns", "exec", "b", "/opt/it's here/mrroc", "agent"}));
+}
+
+}  // namespace
+}  // namespace mrroc::cli

@@ -1,0 +1,44 @@
+#include "cli/run/heartbeats.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mrroc::cli {
+namespace {
+
+links::ProcessStatus status_of(const char* process, std::uint64_t beat) {
+  links::ProcessStatus status;
+  status.process = decltype(status.process)(process);
+  status.beat = beat;
+  return status;
+}
+
+TEST(Heartbeats, WhoDoesNotBeatForTheTimeoutIsSilent) {
+  Heartbeats beats(1);
+  beats.expect({"arm", "mp"}, 10);
+  EXPECT_EQ(beats.silent(11), "");
+  EXPECT_TRUE(beats.take(status_of("mp", 1), 11));
+  EXPECT_EQ(beats.silent(11.5), "arm") << "it has never been heard";
+  EXPECT_TRUE(beats.take(status_of("arm", 7), 11.5));
+  EXPECT_EQ(beats.silent(11.5), "");
+  EXPECT_EQ(beats.silent(12.25), "mp");
+}
+
+TEST(Heartbeats, TheSameWordOnceMoreIsNoSignOfLife) {
+  Heartbeats beats(1);
+  beats.expect({"arm"}, 0);
+  EXPECT_TRUE(beats.take(status_of("arm", 1), 0.5));
+  EXPECT_FALSE(beats.take(status_of("arm", 1), 1.5)) << "DDS keeps the last word for who comes late";
+  EXPECT_EQ(beats.silent(1.75), "arm");
+}
+
+TEST(Heartbeats, WhoIsNotExpectedMayBeSilent) {
+  Heartbeats beats(1);
+  beats.expect({"arm"}, 0);
+  EXPECT_TRUE(beats.take(status_of("wrist", 1), 0));
+  EXPECT_TRUE(beats.take(status_of("arm", 1), 5));
+  EXPECT_EQ(beats.silent(5.5), "");
+  EXPECT_EQ(beats.statuses().size(), 2U);
+}
+
+}  // namespace
+}  // namespace mrroc::cli

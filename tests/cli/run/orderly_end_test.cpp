@@ -1,0 +1,121 @@
+#include "cli/run/orderly_end.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "clock/participant.hpp"
+
+namespace mrroc::cli {
+namespace {
+
+/// A crew of one EDP that takes part in its clock, which runs, until a test has it leave.
+class OrderlyEnd : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::thread edp([this] {
+      edp_ = clock::attach_clock(clock_.fd(), "arm_edp", clock::Part::drives);
+      edp_->start();
+    });
+    ASSERT_TRUE(clock_.wait_ready(60).empty());
+    clock_.start();
+    edp.join();
+    PlannedProcess process;
+    process.name = "arm_edp";
+    process.program = "/bin/sh";
+    process.part = clock::Part::drives;
+    crew_.start(process, {"-c", "trap '" + at_end() + "' TERM; sleep 10 & echo ready; while :; do wait; done"});
+    while (!ready_) crew_.wait(20, -1);
+  }
+
+  static clock::HostOptions options() {
+    clock::HostOptions options;
+    options.mode = clock::Mode::real;
+    options.participants = {"arm_edp"};
+    return options;
+  }
+
+  /// What its process does when it is asked to end.
+  virtual std::string at_end() const { return "kill $!; exit 0"; }
+
+  clock::ClockHost clock_{options()};
+  std::unique_ptr<clock::Clock> edp_;
+  bool ready_ = false;
+  Crew crew_{[this](const std::string&, const std::string& line) { ready_ = ready_ || line == "ready"; }};
+};
+
+TEST_F(OrderlyEnd, TellsOfAClockThatFailsMeanwhile) {
+  std::vector<std::string> told;
+  end_in_order(crew_, clock_, true,
+               {.turn =
+                    [this] {
+                      clock_.fail("the pendulum is stuck");
+                      crew_.wait(20, -1);
+                    },
+                .message = [](const std::string&) {},
+                .failed = [&told](const std::string& reason) { told.push_back(reason); }});
+  EXPECT_EQ(told, (std::vector<std::string>{"clock lost: the pendulum is stuck"}));
+  EXPECT_TRUE(crew_.all_ended());
+}
+
+/// Ends the crew, whose EDP leaves the clock at the first turn. Gives what is reported as failed.
+std::vector<std::string> failures_after_leaving(Crew& crew, clock::ClockHost& clock,
+                                                std::unique_ptr<clock::Clock>& edp) {
+  std::vector<std::string> failures;
+  end_in_order(crew, clock, true,
+               {.turn =
+                    [&crew, &edp] {
+                      edp.reset();
+                      crew.wait(20, -1);
+                    },
+                .message = [](const std::string&) {},
+                .failed = [&failures](const std::string& reason) { failures.push_back(reason); },
+                .end_timeout = 1});
+  EXPECT_TRUE(crew.all_ended());
+  return failures;
+}
+
+TEST_F(OrderlyEnd, ARobotHasStoppedWhenItsProcessHasLeftTheClock) {
+  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_), std::vector<std::string>{});
+}
+
+class SlowEnd : public OrderlyEnd {
+  std::string at_end() const override { return "sleep 0.3; kill $!; exit 0"; }
+};
+
+TEST_F(SlowEnd, OfAProcessThatHasLeftTheClockIsNoFailure) {
+  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_), std::vector<std::string>{});
+}
+
+class FailingEnd : public OrderlyEnd {
+  std::string at_end() const override { return "kill $!; echo the disk is full; exit 3"; }
+};
+
+TEST_F(FailingEnd, OfAProcessThatHasLeftTheClockIsReported) {
+  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
+            (std::vector<std::string>{"process arm_edp failed at the end: exit code 3: the disk is full"}));
+}
+
+class CrashAtTheEnd : public OrderlyEnd {
+  std::string at_end() const override { return "kill $!; kill -SEGV $$"; }
+};
+
+TEST_F(CrashAtTheEnd, OfAProcessThatHasLeftTheClockIsReported) {
+  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
+            (std::vector<std::string>{"process arm_edp failed at the end: signal 11 (Segmentation fault)"}));
+}
+
+class NoEnd : public OrderlyEnd {
+  std::string at_end() const override { return ":"; }
+};
+
+TEST_F(NoEnd, OfAProcessThatHasLeftTheClockIsReportedWhenItIsKilled) {
+  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
+            (std::vector<std::string>{"process arm_edp failed at the end: signal 9 (Killed)"}));
+}
+
+}  // namespace
+}  // namespace mrroc::cli

@@ -1,0 +1,137 @@
+#include "clock/wall/ticker.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "clock/child.hpp"
+#include "clock/wall/monotonic.hpp"
+#include "clock/wall/realtime.hpp"
+#include "privileges.hpp"
+
+namespace mrroc::clock {
+namespace {
+
+constexpr std::int64_t kPeriod = 1'000'000;
+
+void delay_until(std::int64_t ns) {
+  while (monotonic_ns() < ns) {
+  }
+}
+
+TEST(Ticker, EveryTickIsReturnedOrCountedAsMissedOnAGridThatStays) {
+  const std::int64_t epoch = monotonic_ns() + 2 * kPeriod;
+  Ticker ticker(epoch, kPeriod);
+  Tick last = ticker.wait_next();
+  std::uint64_t returned = 1;
+  EXPECT_GE(monotonic_ns(), epoch + static_cast<std::int64_t>(last) * kPeriod);
+  EXPECT_EQ(last, ticker.missed());  // the grid begins with tick 0
+  for (int i = 0; i < 60; ++i) {
+    const std::uint64_t missed = ticker.missed();
+    // a tick that overruns four periods and a little: at least three are lost whole
+    const bool overrun = i % 20 == 10;
+    if (overrun) delay_until(epoch + static_cast<std::int64_t>(last) * kPeriod + kPeriod * 201 / 50);
+    const auto present = static_cast<Tick>((monotonic_ns() - epoch) / kPeriod);
+    const Tick tick = ticker.wait_next();
+    EXPECT_GE(tick, present);  // on a grid that had slipped by more than that little it would lag behind
+    ++returned;
+    EXPECT_GE(monotonic_ns(), epoch + static_cast<std::int64_t>(tick) * kPeriod);
+    EXPECT_GT(tick, last);
+    EXPECT_EQ(ticker.missed() - missed, tick - last - 1);
+    EXPECT_GE(ticker.missed() - missed, overrun ? 3U : 0U);
+    last = tick;
+  }
+  EXPECT_EQ(ticker.ticks(), returned);
+  EXPECT_EQ(ticker.ticks() + ticker.missed(), last + 1);
+  EXPECT_EQ(ticker.lateness().count(), returned);
+  EXPECT_EQ(ticker.execution().count(), returned - 1);
+  EXPECT_LT(ticker.lateness().max(), static_cast<std::uint64_t>(kPeriod));  // the present tick is never a period old
+  EXPECT_GE(ticker.execution().max(), static_cast<std::uint64_t>(3 * kPeriod));
+}
+
+TEST(Ticker, MadeAfterTheEpochItBeginsWithTheNextTick) {
+  const std::int64_t epoch = monotonic_ns() - 100 * kPeriod;
+  Ticker ticker(epoch, kPeriod);
+  EXPECT_GE(ticker.wait_next(), 101U);
+  EXPECT_LT(ticker.missed(), 100U);  // those before it was made are none of its own
+}
+
+TEST(Histogram, IsEmptyAtFirst) {
+  const Histogram histogram;
+  EXPECT_EQ(histogram.count(), 0U);
+  EXPECT_EQ(histogram.max(), 0U);
+  EXPECT_EQ(histogram.percentile(0.5), 0U);
+}
+
+RC_GTEST_PROP(Histogram, APercentileIsAtMostOneSixteenthTooLarge, ()) {
+  const auto values = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::int64_t>>(
+      rc::gen::withSize([](int size) { return rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << (size % 40)); })));
+  const double p = *rc::gen::element(0.01, 0.5, 0.99, 1.0);
+  Histogram histogram;
+  for (const std::int64_t value : values) histogram.add(value);
+  std::vector<std::int64_t> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  const auto rank = static_cast<std::size_t>(std::ceil(p * static_cast<double>(sorted.size())));
+  const auto exact = static_cast<std::uint64_t>(sorted[rank - 1]);
+  RC_ASSERT(histogram.percentile(p) >= exact);
+  RC_ASSERT(histogram.percentile(p) <= exact + exact / 16);
+  RC_ASSERT(histogram.max() == static_cast<std::uint64_t>(sorted.back()));
+}
+
+TEST(Realtime, EitherItIsGrantedOrTheWarningSaysWhatIsMissing) {
+  Child asking([] {
+    const std::string warning = request_realtime(10);
+    const bool fifo = ::sched_getscheduler(0) == SCHED_FIFO;
+    if (fifo == (warning.find("SCHED_FIFO 10 refused") != std::string::npos)) ::_exit(1);
+  });
+  EXPECT_TRUE(asking.join());
+  Child without_rights([] {
+    const rlimit none{0, 0};
+    if (::setrlimit(RLIMIT_RTPRIO, &none) != 0 || (::geteuid() == 0 && ::setuid(65534) != 0)) ::_exit(1);
+    if (request_realtime(10).find("SCHED_FIFO 10 refused (Operation not permitted)") == std::string::npos) ::_exit(2);
+  });
+  EXPECT_TRUE(without_rights.join());
+}
+
+TEST(Realtime, MemoryIsNotLockedBelowALimitThatLaterMemoryWouldMeet) {
+  for (const rlim_t wanted : {rlim_t{0}, rlim_t{64} << 10, rlim_t{64} << 20, rlim_t{256} << 20, rlim_t{1} << 30}) {
+    Child child([wanted] {
+      test::drop_capabilities();
+      rlimit limit{};
+      ::getrlimit(RLIMIT_MEMLOCK, &limit);
+      limit.rlim_cur = limit.rlim_max = std::min(limit.rlim_max, wanted);
+      if (::setrlimit(RLIMIT_MEMLOCK, &limit) != 0) ::_exit(1);
+      if (request_realtime(10).find("locked memory refused") == std::string::npos) ::_exit(2);
+      rlimit after{};
+      ::getrlimit(RLIMIT_MEMLOCK, &after);
+      if (after.rlim_cur != limit.rlim_cur) ::_exit(3);
+      constexpr std::size_t kLarge = std::size_t{2} << 30;
+      if (::mmap(nullptr, kLarge, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) == MAP_FAILED)
+        ::_exit(4);
+    });
+    EXPECT_TRUE(child.join()) << wanted;
+  }
+}
+
+TEST(Realtime, PinnedProcessesAndTheirChildrenHaveOneCpu) {
+  Child pinned([] {
+    const int cpu = pin_to_one_cpu();
+    Child child([cpu] {
+      cpu_set_t set;
+      if (::sched_getaffinity(0, sizeof set, &set) != 0 || CPU_COUNT(&set) != 1 ||
+          !CPU_ISSET(static_cast<unsigned>(cpu), &set))
+        ::_exit(1);
+    });
+    if (!child.join()) ::_exit(1);
+  });
+  EXPECT_TRUE(pinned.join());
+}
+
+}  // namespace
+}  // namespace mrroc::clock

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include "config/deployment_fixture.hpp"
+#include "config/description.hpp"
+#include "config/drives/drive_table.hpp"
+#include "config/resources.hpp"
+#include "config/robot_parameters_file.hpp"
+
+namespace mrroc::config {
+namespace {
+
+class CanEntryTest : public DeploymentFixture {
+ protected:
+  CanEntryTest() : DeploymentFixture("valid") { scratch_.write("scene.xml", ""); }
+
+  /// An IRb-6 on a bus; `general` are lines of [deployment], `robot` of [robots.arm], `can` of [robots.arm.can].
+  Deployment load(const std::string& can, const std::string& robot = "", const std::string& general = "") const {
+    return load_deployment(scratch_.write(
+        "cell/d.toml", "[deployment]\nname = 'one'\nclock = 'real'\n" + general +
+                           "[sim]\nscene = '../scene.xml'\n[robots.arm]\ntype = 'irb6'\nhardware = 'socketcan'\n" +
+                           robot + "[robots.arm.can]\n" + can));
+  }
+
+  task_test::ScratchFolder scratch_;
+};
+
+TEST_F(CanEntryTest, RealDrivesAreThoseOfTheTypesTable) {
+  const Deployment deployment = load("interface = 'can0'\n");
+  const RobotEntry& arm = deployment.robot("arm");
+  ASSERT_TRUE(arm.can);
+  EXPECT_EQ(arm.can->interface, "can0");
+  EXPECT_EQ(arm.can->drives, MRROC_SOURCE_DIR "/tests/config/share/robots/irb6/irb6_drives.toml");
+  EXPECT_FALSE(arm.can->simulated);
+  EXPECT_EQ(arm.can->program, "");
+  EXPECT_FALSE(arm.in_world());
+  EXPECT_FALSE(arm.synchronised);  // its encoders count from where the power came on
+}
+
+TEST_F(CanEntryTest, SimulatedDrivesHaveAProgramAndMayBeBornSynchronised) {
+  const Deployment deployment = load("interface = 'can0'\nsimulated = true\n");
+  const RobotEntry& arm = deployment.robot("arm");
+  EXPECT_TRUE(arm.can->simulated);
+  EXPECT_EQ(arm.can->program, program("irb6_drives"));
+  EXPECT_TRUE(arm.in_world());
+  EXPECT_TRUE(arm.synchronised);
+  EXPECT_FALSE(load("interface = 'can0'\nsimulated = true\n", "synchronised = false\n").robot("arm").synchronised);
+}
+
+TEST_F(CanEntryTest, ALabHasATableOfItsOwn) {
+  scratch_.write("cell/cabinet.toml", "eds = '" MRROC_SOURCE_DIR
+                                      "/src/canopen/cia402.eds'\nmode = 'torque'\nabsolute_encoders = true\n"
+                                      "[[drives]]\naxis = 'column'\nnode = 11\nrated_current = 6\n");
+  const Deployment deployment = load("interface = 'can0'\ndrives = 'cabinet.toml'\n", "synchronised = true\n");
+  EXPECT_EQ(deployment.robot("arm").can->drives, scratch_.path() / "cell/cabinet.toml");
+  EXPECT_TRUE(deployment.robot("arm").synchronised);
+}
+
+TEST_F(CanEntryTest, AMistakeInTheTableIsToldWithItsFile) {
+  scratch_.write("cell/cabinet.toml", "eds = 'none.eds'\nmode = 'torque'\n");
+  EXPECT_EQ(message_of(scratch_.path() / "cell", [&] { load("interface = 'can0'\ndrives = 'cabinet.toml'\n"); }),
+            "cabinet.toml:1: eds: 'none.eds' is not there, expected an EDS file beside this one, or 'cia402.eds'");
+}
+
+TEST_F(CanEntryTest, AHubLiesBesideTheDeploymentFile) {
+  EXPECT_EQ(load("interface = 'unix:hub'\n").robot("arm").can->interface,
+            "unix:" + (scratch_.path() / "cell/hub").string());
+  EXPECT_EQ(load("interface = 'unix:/run/hub'\n").robot("arm").can->interface, "unix:/run/hub");
+}
+
+TEST_F(CanEntryTest, TheDescriptionNamesBusAndDrives) {
+  const std::string text = replaced(
+      replaced(describe(load("interface = 'can0'\nsimulated = true\n")), programs_.path().string(), "PROGRAMS"),
+      MRROC_SOURCE_DIR, "SOURCE");
+  EXPECT_NE(text.find("  arm  irb6 on socketcan can0 with the drives of SOURCE/tests/config/share/robots/irb6/"
+                      "irb6_drives.toml: ECP PROGRAMS/mrroc_ecp, EDP PROGRAMS/irb6_edp, simulated drives "
+                      "PROGRAMS/irb6_drives\n"),
+            std::string::npos)
+      << text;
+}
+
+TEST_F(CanEntryTest, SimulatedDrivesCountAsProcesses) {
+  std::string text = "deployment.name = 'crowd'\nsim.scene = 'scene.xml'\n";
+  for (int i = 0; i < 16; ++i) {
+    const std::string number = std::to_string(i);
+    text += "[robots.r" + number + "]\ntype = 'irb6'\nhardware = 'socketcan'\ncan = { interface = 'can" + number +
+            "', simulated = true }\n";
+  }
+  for (int i = 0; i < 11; ++i) text += "[sensors.s" + std::to_string(i) + "]\ntype = 'force_torque'\n";
+  const auto file = scratch_.write("d.toml", text);
+  EXPECT_EQ(message_of(scratch_.path(), [&] { load_deployment(file); }),
+            "d.toml:1: 61 processes (two per robot, one more with simulated drives, one per sensor, the MP, the "
+            "simulator), expected at most 60");
+}
+
+/// Every robot type of the project has a nominal table, with nodes from 1. Drives that only count must have switches to
+/// be synchronised by.
+TEST(RobotDrives, EveryTypeHasATableThatReads) {
+  setenv("MRROC_SHARE", MRROC_BINARY_DIR "/share/mrroc", 1);
+  EXPECT_GE(robot_types().size(), 9u);
+  for (const std::string& type : robot_types()) {
+    SCOPED_TRACE(type);
+    const RobotParameters robot = read_robot_parameters(Table::load(type_file("robots", type, type + ".toml")));
+    const DriveTable table = read_drive_table(type_file("robots", type, type + "_drives.toml"), robot);
+    bool switches = true;
+    for (std::size_t i = 0; i < robot.axes.size(); ++i) {
+      EXPECT_EQ(table.drives[i].node, i + 1);
+      switches = switches && robot.axes[i].synchro_coarse != 0;
+    }
+    EXPECT_EQ(table.absolute_encoders, !switches);
+  }
+  unsetenv("MRROC_SHARE");
+}
+
+}  // namespace
+}  // namespace mrroc::config

@@ -1,0 +1,303 @@
+// A drive whose answers are missing, late or too many, and one that restarts.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "drive_fixture.hpp"
+#include "edp/safety/error_report.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+using namespace canopen;
+
+TEST_F(DriveTest, AnAnswerThatIsMissedIsGuessedTwiceThenItIsSilent) {
+  switch_on();
+  say(status_bits(DriveState::operation_enabled), 10);
+  say(status_bits(DriveState::operation_enabled), 14);
+  const double unit = 2 * std::numbers::pi / 4000;
+  say_nothing();
+  EXPECT_DOUBLE_EQ(drive.position(), 18 * unit);
+  say_nothing();
+  EXPECT_DOUBLE_EQ(drive.position(), 22 * unit);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  say_nothing();
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
+  EXPECT_FALSE(drive.awaited());
+}
+
+TEST_F(DriveTest, WhoAlwaysAnswersTooLateIsNotTakenForOneThatAnswers) {
+  switch_on();
+  const double unit = 2 * std::numbers::pi / 4000;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << i;
+    say_late(10 * (i + 1));
+  }
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
+  const Drive::Finding finding = drive.finding(tick);
+  const Fault fault{finding.code, 0, finding.value, finding.limit, 7};
+  EXPECT_EQ(make_report(fault, Slide{}.parameters()).detail.view(),
+            "axis 1 (x), tick 7: its answers come later than answer_time after more than 2 SYNCs in a row");
+  can::Frame next;
+  drive.reset(tick, drive.position(), next);
+  EXPECT_EQ(next.id, 0u) << "it is in service, and need not be set up anew";
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent) << "nothing is better yet";
+  say(status_bits(DriveState::operation_enabled), 40);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_DOUBLE_EQ(drive.position(), 40 * unit);
+}
+
+TEST_F(DriveTest, AGuessIsMadeOfPositionsThatHaveComeNotOfGuesses) {
+  switch_on();
+  const double unit = 2 * std::numbers::pi / 4000;
+  const std::uint16_t on = status_bits(DriveState::operation_enabled);
+  say(on, 10);
+  say(on, 14);
+  say_nothing();  // guessed to be at 18
+  say(on, 22);
+  say_nothing();
+  EXPECT_DOUBLE_EQ(drive.position(), 26 * unit) << "4 of each SYNC, also of the one without an answer";
+  say(on, 30);
+  say_late(34);
+  say_nothing();
+  EXPECT_DOUBLE_EQ(drive.position(), 38 * unit) << "one that comes late is as good to guess from";
+}
+
+/// Two nodes have its number, and either may be the last to answer.
+TEST_F(DriveTest, ACycleWithAnAnswerTooManySaysNothing) {
+  beats = true;
+  const std::uint16_t on = status_bits(DriveState::operation_enabled);
+  const double unit = 2 * std::numbers::pi / 4000;
+  for (const bool impostor_is_last : {false, true}) {
+    drive = Drive(table, table.drives[0], kCanPeriod, 0);
+    drive.begin(tick);
+    switch_on();
+    say(on, 4);
+    for (int i = 2; i <= 4; ++i) {
+      EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << i;
+      EXPECT_EQ(controlword(), kEnableOperation);
+      can::Frame next;
+      const can::Frame strange = feedback(0xd245, 123456789, 32000);
+      if (!impostor_is_last) drive.take(strange, tick, next);
+      drive.expect();
+      ++tick;
+      drive.take(feedback(on, 4 * i), tick, next);
+      drive.take(heartbeat_frame(1, NmtState::operational), tick, next);
+      if (impostor_is_last) drive.take(strange, tick, next);
+      drive.close_cycle();
+      EXPECT_FALSE(drive.answered());
+      EXPECT_NEAR(drive.position(), 4 * std::min(i, 3) * unit, 1e-9) << "guessed, for two cycles";
+      EXPECT_EQ(drive.current(), 0);
+    }
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::encoder_fault);
+    EXPECT_EQ(drive.finding(tick).value, 3);
+  }
+}
+
+TEST_F(DriveTest, SwitchesThatAreNotToldAreMissed) {
+  switch_on();
+  tells_switches = false;
+  for (int i = 0; i < 12; ++i) {  // three times status_every
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << i;
+    say(status_bits(DriveState::operation_enabled));
+  }
+  say(status_bits(DriveState::operation_enabled));
+  const Drive::Finding finding = drive.finding(tick);
+  EXPECT_EQ(finding.code, ErrorCode::hardware_silent);
+  EXPECT_EQ(make_report({finding.code, 0, finding.value, finding.limit, 7}, Slide{}.parameters()).detail.view(),
+            "axis 1 (x), tick 7: no TPDO 2, velocity and switches, after more than 12 SYNCs in a row");
+  can::Frame next;
+  drive.reset(tick, drive.position(), next);
+  EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
+}
+
+TEST_F(DriveTest, AFrameThatIsTooShortIsNoAnswer) {
+  can::Frame frame{0x181, {0x37, 0x16, 1, 0, 0, 0, 0}};
+  cycle(frame);
+  EXPECT_FALSE(drive.answered());
+}
+
+TEST_F(DriveTest, HeartbeatsAreWatchedOverThreeOfThem) {
+  switch_on();
+  while (tick < 30) say(status_bits(DriveState::operation_enabled));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  say(status_bits(DriveState::operation_enabled));
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::heartbeat_lost);
+  can::Frame next;
+  drive.take(heartbeat_frame(1, NmtState::operational), tick, next);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+}
+
+TEST_F(DriveTest, ABootUpInServiceIsARestart) {
+  switch_on();
+  can::Frame next;
+  drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_restarted);
+  EXPECT_FALSE(drive.knows_position());
+  drive.reset(tick, drive.position(), next);
+  EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
+}
+
+/// Its last positions may have been broken, as of one whose supply has failed.
+TEST_F(DriveTest, OneThatCountsAnewGoesOnFromWhereItIsBelievedToBe) {
+  const double unit = 2 * std::numbers::pi / 4000;
+  const std::int64_t turn_over = std::int64_t{1} << 32;
+  can::Frame next;
+  for (const std::int64_t believed : {1000L, -70000L, turn_over + 5, -3 * turn_over - 7}) {
+    switch_on();
+    say(status_bits(DriveState::operation_enabled), 1000);
+    say(status_bits(DriveState::operation_enabled), -2000000000);
+    drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+    drive.reset(tick, static_cast<double>(believed) * unit, next);
+    drive.begin(tick);
+    say(status_bits(DriveState::switch_on_disabled), 3);
+    EXPECT_NEAR(drive.position(), static_cast<double>(believed) * unit, 1e-5);
+    say(status_bits(DriveState::switch_on_disabled), 7);
+    EXPECT_NEAR(drive.position(), static_cast<double>(believed + 4) * unit, 1e-5);
+    EXPECT_FALSE(drive.knows_position());
+    // one that has not restarted has counted on
+    drive.position_known();
+    for (int i = 0; i < 5; ++i) say_nothing();
+    drive.reset(tick, drive.position(), next);
+    drive.begin(tick);
+    say(status_bits(DriveState::switch_on_disabled), 9);
+    EXPECT_NEAR(drive.position(), static_cast<double>(believed + 6) * unit, 1e-5);
+  }
+}
+
+TEST_F(DriveTest, WhoeverBootsWhileNobodyServesHimHasLostHisPosition) {
+  switch_on();
+  for (int i = 0; i < 5; ++i) say_nothing();
+  ASSERT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
+  can::Frame next;
+  drive.reset(tick, drive.position(), next);  // no one answers
+  drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+  EXPECT_FALSE(drive.knows_position());
+  EXPECT_EQ(next.id, 0x601u) << "what it was told so far is forgotten: from the start";
+  EXPECT_EQ(can::get(next.bytes(), 1, 2), 0x1400u);
+}
+
+TEST_F(DriveTest, WhoAnswersMoreOftenThanItIsAskedHasANamesake) {
+  switch_on();
+  const std::uint16_t on = status_bits(DriveState::operation_enabled);
+  can::Frame next;
+  const auto once_more = [&] { drive.take(feedback(on, 0), tick, next); };
+  for (int i = 0; i < 20; ++i) {
+    say(on);
+    if (i % 2 == 0) once_more();  // now and then: it is not worth a stop
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  }
+  for (int i = 0; i < 2; ++i) say_nothing();
+  say(on);
+  for (int i = 0; i < 2; ++i) once_more();  // those that were missed, late
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  for (int i = 0; i < 3; ++i) {
+    say(on);
+    once_more();
+    once_more();  // twice, in one cycle
+    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  }
+  say(on);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::encoder_fault);
+  EXPECT_EQ(drive.finding(tick).value, 3) << "cycles";
+  say(on);
+  EXPECT_EQ(drive.finding(tick).code, ErrorCode::encoder_fault) << "until it is reset";
+  drive.reset(tick, drive.position(), next);
+  EXPECT_NE(drive.finding(tick).code, ErrorCode::encoder_fault);
+}
+
+TEST_F(DriveTest, ARequestOfItsSetUpThatIsNotAnsweredIsSentAgain) {
+  switch_on();
+  can::Frame next, again;
+  drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+  EXPECT_FALSE(drive.repeats(tick + 1000, again)) << "it is not being set up";
+  drive.reset(tick, drive.position(), next);
+  ASSERT_EQ(next.id, 0x601u);
+  const auto patience = static_cast<Tick>(Drive::kAnswerTime / kCanPeriod);
+  EXPECT_FALSE(drive.repeats(tick + patience, again));
+  ASSERT_TRUE(drive.repeats(tick + patience + 1, again));
+  EXPECT_EQ(again, next);
+  EXPECT_FALSE(drive.repeats(tick + patience + 2, again)) << "once";
+
+  tick += patience + 2;
+  can::Frame answer{0x581, {0x60, 0, 0, 0, 0, 0, 0, 0}}, second;
+  std::copy_n(next.data.begin() + 1, 3, answer.data.begin() + 1);
+  ASSERT_TRUE(drive.take(answer, tick, second));
+  EXPECT_EQ(second.id, 0x601u);
+  EXPECT_FALSE(drive.repeats(tick + patience, again)) << "the next request has its own time";
+  drive.take(answer, tick, again);
+  EXPECT_EQ(again.size, 0u) << "the first one's answer, come late";
+  ASSERT_TRUE(drive.repeats(tick + patience + 1, again));
+  EXPECT_EQ(again, second);
+}
+
+TEST_F(DriveTest, AnAxisStaysWhereItWasWhenItsDriveCountsAnew) {
+  switch_on();
+  say(status_bits(DriveState::operation_enabled), 1'000'000);
+  const double there = drive.position();
+  can::Frame next;
+  drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+  drive.reset(tick, drive.position(), next);
+  say(status_bits(DriveState::switch_on_disabled), 12);
+  EXPECT_NEAR(drive.position(), there, 1e-9);
+  EXPECT_FALSE(drive.knows_position());
+  say(status_bits(DriveState::switch_on_disabled), 4012);
+  EXPECT_NEAR(drive.position() - there, 2 * std::numbers::pi, 1e-9) << "and turns on from there";
+}
+
+TEST_F(DriveTest, AnAxisThatWasOnlySilentIsWhereItsDriveSays) {
+  switch_on();
+  constexpr std::int32_t kEnd = std::numeric_limits<std::int32_t>::max();
+  say(status_bits(DriveState::operation_enabled), kEnd - 5);
+  say(status_bits(DriveState::operation_enabled), -kEnd);  // past the end of 32 bits
+  const double before = drive.position();
+  for (int i = 0; i < 5; ++i) say_nothing();
+  can::Frame next;
+  drive.reset(tick, drive.position(), next);
+  say(status_bits(DriveState::switch_on_disabled), -kEnd + 2);
+  EXPECT_NEAR(drive.position() - before, 2 * 2 * std::numbers::pi / 4000, 1e-6);
+}
+
+/// Its boot-up message, which comes once, got lost: it has forgotten what it was told.
+TEST_F(DriveTest, AnAxisWhoseDriveHasRestartedUnheardIsNotSynchronised) {
+  for (const bool restarted : {false, true}) {
+    drive.begin(tick);
+    drive.position_known();
+    switch_on();
+    for (int i = 0; i < 5; ++i) say_nothing();
+    can::Frame next;
+    drive.reset(tick, drive.position(), next);
+    EXPECT_EQ(next, (can::Frame{0x601, {0x40, 0x17, 0x10, 0, 0, 0, 0, 0}}));
+    EXPECT_TRUE(drive.knows_position());
+    const auto period = static_cast<std::uint8_t>(restarted ? 0 : 1000 * table.heartbeat);
+    drive.take({0x581, {0x4b, 0x17, 0x10, 0, period, 0, 0, 0}}, tick, next);
+    EXPECT_EQ(drive.knows_position(), !restarted);
+    EXPECT_EQ(next.data[0] & 0xe0, 0x20) << "the set-up goes on";
+    drive.setup().give_up();
+  }
+}
+
+TEST_F(DriveTest, ADriveThatRefusesToBeSetUpAnewSaysWhatAndWhy) {
+  switch_on();
+  can::Frame next;
+  drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
+  drive.reset(tick, drive.position(), next);
+  const auto low = next.data[1], high = next.data[2], sub = next.data[3];
+  drive.take({0x581, {0x80, low, high, sub, 0x22, 0x00, 0x00, 0x08}}, tick, next);
+  Drive::Finding finding = drive.finding(tick);
+  const Fault fault{finding.code, 0, finding.value, finding.limit, 7};
+  const std::string text{make_report(fault, Slide{}.parameters()).detail.view()};
+  char object[16];
+  std::snprintf(object, sizeof object, "%02X%02Xh:%u", high, low, sub);
+  std::string expected = "axis 1 (x), tick 7: it refuses to be set up: object ";
+  expected.append(object).append(", ").append(describe(SdoAbort{0x08000022}));
+  EXPECT_EQ(text, expected);
+  drive.reset(tick, drive.position(), next);
+  EXPECT_EQ(drive.finding(tick).value, 0) << "it is tried again";
+}
+
+}  // namespace
+}  // namespace mrroc::edp

@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "links/code_of.hpp"
+#include "links/exchange/robot_requester.hpp"
+#include "links/exchange/robot_responder.hpp"
+#include "links/test_clock.hpp"
+#include "links/test_domain.hpp"
+#include "links/transport/raw_writer.hpp"
+#include "mrroc/stopped.hpp"
+
+namespace mrroc::links {
+namespace {
+
+/// An ECP's and an EDP's end in one process: what one writes the other has when the call returns.
+struct RobotPair {
+  explicit RobotPair(bool simulated = false, Tick timeout = 100000)
+      : clock(simulated), ecp(net.domain, clock, "t/arm", "arm_edp", timeout), edp(net.domain, clock, "t/arm", 1000) {
+    ecp.connect(kPatience);
+  }
+  /// The EDP answers what it is asked.
+  void answer(double value) {
+    ASSERT_TRUE(edp.take(command, sequence));
+    RobotState answered;
+    answered.joints = JointVector::Constant(6, value);
+    EXPECT_TRUE(edp.reply(answered, sequence));
+  }
+
+  TestDomain net;
+  TestClock clock;
+  RobotRequester ecp;
+  RobotResponder edp;
+  RobotCommand command;
+  std::uint64_t sequence = 0;
+  RobotState state;
+};
+
+TEST(RobotLink, ExchangesCommandAndState) {
+  RobotPair pair;
+  EXPECT_FALSE(pair.edp.take(pair.command, pair.sequence)) << "pings are no commands";
+  RobotCommand command;
+  command.kind = CommandKind::joint;
+  command.joints = JointVector::LinSpaced(6, 0.0, 1.0);
+  for (int i = 1; i <= 3; ++i) {
+    pair.ecp.send(command);
+    pair.answer(i);
+    EXPECT_EQ(pair.command.joints, command.joints);
+    pair.ecp.receive(pair.state);
+    EXPECT_EQ(pair.state.joints[5], i);
+  }
+  EXPECT_EQ(pair.ecp.stale_replies(), 0U);
+  EXPECT_EQ(pair.clock.in_flight.load(), 0)
+      << "what is sent is counted, what has arrived is taken off, pings are neither";
+}
+
+TEST(RobotLink, WaitsForTheReply) {
+  for (const bool simulated : {false, true}) {
+    RobotPair pair(simulated);
+    std::thread edp([&] {
+      pair.clock.next_delta();  // the thread stands for a process that runs in a later delta
+      EXPECT_TRUE(eventually([&] { return pair.edp.take(pair.command, pair.sequence); }));
+      pair.edp.reply({}, pair.sequence);
+    });
+    pair.ecp.send({});
+    pair.clock.next_delta();
+    EXPECT_NO_THROW(pair.ecp.receive(pair.state));
+    edp.join();
+  }
+}
+
+TEST(RobotLink, DropsRepliesToOtherRequests) {
+  RobotPair pair;
+  RawWriter<RobotState> late(pair.net.domain, "t/arm/state");
+  auto wire = wire_of(RobotState{});
+  const std::uint64_t here = pair.net.domain.boot();
+  const auto send_late = [&](std::uint64_t sequence, std::uint64_t boot, std::uint64_t answers) {
+    wire.header.number = sequence;
+    wire.header.boot = boot;
+    wire.header.answers = answers;
+    late.write(wire);
+  };
+  pair.ecp.send({});
+  send_late(9, here, here);      // to a request that was never made
+  send_late(1, here + 1, here);  // from a peer that is not the one of the hand-shake
+  send_late(1, here, here + 1);  // to a process that had this sequence before its restart
+  pair.answer(4.5);
+  pair.ecp.receive(pair.state);
+  EXPECT_EQ(pair.state.joints[0], 4.5);
+  EXPECT_EQ(pair.ecp.stale_replies(), 3U);
+}
+
+TEST(RobotLink, AMalformedReplyIsNone) {
+  RobotPair pair(false, 50);
+  RawWriter<RobotState> writer(pair.net.domain, "t/arm/state");
+  pair.ecp.send({});
+  auto wire = wire_of(RobotState{});
+  wire.header.number = 1;
+  wire.header.boot = wire.header.answers = pair.net.domain.boot();
+  wire.enabled = 2;
+  writer.write(wire);
+  EXPECT_THROW(pair.ecp.receive(pair.state), SystemError);
+  EXPECT_EQ(pair.ecp.malformed_replies(), 1U);
+}
+
+TEST(RobotLink, ARequestThatIsOvertakenIsNotAnswered) {
+  RobotPair pair;
+  pair.ecp.send({});
+  std::uint64_t first = 0;
+  ASSERT_TRUE(pair.edp.take(pair.command, first));
+  pair.ecp.send({});
+  ASSERT_TRUE(pair.edp.take(pair.command, pair.sequence));
+  EXPECT_FALSE(pair.edp.reply({}, first));
+  EXPECT_TRUE(pair.edp.reply({}, pair.sequence));
+  EXPECT_NO_THROW(pair.ecp.receive(pair.state));
+}
+
+TEST(RobotLink, SilenceIsAnErrorInRealTime) {
+  RobotPair pair(false, 20);
+  pair.ecp.send({});
+  EXPECT_EQ(code_of([&] { pair.ecp.receive(pair.state); }, "arm_edp has not answered on topic t/arm/state"),
+            ErrorCode::process_silent);
+}
+
+TEST(RobotLink, TheReplyIsDueAtTheTickOfTheCommand) {
+  RobotPair pair(false, 0);
+  RobotCommand command;
+  command.kind = CommandKind::hold;
+  command.start_tick = pair.clock.tick() + 20;
+  command.reply_step = 5;
+  pair.ecp.send(command);
+  EXPECT_THROW(pair.ecp.receive(pair.state), SystemError);
+  EXPECT_GE(pair.clock.tick(), command.start_tick + command.reply_step);
+}
+
+TEST(RobotLink, TheDeadlineHoldsInSimulatedTimeToo) {
+  RobotPair pair(true, 0);
+  pair.ecp.send({});
+  try {
+    pair.ecp.receive(pair.state);
+    FAIL();
+  } catch (const SystemError& error) {
+    EXPECT_EQ(error.code(), ErrorCode::process_silent);
+  }
+}
+
+TEST(RobotLink, AnInterruptedClockStopsTheWait) {
+  RobotPair pair;
+  pair.ecp.send({});
+  pair.clock.interrupt();
+  EXPECT_THROW(pair.ecp.receive(pair.state), Stopped);
+}
+
+}  // namespace
+}  // namespace mrroc::links

@@ -1,0 +1,25 @@
+#include "process/record/text_memory.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace mrroc::process {
+namespace {
+
+TEST(TextMemory, EveryReaderGetsTheWholeText) {
+  for (const std::string& text : {std::string(), std::string("name = 'x'\n"), std::string(1 << 20, 'x')}) {
+    const TextMemory memory(text);
+    EXPECT_EQ(read_text(memory.fd()), text);
+    EXPECT_EQ(read_text(memory.fd()), text) << "the place in the file is shared";
+  }
+}
+
+TEST(TextMemory, NoProcessChangesIt) {
+  const TextMemory memory("text");
+  EXPECT_LT(pwrite(memory.fd(), "T", 1, 0), 0);
+  EXPECT_NE(ftruncate(memory.fd(), 0), 0);
+  EXPECT_EQ(read_text(memory.fd()), "text");
+}
+
+}  // namespace
+}  // namespace mrroc::process

@@ -1,7 +1,0 @@
-#include "robots/irb6/irb6_model.hpp"
-#include "robots_irb6/family/robot_under_test.hpp"
-
-const mrroc::RobotUnderTest& mrroc::robot_under_test() {
-  static const RobotUnderTest robot{"irb60", load_irb6(robot_file("irb60", "toml"))};
-  return robot;
-}

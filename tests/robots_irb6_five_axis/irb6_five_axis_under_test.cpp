@@ -1,7 +1,0 @@
-#include "robots/irb6_five_axis/irb6_five_axis_model.hpp"
-#include "robots_irb6/family/robot_under_test.hpp"
-
-const mrroc::RobotUnderTest& mrroc::robot_under_test() {
-  static const RobotUnderTest robot{"irb6_five_axis", load_irb6_five_axis(robot_file("irb6_five_axis", "toml"))};
-  return robot;
-}

@@ -1,0 +1,212 @@
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "robots/common/changed_file.hpp"
+#include "system/mrroc_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+constexpr int kTaskFailed = 1;
+constexpr int kUsage = 2;
+constexpr int kSystem = 4;
+
+void expect_text(const std::string& output, const std::string& text) {
+  EXPECT_NE(output.find(text), std::string::npos) << "'" << text << "' is missing in\n" << output;
+}
+
+void expect_nothing_moved(const std::string& output) { EXPECT_EQ(output.find("running"), std::string::npos) << output; }
+
+void expect_nothing_started(const std::string& output) {
+  EXPECT_EQ(output.find("starting"), std::string::npos) << output;
+  EXPECT_EQ(output.find("ready"), std::string::npos) << output;
+  expect_nothing_moved(output);
+}
+
+TEST(WrongInput, OfTheCommandLine) {
+  expect_text(run_mrroc({}, kUsage), "subcommand");
+  expect_text(run_mrroc({"rum", "tasks/press/press.toml"}, kUsage), "subcommand");
+  expect_text(run_mrroc({"run"}, kUsage), "FILE is required");
+  expect_text(run_mrroc({"run", "tasks/press/press.toml", "--clocks", "real"}, kUsage), "--clocks");
+  expect_text(run_mrroc({"run", "tasks/press/press.toml", "--clock", "fast"}, kUsage), "fast");
+  expect_text(run_mrroc({"run", "tasks/press/press.toml", "--shuffle-start", "soon"}, kUsage), "--shuffle-start");
+  expect_text(run_mrroc({"run", "no/such/file.toml"}, kUsage), "no/such/file.toml");
+  expect_text(run_mrroc({"run", "tasks/press"}, kUsage), "tasks/press");
+}
+
+TEST(WrongInput, AFileThatIsNoTrace) {
+  const ScratchFolder folder;
+  expect_text(run_mrroc({"trace", "hash", "README.md"}, kUsage), "README.md:1: is no trace");
+  expect_text(run_mrroc({"trace", "hash", folder.write("empty", "").string()}, kUsage), "empty:1: is no trace");
+  expect_text(run_mrroc({"trace", "hash", "no/such/trace"}, kUsage), "no/such/trace");
+  expect_text(run_mrroc({"trace", "hash", "tasks"}, kUsage), "tasks");
+}
+
+TEST(WrongInput, ADeploymentIsRefusedWithItsLineAndNothingIsStarted) {
+  const ScratchFolder folder;
+  const auto file = folder.write("wrong.toml", "[deployment]\nname = \"wrong\"\nclock = \"fast\"\n");
+  MrrocRun run({"run", file.string()});
+  EXPECT_EQ(run.wait(), kUsage);
+  expect_text(run.err(), "wrong.toml:3: deployment.clock: unknown value 'fast'");
+  expect_nothing_started(run.out());
+  expect_text(run_mrroc({"run", "--check", file.string()}, kUsage), "wrong.toml:3: deployment.clock");
+}
+
+TEST(WrongInput, CheckStartsNothing) {
+  const std::string output = run_mrroc({"run", "--check", "tasks/press/press.toml"}, 0);
+  expect_text(output, "press: lockstep");
+  expect_nothing_started(output);
+}
+
+/// A deployment that loads, with something that only its processes can find wrong.
+TEST(WrongInput, ASceneThatMuJoCoRejectsIsShownWithItsMessageAndLine) {
+  const ScratchFolder folder;
+  folder.write("scene.xml",
+               "<mujoco>\n  <compiler angle=\"radian\"/>\n  <worldbody>\n    <geom type=\"cylindre\" size=\"1 1\"/>\n  "
+               "</worldbody>\n</mujoco>\n");
+  const auto file =
+      folder.write("scene.toml",
+                   "[deployment]\nname = \"scene\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"mujoco\"\n"
+                   "[sim]\nscene = \"scene.xml\"\n");
+  for (const char* quiet : {"", "--quiet"}) {
+    std::vector<std::string> words{"run", file.string()};
+    if (*quiet != '\0') words.emplace_back(quiet);
+    MrrocRun run(words);
+    EXPECT_EQ(run.wait(), kUsage) << run.err();
+    expect_text(run.err(), "process sim died: exit code 2: ");
+    expect_text(run.err(), "scene.xml:4: MuJoCo: ");
+    expect_text(run.err(), "cylindre");
+    expect_nothing_moved(run.out());
+  }
+}
+
+TEST(WrongInput, AReplayFileIsRefusedWithItsLine) {
+  const ScratchFolder folder;
+  folder.write("gate.txt", "# mrroc readings range\n0 4\n100 near\n");
+  const auto file = folder.write("replay.toml",
+                                 "[deployment]\nname = \"replay\"\n[robots.arm]\ntype = \"irb6\"\nhardware = "
+                                 "\"loopback\"\n[sensors.gate]\ntype = \"ultrasonic\"\nsource = \"replay\"\nreplay = "
+                                 "\"gate.txt\"\n");
+  const std::string output = run_mrroc({"run", file.string()}, kUsage);
+  expect_text(output, "process gate died: exit code 2: ");
+  expect_text(output, "gate.txt:3: ");
+  expect_nothing_moved(output);
+}
+
+TEST(WrongInput, ADomainInUseIsSaid) {
+  const ScratchFolder folder;
+  const std::string deployment = faulty_deployment("hold");
+  const std::string name = "[deployment]\n";
+  const auto file = folder.write("hold.toml", name + "domain = 97\n" + deployment.substr(name.size()));
+  MrrocRun first({"run", file.string()});
+  ASSERT_TRUE(first.wait_for_output("running")) << first.err();
+  const std::string output = run_mrroc({"run", file.string()}, kUsage);
+  expect_text(output, "DDS domain 97 is in use");
+  expect_nothing_started(output);
+  // a domain of its own: both run
+  run_mrroc({"run", folder.write("own.toml", faulty_deployment("caught")).string(), "--quiet"}, 0);
+}
+
+TEST(WrongInput, ATraceThatCannotBeWrittenIsSaidBeforeAnythingStarts) {
+  const std::string output = run_mrroc({"run", "tasks/press/press.toml", "--trace", "/no/such/folder/trace"}, kUsage);
+  expect_text(output, "/no/such/folder/trace: No such file or directory");
+  expect_nothing_started(output);
+  expect_nothing_started(run_mrroc({"run", "tasks/press/press.toml", "--trace", "tasks"}, kUsage));
+}
+
+TEST(WrongInput, ATraceThatIsLostAtTheEndIsAnErrorAndItsPartsAreKept) {
+  const ScratchFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "trace");
+  MrrocRun run({"run", "tasks/press_replay/press_replay.toml", "--quiet", "--trace", folder.path() / "trace"});
+  EXPECT_EQ(run.wait(), kSystem);
+  expect_text(run.err(), "cannot write the trace " + (folder.path() / "trace").string());
+  // a device has no place beside it: the parts are in the folder for temporary files
+  const std::string mark = "its parts are kept: ";
+  const std::string err = run.err();
+  ASSERT_NE(err.find(mark), std::string::npos) << err;
+  std::istringstream parts(err.substr(err.find(mark) + mark.size()));
+  std::uintmax_t size = 0;
+  for (std::string part; std::getline(parts >> std::ws, part, ',');) {
+    part.resize(std::min(part.find('\n'), part.size()));
+    size += std::filesystem::file_size(part);
+    std::filesystem::remove(part);
+  }
+  EXPECT_GT(size, 0U);
+}
+
+TEST(WrongInput, SnapshotsThatCannotBeWrittenAreSaidBeforeAnythingStarts) {
+  const std::string output = run_mrroc({"run", "tasks/press/press.toml", "--snapshots", "README.md/snapshots"}, kUsage);
+  expect_text(output, "README.md/snapshots");
+  expect_nothing_started(output);
+}
+
+/// Runs a deployment of one irb6 whose files are those of this project with the first `from` in `file` replaced by
+/// `to`.
+std::string run_with_changed_robot(const std::string& file, const std::string& from, const std::string& to) {
+  const std::filesystem::path share = std::filesystem::path(MRROC_BINARY_DIR) / "share/mrroc";
+  const ScratchFolder folder;
+  const auto own = folder.path() / "robots/irb6";
+  std::filesystem::create_directories(own);
+  for (const char* name : {"irb6.toml", "irb6.urdf", "irb6.xml"}) {
+    std::filesystem::copy_file(share / "robots/irb6" / name, own / name);
+  }
+  folder.write("robots/irb6/" + file, changed_file(share / "robots/irb6" / file, from, to));
+  setenv("MRROC_SHARE", (folder.path().string() + ":" + share.string()).c_str(), 1);
+  const auto deployment = folder.write("arm.toml",
+                                       "[deployment]\nname = \"arm\"\n[robots.arm]\ntype = \"irb6\"\n"
+                                       "hardware = \"loopback\"\nprogram = \"irb6_demo\"\n");
+  const std::string output = run_mrroc({"run", deployment.string()}, kUsage);
+  unsetenv("MRROC_SHARE");
+  return output;
+}
+
+TEST(WrongInput, AUrdfOfAnotherMachineIsRefusedWithBothPositions) {
+  const std::string output = run_with_changed_robot("irb6.urdf", "xyz=\"0.67 0 0\"", "xyz=\"0.68 0 0\"");
+  expect_text(output, "process arm_edp died: exit code 2: ");
+  expect_text(output, "robots/irb6/irb6.urdf:");
+  expect_text(output, ": link 'flange': is at (");
+  expect_text(output, " m, the model has it at (");
+  expect_nothing_moved(output);
+}
+
+TEST(WrongInput, ATransmissionThatReachesItsDeadCentreIsRefused) {
+  const std::string output =
+      run_with_changed_robot("irb6.toml", "synchro_length = 0.1838348", "synchro_length = 0.1238348");
+  expect_text(output, ": geometry.upper_arm_screw.synchro_length: the screw is ");
+  expect_nothing_moved(output);
+}
+
+TEST(WrongInput, AParameterFileWhoseNumbersDoNotGoTogetherIsRefused) {
+  const std::string output = run_with_changed_robot("irb6.toml", "motor_min = -470.0", "motor_min = -100.0");
+  expect_text(output, "process arm_edp died: exit code 2: ");
+  expect_text(output, ": axes[0].position_max: 2.87 is out of the motors' reach, expected ");
+  expect_nothing_moved(output);
+}
+
+TEST(WrongInput, AnMpThatAsksForARobotThatTheDeploymentDoesNotHave) {
+  const ScratchFolder folder;
+  const auto file = folder.write("names.toml",
+                                 "[deployment]\nname = \"names\"\n[mp]\nprogram = \"press_mp\"\n"
+                                 "[robots.other]\ntype = \"irb6\"\nhardware = \"loopback\"\n");
+  const std::string output = run_mrroc({"run", file.string()}, kTaskFailed);
+  expect_text(output, "process mp died: exit code 1: ");
+  expect_text(output, "the deployment has no robot 'arm', it has: other");
+  expect_nothing_moved(output);
+}
+
+TEST(WrongInput, AnEcpThatAsksForASensorThatTheDeploymentDoesNotHave) {
+  const ScratchFolder folder;
+  const auto file = folder.write("sensors.toml",
+                                 "[deployment]\nname = \"sensors\"\n[robots.arm]\ntype = \"irb6\"\nhardware = "
+                                 "\"loopback\"\nprogram = \"press_ecp\"\n");
+  const std::string output = run_mrroc({"run", file.string()}, kTaskFailed);
+  expect_text(output, "process arm died: exit code 1: ");
+  expect_text(output, "the deployment has no sensor 'wrist', it has: none");
+  expect_nothing_moved(output);
+}
+
+}  // namespace
+}  // namespace mrroc::test
