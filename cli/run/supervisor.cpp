@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/error_text.hpp"
 #include "mrroc/errors.hpp"
 #include "process/process.hpp"
 
@@ -140,8 +141,10 @@ void Supervisor::take(const links::TaskStatus& status) {
   result_.ticks = status.tick;
   if (status.state == TaskState::failed)
     fail(process::exit_code(status.error.error_class),
-         std::string{describe(status.error.error_class)} + ": " + std::string{describe(status.error.code)} + ": " +
-             std::string{status.error.detail.view()} + watched_.black_boxes.told());
+         error_text(
+             status.error.error_class, status.error.code, std::string{status.error.detail.view()},
+             {std::string{status.process.view()}, std::string{status.device.view()}, status.step, status.error_tick}) +
+             watched_.black_boxes.told());
   else if (status.state == TaskState::stopped)
     fail(process::ExitCode::stopped, "stopped by the operator");
   else

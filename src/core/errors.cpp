@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/error_text.hpp"
+
 namespace mrroc {
 
 std::string_view describe(ErrorCode code) noexcept {
@@ -108,9 +110,7 @@ std::string_view describe(ErrorClass error_class) noexcept {
   return "unknown class of error";
 }
 
-namespace {
-
-std::string compose(ErrorClass error_class, ErrorCode code, const std::string& detail, const ErrorOrigin& origin) {
+std::string error_text(ErrorClass error_class, ErrorCode code, const std::string& detail, const ErrorOrigin& origin) {
   std::string text{describe(error_class)};
   text.append(": ").append(describe(code));
   if (!detail.empty()) text.append(": ").append(detail);
@@ -127,22 +127,20 @@ std::string compose(ErrorClass error_class, ErrorCode code, const std::string& d
   return text;
 }
 
-}  // namespace
-
 Error::Error(ErrorClass error_class, ErrorCode code, std::string detail, ErrorOrigin origin)
     : std::runtime_error(detail),
       class_(error_class),
       code_(code),
       detail_(std::move(detail)),
       origin_(std::move(origin)),
-      text_(compose(class_, code_, detail_, origin_)) {}
+      text_(error_text(class_, code_, detail_, origin_)) {}
 
 void Error::complete_origin(const ErrorOrigin& known) {
   if (origin_.process.empty()) origin_.process = known.process;
   if (origin_.device.empty()) origin_.device = known.device;
   if (origin_.step == 0) origin_.step = known.step;
   if (origin_.tick == 0) origin_.tick = known.tick;
-  text_ = compose(class_, code_, detail_, origin_);
+  text_ = error_text(class_, code_, detail_, origin_);
 }
 
 void Error::attach(std::shared_ptr<const BlackBox> black_box) noexcept {

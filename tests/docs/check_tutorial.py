@@ -1,0 +1,65 @@
+"""Follows docs/tutorials/first-task.md: writes its files into an empty folder, runs its commands, and compares what they print.
+
+A line `...` in an expected output stands for any lines. docs/examples/swing has the same files.
+
+Usage: check_tutorial.py SOURCE_DIR BINARY_DIR [-Dcache=entry ...]
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+
+def files_of(text):
+    return re.findall(r"^`([\w./]+)`:\n\n```\w+\n(.*?)^```", text, re.M | re.S)
+
+
+def commands_of(text):
+    """(command, expected output) of every console block."""
+    for block in re.findall(r"^```console\n(.*?)^```", text, re.M | re.S):
+        for command, output in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", block, re.M):
+            yield command, output
+
+
+def matches(expected, printed):
+    pattern = "".join(".*" if line == "..." else re.escape(line) + r"\n" for line in expected.splitlines())
+    return re.fullmatch(pattern, printed, re.S) is not None
+
+
+def main():
+    source, binary = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+    text = (source / "docs/tutorials/first-task.md").read_text(encoding="utf-8")
+    files = files_of(text)
+    example = source / "docs/examples/swing"
+    problems = []
+    for name, content in files:
+        if not (example / name).is_file() or (example / name).read_text(encoding="utf-8") != content:
+            problems.append(f"docs/examples/swing/{name} differs from the tutorial's")
+    problems += [f"docs/examples/swing/{path.relative_to(example)} is not in the tutorial" for path in example.rglob("*")
+                 if path.is_file() and path.relative_to(example).as_posix() not in dict(files)]
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("MRROC_")}
+    environment["mrroc"] = str(binary)
+    ran = 0
+    with tempfile.TemporaryDirectory(prefix="mrroc_tutorial_") as scratch:
+        for name, content in files:
+            path = pathlib.Path(scratch) / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(content, encoding="utf-8")
+        for command, expected in commands_of(text):
+            if problems:
+                break
+            ran += 1
+            options = " ".join(sys.argv[3:]) if command.startswith("cmake -B") else ""
+            done = subprocess.run(f"{command} {options}", shell=True, cwd=scratch, env=environment, stdin=subprocess.DEVNULL,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+            if done.returncode != 0 or not matches(expected, done.stdout):
+                problems.append(f"$ {command}\nexit code {done.returncode}, printed:\n{done.stdout}expected:\n{expected}")
+    print("\n".join(problems) or f"{len(files)} files, {ran} commands")
+    return 1 if problems or ran < 5 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
