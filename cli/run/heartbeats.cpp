@@ -2,6 +2,13 @@
 
 namespace mrroc::cli {
 
+std::vector<std::string> Heartbeats::missing(const std::vector<std::string>& processes) const {
+  std::vector<std::string> names;
+  for (const std::string& process : processes)
+    if (!statuses_.contains(process)) names.push_back(process);
+  return names;
+}
+
 void Heartbeats::expect(const std::vector<std::string>& processes, double now) {
   for (const std::string& process : processes) heard_[process] = now;
 }

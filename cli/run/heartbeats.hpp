@@ -14,6 +14,8 @@ class Heartbeats {
   /// `timeout`: s without a sign of life after which a process counts as silent.
   explicit Heartbeats(double timeout) : timeout_(timeout) {}
 
+  /// Those of which no status has come yet.
+  std::vector<std::string> missing(const std::vector<std::string>& processes) const;
   /// From now on each of them is expected to beat.
   void expect(const std::vector<std::string>& processes, double now);
   /// Takes a status; false when it is the last one again.

@@ -194,6 +194,8 @@ std::vector<std::string> Runner::not_ready() {
   std::vector<std::string> missing = clock_.wait_ready(0);
   const std::vector<std::string> elsewhere = hosts_->missing();
   missing.insert(missing.end(), elsewhere.begin(), elsewhere.end());
+  // with keys, a process may be ready before this one has finished its own hand-shake with it
+  if (missing.empty()) missing = supervisor_.without_status();
   return missing;
 }
 

@@ -45,6 +45,8 @@ class Supervisor {
   /// From now on these are looked at, too; they outlive the supervisor's last turn.
   void watch(RemoteHosts& hosts) { hosts_ = &hosts; }
   void watch(RunLinks& links) { links_ = &links; }
+  /// The processes that have not reported any status yet.
+  std::vector<std::string> without_status() const { return heartbeats_.missing(names_of(watched_.plan)); }
   /// All processes are ready and the clock starts: from now on each is expected to beat.
   void task_starts();
   bool task_started() const noexcept { return task_started_; }

@@ -31,6 +31,15 @@ TEST(Heartbeats, TheSameWordOnceMoreIsNoSignOfLife) {
   EXPECT_EQ(beats.silent(1.75), "arm");
 }
 
+TEST(Heartbeats, NamesTheProcessesThatHaveNotReported) {
+  Heartbeats beats(1);
+  EXPECT_EQ(beats.missing({"arm", "sim"}), (std::vector<std::string>{"arm", "sim"}));
+  beats.take(status_of("arm", 1), 0);
+  EXPECT_EQ(beats.missing({"arm", "sim"}), (std::vector<std::string>{"sim"}));
+  beats.take(status_of("sim", 1), 0);
+  EXPECT_EQ(beats.missing({"arm", "sim"}), (std::vector<std::string>{}));
+}
+
 TEST(Heartbeats, WhoIsNotExpectedMayBeSilent) {
   Heartbeats beats(1);
   beats.expect({"arm"}, 0);
