@@ -6,6 +6,9 @@ set(MRROC_PUBLIC_HEADERS
   src/config/resources.hpp
   src/config/robot_parameters_file.hpp
   src/config/table.hpp
+  vsp/noise.hpp
+  vsp/parameters.hpp
+  vsp/reading_error.hpp
   vsp/shell.hpp
   vsp/source.hpp
   vsp/virtual_sensor.hpp
