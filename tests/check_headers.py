@@ -1,4 +1,4 @@
-"""Compares the lists of installed headers with what the public headers include: nothing is missing, nothing is there for nobody.
+"""Compares the lists of installed headers with what the public headers include: none is missing, none is superfluous.
 
 Usage: check_headers.py SOURCE_DIR
 """
@@ -30,13 +30,13 @@ def main():
     public, included = listed(text, "MRROC_PUBLIC_HEADERS"), listed(text, "MRROC_INCLUDED_HEADERS")
     whole = [path for top in FOLDERS for path in (root / top).rglob("*.hpp")] + list(root.glob("sensors/*/include/**/*.hpp"))
     seen = {path.relative_to(root).as_posix() for path in whole} | set(public)
-    wanted, todo = set(), sorted(seen)
-    while todo:
-        for name in included_by(root, todo.pop()):
+    wanted, unread = set(), sorted(seen)
+    while unread:
+        for name in included_by(root, unread.pop()):
             if name not in seen:
                 seen.add(name)
                 wanted.add(name)
-                todo.append(name)
+                unread.append(name)
     problems = [f"cmake/MrrocHeaders.cmake: {name} is included by a public header and not installed" for name in sorted(wanted - set(included))]
     problems += [f"cmake/MrrocHeaders.cmake: {name} is installed and no public header includes it" for name in sorted(set(included) - wanted)]
     print("\n".join(problems) or f"{len(public)} public headers beside folders, {len(included)} that they include")

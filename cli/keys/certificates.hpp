@@ -18,7 +18,7 @@ PrivateKey new_private_key();
 /// What a certificate is for: to sign others and documents, or to be a process of a deployment.
 enum class CertificateUse { authority, identity };
 
-/// A certificate of `name` for `key`, signed by `issuer` with `issuer_key`; `issuer` null: on its own. Valid 2000 to
+/// A certificate of `name` for `key`, signed by `issuer` with `issuer_key`; `issuer` null: self-signed. Valid 2000 to
 /// 2099.
 Certificate certify(const std::string& name, EVP_PKEY* key, CertificateUse use, X509* issuer, EVP_PKEY* issuer_key);
 

@@ -15,10 +15,9 @@ struct EqualRuns {
   std::filesystem::path states;      ///< folder of the snapshots that the first has saved
 };
 
-/// Runs the deployment three times in lockstep, each for at most `patience` s: two runs side by side, then one alone.
-/// Expects that all succeed and that all have the same trace, which keeps the laws and is read to the last bit. The
-/// files are in `folder`. With a sanitizer two runs.
-EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& folder,
+/// Runs the deployment `runs` times in lockstep, two at a time, each for at most `patience` s. Expects that all succeed
+/// and that all have the same trace, which keeps the laws and is read to the last bit. The files are in `folder`.
+EqualRuns expect_equal_runs(const std::string& deployment, int runs, const ScratchFolder& folder,
                             int patience = MrrocRun::kPatience);
 
 }  // namespace mrroc::test
