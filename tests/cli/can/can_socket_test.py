@@ -6,7 +6,7 @@ import subprocess
 import sys
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 EDS = str(ROOT / "src/canopen/cia402.eds")
 MRROC = sys.argv.pop(1)
 
