@@ -3,8 +3,10 @@
 //
 // For every robot of robots/: poses of random postures within joint and motor limits, asked for as JointLine does
 // (posture_of) from home and from another random posture; then the poses of singular postures (each revolute joint in
-// turn at a multiple of a right angle). "single" is RobotModel::inverse alone, "all" is nearest_posture, for the poses
-// that the former takes within the limits, each in processor time of this thread; the ratio is that of the medians.
+// turn at a multiple of a right angle). Both times are of a posture that may be sent, joint and motor limits judged:
+// "single" of the branch that is near (ToolKinematics::follow, within_limits), "all" of the best of all branches
+// (nearest_posture), for poses of which the former is within the limits; processor time of this thread, the ratio is
+// that of the medians.
 // A robot that refuses more than the bar, or is slower than the bar, makes the exit code 1.
 #include <time.h>
 
@@ -105,8 +107,12 @@ class Reach {
   void measure(const Pose& pose, const JointVector& near, std::vector<double>& single, std::vector<double>& all) {
     JointVector joints;
     if (kinematics_.follow(pose, near, joints) != ErrorCode::none || !within_limits(model_, joints)) return;
-    single.push_back(us_per_call([&] { kinematics_.follow(pose, near, joints); }));
+    bool sent = true;
+    single.push_back(us_per_call([&] {
+      sent = kinematics_.follow(pose, near, joints) == ErrorCode::none && within_limits(model_, joints) && sent;
+    }));
     all.push_back(us_per_call([&] { joints = nearest_posture(kinematics_, pose, near).joints; }));
+    if (!sent) throw std::logic_error("the same call gave another result");
   }
 
   const RobotModel& model_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstdlib>
 
 namespace mrroc::test {
 
@@ -16,6 +17,12 @@ inline constexpr bool kSanitized = false;
 template <std::integral Count>
 constexpr Count repetitions(Count times) {
   return kSanitized ? std::max(Count{2}, times / 10) : times;
+}
+
+/// How often whole runs are tried, each at another moment or with another seed: `usual` times in the suite, `thorough`
+/// times with MRROC_TEST_THOROUGH in the environment; with a sanitizer a tenth, at least 2.
+inline int tries(int usual, int thorough) {
+  return repetitions(std::getenv("MRROC_TEST_THOROUGH") != nullptr ? thorough : usual);
 }
 
 }  // namespace mrroc::test

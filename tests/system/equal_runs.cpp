@@ -7,11 +7,13 @@
 #include <set>
 
 #include "cli/trace/mutations.hpp"
+#include "repetitions.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test {
 
-EqualRuns expect_equal_runs(const std::string& deployment, int runs, const ScratchFolder& folder, int patience) {
+EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& folder, int patience) {
+  const int runs = tries(3, 10);
   const auto trace = [&folder](int run) { return folder.path() / ("trace_" + std::to_string(run)); };
   EqualRuns left{{}, trace(0), folder.path() / "states"};
   std::filesystem::create_directory(left.states);

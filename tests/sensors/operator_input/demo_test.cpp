@@ -21,7 +21,7 @@ std::filesystem::path demo_with(const ScratchFolder& folder, std::size_t events)
 
 TEST(OperatorInputDemo, EventsAnswerAtTheirTicksOnEveryRun) {
   const ScratchFolder folder;
-  const EqualRuns runs = expect_equal_runs(kDemo, 5, folder);
+  const EqualRuns runs = expect_equal_runs(kDemo, folder);
   for (const std::string& output : runs.outputs)
     EXPECT_NE(output.find("2 parts of 3.75 kg together"), std::string::npos) << output;
   const std::string text = text_of(runs.trace);

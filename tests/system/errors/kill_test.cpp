@@ -31,7 +31,7 @@ pid_t await_child(MrrocRun& run, const std::string& name) {
 }
 
 /// Clock, how many times, and the process to kill.
-class Kill : public testing::TestWithParam<std::tuple<std::pair<const char*, int>, const char*>> {};
+class Kill : public testing::TestWithParam<std::tuple<std::tuple<const char*, int, int>, const char*>> {};
 
 /// Kills the process `name` of a run `delay` ms after it has come to be.
 void kill_one(const std::vector<std::string>& arguments, const std::string& name, std::uint_fast32_t delay) {
@@ -49,11 +49,11 @@ void kill_one(const std::vector<std::string>& arguments, const std::string& name
 }
 
 TEST_P(Kill, AnyProcessIsNamedAndTheRestEnds) {
-  const auto [clock, times] = std::get<0>(GetParam());
+  const auto [clock, usual, thorough] = std::get<0>(GetParam());
   const std::string name = std::get<1>(GetParam());
   const std::set<std::string> before = shared_memory();
   std::mt19937 random(static_cast<unsigned>(name.front()));
-  for (int i = 0; i < repetitions(times) && !HasFailure(); ++i) {
+  for (int i = 0; i < tries(usual, thorough) && !HasFailure(); ++i) {
     // some die while the deployment is being set up, most in the middle of the task
     kill_one({"run", "tasks/press/press.toml", "--clock", clock}, name, random() % 900);
   }
@@ -63,12 +63,12 @@ TEST_P(Kill, AnyProcessIsNamedAndTheRestEnds) {
 const auto kProcesses = testing::Values("mp", "arm", "arm_edp", "wrist", "gate", "sim");
 
 std::string name_of(const testing::TestParamInfo<Kill::ParamType>& test) {
-  return std::string{std::get<0>(test.param).first} + "_" + std::get<1>(test.param);
+  return std::string{std::get<0>(std::get<0>(test.param))} + "_" + std::get<1>(test.param);
 }
 
-INSTANTIATE_TEST_SUITE_P(Simulated, Kill, testing::Combine(testing::Values(std::pair{"paced", 20}), kProcesses),
+INSTANTIATE_TEST_SUITE_P(Simulated, Kill, testing::Combine(testing::Values(std::tuple{"paced", 6, 20}), kProcesses),
                          name_of);
-INSTANTIATE_TEST_SUITE_P(Real, Kill, testing::Combine(testing::Values(std::pair{"real", 5}), kProcesses), name_of);
+INSTANTIATE_TEST_SUITE_P(Real, Kill, testing::Combine(testing::Values(std::tuple{"real", 3, 5}), kProcesses), name_of);
 
 class KillInLockstep : public testing::TestWithParam<const char*> {};
 
@@ -81,7 +81,7 @@ TEST_P(KillInLockstep, AnyProcessIsNamedAndTheRestEnds) {
                                                         "source = \"replay\"\nreplay = \"" MRROC_SOURCE_DIR
                                                         "/tasks/press_replay/gate.txt\"\n");
   std::mt19937 random(1);
-  for (int i = 0; i < repetitions(20) && !HasFailure(); ++i)
+  for (int i = 0; i < tries(6, 20) && !HasFailure(); ++i)
     kill_one({"run", deployment.string()}, GetParam(), random() % 600);
 }
 

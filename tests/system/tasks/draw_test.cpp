@@ -4,7 +4,6 @@
 #include <fstream>
 #include <map>
 
-#include "repetitions.hpp"
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
 
@@ -60,7 +59,7 @@ std::vector<Stroke> strokes_of(const std::filesystem::path& trace) {
 
 TEST(Draw, EveryStrokeIsOnItsPathOnEveryRun) {
   const ScratchFolder folder;
-  const auto trace = expect_equal_runs("tasks/draw/draw.toml", repetitions(5), folder).trace;
+  const auto trace = expect_equal_runs("tasks/draw/draw.toml", folder).trace;
 
   std::map<std::string, int> drawn;
   for (const Stroke& stroke : strokes_of(trace)) {

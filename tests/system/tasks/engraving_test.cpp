@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "config/deployment.hpp"
-#include "repetitions.hpp"
 #include "sim/scene/model.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
@@ -96,7 +95,7 @@ std::filesystem::path deployment_with(const ScratchFolder& folder, const std::st
 
 TEST(Engraving, CarvesTheInscriptionATenthOfAMillimetreExactIntoABoardThatItHasTouched) {
   const ScratchFolder folder;
-  const EqualRuns runs = expect_equal_runs(kDeployment, repetitions(5), folder, MrrocRun::kLongPatience);
+  const EqualRuns runs = expect_equal_runs(kDeployment, folder, MrrocRun::kLongPatience);
   for (const std::string& output : runs.outputs)
     EXPECT_NE(output.find("touched 44 times"), std::string::npos) << output;
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "repetitions.hpp"
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
@@ -37,7 +36,7 @@ std::vector<Step> way_along(const std::filesystem::path& trace) {
 
 TEST(Follow, PressesACurvedSurfaceWith10NewtonAt50MillimetresPerSecond) {
   const ScratchFolder folder;
-  const auto trace = expect_equal_runs(kDeployment, repetitions(5), folder).trace;
+  const auto trace = expect_equal_runs(kDeployment, folder).trace;
 
   const std::vector<Step> steps = way_along(trace);
   ASSERT_GT(steps.size(), 100u);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "repetitions.hpp"
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
@@ -47,7 +46,7 @@ std::vector<Trial> trials_of(const std::filesystem::path& trace) {
 
 TEST(Insert, PutsThePegIntoTheHoleFromTenPlacesUpTo2MillimetresBesideIt) {
   const ScratchFolder folder;
-  const auto trace = expect_equal_runs(kDeployment, repetitions(5), folder).trace;
+  const auto trace = expect_equal_runs(kDeployment, folder).trace;
 
   const std::vector<Trial> trials = trials_of(trace);
   ASSERT_EQ(trials.size(), 10u);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "repetitions.hpp"
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
@@ -41,8 +40,7 @@ Place last_place(const std::filesystem::path& trace, const std::string& generato
 
 TEST(Inspect, BringsTheGaugeSquareBeforeAPlateThatItsCameraHasFound) {
   const ScratchFolder folder;
-  const EqualRuns runs =
-      expect_equal_runs("tasks/inspect/inspect.toml", repetitions(5), folder, MrrocRun::kLongPatience);
+  const EqualRuns runs = expect_equal_runs("tasks/inspect/inspect.toml", folder, MrrocRun::kLongPatience);
   ASSERT_FALSE(testing::Test::HasFailure());
   struct Expected {
     const char* generator;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "repetitions.hpp"
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
@@ -40,7 +39,7 @@ std::vector<Step> steps_of(const std::filesystem::path& trace, const std::string
 
 TEST(Polish, PressesTheWorkpieceAlongLinesWithItsToolTurnedToTheNormal) {
   const ScratchFolder folder;
-  const EqualRuns runs = expect_equal_runs(kDeployment, repetitions(5), folder, MrrocRun::kLongPatience);
+  const EqualRuns runs = expect_equal_runs(kDeployment, folder, MrrocRun::kLongPatience);
   ASSERT_FALSE(testing::Test::HasFailure());
   const std::string& output = runs.outputs[0];
   std::size_t touched = 0;

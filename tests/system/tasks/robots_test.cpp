@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "repetitions.hpp"
 #include "system/equal_runs.hpp"
 #include "text_of.hpp"
 
@@ -23,7 +22,7 @@ class Demo : public testing::TestWithParam<std::string> {};
 TEST_P(Demo, ToursItsWorkspaceTheSameWay) {
   const ScratchFolder folder;
   const std::string deployment = "robots/" + GetParam() + "/demo.toml";
-  const EqualRuns runs = expect_equal_runs(deployment, repetitions(10), folder);
+  const EqualRuns runs = expect_equal_runs(deployment, folder);
   EXPECT_NE(text_of(runs.trace).find(" move="), std::string::npos) << "nothing has moved";
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <fstream>
 
-#include "repetitions.hpp"
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
@@ -67,7 +66,7 @@ double farthest(const Places& places, const Places& way) {
 
 TEST(Teach, WhatWasTaughtIsReplayed) {
   const ScratchFolder folder;
-  const EqualRuns runs = expect_equal_runs(kDeployment, repetitions(5), folder, MrrocRun::kLongPatience);
+  const EqualRuns runs = expect_equal_runs(kDeployment, folder, MrrocRun::kLongPatience);
   ASSERT_FALSE(testing::Test::HasFailure());
   EXPECT_NE(runs.outputs[0].find("the handle weighs 0.4"), std::string::npos) << runs.outputs[0];
   const std::vector<Motion> motions = motions_of_arm(runs.trace);

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "config/deployment.hpp"
-#include "repetitions.hpp"
 #include "sim/scene/model.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
@@ -48,7 +47,7 @@ int parts_in_place(const sim::WorldState& state) {
 
 TEST(TrackAndPick, PicksTwentyOfTwentyPartsFromABeltAt150MillimetresPerSecond) {
   const ScratchFolder folder;
-  const EqualRuns runs = expect_equal_runs(kDeployment, repetitions(5), folder, MrrocRun::kLongPatience);
+  const EqualRuns runs = expect_equal_runs(kDeployment, folder, MrrocRun::kLongPatience);
   for (const std::string& output : runs.outputs) {
     for (int part = 1; part <= kParts; ++part) {
       const std::string line = "part " + std::to_string(part) + " picked";
