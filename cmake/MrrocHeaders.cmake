@@ -4,6 +4,7 @@ set(MRROC_PUBLIC_HEADERS
   edp/hardware.hpp
   edp/shell.hpp
   src/config/resources.hpp
+  src/config/robot_files.hpp
   src/config/robot_parameters_file.hpp
   src/config/table.hpp
   vsp/noise.hpp
@@ -16,6 +17,7 @@ set(MRROC_PUBLIC_HEADERS
 
 # What the public ones include: no names for users, they may move. `headers` of ctest compares this list with the sources.
 set(MRROC_INCLUDED_HEADERS
+  edp/safety/fault.hpp
   src/clock/clock.hpp
   src/clock/emergency_stop.hpp
   src/clock/gate.hpp

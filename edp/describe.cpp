@@ -47,19 +47,24 @@ void print_limits(const RobotParameters& parameters) {
   }
 }
 
-int describe_robot(int argc, char** argv, const RobotModels& models) {
+int describe_robot(int argc, char** argv, const ModelFactory& factory) {
   int points = 10'000;
   std::uint64_t seed = 1;
-  std::string name{models.front()->name()};
+  std::string name;
+  std::filesystem::path parameters;
   CLI::App app{"What this EDP knows of its robot"};
   app.require_subcommand(1);
-  const CLI::App* limits = app.add_subcommand("limits", "Markdown table of the axes' limits");
+  CLI::App* limits = app.add_subcommand("limits", "Markdown table of the axes' limits");
   CLI::App* workspace = app.add_subcommand("workspace", "random tool positions within the limits, x y z in m");
   command::add_number(*workspace, "--points", points, 1, 10'000'000, "how many");
   command::add_number<std::uint64_t>(*workspace, "--seed", seed, 0, std::numeric_limits<std::uint64_t>::max(),
                                      "of the random joints");
   workspace->add_option("--model", name, "kinematic model");
+  for (CLI::App* each : {limits, workspace})
+    each->add_option("--parameters", parameters, "parameter file, in place of the type's own");
   if (const auto exit_code = command::parse_command(app, argc, argv)) return *exit_code;
+  const RobotModels models = factory(parameters);
+  if (name.empty()) name = models.front()->name();
   if (limits->parsed()) {
     print_limits(models.front()->parameters());
     command::finish_output();
@@ -79,9 +84,9 @@ int describe_robot(int argc, char** argv, const RobotModels& models) {
 
 bool describes(std::string_view argument) noexcept { return argument == "limits" || argument == "workspace"; }
 
-int describe(int argc, char** argv, const RobotModels& models) try {
+int describe(int argc, char** argv, const ModelFactory& factory) try {
   signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
-  return describe_robot(argc, argv, models);
+  return describe_robot(argc, argv, factory);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", command::printable_lines(error.what()).c_str());
   return 4;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "edp/safety/fault.hpp"
 #include "mrroc/errors.hpp"
 #include "mrroc/signals.hpp"
 #include "mrroc/types.hpp"
@@ -31,8 +32,7 @@ struct HardwareInput {
   bool synchronised = false;          ///< positions are absolute; else they count from where the power came on
   ErrorCode fault = ErrorCode::none;  ///< drive_fault, hardware_silent, ... ; `none` when all is well
   int fault_axis = -1;                ///< whose; -1: the whole robot's
-  double fault_value = 0;             ///< the drive's own code, or what was measured
-  double fault_limit = 0;             ///< what was allowed
+  FaultDetail fault_detail{};         ///< more about it
   std::array<AxisSwitches, kMaxJoints> switches{};
   Signals inputs;                ///< of the controller's terminals
   Homing homing = Homing::none;  ///< of the axis given to `home`

@@ -111,8 +111,8 @@ class Shell {
   }
 
   RobotModels load_models(const ModelFactory& factory) const {
-    RobotModels models = factory();
-    check_robot(models, place_.entry.type);
+    RobotModels models = factory(place_.entry.parameters);
+    check_robot(models, place_.entry.type, place_.entry.files());
     return models;
   }
 
@@ -186,7 +186,7 @@ class Shell {
   /// The drives are on, or a fault keeps them off: from now on every command has its answer.
   bool switched_on() noexcept {
     const Snapshot* snapshot = effector_.snapshot();
-    return snapshot != nullptr && (snapshot->enabled || snapshot->fault.code != ErrorCode::none);
+    return snapshot != nullptr && (snapshot->enabled() || snapshot->fault.code != ErrorCode::none);
   }
 
   /// The state e_l of the newest tick, to the sensors that want it.
@@ -244,7 +244,7 @@ class Shell {
 
 int run(int argc, char** argv, const ModelFactory& factory) {
   process::open_standard_files();
-  if (argc > 1 && describes(argv[1])) return describe(argc, argv, factory());
+  if (argc > 1 && describes(argv[1])) return describe(argc, argv, factory);
   return process::run_process(argc, argv, links::ProcessRole::edp, [&factory](process::Process& process) {
     // on the heap: the hand-over's queues are larger than a stack should be
     std::make_unique<Shell>(process, factory)->serve();

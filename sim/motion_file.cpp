@@ -38,8 +38,7 @@ std::string MotionFile::close() {
 }
 
 void MotionFile::write_limits(const config::RobotEntry& robot) {
-  const auto file = config::robot_file(robot.type, robot.type + ".toml");
-  const RobotParameters parameters = config::read_robot_parameters(config::Table::load(file));
+  const RobotParameters parameters = config::read_robot_parameters(config::Table::load(robot.files().parameters));
   std::fprintf(file_, "# limits %s", robot.name.c_str());
   for (const AxisParameters& axis : parameters.axes) std::fprintf(file_, " %.9g", axis.position_min);
   for (const AxisParameters& axis : parameters.axes) std::fprintf(file_, " %.9g", axis.position_max);

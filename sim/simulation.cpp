@@ -61,8 +61,7 @@ Composition compose(const config::Deployment& deployment) {
         std::any_of(deployment.sensors.begin(), deployment.sensors.end(), [&](const config::SensorEntry& sensor) {
           return in_world(sensor) && sensor.type == "force_torque" && sensor.robot == robot.name;
         });
-    parts.push_back(
-        {robot.name, config::robot_file(robot.type, robot.type + ".xml"), robot.base, force_torque, robot.mount});
+    parts.push_back({robot.name, robot.files().mjcf, robot.base, force_torque, robot.mount});
   }
   return compose(sim_entry(deployment).scene, parts);
 }
@@ -73,8 +72,7 @@ Simulation::Simulation(const config::Deployment& deployment, world::WorldMemory&
     const config::RobotEntry& robot = deployment.robots[i];
     if (!in_world(robot)) continue;
     check_emergency_stop(world_.model(), deployment, robot);
-    const auto file = config::robot_file(robot.type, robot.type + ".toml");
-    const RobotParameters parameters = config::read_robot_parameters(config::Table::load(file));
+    const RobotParameters parameters = config::read_robot_parameters(config::Table::load(robot.files().parameters));
     std::vector<std::string> joints;
     for (const AxisParameters& axis : parameters.axes) joints.push_back(axis.name);
     robots_.push_back(

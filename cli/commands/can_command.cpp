@@ -79,8 +79,9 @@ struct MonitorArguments {
 
 /// The drives of a robot of this type: the type's own table, or `file`.
 config::DriveTable drives_of(const std::string& type, std::filesystem::path file) {
-  const auto parameters = config::read_robot_parameters(config::Table::load(config::robot_file(type, type + ".toml")));
-  if (file.empty()) file = config::robot_file(type, type + "_drives.toml");
+  const config::RobotFiles files = config::robot_files(type);
+  const auto parameters = config::read_robot_parameters(config::Table::load(files.parameters));
+  if (file.empty()) file = files.drives;
   return config::read_drive_table(file, parameters);
 }
 

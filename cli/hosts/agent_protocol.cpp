@@ -96,7 +96,7 @@ std::vector<std::pair<std::string, std::filesystem::path>> input_files(const con
   if (deployment.sim) files.emplace_back("sim.scene", deployment.sim->scene);
   for (const config::RobotEntry& robot : deployment.robots) {
     const std::string key = std::string("robots.").append(robot.name);
-    files.emplace_back(key + ".type", config::robot_file(robot.type, robot.type + ".toml"));
+    files.emplace_back(key + (robot.parameters.empty() ? ".type" : ".parameters"), robot.files().parameters);
     if (robot.can) files.emplace_back(key + ".can.drives", robot.can->drives);
   }
   for (const config::SensorEntry& sensor : deployment.sensors)

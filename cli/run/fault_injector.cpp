@@ -20,12 +20,12 @@ int signal_of(faults::Kind kind) {
   return kind == faults::Kind::end ? SIGTERM : SIGKILL;
 }
 
-[[noreturn]] void refuse(const faults::Fault& fault, const std::string& why) {
+[[noreturn]] void refuse(const faults::InjectedFault& fault, const std::string& why) {
   throw std::invalid_argument("the fault \"" + fault.text + "\": " + why);
 }
 
 /// The process `name` of the fault, here.
-const PlannedProcess& find(const faults::Fault& fault, const std::vector<PlannedProcess>& plan,
+const PlannedProcess& find(const faults::InjectedFault& fault, const std::vector<PlannedProcess>& plan,
                            const std::string& name) {
   std::string known;
   for (const PlannedProcess& process : plan) {
@@ -43,7 +43,7 @@ FaultInjector::FaultInjector(const std::vector<std::string>& texts, const std::v
                              clock::ClockHost& clock, const Crew& crew, bool simulated,
                              std::function<void(const std::string&)> show)
     : plan_(texts), clock_(clock), crew_(crew), simulated_(simulated), show_(std::move(show)) {
-  for (const faults::Fault& fault : plan_.all()) {
+  for (const faults::InjectedFault& fault : plan_.all()) {
     find(fault, plan, fault.process);
     if (fault.at_step && !find(fault, plan, fault.counter).has_task)
       refuse(fault, "'" + fault.counter + "' counts no steps, expected mp or the name of a robot");
@@ -52,7 +52,7 @@ FaultInjector::FaultInjector(const std::vector<std::string>& texts, const std::v
 
 void FaultInjector::schedule() {
   for (std::size_t i = 0; i < plan_.all().size(); ++i) {
-    const faults::Fault& fault = plan_.all()[i];
+    const faults::InjectedFault& fault = plan_.all()[i];
     if (!fault.at_step) clock_.set_off_fault(i, fault.when);
     const Tick first = fault.at_step ? 1 : fault.when;
     clock_.at_tick(first, [this, i, first] { look(i, first); });
@@ -65,12 +65,12 @@ void FaultInjector::look(std::size_t index, Tick tick) {
     clock_.at_tick(tick + 1, [this, index, tick] { look(index, tick + 1); });
     return;
   }
-  const faults::Fault& fault = plan_.all()[index];
+  const faults::InjectedFault& fault = plan_.all()[index];
   if (faults::is_signal(fault.kind)) strike(fault);
 }
 
 /// Sends the signal and waits until it has acted, so that in simulated time no tick goes by.
-void FaultInjector::strike(const faults::Fault& fault) {
+void FaultInjector::strike(const faults::InjectedFault& fault) {
   const Child* const child = crew_.find(fault.process);
   if (child == nullptr) return;
   const std::int64_t now = clock::monotonic_ns();

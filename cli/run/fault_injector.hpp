@@ -39,7 +39,7 @@ class FaultInjector {
 
  private:
   void look(std::size_t index, Tick tick);
-  void strike(const faults::Fault& fault);
+  void strike(const faults::InjectedFault& fault);
 
   faults::FaultPlan plan_;
   clock::ClockHost& clock_;

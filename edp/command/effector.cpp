@@ -212,9 +212,9 @@ bool Effector::poll(Reply& reply) noexcept {
     Outstanding* entry = nullptr;
     for (Outstanding& candidate : outstanding_)
       if (candidate.used && candidate.ticket == report->ticket) entry = &candidate;
-    const Report::Outcome outcome = report->outcome;
+    const Report::Kind kind = report->kind;
     bool answered = entry != nullptr;
-    if (entry != nullptr && outcome == Report::Outcome::refused) {
+    if (entry != nullptr && kind == Report::Kind::refused) {
       ErrorReport error = refuse(entry->command);
       if (!bad(error) && snapshot_->interruptions != entry->interruptions)
         error = snapshot_->interruption;  // told to the command before, which its sender had not heard of
@@ -227,12 +227,12 @@ bool Effector::poll(Reply& reply) noexcept {
     } else if (entry != nullptr) {
       const Snapshot& then = report->snapshot;
       reply.command = entry->number;
-      if (outcome == Report::Outcome::reply) {
+      if (kind == Report::Kind::reply) {
         macrostep_start_ = report->start;
         if (then.epoch == epoch_) begun(*entry, report->start);
       }
       fill(then, then.end, then.end_tick, reply.state);
-      if (outcome == Report::Outcome::aborted && then.fault.code == ErrorCode::none) {
+      if (kind == Report::Kind::aborted && then.fault.code == ErrorCode::none) {
         const bool interrupted = then.interruptions != interruptions_told_;
         reply.state.error =
             interrupted ? then.interruption
@@ -267,7 +267,7 @@ bool Effector::peek(RobotState& state) noexcept {
 
 void Effector::fill_present(RobotState& state) const noexcept {
   if (snapshot_ == nullptr) return;
-  if (snapshot_->enabled)
+  if (snapshot_->enabled())
     fill(*snapshot_, end_, std::max(end_tick_, snapshot_->tick), state);
   else
     fill(*snapshot_, snapshot_->end, snapshot_->end_tick, state);
@@ -295,7 +295,7 @@ void Effector::fill(const Snapshot& snapshot, const DesiredState& end, Tick end_
   state.outputs = snapshot.outputs;
   state.regulators = snapshot.regulators;
   state.synchronised = snapshot.synchronised;
-  state.enabled = snapshot.enabled;
+  state.enabled = snapshot.enabled();
   state.late_commands = counters_.late;
   state.error =
       snapshot.fault.code == ErrorCode::none ? ErrorReport{} : make_report(snapshot.fault, models_.parameters());

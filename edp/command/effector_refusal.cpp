@@ -10,7 +10,7 @@ namespace mrroc::edp {
 
 ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
   if (snapshot_->fault.code != ErrorCode::none) return make_report(snapshot_->fault, models_.parameters());
-  if (!snapshot_->enabled)
+  if (!snapshot_->enabled())
     return make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "at tick %llu",
                        static_cast<unsigned long long>(snapshot_->tick));
   if (snapshot_->interruptions != interruptions_told_) return snapshot_->interruption;

@@ -17,12 +17,12 @@ enum class DriveOrder : std::uint8_t {
 
 /// What became of one ticket; exactly one per accepted command, unless it is `refused` and handed over again.
 struct Report {
-  enum class Outcome : std::uint8_t {
+  enum class Kind : std::uint8_t {
     reply,    ///< tick v has come: the reply may leave
     refused,  ///< the servo had left the plan that the macrostep continues
     aborted   ///< the robot was stopped before tick v
   };
-  Outcome outcome = Outcome::reply;
+  Kind kind = Kind::reply;
   std::uint64_t ticket = 0;
   Tick start = 0;     ///< of the macrostep; 0 unless `reply`
   Snapshot snapshot;  ///< of the tick in which it happened

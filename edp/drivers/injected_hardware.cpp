@@ -20,7 +20,7 @@ void InjectedHardware::read(Tick tick, HardwareInput& input) noexcept {
   read_ = true;
 }
 
-void InjectedHardware::falsify(const faults::Fault& fault, HardwareInput& input) noexcept {
+void InjectedHardware::falsify(const faults::InjectedFault& fault, HardwareInput& input) noexcept {
   const auto axis = static_cast<Eigen::Index>(fault.axis);
   switch (fault.kind) {
     case Kind::fault:

@@ -34,7 +34,7 @@ class InjectedHardware final : public Hardware {
   void set_origin(const JointVector& shift) noexcept override { hardware_->set_origin(shift); }
 
  private:
-  void falsify(const faults::Fault& fault, HardwareInput& input) noexcept;
+  void falsify(const faults::InjectedFault& fault, HardwareInput& input) noexcept;
 
   std::unique_ptr<Hardware> hardware_;
   std::vector<faults::FaultSwitch> faults_;

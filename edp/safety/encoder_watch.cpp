@@ -20,10 +20,10 @@ EncoderWatch::Finding EncoderWatch::look(const JointVector& motors, Tick tick) n
   if (!jumped_) ticks_ = tick > tick_ ? static_cast<double>(tick - tick_) : 1.0;
   for (std::size_t i = 0; i < count_; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    if (!std::isfinite(motors[k])) return {static_cast<int>(i), motors[k], 0};
+    if (!std::isfinite(motors[k])) return {static_cast<int>(i), NotFinite{}};
     if (good_.size() == 0 || finding.axis >= 0) continue;
     const double jump = std::abs(motors[k] - good_[k]);
-    if (jump > ticks_ * way_[i]) finding = {static_cast<int>(i), jump, ticks_ * way_[i]};
+    if (jump > ticks_ * way_[i]) finding = {static_cast<int>(i), Excess{jump, ticks_ * way_[i]}};
   }
   jumped_ = finding.axis >= 0;
   if (jumped_) return finding;

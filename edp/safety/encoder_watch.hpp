@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "edp/safety/fault.hpp"
 #include "mrroc/robot_model.hpp"
 
 namespace mrroc::edp {
@@ -17,9 +18,8 @@ class EncoderWatch {
   static constexpr double kMargin = 6;
 
   struct Finding {
-    int axis = -1;     ///< -1: the readings may be true
-    double value = 0;  ///< how far from the last good reading, rad; NaN for one that is not finite
-    double limit = 0;  ///< how far at most
+    int axis = -1;         ///< -1: the readings may be true
+    FaultDetail detail{};  ///< how far from the last good reading and how far at most, rad; or NotFinite
   };
 
   /// `model`: any of the robot's; `period` in s.

@@ -69,7 +69,7 @@ Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const 
     const double over_all = full ? std::abs(joints[i] - oldest.joints[i]) / whole_time : 0.0;
     const double speed = i == homing ? over_all : std::max(over_all, next);
     const double limit = kOverspeed * axes[static_cast<std::size_t>(i)].velocity_max;
-    if (!(speed <= limit)) fault = {ErrorCode::overspeed, static_cast<int>(i), speed, limit};
+    if (!(speed <= limit)) fault = {ErrorCode::overspeed, static_cast<int>(i), Excess{speed, limit}};
     speed_[i] = shortest > 0 ? (joints[i] - last.joints[i]) / shortest : kUnknown;
   }
   return fault;
@@ -87,7 +87,7 @@ Fault MotionWatch::look_at_shafts(const RobotModel& model, const Seen& seen, int
     }
     const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
     const double way = std::abs(seen.desired_motors[i] - desired_there_[i]);
-    if (!(way <= axis.stuck_max)) fault = {ErrorCode::axis_stuck, static_cast<int>(i), way, axis.stuck_max};
+    if (!(way <= axis.stuck_max)) fault = {ErrorCode::axis_stuck, static_cast<int>(i), Excess{way, axis.stuck_max}};
     // a drive that homes moves on its own, in every mode
     const bool asked = seen.given || (seen.desired_motors[i] != desired_last_[i] && way > kTremble * increment(axis));
     const bool on_its_own = i == homing || !asked;
@@ -107,7 +107,7 @@ Fault MotionWatch::look_at_push(const RobotModel& model, const JointVector& join
     for (Eigen::Index j = pushed_.size(); j-- > 0;) {
       const double speed = std::abs(ratio(j, i) * pushed_[i]);
       const double limit = kPushed * axes[static_cast<std::size_t>(j)].velocity_max;
-      if (speed > limit) fault = {ErrorCode::axis_stuck, static_cast<int>(i), speed, limit};
+      if (speed > limit) fault = {ErrorCode::axis_stuck, static_cast<int>(i), Excess{speed, limit}};
     }
   }
   return fault;

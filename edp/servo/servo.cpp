@@ -55,7 +55,7 @@ bool Servo::tick(Tick tick) noexcept {
   measure(tick);
   obey_order();
   watch(tick);
-  if (enabled_) {
+  if (has_power(state_)) {
     previous_position_ = desired_.position;
     previous_motors_ = desired_motors_;
     const DesiredState before = desired_;
@@ -68,8 +68,8 @@ bool Servo::tick(Tick tick) noexcept {
       advance(tick);
       model_->joints_to_motors(desired_.position, desired_motors_);
     }
-    if (enabled_) regulate();
-    if (stopping_ && !running_) drives_off();
+    if (has_power(state_)) regulate();
+    if (state_ == ServoState::stopping && !running_) drives_off();
   } else {
     refuse_foreign();
     desired_ = DesiredState::resting_at(joints_);
@@ -84,7 +84,7 @@ bool Servo::tick(Tick tick) noexcept {
 void Servo::leave() noexcept {
   leaving_ = true;
   give_up_power();
-  if (enabled_ && !stopping_) stop_and_switch_off();
+  if (state_ == ServoState::on) stop_and_switch_off();
 }
 
 void Servo::obey_order() noexcept {
@@ -96,18 +96,16 @@ void Servo::obey_order() noexcept {
   if (order == DriveOrder::none) return;
   if (order == DriveOrder::disable) {
     give_up_power();
-    reset_ = false;
-    if (enabled_ && !stopping_) stop_and_switch_off();
+    if (state_ == ServoState::on) stop_and_switch_off();
   } else {
-    if (stopping_ || leaving_) return;  // first comes the end of the stop; the order waits
-    if (order == DriveOrder::recover && !enabled_ && !reset_) {
+    if (state_ == ServoState::stopping || leaving_) return;  // first comes the end of the stop; the order waits
+    if (order == DriveOrder::recover && state_ != ServoState::on && !is_cleared(state_)) {
       give_up_power();
       hardware_.reset_fault();
-      reset_ = true;
+      state_ = ServoState::cleared;
       return;  // the next reading tells whether the fault has gone
     }
-    if (!enabled_ && !switch_on()) return;
-    reset_ = false;
+    if (state_ != ServoState::on && !switch_on()) return;
   }
   ++orders_;
   // a newer order stays for the next tick
@@ -116,14 +114,14 @@ void Servo::obey_order() noexcept {
 
 /// Drives that are on their way to being on go off again.
 void Servo::give_up_power() noexcept {
-  if (powering_) hardware_.enable(false);
-  powering_ = false;
+  if (is_powering(state_)) hardware_.enable(false);
+  if (!has_power(state_)) state_ = ServoState::off;
 }
 
 /// False: not yet, the order waits.
 bool Servo::switch_on() noexcept {
   const bool refused = found_.code != ErrorCode::none;
-  if (hardware_.busy() && !(powering_ && refused)) return false;
+  if (hardware_.busy() && !(is_powering(state_) && refused)) return false;
   // the next reading is seen as joints of the other model; positions that are none of it are as good as unknown
   const bool other_model = input_.synchronised != (model_index_ != ModelSet::kShafts);
   if (hardware_.homes() && other_model && use(input_.synchronised ? 0 : ModelSet::kShafts)) return false;
@@ -132,9 +130,11 @@ bool Servo::switch_on() noexcept {
     give_up_power();
     return true;
   }
-  if (!powering_) hardware_.enable(true);
-  powering_ = hardware_.busy();
-  if (powering_) return false;
+  if (!is_powering(state_)) hardware_.enable(true);
+  if (hardware_.busy()) {
+    state_ = is_cleared(state_) ? ServoState::powering_cleared : ServoState::powering;
+    return false;
+  }
   ++epoch_;
   braking_ = false;
   desired_ = DesiredState::resting_at(joints_);
@@ -145,7 +145,7 @@ bool Servo::switch_on() noexcept {
   currents_.reset();
   motion_.reset();
   measured_increment_.setZero();
-  enabled_ = true;
+  state_ = ServoState::on;
   return true;
 }
 
@@ -160,7 +160,7 @@ bool Servo::publish(Tick tick) noexcept {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < pending_count_; ++i) {
     if (pending_[i].due <= tick && outbox_count_ < outbox_.size())
-      outbox_[outbox_count_++] = {Report::Outcome::reply, pending_[i].ticket, pending_[i].start};
+      outbox_[outbox_count_++] = {Report::Kind::reply, pending_[i].ticket, pending_[i].start};
     else
       pending_[kept++] = pending_[i];
   }
@@ -173,7 +173,7 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.current = input_.current;
   snapshot_.synchronised = input_.synchronised && model_index_ != ModelSet::kShafts;
   snapshot_.drives_home = hardware_.homes();
-  snapshot_.enabled = enabled_ && !stopping_;
+  snapshot_.state = state_;
   snapshot_.fault = fault_;
   snapshot_.switches = switches_.on();
   snapshot_.model = model_index_;
@@ -199,7 +199,7 @@ bool Servo::publish(Tick tick) noexcept {
   for (std::size_t i = 0; i < outbox_count_; ++i) {
     Report* const report = hand_over_.reports.free_place();
     if (report == nullptr) break;
-    report->outcome = outbox_[i].outcome;
+    report->kind = outbox_[i].kind;
     report->ticket = outbox_[i].ticket;
     report->start = outbox_[i].start;
     report->snapshot = snapshot_;

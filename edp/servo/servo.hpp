@@ -16,6 +16,7 @@
 #include "edp/servo/drive_homing.hpp"
 #include "edp/servo/emergency_latch.hpp"
 #include "edp/servo/regulator.hpp"
+#include "edp/servo/servo_state.hpp"
 #include "edp/servo/synchroniser.hpp"
 #include "language/stop.hpp"
 
@@ -29,12 +30,12 @@ namespace mrroc::edp {
 /// in motion and no successor has come by the next tick, the robot brakes within its limits from where it should be and
 /// holds there. At rest it holds the desired position.
 ///
-/// Life: it starts stopped, with the drives off. `enable` switches them on at the measured position, so nothing jumps,
-/// and clears a latched fault; while its cause lasts they stay off. A robot whose drives have lost their positions, but
-/// find them on their own (Hardware::homes), is switched on as one that is not synchronised. `disable` and every fault
-/// stop the robot, each in its category (stop_category.hpp): faults that the drives report, readings of the encoders
-/// that cannot be true, the emergency stop, a limit switch, a current or a following error beyond the axis's limit, a
-/// set-point beyond a limit.
+/// Life (ServoState): it starts stopped, with the drives off. `enable` switches them on at the measured position, so
+/// nothing jumps, and clears a latched fault; while its cause lasts they stay off. A robot whose drives have lost their
+/// positions, but find them on their own (Hardware::homes), is switched on as one that is not synchronised. `disable`
+/// and every fault stop the robot, each in its category (stop_category.hpp): faults that the drives report, readings of
+/// the encoders that cannot be true, the emergency stop, a limit switch, a current or a following error beyond the
+/// axis's limit, a set-point beyond a limit.
 ///
 /// Joints are those of the model in use: the shafts themselves until the hardware is synchronised, the robot's first
 /// model then, another one when a macrostep says so.
@@ -72,14 +73,14 @@ class Servo {
   /// Whether the drives wait for each tick (Hardware::waits), so that none may be skipped.
   bool drives_wait() const noexcept { return hardware_.waits(); }
   /// False once nothing moves any more: the drives are off, and have said so. The servo's thread.
-  bool drives_on() const noexcept { return enabled_ || (leaving_ && hardware_.busy()); }
+  bool drives_on() const noexcept { return has_power(state_) || (leaving_ && hardware_.busy()); }
 
   /// What the last tick published. The servo's thread.
   const Snapshot& snapshot() const noexcept { return snapshot_; }
 
  private:
-  struct Outcome {
-    Report::Outcome outcome;
+  struct Notice {
+    Report::Kind kind;
     std::uint64_t ticket;
     Tick start = 0;
   };
@@ -118,7 +119,7 @@ class Servo {
   void stop(StopCategory category) noexcept;
   void stop_and_switch_off() noexcept;
   void drives_off() noexcept;
-  void latch(ErrorCode code, int axis, double value, double limit, Tick tick) noexcept;
+  void latch(const Fault& fault, Tick tick) noexcept;
   bool keeps_limits(Tick tick) noexcept;
   void regulate() noexcept;
   bool publish(Tick tick) noexcept;
@@ -173,17 +174,14 @@ class Servo {
 
   // drives
   std::uint32_t orders_ = 0;  ///< obeyed
-  bool reset_ = false;        ///< a recovery has cleared the drives' faults and waits for the next reading
-  bool powering_ = false;     ///< they are on their way to being on
-  bool enabled_ = false;
-  bool leaving_ = false;   ///< the process ends
-  bool stopping_ = false;  ///< the drives go off at the end of the stop
+  ServoState state_ = ServoState::off;
+  bool leaving_ = false;  ///< the process ends
   Fault fault_;
   JointVector current_;
 
   std::array<PendingReply, 8> pending_{};
   std::size_t pending_count_ = 0;
-  std::array<Outcome, 16> outbox_{};
+  std::array<Notice, 16> outbox_{};
   std::size_t outbox_count_ = 0;
   ServoCounters counters_;
   Snapshot snapshot_;

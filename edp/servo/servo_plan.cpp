@@ -54,7 +54,7 @@ void Servo::follow(double time, Tick tick) noexcept {
   if (code == ErrorCode::none)
     desired_ = next;
   else  // the planner has been along this path: only a missed tick can bring it to another branch
-    latch(code, -1, 0, 0, tick);
+    latch({code}, tick);
 }
 
 /// The set-point of tick `tick` of the force macrostep, which is not its end or a tick before it.
@@ -73,7 +73,7 @@ bool Servo::synchronise(Tick tick) noexcept {
       homes ? homing_.step(hardware_, input_, desired_) : synchroniser_.step(input_, desired_);
   if (status == Synchroniser::Status::running) return false;
   if (status == Synchroniser::Status::failed) {
-    latch(ErrorCode::synchronisation_failed, synchronised_axis(), 0, 0, tick);
+    latch({ErrorCode::synchronisation_failed, synchronised_axis()}, tick);
     return false;  // the fault stops the robot
   }
   const JointVector& shift = homes ? homing_.shift() : synchroniser_.shift();
@@ -83,7 +83,7 @@ bool Servo::synchronise(Tick tick) noexcept {
   measured_motors_ += shift;
   desired_motors_ += shift;
   previous_motors_ += shift;
-  if (!use(0)) latch(ErrorCode::motor_limit, -1, 0, 0, tick);
+  if (!use(0)) latch({ErrorCode::motor_limit}, tick);
   active_.steps = static_cast<std::uint32_t>(tick - active_.start);
   for (std::size_t i = 0; i < pending_count_; ++i)
     if (pending_[i].ticket == active_.ticket) pending_[i].due = tick;
@@ -98,7 +98,7 @@ int Servo::synchronised_axis() const noexcept {
 int Servo::homing_axis() const noexcept { return hardware_.homes() ? synchronised_axis() : -1; }
 
 void Servo::change_model() noexcept {
-  if (!use(active_.choice)) latch(ErrorCode::motor_limit, -1, 0, 0, last_);
+  if (!use(active_.choice)) latch({ErrorCode::motor_limit}, last_);
 }
 
 void Servo::use_regulators() noexcept {
@@ -114,7 +114,7 @@ void Servo::put_out(const Signals& outputs) noexcept {
 
 bool Servo::start_next(Tick tick) noexcept {
   const Macrostep* next = hand_over_.macrosteps.front();
-  if (next == nullptr || next->epoch != epoch_ || stopping_ || next->start > tick) return false;
+  if (next == nullptr || next->epoch != epoch_ || state_ == ServoState::stopping || next->start > tick) return false;
   if (next->kind == Macrostep::Kind::unplanned) {
     brake(boundary_);
     braking_ = false;
@@ -148,9 +148,9 @@ bool Servo::start_next(Tick tick) noexcept {
 
 void Servo::refuse_foreign() noexcept {
   while (const Macrostep* next = hand_over_.macrosteps.front()) {
-    if (enabled_ && !stopping_ && next->epoch == epoch_) return;
+    if (state_ == ServoState::on && next->epoch == epoch_) return;
     if (next->ticket != 0 && outbox_count_ < outbox_.size())
-      outbox_[outbox_count_++] = {Report::Outcome::refused, next->ticket};
+      outbox_[outbox_count_++] = {Report::Kind::refused, next->ticket};
     hand_over_.macrosteps.pop();
   }
 }
@@ -171,7 +171,7 @@ void Servo::brake(Tick from) noexcept {
 void Servo::stop(StopCategory category) noexcept {
   if (category == StopCategory::drives_off)
     drives_off();
-  else if (!stopping_)
+  else if (state_ != ServoState::stopping)
     stop_and_switch_off();
 }
 
@@ -181,7 +181,7 @@ void Servo::stop_and_switch_off() noexcept {
   abort_pending();
   brake(last_);
   braking_ = false;
-  stopping_ = true;
+  state_ = ServoState::stopping;
 }
 
 /// At once, whatever the robot does.
@@ -191,7 +191,7 @@ void Servo::drives_off() noexcept {
   ++epoch_;
   running_ = braking_ = forced_ = false;
   hardware_.enable(false);
-  enabled_ = stopping_ = false;
+  state_ = ServoState::off;
   current_.setZero();
 }
 
@@ -207,7 +207,7 @@ void Servo::interrupt(const ErrorReport& report, Tick from) noexcept {
 
 void Servo::abort_pending() noexcept {
   for (std::size_t i = 0; i < pending_count_ && outbox_count_ < outbox_.size(); ++i)
-    outbox_[outbox_count_++] = {Report::Outcome::aborted, pending_[i].ticket};
+    outbox_[outbox_count_++] = {Report::Kind::aborted, pending_[i].ticket};
   pending_count_ = 0;
 }
 

@@ -33,9 +33,9 @@ void Servo::measure(Tick tick) noexcept {
   input_.motors.setConstant(kNothing);
   input_.current.setConstant(kNothing);
   input_.fault_axis = -1;
-  input_.fault_value = input_.fault_limit = 0;
+  input_.fault_detail = {};
   hardware_.read(tick, input_);
-  found_ = {input_.fault, input_.fault_axis, input_.fault_value, input_.fault_limit};
+  found_ = {input_.fault, input_.fault_axis, input_.fault_detail};
   look_at_encoders(tick);
   if (!ticked_) {
     last_ = tick == 0 ? 0 : tick - 1;
@@ -68,13 +68,13 @@ void Servo::look_at_encoders(Tick tick) noexcept {
     // after a silence the first reading need not be of a new tick, but the axis has had all that time
     const EncoderWatch::Finding finding = encoders_.look(input_.motors, std::max(input_.tick, tick));
     if (finding.axis >= 0) {
-      find_fault({ErrorCode::encoder_fault, finding.axis, finding.value, finding.limit});
+      find_fault({ErrorCode::encoder_fault, finding.axis, finding.detail});
       input_.motors = measured_motors_;
     }
   }
   for (Eigen::Index i = 0; i < input_.current.size(); ++i) {
     if (std::isfinite(input_.current[i])) continue;
-    find_fault({ErrorCode::drive_fault, static_cast<int>(i), input_.current[i]});
+    find_fault({ErrorCode::drive_fault, static_cast<int>(i), NotFinite{}});
     input_.current[i] = 0;
   }
 }
@@ -85,24 +85,24 @@ void Servo::find_fault(const Fault& fault) noexcept {
 }
 
 void Servo::watch(Tick tick) noexcept {
-  const bool moves = enabled_ && !stopping_;
+  const bool moves = state_ == ServoState::on;
   const Fault in_motion = find_in_motion();
   if (moves) find_fault(in_motion);
-  if (enabled_) {
+  if (has_power(state_)) {
     const bool given = hardware_.follows_current();
     find_fault(motion_.look(
         *model_, {joints_, velocity_, measured_motors_, desired_motors_, given ? current_ : input_.current, given},
         {input_.tick, input_.late}, moves, homing_axis()));
   }
-  if (found_.code != ErrorCode::none) latch(found_.code, found_.axis, found_.value, found_.limit, tick);
-  if (enabled_ && fault_.code != ErrorCode::none)
+  if (found_.code != ErrorCode::none) latch(found_, tick);
+  if (has_power(state_) && fault_.code != ErrorCode::none)
     stop(stop_category(found_.code != ErrorCode::none ? found_.code : fault_.code));
   if (force_.present()) watch_force(tick);
 }
 
 /// What matters while the drives are on and are to stay on; counts, whatever they do.
 Fault Servo::find_in_motion() noexcept {
-  const bool moves = enabled_ && !stopping_;
+  const bool moves = state_ == ServoState::on;
   const std::vector<AxisParameters>& axes = model_->parameters().axes;
   const int axis = switches_.look(input_, desired_motors_ - previous_motors_,
                                   moves ? synchronised_axis() : LimitSwitchWatch::kEvery);
@@ -111,12 +111,12 @@ Fault Servo::find_in_motion() noexcept {
     const double error = std::abs(desired_motors_[i] - measured_motors_[i]);
     const double limit = axes[static_cast<std::size_t>(i)].following_error_max;
     counters_.following_error[i] = std::max(counters_.following_error[i], error);
-    if (!(error <= limit)) return {ErrorCode::following_error, i, error, limit};
+    if (!(error <= limit)) return {ErrorCode::following_error, i, Excess{error, limit}};
   }
-  if (axis >= 0) return {ErrorCode::limit_switch, axis, measured_motors_[axis]};
+  if (axis >= 0) return {ErrorCode::limit_switch, axis, ShaftPosition{measured_motors_[axis]}};
   const int hot = currents_.look(input_.current, elapsed_);
   if (hot < 0) return {};
-  return {ErrorCode::over_current, hot, input_.current[hot], axes[static_cast<std::size_t>(hot)].current_max};
+  return {ErrorCode::over_current, hot, Excess{input_.current[hot], axes[static_cast<std::size_t>(hot)].current_max}};
 }
 
 void Servo::watch_force(Tick tick) noexcept {
@@ -124,33 +124,35 @@ void Servo::watch_force(Tick tick) noexcept {
   const Pose flange = synchronised ? model_->flange(joints_) : Pose::Identity();
   force_.read(tick, synchronised ? &flange : nullptr);
   ForceWatch::Doing doing = ForceWatch::Doing::resting;
-  if (running_ && enabled_ && !stopping_) {
+  if (running_ && state_ == ServoState::on) {
     if (active_.kind == Macrostep::Kind::path) doing = ForceWatch::Doing::moving;
     if (active_.kind == Macrostep::Kind::force) doing = ForceWatch::Doing::following;
   }
   if (const ErrorReport report = force_.look(doing); report.error_class != ErrorClass::none) interrupt(report, last_);
 }
 
-void Servo::latch(ErrorCode code, int axis, double value, double limit, Tick tick) noexcept {
-  if (fault_.code == ErrorCode::none) fault_ = {code, axis, value, limit, tick};
+void Servo::latch(const Fault& fault, Tick tick) noexcept {
+  if (fault_.code != ErrorCode::none) return;
+  fault_ = fault;
+  fault_.tick = tick;
 }
 
 bool Servo::keeps_limits(Tick tick) noexcept {
   if (model_->joints_to_motors(desired_.position, desired_motors_) != ErrorCode::none) {
-    latch(ErrorCode::motor_limit, -1, 0, 0, tick);
-    return stopping_;
+    latch({ErrorCode::motor_limit}, tick);
+    return state_ == ServoState::stopping;
   }
-  if (stopping_) return true;  // nothing better than the stop is left
+  if (state_ == ServoState::stopping) return true;  // nothing better than the stop is left
   const int homing = homing_axis();
   for (int i = 0; i < model_->joint_count(); ++i) {
     if (i == homing) continue;  // the set-point is where the drive has brought it
     const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];
     const double position = desired_.position[i];
     const double velocity = (position - previous_position_[i]) / (period_ * static_cast<double>(elapsed_));
-    if (!(position >= position_min_[i])) latch(ErrorCode::joint_limit, i, position, axis.position_min, tick);
-    if (!(position <= position_max_[i])) latch(ErrorCode::joint_limit, i, position, axis.position_max, tick);
+    if (!(position >= position_min_[i])) latch({ErrorCode::joint_limit, i, Excess{position, axis.position_min}}, tick);
+    if (!(position <= position_max_[i])) latch({ErrorCode::joint_limit, i, Excess{position, axis.position_max}}, tick);
     if (!(std::abs(velocity) <= axis.velocity_max * (1 + kRounding) + kRounding))
-      latch(ErrorCode::velocity_limit, i, velocity, axis.velocity_max, tick);
+      latch({ErrorCode::velocity_limit, i, Excess{velocity, axis.velocity_max}}, tick);
   }
   return fault_.code == ErrorCode::none;
 }

@@ -1,20 +1,13 @@
 #pragma once
 
+#include "edp/safety/fault.hpp"
 #include "edp/safety/limit_switches.hpp"
 #include "edp/servo/counters.hpp"
+#include "edp/servo/servo_state.hpp"
 #include "geometry/desired_state.hpp"
 #include "mrroc/robot_state.hpp"
 
 namespace mrroc::edp {
-
-/// What stopped the robot: latched until the drives are enabled again.
-struct Fault {
-  ErrorCode code = ErrorCode::none;
-  int axis = -1;     ///< from 0; -1: the whole robot
-  double value = 0;  ///< what was measured
-  double limit = 0;  ///< what was allowed
-  Tick tick = 0;
-};
 
 /// All that the servo knows at the end of a tick, as the comms side sees it.
 struct Snapshot {
@@ -22,7 +15,7 @@ struct Snapshot {
   JointVector joints, velocity, motors, current;  ///< measured
   bool synchronised = false;
   bool drives_home = false;  ///< Hardware::homes
-  bool enabled = false;      ///< drives on and not about to be switched off
+  ServoState state = ServoState::off;
   Fault fault;
   LimitSwitches switches;      ///< on which the axes stand
   std::uint8_t model = 0;      ///< in use: place in the ModelSet
@@ -40,6 +33,8 @@ struct Snapshot {
   std::uint32_t interruptions = 0;  ///< counts the motions that were given up for `interruption`
   ErrorReport interruption;         ///< non-fatal: the robot braked and holds
   ServoCounters counters;
+
+  bool enabled() const noexcept { return state == ServoState::on; }  ///< it follows commands
 };
 
 }  // namespace mrroc::edp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -19,6 +20,9 @@ class Robot {
   /// made in its constructor. Throws NonFatalError(invalid_argument) when the deployment has no such robot of the
   /// model's type, or when the task runs already and no object of it has opened the link before.
   Robot(Task& task, const std::string& name, RobotModels models);
+  /// Its models are those that `load` reads from the robot's parameter file: the one that the deployment names, or with
+  /// an empty path the type's own. Throws also what `load` throws: ConfigurationError.
+  Robot(Task& task, const std::string& name, RobotModels (*load)(const std::filesystem::path& parameters));
   virtual ~Robot() = default;
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "config/robot_files.hpp"
 #include "config/robot_parameters_file.hpp"
 
 namespace mrroc {
@@ -70,7 +71,7 @@ Jacobian ConveyorModel::jacobian(const JointVector& /*joints*/, const Eigen::Vec
 }
 
 RobotModels load_conveyor(const std::filesystem::path& file) {
-  const auto table = config::Table::load(file);
+  const auto table = config::Table::load(config::parameter_file("conveyor", file));
   auto parameters = config::read_robot_parameters(table);
   if (parameters.axes.size() != 1) {
     table.fail("axes", std::to_string(parameters.axes.size()) + " axes", "one axis, the belt");
@@ -79,7 +80,5 @@ RobotModels load_conveyor(const std::filesystem::path& file) {
   table.finish();
   return {std::make_shared<ConveyorModel>(std::move(parameters), gear)};
 }
-
-RobotModels load_conveyor() { return load_conveyor(config::robot_file("conveyor", "conveyor.toml")); }
 
 }  // namespace mrroc

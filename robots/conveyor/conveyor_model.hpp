@@ -35,10 +35,8 @@ class ConveyorModel final : public RobotModel {
   double synchro_;
 };
 
-/// Reads a parameter file of the conveyor. Throws ConfigurationError. Configuration time only.
-RobotModels load_conveyor(const std::filesystem::path& file);
-
-/// The same of the installed robots/conveyor/conveyor.toml.
-RobotModels load_conveyor();
+/// Reads a parameter file of the conveyor. Throws ConfigurationError. Configuration time only. `file` empty: the
+/// installed robots/conveyor/conveyor.toml.
+RobotModels load_conveyor(const std::filesystem::path& file = {});
 
 }  // namespace mrroc

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "config/robot_parameters_file.hpp"
+#include "config/robot_files.hpp"
 #include "geometry/inverse_tools.hpp"
 #include "robots/irb6/geometry_file.hpp"
 
@@ -136,7 +136,7 @@ Jacobian Irb6TrackModel::jacobian(const JointVector& joints, const Eigen::Vector
 
 RobotModels load_irb6_track(const std::filesystem::path& file) {
   using Keeps = Irb6TrackModel::Keeps;
-  const auto table = config::Table::load(file);
+  const auto table = config::Table::load(config::parameter_file("irb6_track", file));
   const auto parameters = irb6::read_parameters(table, 7);
   const auto track = table.table("track");
   const double gear = track.number("gear");
@@ -157,7 +157,5 @@ RobotModels load_irb6_track(const std::filesystem::path& file) {
   table.finish();
   return models;
 }
-
-RobotModels load_irb6_track() { return load_irb6_track(config::robot_file("irb6_track", "irb6_track.toml")); }
 
 }  // namespace mrroc

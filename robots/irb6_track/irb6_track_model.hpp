@@ -60,9 +60,7 @@ class Irb6TrackModel final : public RobotModel {
 
 /// Reads a parameter file of the IRb-6 on its track: "track_still" (the default: keeps the track), "track_used" (keeps
 /// the column), then the file's other models, which keep the track. Throws ConfigurationError. Configuration time only.
-RobotModels load_irb6_track(const std::filesystem::path& file);
-
-/// The same of the installed robots/irb6_track/irb6_track.toml.
-RobotModels load_irb6_track();
+/// `file` empty: the installed robots/irb6_track/irb6_track.toml.
+RobotModels load_irb6_track(const std::filesystem::path& file = {});
 
 }  // namespace mrroc

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "config/robot_files.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "robots/polycrank/geometry_file.hpp"
 
@@ -45,7 +46,7 @@ Jacobian PolycrankModel::jacobian(const JointVector& joints, const Eigen::Vector
 }
 
 RobotModels load_polycrank(const std::filesystem::path& file) {
-  const auto table = config::Table::load(file);
+  const auto table = config::Table::load(config::parameter_file("polycrank", file));
   auto parameters = config::read_robot_parameters(table);
   if (parameters.axes.size() != kAxes) {
     table.fail("axes", std::to_string(parameters.axes.size()) + " axes", std::to_string(kAxes) + " axes");
@@ -54,7 +55,5 @@ RobotModels load_polycrank(const std::filesystem::path& file) {
   table.finish();
   return {std::make_shared<PolycrankModel>(std::move(parameters), geometry)};
 }
-
-RobotModels load_polycrank() { return load_polycrank(config::robot_file("polycrank", "polycrank.toml")); }
 
 }  // namespace mrroc

@@ -36,10 +36,8 @@ class PolycrankModel final : public RobotModel {
 };
 
 /// Reads a parameter file of the Polycrank: its one model, "nominal". Throws ConfigurationError. Configuration time
-/// only.
-RobotModels load_polycrank(const std::filesystem::path& file);
-
-/// The same of the installed robots/polycrank/polycrank.toml.
-RobotModels load_polycrank();
+/// only. `file` empty: the
+/// installed robots/polycrank/polycrank.toml.
+RobotModels load_polycrank(const std::filesystem::path& file = {});
 
 }  // namespace mrroc

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "config/robot_files.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "robots/serial_parallel/geometry_file.hpp"
 
@@ -55,7 +56,7 @@ ClosedLoops SerialParallelModel::closed_loops(const JointVector& joints) const {
 }
 
 RobotModels load_serial_parallel(const std::filesystem::path& file) {
-  const auto table = config::Table::load(file);
+  const auto table = config::Table::load(config::parameter_file("serial_parallel", file));
   auto parameters = config::read_robot_parameters(table);
   if (parameters.axes.size() != kAxes) {
     table.fail("axes", std::to_string(parameters.axes.size()) + " axes", std::to_string(kAxes) + " axes");
@@ -66,10 +67,6 @@ RobotModels load_serial_parallel(const std::filesystem::path& file) {
   }
   table.finish();
   return {std::make_shared<SerialParallelModel>(std::move(parameters), geometry)};
-}
-
-RobotModels load_serial_parallel() {
-  return load_serial_parallel(config::robot_file("serial_parallel", "serial_parallel.toml"));
 }
 
 }  // namespace mrroc

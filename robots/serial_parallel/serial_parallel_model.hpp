@@ -54,10 +54,8 @@ class SerialParallelModel final : public RobotModel {
   Pose tool_;
 };
 
-/// Reads a parameter file of this robot. Throws ConfigurationError. Configuration time only.
-RobotModels load_serial_parallel(const std::filesystem::path& file);
-
-/// The same of the installed robots/serial_parallel/serial_parallel.toml.
-RobotModels load_serial_parallel();
+/// Reads a parameter file of this robot. Throws ConfigurationError. Configuration time only. `file` empty: the
+/// installed robots/serial_parallel/serial_parallel.toml.
+RobotModels load_serial_parallel(const std::filesystem::path& file = {});
 
 }  // namespace mrroc

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "config/robot_files.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "robots/two_finger_gripper/geometry_file.hpp"
 
@@ -69,7 +70,7 @@ Jacobian TwoFingerGripperModel::jacobian(const JointVector& /*joints*/,
 }
 
 RobotModels load_two_finger_gripper(const std::filesystem::path& file) {
-  const auto table = config::Table::load(file);
+  const auto table = config::Table::load(config::parameter_file("two_finger_gripper", file));
   auto parameters = config::read_robot_parameters(table);
   if (parameters.axes.size() != 1) {
     table.fail("axes", std::to_string(parameters.axes.size()) + " axes", "one axis, the opening");
@@ -77,10 +78,6 @@ RobotModels load_two_finger_gripper(const std::filesystem::path& file) {
   const auto geometry = two_finger_gripper::read_geometry(table.table("geometry"), parameters.axes.front());
   table.finish();
   return {std::make_shared<TwoFingerGripperModel>(std::move(parameters), geometry)};
-}
-
-RobotModels load_two_finger_gripper() {
-  return load_two_finger_gripper(config::robot_file("two_finger_gripper", "two_finger_gripper.toml"));
 }
 
 }  // namespace mrroc

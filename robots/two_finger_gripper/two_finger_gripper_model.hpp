@@ -35,10 +35,8 @@ class TwoFingerGripperModel final : public RobotModel {
   double reach_;
 };
 
-/// Reads a parameter file of the gripper. Throws ConfigurationError. Configuration time only.
-RobotModels load_two_finger_gripper(const std::filesystem::path& file);
-
-/// The same of the installed robots/two_finger_gripper/two_finger_gripper.toml.
-RobotModels load_two_finger_gripper();
+/// Reads a parameter file of the gripper. Throws ConfigurationError. Configuration time only. `file` empty: the
+/// installed robots/two_finger_gripper/two_finger_gripper.toml.
+RobotModels load_two_finger_gripper(const std::filesystem::path& file = {});
 
 }  // namespace mrroc

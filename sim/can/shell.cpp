@@ -44,7 +44,7 @@ class Drives {
   Drives(process::Process& process, const ModelFactory& factory)
       : process_(process),
         place_(place_of(process)),
-        models_(factory()),
+        models_(factory(place_.entry.parameters)),
         world_(world::MappedWorld::attach(process.arguments().world_fd)),
         plant_(*models_.front(), *world_, place_.index, MujocoHardware::Timing::newest, place_.entry.synchronised),
         hub_(open_hub(place_.entry.can->interface)),

@@ -13,8 +13,8 @@
 
 namespace mrroc::can {
 
-Hub::Hub(std::filesystem::path path, Fault fault)
-    : fault_(std::move(fault)), listener_(std::move(path)), stop_(::eventfd(0, EFD_CLOEXEC)) {
+Hub::Hub(std::filesystem::path path, Disturbance disturbance)
+    : disturbance_(std::move(disturbance)), listener_(std::move(path)), stop_(::eventfd(0, EFD_CLOEXEC)) {
   if (stop_ < 0) throw std::runtime_error("CAN hub '" + listener_.path().string() + "': " + std::strerror(errno));
   thread_ = std::thread([this] { serve(); });
 }
@@ -59,7 +59,7 @@ bool Hub::relay(int from) {
   if (!goes_on) return false;
   Frame frame;
   if (size < 0 || !from_raw(raw, static_cast<std::size_t>(size), frame)) return true;
-  if (fault_ && !fault_(frame)) return true;
+  if (disturbance_ && !disturbance_(frame)) return true;
   const std::size_t length = to_raw(frame, raw);
   frames_.fetch_add(1, std::memory_order_relaxed);
   for (const int client : clients_)

@@ -19,11 +19,11 @@ namespace mrroc::can {
 class Hub {
  public:
   /// What becomes of a frame: passed on as it is or changed; false: lost. For tests of faults; the hub's thread.
-  using Fault = std::function<bool(Frame& frame)>;
+  using Disturbance = std::function<bool(Frame& frame)>;
 
   /// Listens at `path`, where no other hub may be and nothing but what a killed one has left. Throws
   /// std::runtime_error.
-  explicit Hub(std::filesystem::path path, Fault fault = {});
+  explicit Hub(std::filesystem::path path, Disturbance disturbance = {});
   /// Ends the bus: its clients see it gone.
   ~Hub();
   Hub(const Hub&) = delete;
@@ -39,7 +39,7 @@ class Hub {
   void accept();
   bool relay(int from);
 
-  Fault fault_;
+  Disturbance disturbance_;
   HubListener listener_;
   int stop_;  ///< eventfd
   std::vector<int> clients_;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "config/robot_files.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::config {
@@ -38,7 +39,8 @@ struct CanEntry {
 
 struct RobotEntry {
   std::string name;
-  std::string type;  ///< folder robots/<type>
+  std::string type;                  ///< folder robots/<type>
+  std::filesystem::path parameters;  ///< named by the deployment, absolute; empty: the type's own
   /// Of its ECP; the stock ECP when left out. Absolute path after loading, on the robot's own host.
   std::string program = "mrroc_ecp";
   std::string hardware;               ///< socketcan | mujoco | loopback
@@ -55,6 +57,7 @@ struct RobotEntry {
   Pose base = Pose::Identity();
   std::string edp_program;  ///< the type's `<type>_edp`, absolute path
 
+  RobotFiles files() const { return robot_files(type, parameters); }
   /// Whether its motors drive joints of the simulated world.
   bool in_world() const { return hardware == "mujoco" || (can && can->simulated); }
 };

@@ -39,7 +39,7 @@ enum class Kind : std::uint8_t {
 bool is_signal(Kind kind) noexcept;
 
 /// One fault to be injected into a run: what, whom, when, for how long.
-struct Fault {
+struct InjectedFault {
   Kind kind = Kind::kill;
   std::string process;   ///< as the deployment names it: mp, arm, arm_edp, arm_drives, wrist, sim
   std::size_t axis = 0;  ///< from 0; of the kinds that strike one axis
@@ -61,6 +61,6 @@ struct Fault {
 /// 500 for 100 ticks".
 ///
 /// Throws std::invalid_argument that names the word that is wrong and what was expected. Any thread.
-Fault parse_fault(const std::string& text);
+InjectedFault parse_fault(const std::string& text);
 
 }  // namespace mrroc::faults

@@ -12,9 +12,9 @@ namespace mrroc::faults {
 /// Tells whether one fault of the plan is in force. Any thread; neither allocates nor locks.
 class FaultSwitch {
  public:
-  FaultSwitch(const Fault& fault, std::size_t index, const clock::Clock& clock)
+  FaultSwitch(const InjectedFault& fault, std::size_t index, const clock::Clock& clock)
       : fault_(fault), index_(index), clock_(&clock) {}
-  const Fault& fault() const noexcept { return fault_; }
+  const InjectedFault& fault() const noexcept { return fault_; }
   /// At tick `tick`: from the tick at which it was set off, as long as it lasts.
   bool on(Tick tick) const noexcept {
     const Tick begin = clock_->fault_tick(index_);
@@ -22,7 +22,7 @@ class FaultSwitch {
   }
 
  private:
-  Fault fault_;
+  InjectedFault fault_;
   std::size_t index_;
   const clock::Clock* clock_;
 };
@@ -38,14 +38,14 @@ class FaultPlan {
   /// Parses them; throws std::invalid_argument: a fault is wrong, or there are more than clock::kMaxFaults.
   explicit FaultPlan(const std::vector<std::string>& texts);
 
-  const std::vector<Fault>& all() const noexcept { return faults_; }
+  const std::vector<InjectedFault>& all() const noexcept { return faults_; }
   /// Of those that strike `process` on its own (not by a signal of the runner); `clock` must outlive them.
   std::vector<FaultSwitch> of(const std::string& process, const clock::Clock& clock) const;
   /// Sets off, at tick `tick` + 1, what waits for step number `step` of process `process`. Allocates nothing.
   void count_step(const std::string& process, std::uint64_t step, Tick tick, clock::Clock& clock) const noexcept;
 
  private:
-  std::vector<Fault> faults_;
+  std::vector<InjectedFault> faults_;
 };
 
 }  // namespace mrroc::faults

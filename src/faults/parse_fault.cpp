@@ -81,8 +81,8 @@ class Parser {
     for (std::string word; stream >> word;) words_.push_back(word);
   }
 
-  Fault parse() {
-    Fault fault;
+  InjectedFault parse() {
+    InjectedFault fault;
     fault.text = text_;
     const Row& row = action();
     fault.kind = row.kind;
@@ -152,7 +152,7 @@ class Parser {
     refuse(word, "one of " + known);
   }
 
-  void target(const Row& row, Fault& fault) {
+  void target(const Row& row, InjectedFault& fault) {
     const std::string word = next();
     const std::size_t colon = word.find(':');
     const std::string name = colon == std::string::npos ? std::string{} : word.substr(colon + 1);
@@ -168,7 +168,7 @@ class Parser {
     if ((role_ & (kEcp | kEdp | kDrives)) != 0) fault.counter = name;
   }
 
-  void when(Fault& fault) {
+  void when(InjectedFault& fault) {
     const std::string unit = next();
     if (unit != "tick" && unit != "step") refuse(unit, "'tick' or 'step'");
     fault.at_step = unit == "step";
@@ -193,6 +193,6 @@ class Parser {
 
 bool is_signal(Kind kind) noexcept { return kind == Kind::kill || kind == Kind::halt || kind == Kind::end; }
 
-Fault parse_fault(const std::string& text) { return Parser(text).parse(); }
+InjectedFault parse_fault(const std::string& text) { return Parser(text).parse(); }
 
 }  // namespace mrroc::faults

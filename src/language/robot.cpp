@@ -4,6 +4,9 @@
 
 namespace mrroc {
 
+Robot::Robot(Task& task, const std::string& name, RobotModels (*load)(const std::filesystem::path&))
+    : Robot(task, name, load(task.robot_parameters(task.robot_name(name)))) {}
+
 Robot::Robot(Task& task, const std::string& name, RobotModels models)
     : task_(&task),
       name_(task.robot_name(name)),

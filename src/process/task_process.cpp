@@ -44,6 +44,12 @@ TaskProcess::TaskProcess(Process& process, const std::string& superior_topic)
 
 TaskProcess::~TaskProcess() = default;
 
+std::filesystem::path TaskProcess::robot_parameters(const std::string& name) const {
+  for (const config::RobotEntry& robot : process_.deployment().robots)
+    if (robot.name == name) return robot.parameters;
+  return {};  // `robot_link` says that there is no such robot
+}
+
 RobotLink& TaskProcess::robot_link(const std::string& name, const std::string& type) {
   find_entry(process_.deployment().robots, name, type, "robot", process_.name());
   if (!robots_.contains(name)) {

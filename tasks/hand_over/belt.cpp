@@ -1,6 +1,6 @@
 #include <cmath>
 #include <mrroc/ecp.hpp>
-#include <mrroc/robots/fast_conveyor.hpp>
+#include <mrroc/robots/conveyor.hpp>
 #include <mrroc/sensors/camera.hpp>
 
 #include "hand_over.hpp"
@@ -8,7 +8,7 @@ using namespace mrroc;
 
 /// What the belt can do.
 struct Belt : ecp::Task {
-  FastConveyor belt{*this};
+  Conveyor belt{*this};
   Camera eye{*this, "eye"};
 
   Belt() {
@@ -19,7 +19,7 @@ struct Belt : ecp::Task {
           .require("seen", "no bar comes");
       const Eigen::Vector3d at = eye.position(), along = eye.pose().linear().col(0);
       tell(Reach{at.x(), -0.25, -0.13, std::remainder(std::atan2(along.y(), along.x()) - M_PI / 2, M_PI)});
-      Move({belt}, {}, JointLine{belt, FastConveyor::at(belt.state().joints[0] - 0.25 - at.y()), 0.9});
+      Move({belt}, {}, JointLine{belt, Conveyor::at(belt.state().joints[0] - 0.25 - at.y()), 0.9});
     });
   }
 };

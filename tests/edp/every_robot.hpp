@@ -20,22 +20,23 @@ namespace mrroc {
 struct KnownRobot {
   std::string type;
   std::function<RobotModels(const std::filesystem::path&)> load;
+  std::string stem = type;  ///< of its files
 
-  /// robots/<type>/<type>.<extension> of the source tree.
+  /// robots/<type>/<stem>.<extension> of the source tree.
   std::filesystem::path file(const std::string& extension) const {
-    return std::filesystem::path(MRROC_SOURCE_DIR) / "robots" / type / (type + "." + extension);
+    return std::filesystem::path(MRROC_SOURCE_DIR) / "robots" / type / (stem + "." + extension);
   }
 };
 
 /// For GoogleTest's messages.
-inline void PrintTo(const KnownRobot& robot, std::ostream* out) { *out << robot.type; }
+inline void PrintTo(const KnownRobot& robot, std::ostream* out) { *out << robot.stem; }
 
 inline std::vector<KnownRobot> every_robot() {
   using File = std::filesystem::path;
   const auto irb6 = [](const File& file) { return load_irb6(file); };
   const auto conveyor = [](const File& file) { return load_conveyor(file); };
   return {{"conveyor", conveyor},
-          {"fast_conveyor", conveyor},
+          {"conveyor", conveyor, "fast"},
           {"irb6", irb6},
           {"irb60", irb6},
           {"irb6_five_axis", [](const File& file) { return load_irb6_five_axis(file); }},

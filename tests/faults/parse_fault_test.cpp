@@ -8,7 +8,7 @@ namespace mrroc::faults {
 namespace {
 
 TEST(ParseFault, AProcessAtAStepOfItsOwn) {
-  const Fault fault = parse_fault("kill ecp:arm at step 120");
+  const InjectedFault fault = parse_fault("kill ecp:arm at step 120");
   EXPECT_EQ(fault.kind, Kind::kill);
   EXPECT_EQ(fault.process, "arm");
   EXPECT_TRUE(fault.at_step);
@@ -19,7 +19,7 @@ TEST(ParseFault, AProcessAtAStepOfItsOwn) {
 }
 
 TEST(ParseFault, AnAxisByAValueForSomeTime) {
-  const Fault fault = parse_fault("jump edp:arm axis 2 by -0.5 at tick 800 for 30 ticks");
+  const InjectedFault fault = parse_fault("jump edp:arm axis 2 by -0.5 at tick 800 for 30 ticks");
   EXPECT_EQ(fault.kind, Kind::jump);
   EXPECT_EQ(fault.process, "arm_edp");
   EXPECT_EQ(fault.axis, 1U);
@@ -44,7 +44,7 @@ TEST(ParseFault, OneDriveOnABus) {
                                    {"hush", Kind::hush},
                                    {"press", Kind::press},
                                    {"corrupt", Kind::corrupt}}) {
-    const Fault fault = parse_fault(std::string{word} + " drives:arm axis 3 at step 40 for 5 ticks");
+    const InjectedFault fault = parse_fault(std::string{word} + " drives:arm axis 3 at step 40 for 5 ticks");
     EXPECT_EQ(fault.kind, kind);
     EXPECT_EQ(fault.process, "arm_drives");
     EXPECT_EQ(fault.axis, 2U);

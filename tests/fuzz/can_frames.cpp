@@ -68,7 +68,7 @@ class Master {
     if (tick_ % kReset == kReset / 2) drive_.enable(true, tick_);
     if (tick_ % kReset == kReset - 5) drive_.home();
     if (drive_.asks(tick_, next)) check_sent(next);
-    drive_.finding(tick_);
+    drive_.fault(tick_);
     drive_.busy(tick_);
     fuzz::require(
         std::isfinite(drive_.position()) && std::isfinite(drive_.velocity()) && std::isfinite(drive_.current()),

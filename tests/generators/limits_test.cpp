@@ -248,7 +248,7 @@ TEST_P(EveryRobotsLimits, RefuseBeforeAnythingMoves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, EveryRobotsLimits, ::testing::ValuesIn(every_robot()),
-                         [](const auto& robot) { return robot.param.type; });
+                         [](const auto& robot) { return robot.param.stem; });
 
 }  // namespace
 }  // namespace mrroc::test

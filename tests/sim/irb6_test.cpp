@@ -121,7 +121,7 @@ TEST_F(TwoIrb6, RegulatorsHoldThemAgainstGravityAndBringThemWhereTheyAreSent) {
   run(500);
   const JointVector home = left.model->parameters().home;
   for (Edp* edp : {&left, &right}) {
-    ASSERT_TRUE(edp->servo.snapshot().enabled) << static_cast<int>(edp->servo.snapshot().fault.code);
+    ASSERT_TRUE(edp->servo.snapshot().enabled()) << static_cast<int>(edp->servo.snapshot().fault.code);
     EXPECT_LT((edp->servo.snapshot().joints - home).cwiseAbs().maxCoeff(), 2e-3) << "after a second at home";
   }
   JointVector target = home;
@@ -133,7 +133,7 @@ TEST_F(TwoIrb6, RegulatorsHoldThemAgainstGravityAndBringThemWhereTheyAreSent) {
   ASSERT_TRUE(right.go(target));
   run(1000);
   for (Edp* edp : {&left, &right}) {
-    ASSERT_TRUE(edp->servo.snapshot().enabled) << static_cast<int>(edp->servo.snapshot().fault.code);
+    ASSERT_TRUE(edp->servo.snapshot().enabled()) << static_cast<int>(edp->servo.snapshot().fault.code);
     EXPECT_LT((edp->servo.snapshot().joints - target).cwiseAbs().maxCoeff(), 2e-3);
     EXPECT_EQ(edp->last.error.error_class, ErrorClass::none);
   }

@@ -1,5 +1,6 @@
 #include "mrroc/robots/slide.hpp"
 
+#include "config/robot_files.hpp"
 #include "config/robot_parameters_file.hpp"
 
 namespace mrroc {
@@ -39,8 +40,8 @@ class SlideModel final : public RobotModel {
 
 }  // namespace
 
-RobotModels load_slide() {
-  const auto table = config::Table::load(config::robot_file("slide", "slide.toml"));
+RobotModels load_slide(const std::filesystem::path& file) {
+  const auto table = config::Table::load(config::parameter_file("slide", file));
   auto parameters = config::read_robot_parameters(table);
   const double gear = table.number("gear", {.min = 1});
   table.finish();

@@ -131,7 +131,7 @@ void CanHardware::send_heartbeat() noexcept { send(heartbeat_frame(table_.master
 void CanHardware::send_stops(Tick tick) noexcept {
   if (tick < next_stop_) return;
   for (const Drive& drive : drives_) {
-    if (!drive.defies()) continue;
+    if (!drive.ignores_controlword()) continue;
     send(nmt_frame(NmtCommand::stop, drive.node()));
     next_stop_ = tick + static_cast<Tick>(std::ceil(kBetweenStops / period_));
   }
@@ -179,30 +179,28 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
   if (timing_.real) input.late = late_;
   if (bus_error_ != BusError::none) {
     input.fault = stops_the_bus(bus_error_) ? ErrorCode::bus_off : ErrorCode::bus_error;
-    input.fault_value = static_cast<double>(bus_error_);
+    input.fault_detail = DriverText(can::describe(bus_error_));
   }
+  std::size_t silent = 0;
   for (Eigen::Index i = 0; i < count; ++i) {
     const Drive& drive = drives_[static_cast<std::size_t>(i)];
     input.motors[i] = drive.position();
     input.current[i] = drive.current();
     input.switches[static_cast<std::size_t>(i)] = drive.switches();
     if (!drive.knows_position() && !table_.absolute_encoders) synchronised_ = false;
-    const Drive::Finding finding = drive.finding(tick);
-    if (!graver(finding.code, input.fault)) continue;
-    input.fault = finding.code;
+    const DriveFault fault = drive.fault(tick);
+    const auto* silence = std::get_if<Silent>(&fault);
+    if (silence != nullptr && silence->how == Silent::How::no_answer) ++silent;
+    if (!graver(code_of(fault), input.fault)) continue;
+    input.fault = code_of(fault);
     input.fault_axis = static_cast<int>(i);
-    input.fault_value = finding.value;
-    input.fault_limit = finding.limit;
+    input.fault_detail = describe(fault);
   }
   // of a single drive no one knows whether it is the drive or the bus
-  const bool nobody = count > 1 && std::all_of(drives_.begin(), drives_.end(), [tick](const Drive& drive) {
-                        const Drive::Finding finding = drive.finding(tick);
-                        return finding.code == ErrorCode::hardware_silent &&
-                               finding.value == static_cast<double>(DriveSilence::no_answer);
-                      });
-  if (nobody && input.fault == ErrorCode::hardware_silent) {
+  if (count > 1 && silent == drives_.size() && input.fault == ErrorCode::hardware_silent) {
     input.fault_axis = -1;
-    input.fault_value = static_cast<double>(DriveSilence::nobody);
+    input.fault_detail = driver_text(
+        "no drive has answered more than %d SYNCs in a row: they are lost, or the bus is cut", table_.missed_max);
   }
   input.synchronised = synchronised_;
   input.homing = Homing::none;

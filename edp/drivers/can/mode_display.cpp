@@ -1,8 +1,7 @@
 #include "edp/drivers/can/mode_display.hpp"
 
-#include <cmath>
-
 #include "canopen/objects.hpp"
+#include "edp/drivers/can/ticks_of.hpp"
 
 namespace mrroc::edp {
 
@@ -12,12 +11,12 @@ using Status = canopen::SdoTransfer::Status;
 ModeDisplay::ModeDisplay(canopen::NodeId node, bool there, double period) noexcept
     : node_(node),
       there_(there),
-      pause_ticks_(static_cast<Tick>(std::ceil(kPause / period))),
-      answer_ticks_(static_cast<Tick>(std::ceil(kAnswerTime / period))) {}
+      pause_ticks_(ticks_of(kPause, period)),
+      answer_ticks_(ticks_of(kAnswerTime, period)) {}
 
 void ModeDisplay::want(canopen::DriveMode mode) noexcept {
   wanted_ = mode;
-  shown_ = kNothing;
+  shown_.reset();
   due_ = 0;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <optional>
 
 #include "canopen/drive_state.hpp"
 #include "canopen/sdo.hpp"
@@ -13,9 +13,8 @@ namespace mrroc::edp {
 /// nothing itself, and its time is the servo's tick. Allocates nothing, never throws; one thread.
 class ModeDisplay {
  public:
-  static constexpr double kPause = 0.01;          ///< s, between two questions
-  static constexpr double kAnswerTime = 0.1;      ///< s, to a question; then it is asked again
-  static constexpr std::int16_t kNothing = 1000;  ///< no mode: none has been shown
+  static constexpr double kPause = 0.01;      ///< s, between two questions
+  static constexpr double kAnswerTime = 0.1;  ///< s, to a question; then it is asked again
 
   /// `there`: its EDS file has the object. `period` in s.
   ModeDisplay(canopen::NodeId node, bool there, double period) noexcept;
@@ -26,9 +25,9 @@ class ModeDisplay {
   /// False: the drive does not have it, no one can tell.
   bool tells() const noexcept { return there_; }
   /// It shows what is wanted, or cannot be asked.
-  bool confirms() const noexcept { return !there_ || shown_ == static_cast<std::int16_t>(wanted_); }
-  /// What it has shown last since then, or kNothing.
-  std::int16_t shown() const noexcept { return shown_; }
+  bool confirms() const noexcept { return !there_ || shown_ == static_cast<int>(wanted_); }
+  /// What it has shown last since then.
+  std::optional<int> shown() const noexcept { return shown_; }
 
   /// True: it is to be asked, `request` is to be sent.
   bool asks(Tick tick, can::Frame& request) noexcept;
@@ -40,7 +39,7 @@ class ModeDisplay {
   bool there_;
   Tick pause_ticks_, answer_ticks_;
   canopen::DriveMode wanted_ = canopen::DriveMode::none;
-  std::int16_t shown_ = kNothing;
+  std::optional<int> shown_;
   Tick asked_ = 0;
   Tick due_ = 0;  ///< the next question
   canopen::SdoTransfer transfer_;

@@ -108,14 +108,13 @@ void read_can(const Table& robot_table, const Deployment& deployment, RobotEntry
   check_period(table, deployment.servo_period);
   check_interface_is_free(table, deployment, robot);
   if (can.simulated) check_process_name(table, robot);
-  can.drives = table.has("drives") ? beside(table.file(), table.text("drives"))
-                                   : robot_file(robot.type, robot.type + "_drives.toml");
+  can.drives = table.has("drives") ? beside(table.file(), table.text("drives")) : robot.files().drives;
   if (can.simulated) can.program = robot.type + "_drives";
   if (robot.host != deployment.here) return;
   if (const std::string problem = reading_problem(can.drives); !problem.empty())
     table.fail("drives", in_quotes(can.drives.string()) + " " + problem,
                "a table of the robot's drives (docs/how-to/can.md)");
-  const RobotParameters parameters = read_robot_parameters(Table::load(robot_file(robot.type, robot.type + ".toml")));
+  const RobotParameters parameters = read_robot_parameters(Table::load(robot.files().parameters));
   settle_synchronised(robot_table, read_drive_table(can.drives, parameters), robot);
   if (can.simulated) can.program = require_program(table, "simulated", can.program);
 }

@@ -21,15 +21,16 @@ std::string read_hardware(const Table& table, const Deployment& deployment) {
 
 /// Whether the drives know their positions from the start. If not, every axis must have a switch to find them by, or a
 /// drive that has its own means.
-bool read_synchronised(const Table& table, const std::string& type, const std::string& hardware) {
+bool read_synchronised(const Table& table, const RobotEntry& robot) {
   if (table.boolean_or("synchronised", true)) return true;
-  if (hardware == "socketcan") return false;
-  const RobotParameters parameters = read_robot_parameters(Table::load(robot_file(type, type + ".toml")));
+  if (robot.hardware == "socketcan") return false;
+  const RobotParameters parameters = read_robot_parameters(Table::load(robot.files().parameters));
   for (const AxisParameters& axis : parameters.axes) {
     if (axis.synchro_coarse != 0) continue;
-    table.fail("synchronised",
-               "false, but axis " + in_quotes(axis.name) + " of " + type + " has no switch to find its position by",
-               "true (leave the key out)");
+    table.fail(
+        "synchronised",
+        "false, but axis " + in_quotes(axis.name) + " of " + robot.type + " has no switch to find its position by",
+        "true (leave the key out)");
   }
   return false;
 }
@@ -54,16 +55,17 @@ void read_force(const Table& table, RobotEntry& robot) {
 }  // namespace
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
-  table.only({"type", "program", "hardware", "host", "mount", "position", "rotation", "synchronised", "emergency_stop",
-              "force_sensor", "force_limit", "torque_limit", "can"});
+  table.only({"type", "parameters", "program", "hardware", "host", "mount", "position", "rotation", "synchronised",
+              "emergency_stop", "force_sensor", "force_limit", "torque_limit", "can"});
   RobotEntry robot;
   robot.name = name;
   robot.type = table.choice("type", robot_types());
+  if (table.has("parameters")) robot.parameters = find_parameters(table, robot.type);
   robot.hardware = read_hardware(table, deployment);
   robot.host = read_host(table, deployment);
   robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
-  robot.synchronised = read_synchronised(table, robot.type, robot.hardware);
+  robot.synchronised = read_synchronised(table, robot);
   read_can(table, deployment, robot);
   if (table.has("emergency_stop"))
     robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, Signals::kDigital - 1));

@@ -96,7 +96,7 @@ TEST_F(CanEntryTest, SimulatedDrivesCountAsProcesses) {
 /// be synchronised by.
 TEST(RobotDrives, EveryTypeHasATableThatReads) {
   setenv("MRROC_SHARE", MRROC_BINARY_DIR "/share/mrroc", 1);
-  EXPECT_GE(robot_types().size(), 9u);
+  EXPECT_GE(robot_types().size(), 8u);
   for (const std::string& type : robot_types()) {
     SCOPED_TRACE(type);
     const RobotParameters robot = read_robot_parameters(Table::load(type_file("robots", type, type + ".toml")));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "config/message_of.hpp"
@@ -89,7 +90,8 @@ class RobotFiles : public testing::TestWithParam<KnownRobot> {
 
 TEST_P(RobotFiles, AsTheyAreTheyPassAndSoDoTheirDescriptions) {
   EXPECT_EQ(file_.mistake(file_.lines()), "");
-  EXPECT_NO_THROW(check_robot(GetParam().load(GetParam().file("toml")), GetParam().type));
+  EXPECT_NO_THROW(check_robot(GetParam().load(GetParam().file("toml")), GetParam().type,
+                              config::robot_files(GetParam().type, GetParam().file("toml"))));
 }
 
 TEST_P(RobotFiles, NoNumberMayBeLeftOut) {
@@ -210,12 +212,13 @@ TEST_P(RobotFiles, PositionsOutsideTheirLimitsAreRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, RobotFiles, testing::ValuesIn(every_robot()),
-                         [](const auto& robot) { return robot.param.type; });
+                         [](const auto& robot) { return robot.param.stem; });
 
 TEST(EveryRobot, IsTestedHere) {
-  std::vector<std::string> types;
-  for (const KnownRobot& robot : every_robot()) types.push_back(robot.type);
-  EXPECT_EQ(types, config::robot_types());
+  std::set<std::string> types;
+  for (const KnownRobot& robot : every_robot()) types.insert(robot.type);
+  const std::vector<std::string> installed = config::robot_types();
+  EXPECT_EQ(types, std::set(installed.begin(), installed.end()));
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST_P(OfEveryRobot, TheJointVelocitiesAreContinuous) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, OfEveryRobot, testing::ValuesIn(every_robot()),
-                         [](const auto& test) { return test.param.type; });
+                         [](const auto& test) { return test.param.stem; });
 
 /// What the issue of a wrist is: of an arm with six axes, whose roll is nearly straight.
 class WristRoll : public testing::TestWithParam<double> {};
@@ -161,7 +161,7 @@ TEST(ForceSingularity, AnInterruptedRobotStaysUsable) {
   EXPECT_EQ(end.error.error_class, ErrorClass::non_fatal);
   EXPECT_EQ(end.error.code, ErrorCode::singular) << end.error.detail.view();
   rig.run(200);
-  EXPECT_TRUE(rig.seen().enabled);
+  EXPECT_TRUE(rig.seen().enabled());
   EXPECT_TRUE(rig.seen().desired.at_rest());
   EXPECT_EQ(rig.query().lost, 0) << "of a robot at rest";
 

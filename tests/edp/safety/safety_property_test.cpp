@@ -177,7 +177,7 @@ class Driver {
       RC_ASSERT(seen.desired.at_rest());
     }
     if (rig_.hand_over.order.load() == DriveOrder::none) asked_ = false;
-    if (on) RC_ASSERT(!latched_ || !seen.enabled);
+    if (on) RC_ASSERT(!latched_ || !seen.enabled());
     if (seen.fault.code != ErrorCode::none && fault_ == ErrorCode::none) {
       ++totals_.faults[seen.fault.code];
       Stop stop(rig_.model.parameters(), kPeriod);

@@ -141,7 +141,7 @@ TEST(OverCurrent, IsWhatLastsLongerThanItsTime) {
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none) << "0.1 s at a time";
   overload(51);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::over_current);
-  EXPECT_EQ(rig.seen().fault.value, 20);
+  EXPECT_EQ(std::get<Excess>(rig.seen().fault.detail).value, 20);
   EXPECT_EQ(recover(rig), ErrorCode::none);
   rig.run(200);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);

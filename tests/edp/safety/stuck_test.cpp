@@ -233,7 +233,7 @@ TEST_P(AtRest, TheServosRegulatorMayHoldALoadAgainstFriction) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, AtRest, testing::ValuesIn(every_robot()),
-                         [](const auto& test) { return test.param.type; });
+                         [](const auto& test) { return test.param.stem; });
 
 TEST(AtRest, AnHourIsNoLongerThanAMinute) {
   const RobotModels models = every_robot()[2].load(every_robot()[2].file("toml"));
@@ -286,7 +286,7 @@ TEST_P(Held, AShaftIsFoundWhateverDrivesIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Held, testing::ValuesIn(every_robot()),
-                         [](const auto& test) { return test.param.type; });
+                         [](const auto& test) { return test.param.stem; });
 
 }  // namespace
 }  // namespace mrroc::edp

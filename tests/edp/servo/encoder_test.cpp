@@ -148,7 +148,7 @@ TEST(Encoder, ThatDiesAtRestMovesTheAxisByLessThanItsLimits) {
     EXPECT_EQ(rig.seen().fault.code, ErrorCode::axis_stuck) << "the set-point stands, after " << ticks;
     EXPECT_EQ(rig.seen().fault.axis, 0);
     const double limit = rig.model.parameters().axes[0].velocity_max;
-    EXPECT_NEAR(rig.seen().fault.limit, MotionWatch::kPushed * limit, 1e-9);
+    EXPECT_NEAR(std::get<Excess>(rig.seen().fault.detail).limit, MotionWatch::kPushed * limit, 1e-9);
     EXPECT_LE(fastest, 1.5 * limit) << beside;
     EXPECT_GE(fastest, limit) << "it was pushed: " << beside;
   }

@@ -49,7 +49,7 @@ TEST(Servo, TooLargeAFollowingErrorStopsTheRobotAndSwitchesTheDrivesOff) {
   rig.run(500);
   ASSERT_EQ(rig.seen().fault.code, ErrorCode::following_error);
   EXPECT_EQ(rig.seen().fault.axis, 0);
-  EXPECT_GT(rig.seen().fault.value, 30);
+  EXPECT_GT(std::get<Excess>(rig.seen().fault.detail).value, 30);
   EXPECT_FALSE(rig.hardware.powered);
   // the reply leaves at once, with the error; nothing is said twice
   ASSERT_EQ(rig.replies.size(), 1u);

@@ -33,7 +33,7 @@ TEST(HandOver, TwoThreadsLoseNoCommandAndNeverTearASetPoint) {
       if (enabled && !(std::abs(way) <= 0.8 * kPeriod * (1 + 1e-6))) ++violations;
       if (seen.fault.code != ErrorCode::none) ++violations;
       previous = seen.desired.position[0];
-      enabled = seen.enabled;
+      enabled = seen.enabled();
       if (tick % 4 == 0) std::this_thread::yield();
     }
   });

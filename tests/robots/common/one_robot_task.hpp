@@ -11,10 +11,13 @@ namespace mrroc {
 /// A process with one robot, whose link keeps the last command in `sent` and answers with `state`.
 class OneRobotTask : public Task, private RobotLink {
  public:
-  OneRobotTask(std::string name, std::string type) : name_(std::move(name)), type_(std::move(type)) {}
+  /// `parameters`: the file that the deployment names; empty: its type's own.
+  OneRobotTask(std::string name, std::string type, std::filesystem::path parameters = {})
+      : name_(std::move(name)), type_(std::move(type)), parameters_(std::move(parameters)) {}
 
   const std::string& process_name() const noexcept override { return name_; }
   std::string robot_name(const std::string& requested) const override { return requested.empty() ? name_ : requested; }
+  std::filesystem::path robot_parameters(const std::string&) const override { return parameters_; }
   RobotLink& robot_link(const std::string& name, const std::string& type) override {
     if (name != name_ || type != type_) throw NonFatalError(ErrorCode::invalid_argument, "no " + type + " " + name);
     return *this;
@@ -38,6 +41,7 @@ class OneRobotTask : public Task, private RobotLink {
   void receive(RobotState& answer) override { answer = state; }
 
   std::string name_, type_;
+  std::filesystem::path parameters_;
 };
 
 }  // namespace mrroc

@@ -14,7 +14,8 @@ inline config::Deployment demo() {
   deployment.sim->scene = conveyor_source("demo.xml");
   config::RobotEntry robot;
   robot.name = "belt";
-  robot.type = conveyor_under_test();
+  robot.type = "conveyor";
+  robot.parameters = conveyor_file("toml");
   robot.hardware = "mujoco";
   robot.base.translation().z() = 0.55;
   deployment.robots.push_back(robot);

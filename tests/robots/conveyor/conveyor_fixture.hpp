@@ -7,15 +7,15 @@
 
 namespace mrroc {
 
-/// Type of the conveyor that a test executable is about; defined once in each.
+/// Stem of the files in robots/conveyor/ that a test executable is about, `conveyor` or `fast`; defined once in each.
 std::string conveyor_under_test();
 
-/// robots/<type>/`name` of the source tree.
+/// robots/conveyor/`name` of the source tree.
 inline std::filesystem::path conveyor_source(const std::string& name) {
-  return std::filesystem::path(MRROC_SOURCE_DIR) / "robots" / conveyor_under_test() / name;
+  return std::filesystem::path(MRROC_SOURCE_DIR) / "robots" / "conveyor" / name;
 }
 
-/// robots/<type>/<type>.<extension> of the source tree.
+/// robots/conveyor/<stem>.<extension> of the source tree.
 inline std::filesystem::path conveyor_file(const std::string& extension) {
   return conveyor_source(conveyor_under_test() + "." + extension);
 }

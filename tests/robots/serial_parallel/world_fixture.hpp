@@ -61,7 +61,7 @@ class SerialParallelWorld : public testing::Test {
     command.reply_step = ticks;
     ASSERT_FALSE(effector.accept(command, ++number, refusal)) << refusal.state.error.detail.view();
     run(ticks + 500U);
-    ASSERT_TRUE(servo.snapshot().enabled) << static_cast<int>(servo.snapshot().fault.code);
+    ASSERT_TRUE(servo.snapshot().enabled()) << static_cast<int>(servo.snapshot().fault.code);
   }
   /// Largest distance between the two ends of a loop, m.
   double residual() {

@@ -103,7 +103,7 @@ TEST_F(SerialParallelWorld, JointsPastAPassiveLimitAreRefusedBeforeAnythingMoves
   EXPECT_EQ(refusal.state.error.error_class, ErrorClass::non_fatal) << refusal.state.error.detail.view();
   EXPECT_EQ(refusal.state.error.code, ErrorCode::motor_limit) << refusal.state.error.detail.view();
   run(10);
-  EXPECT_TRUE(servo.snapshot().enabled);
+  EXPECT_TRUE(servo.snapshot().enabled());
 }
 
 TEST_F(SerialParallelWorld, BrakesHoldItWhereItStands) {

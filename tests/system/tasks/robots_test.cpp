@@ -8,26 +8,36 @@
 namespace mrroc::test {
 namespace {
 
-/// Every robot that has a demo, by the name of its folder: a new one is tested without being named here.
-std::vector<std::string> robots_with_a_demo() {
-  std::vector<std::string> robots;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(MRROC_SOURCE_DIR) / "robots"))
-    if (std::filesystem::exists(entry.path() / "demo.toml")) robots.push_back(entry.path().filename());
-  std::sort(robots.begin(), robots.end());
-  return robots;
+const std::filesystem::path kRobots = std::filesystem::path(MRROC_SOURCE_DIR) / "robots";
+
+/// Every demo of a robot, "<type>/<file>": a new one is tested without being named here.
+std::vector<std::string> demos() {
+  std::vector<std::string> demos;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kRobots)) {
+    if (entry.path().filename().string().ends_with("demo.toml"))
+      demos.push_back(entry.path().lexically_relative(kRobots).string());
+  }
+  std::sort(demos.begin(), demos.end());
+  return demos;
+}
+
+/// irb6 of irb6/demo.toml, conveyor_fast of conveyor/fast_demo.toml.
+std::string name_of(const testing::TestParamInfo<std::string>& test) {
+  const std::filesystem::path demo(test.param);
+  const std::string stem = demo.stem().string();
+  return demo.parent_path().string() + (stem == "demo" ? "" : "_" + stem.substr(0, stem.size() - 5));
 }
 
 class Demo : public testing::TestWithParam<std::string> {};
 
 TEST_P(Demo, ToursItsWorkspaceTheSameWay) {
   const ScratchFolder folder;
-  const std::string deployment = "robots/" + GetParam() + "/demo.toml";
+  const std::string deployment = "robots/" + GetParam();
   const EqualRuns runs = expect_equal_runs(deployment, folder);
   EXPECT_NE(text_of(runs.trace).find(" move="), std::string::npos) << "nothing has moved";
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, Demo, testing::ValuesIn(robots_with_a_demo()),
-                         [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(Robots, Demo, testing::ValuesIn(demos()), name_of);
 
 /// tests/system/programs/unsynchronised.cpp on an IRb-6 whose drives do not know where they are.
 constexpr const char* kUnsynchronised = R"([deployment]

@@ -104,7 +104,7 @@ TEST_P(WithoutSwitches, StartingUnsynchronisedIsRefusedBeforeAnythingStarts) {
   EXPECT_NE(output.find("has no switch to find its position by"), std::string::npos) << output;
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, WithoutSwitches, testing::Values("conveyor", "fast_conveyor", "polycrank"),
+INSTANTIATE_TEST_SUITE_P(Robots, WithoutSwitches, testing::Values("conveyor", "polycrank"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -18,7 +18,7 @@ class Allocation : public testing::TestWithParam<DriveMode> {};
 TEST_P(Allocation, TheCyclicPathAllocatesNothing) {
   CanRig<Gantry> rig(GetParam());
   rig.replies.reserve(100);
-  ASSERT_TRUE(rig.seen().enabled);
+  ASSERT_TRUE(rig.seen().enabled());
   const RobotCommand motion = relative_joints(JointVector::Constant(4, 0.2), 400);
   RobotCommand recover;
   recover.kind = CommandKind::recover;
@@ -37,7 +37,7 @@ TEST_P(Allocation, TheCyclicPathAllocatesNothing) {
     rig.run(200);
   }
   EXPECT_EQ(allocations, 0u);
-  EXPECT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  EXPECT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   rig.rack.with([](auto& nodes) { nodes[1].boot(0); });
   {
     const Counting scope;
@@ -46,7 +46,7 @@ TEST_P(Allocation, TheCyclicPathAllocatesNothing) {
     rig.run(400);
   }
   EXPECT_EQ(allocations, 0u);
-  EXPECT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  EXPECT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   {
     const Counting scope;
     rig.effector.enable(false);
@@ -73,7 +73,7 @@ class BesideSwitches : public Switched {
 TEST(AllocationOfHoming, IsNone) {
   CanRig<BesideSwitches> rig(DriveMode::cyclic_position, false);
   rig.replies.reserve(100);
-  ASSERT_TRUE(rig.seen().enabled);
+  ASSERT_TRUE(rig.seen().enabled());
   RobotCommand synchronise;
   synchronise.kind = CommandKind::synchronise;
   {

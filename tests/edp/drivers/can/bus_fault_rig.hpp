@@ -89,7 +89,7 @@ inline config::DriveTable watched_table(bool absolute_encoders, double ramp) {
 class Spoiler {
  public:
   /// From now on; without `how` they all pass.
-  void use(can::Hub::Fault how) {
+  void use(can::Hub::Disturbance how) {
     const std::lock_guard lock(mutex_);
     how_ = std::move(how);
   }
@@ -100,7 +100,7 @@ class Spoiler {
 
  private:
   std::mutex mutex_;
-  can::Hub::Fault how_;
+  can::Hub::Disturbance how_;
 };
 
 /// A gantry under way, with everything that may go wrong at hand.
@@ -118,7 +118,7 @@ class Rig {
     hardware->open();
     servo = std::make_unique<Servo>(models, *hardware, kCanPeriod, hand_over);
     effector.enable(true);
-    while (!servo->snapshot().enabled && now < 3000) tick();
+    while (!servo->snapshot().enabled() && now < 3000) tick();
     effector.accept(relative_joints(JointVector::Constant(4, kFirstWay), 1500), ++number, answer);
     const Tick moment = now + 50 + random() % 1000;
     while (now < moment) tick();

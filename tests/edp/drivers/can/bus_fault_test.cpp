@@ -51,7 +51,7 @@ TEST(BusFault, ADriveThatHasRestartedWithoutAnAbsoluteEncoderIsNotSynchronised) 
   EXPECT_EQ(rig.fault().code, ErrorCode::drive_restarted);
   EXPECT_FALSE(rig.servo->snapshot().synchronised);
   EXPECT_TRUE(rig.recover()) << rig.text();
-  EXPECT_TRUE(rig.servo->snapshot().enabled);
+  EXPECT_TRUE(rig.servo->snapshot().enabled());
   EXPECT_FALSE(rig.moves_again()) << "joints are not known";
 }
 

@@ -17,7 +17,7 @@ using namespace canopen;
 
 /// Drives that are on, and everything that has passed their bus since they were set up.
 struct HeardGantry : HeldGantry {
-  explicit HeardGantry(const config::DriveTable& wanted, can::Hub::Fault fault = {})
+  explicit HeardGantry(const config::DriveTable& wanted, can::Hub::Disturbance fault = {})
       : HeldGantry(wanted, wanted, true, std::move(fault)) {
     hardware->open();
     ear = bus.open();

@@ -22,7 +22,7 @@ class EveryMode : public testing::TestWithParam<DriveMode> {};
 
 TEST_P(EveryMode, TheRobotGoesWhereItIsSent) {
   CanRig<Gantry> rig(GetParam());
-  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  ASSERT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   const JointVector begin = rig.seen().joints;
   const JointVector way = (JointVector(4) << 0.2, -0.1, 0.15, 0.3).finished();
   ASSERT_FALSE(rig.send(relative_joints(way, 500)));
@@ -115,7 +115,7 @@ TEST(CanHardware, AnEmergencyStopEndsTheSwitchingOn) {
   rig.operators.reset();
   ASSERT_FALSE(rig.send(recover));
   rig.run(100);
-  EXPECT_TRUE(rig.seen().enabled);
+  EXPECT_TRUE(rig.seen().enabled());
 }
 
 TEST_P(EveryMode, ADriveThatCountsBackwardsAndInUnitsOfItsOwnIsNoOther) {
@@ -190,8 +190,7 @@ TEST(CanHardware, AModeThatIsShownLateHoldsTheSwitchingOnUp) {
   EXPECT_FALSE(rig.hardware->busy());
   EXPECT_EQ(rig.input.fault, ErrorCode::drive_not_ready);
   EXPECT_EQ(rig.input.fault_axis, 2);
-  EXPECT_EQ(rig.input.fault_value, 1);
-  EXPECT_EQ(rig.input.fault_limit, 8);
+  EXPECT_EQ(describe(rig.input.fault_detail), describe(DriveFault(WrongMode{1, DriveMode{8}})));
 }
 
 TEST(CanHardware, DrivesWithoutAModeDisplayAreBelieved) {
@@ -239,7 +238,7 @@ TEST(CanHardware, ADriveThatIsStartedAgainHearsAHeartbeatBeforeItGetsPower) {
 /// A single drive is not told from a bus that is cut.
 TEST(CanHardware, ARobotsOnlyDriveIsNamedWhenItIsLost) {
   CanRig<Slide> rig(DriveMode::cyclic_position);
-  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  ASSERT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   rig.rack.with([](auto& nodes) { nodes[0].cut(true); });
   rig.run(10);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::hardware_silent);

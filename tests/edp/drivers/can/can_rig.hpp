@@ -59,7 +59,7 @@ inline canopen::EdsFile changed_eds(const std::string& found, const std::string&
 /// The bus of a test: a hub of its own, or the interface that MRROC_TEST_BUS names.
 class TestBus {
  public:
-  explicit TestBus(can::Hub::Fault fault = {}) {
+  explicit TestBus(can::Hub::Disturbance fault = {}) {
     if (const char* const name = std::getenv("MRROC_TEST_BUS")) {
       name_ = name;
       return;
@@ -125,7 +125,7 @@ struct HeldGantry {
   /// The drives `there` are those on the bus.
   explicit HeldGantry(const config::DriveTable& wanted) : HeldGantry(wanted, wanted) {}
   HeldGantry(const config::DriveTable& wanted, const config::DriveTable& there, bool synchronised = true,
-             can::Hub::Fault fault = {})
+             can::Hub::Disturbance fault = {})
       : table(wanted), bus(std::move(fault)), rack(there, model, bus, true), synchronised_(synchronised) {
     connect();
   }
@@ -169,17 +169,17 @@ struct HeldGantry {
 /// A robot whose servo drives it over the bus.
 template <class Model>
 struct CanRig {
-  explicit CanRig(canopen::DriveMode mode, bool synchronised = true, can::Hub::Fault fault = {})
+  explicit CanRig(canopen::DriveMode mode, bool synchronised = true, can::Hub::Disturbance fault = {})
       : CanRig(table_for(Model{}.parameters(), mode), synchronised, std::move(fault)) {}
 
-  CanRig(const config::DriveTable& drives, bool synchronised, can::Hub::Fault fault = {})
+  CanRig(const config::DriveTable& drives, bool synchronised, can::Hub::Disturbance fault = {})
       : table(drives),
         bus(std::move(fault)),
         rack(table, model, bus, synchronised),
         hardware(table, model.parameters(), kCanPeriod, bus.open(), kTestTiming, synchronised) {
     hardware.open();
     effector.enable(true);
-    while (!seen().enabled && seen().fault.code == ErrorCode::none && now < 3000) tick();
+    while (!seen().enabled() && seen().fault.code == ErrorCode::none && now < 3000) tick();
   }
 
   void tick() {

@@ -23,9 +23,9 @@ TEST_F(DriveTest, AnAnswerThatIsMissedIsGuessedTwiceThenItIsSilent) {
   EXPECT_DOUBLE_EQ(drive.position(), 18 * unit);
   say_nothing();
   EXPECT_DOUBLE_EQ(drive.position(), 22 * unit);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   say_nothing();
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::hardware_silent);
   EXPECT_FALSE(drive.awaited());
 }
 
@@ -33,20 +33,19 @@ TEST_F(DriveTest, WhoAlwaysAnswersTooLateIsNotTakenForOneThatAnswers) {
   switch_on();
   const double unit = 2 * std::numbers::pi / 4000;
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << i;
+    EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none) << i;
     say_late(10 * (i + 1));
   }
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
-  const Drive::Finding finding = drive.finding(tick);
-  const Fault fault{finding.code, 0, finding.value, finding.limit, 7};
-  EXPECT_EQ(make_report(fault, Slide{}.parameters()).detail.view(),
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::hardware_silent);
+  const DriveFault fault = drive.fault(tick);
+  EXPECT_EQ(text_of(fault),
             "axis 1 (x), tick 7: its answers come later than answer_time after more than 2 SYNCs in a row");
   can::Frame next;
   drive.reset(tick, drive.position(), next);
   EXPECT_EQ(next.id, 0u) << "it is in service, and need not be set up anew";
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent) << "nothing is better yet";
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::hardware_silent) << "nothing is better yet";
   say(status_bits(DriveState::operation_enabled), 40);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   EXPECT_DOUBLE_EQ(drive.position(), 40 * unit);
 }
 
@@ -77,7 +76,7 @@ TEST_F(DriveTest, ACycleWithAnAnswerTooManySaysNothing) {
     switch_on();
     say(on, 4);
     for (int i = 2; i <= 4; ++i) {
-      EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << i;
+      EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none) << i;
       EXPECT_EQ(controlword(), kEnableOperation);
       can::Frame next;
       const can::Frame strange = feedback(0xd245, 123456789, 32000);
@@ -92,8 +91,8 @@ TEST_F(DriveTest, ACycleWithAnAnswerTooManySaysNothing) {
       EXPECT_NEAR(drive.position(), 4 * std::min(i, 3) * unit, 1e-9) << "guessed, for two cycles";
       EXPECT_EQ(drive.current(), 0);
     }
-    EXPECT_EQ(drive.finding(tick).code, ErrorCode::encoder_fault);
-    EXPECT_EQ(drive.finding(tick).value, 3);
+    EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::encoder_fault);
+    EXPECT_EQ(std::get<DuplicateNode>(drive.fault(tick)).cycles, 3);
   }
 }
 
@@ -101,14 +100,13 @@ TEST_F(DriveTest, SwitchesThatAreNotToldAreMissed) {
   switch_on();
   tells_switches = false;
   for (int i = 0; i < 12; ++i) {  // three times status_every
-    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << i;
+    EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none) << i;
     say(status_bits(DriveState::operation_enabled));
   }
   say(status_bits(DriveState::operation_enabled));
-  const Drive::Finding finding = drive.finding(tick);
-  EXPECT_EQ(finding.code, ErrorCode::hardware_silent);
-  EXPECT_EQ(make_report({finding.code, 0, finding.value, finding.limit, 7}, Slide{}.parameters()).detail.view(),
-            "axis 1 (x), tick 7: no TPDO 2, velocity and switches, after more than 12 SYNCs in a row");
+  const DriveFault fault = drive.fault(tick);
+  EXPECT_EQ(code_of(fault), ErrorCode::hardware_silent);
+  EXPECT_EQ(text_of(fault), "axis 1 (x), tick 7: no TPDO 2, velocity and switches, after more than 12 SYNCs in a row");
   can::Frame next;
   drive.reset(tick, drive.position(), next);
   EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
@@ -123,19 +121,19 @@ TEST_F(DriveTest, AFrameThatIsTooShortIsNoAnswer) {
 TEST_F(DriveTest, HeartbeatsAreWatchedOverThreeOfThem) {
   switch_on();
   while (tick < 30) say(status_bits(DriveState::operation_enabled));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   say(status_bits(DriveState::operation_enabled));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::heartbeat_lost);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::heartbeat_lost);
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::operational), tick, next);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
 }
 
 TEST_F(DriveTest, ABootUpInServiceIsARestart) {
   switch_on();
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_restarted);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_restarted);
   EXPECT_FALSE(drive.knows_position());
   drive.reset(tick, drive.position(), next);
   EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
@@ -171,7 +169,7 @@ TEST_F(DriveTest, OneThatCountsAnewGoesOnFromWhereItIsBelievedToBe) {
 TEST_F(DriveTest, WhoeverBootsWhileNobodyServesHimHasLostHisPosition) {
   switch_on();
   for (int i = 0; i < 5; ++i) say_nothing();
-  ASSERT_EQ(drive.finding(tick).code, ErrorCode::hardware_silent);
+  ASSERT_EQ(code_of(drive.fault(tick)), ErrorCode::hardware_silent);
   can::Frame next;
   drive.reset(tick, drive.position(), next);  // no one answers
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
@@ -188,25 +186,25 @@ TEST_F(DriveTest, WhoAnswersMoreOftenThanItIsAskedHasANamesake) {
   for (int i = 0; i < 20; ++i) {
     say(on);
     if (i % 2 == 0) once_more();  // now and then: it is not worth a stop
-    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+    EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   }
   for (int i = 0; i < 2; ++i) say_nothing();
   say(on);
   for (int i = 0; i < 2; ++i) once_more();  // those that were missed, late
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   for (int i = 0; i < 3; ++i) {
     say(on);
     once_more();
     once_more();  // twice, in one cycle
-    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+    EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   }
   say(on);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::encoder_fault);
-  EXPECT_EQ(drive.finding(tick).value, 3) << "cycles";
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::encoder_fault);
+  EXPECT_EQ(std::get<DuplicateNode>(drive.fault(tick)).cycles, 3);
   say(on);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::encoder_fault) << "until it is reset";
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::encoder_fault) << "until it is reset";
   drive.reset(tick, drive.position(), next);
-  EXPECT_NE(drive.finding(tick).code, ErrorCode::encoder_fault);
+  EXPECT_NE(code_of(drive.fault(tick)), ErrorCode::encoder_fault);
 }
 
 TEST_F(DriveTest, ARequestOfItsSetUpThatIsNotAnsweredIsSentAgain) {
@@ -287,16 +285,15 @@ TEST_F(DriveTest, ADriveThatRefusesToBeSetUpAnewSaysWhatAndWhy) {
   drive.reset(tick, drive.position(), next);
   const auto low = next.data[1], high = next.data[2], sub = next.data[3];
   drive.take({0x581, {0x80, low, high, sub, 0x22, 0x00, 0x00, 0x08}}, tick, next);
-  Drive::Finding finding = drive.finding(tick);
-  const Fault fault{finding.code, 0, finding.value, finding.limit, 7};
-  const std::string text{make_report(fault, Slide{}.parameters()).detail.view()};
+  const DriveFault fault = drive.fault(tick);
+  const std::string text = text_of(fault);
   char object[16];
   std::snprintf(object, sizeof object, "%02X%02Xh:%u", high, low, sub);
   std::string expected = "axis 1 (x), tick 7: it refuses to be set up: object ";
   expected.append(object).append(", ").append(describe(SdoAbort{0x08000022}));
   EXPECT_EQ(text, expected);
   drive.reset(tick, drive.position(), next);
-  EXPECT_EQ(drive.finding(tick).value, 0) << "it is tried again";
+  EXPECT_TRUE(std::holds_alternative<Restarted>(drive.fault(tick))) << "it is tried again";
 }
 
 }  // namespace

@@ -5,10 +5,16 @@
 #include <optional>
 
 #include "can_rig.hpp"
+#include "edp/safety/error_report.hpp"
 
 namespace mrroc::edp {
 
 using namespace canopen;
+
+/// What the operator is told of it, at tick 7.
+inline std::string text_of(const DriveFault& fault) {
+  return std::string(make_report(Fault{code_of(fault), 0, describe(fault), 7}, Slide{}.parameters()).detail.view());
+}
 
 /// A drive that answers as the test says.
 class DriveTest : public testing::Test {

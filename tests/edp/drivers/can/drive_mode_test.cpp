@@ -15,11 +15,7 @@ class DriveModeTest : public DriveTest {
   static std::uint16_t on(std::uint16_t more = 0) {
     return static_cast<std::uint16_t>(status_bits(DriveState::operation_enabled) | more);
   }
-  std::string text() const {
-    const Drive::Finding finding = drive.finding(tick);
-    return std::string(
-        make_report({finding.code, 0, finding.value, finding.limit, 7}, Slide{}.parameters()).detail.view());
-  }
+  std::string text() const { return text_of(drive.fault(tick)); }
   int mode() { return drive.command({}).data[6]; }
 };
 
@@ -32,7 +28,7 @@ TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotOnYet) {
     say(on());
   }
   EXPECT_EQ(questions, 101) << "each 10 ms";
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   told_mode = 8;
   for (int i = 0; i < 5; ++i) say(on());
   EXPECT_TRUE(drive.is_on());
@@ -40,7 +36,7 @@ TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotOnYet) {
   const int asked = questions;
   for (int i = 0; i < 1000; ++i) say(on());
   EXPECT_EQ(questions, asked) << "what is known is not asked again";
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
 }
 
 TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotLetGo) {
@@ -68,7 +64,7 @@ TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotLetGo) {
   drive.enable(true, tick);
   told_mode = 1;
   wait(1002);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_not_ready);
   EXPECT_EQ(text(), "axis 1 (x), tick 7: mode display 1, wanted 8");
 }
 
@@ -77,7 +73,7 @@ TEST_F(DriveModeTest, WhoNeverShowsItIsNotReady) {
   switch_on();
   for (int i = 0; i < 1000; ++i) say(on());
   EXPECT_FALSE(drive.busy(tick));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_not_ready);
   EXPECT_EQ(text(), "axis 1 (x), tick 7: mode display 1, wanted 8");
 }
 
@@ -100,7 +96,7 @@ TEST_F(DriveModeTest, WhoHasNoDisplayIsBelieved) {
   EXPECT_TRUE(drive.is_on());
   for (int i = 0; i < 1200; ++i) say(on());
   EXPECT_EQ(questions, 1);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
 
   config::DriveTable without = table;
   without.eds = changed_eds("[6061]", "[6f61]");
@@ -143,7 +139,7 @@ TEST_F(DriveModeTest, WhoDoesNotChangeItsModeDoesNotHome) {
   told_mode = 8;
   drive.home();
   for (int i = 0; i < 1000; ++i) say(on(kHomedWord));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   say(on(kHomedWord));
   EXPECT_EQ(text(), "axis 1 (x), tick 7: mode display 8, wanted 6");
 }
@@ -155,7 +151,7 @@ TEST_F(DriveModeTest, WhoStaysInTheHomingModeIsNotReady) {
   ASSERT_EQ(controlword(), kEnableOperation | kStartHoming);
   told_mode = 6;
   for (int i = 0; i <= 1000; ++i) say(on(kHomedWord));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   say(on(kHomedWord));
   EXPECT_EQ(text(), "axis 1 (x), tick 7: mode display 6, wanted 8");
 }

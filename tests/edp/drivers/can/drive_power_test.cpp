@@ -22,7 +22,7 @@ TEST_F(DriveTest, IsLedStepByStepToOperationEnabled) {
   EXPECT_TRUE(drive.busy(tick));
   say(status_bits(DriveState::operation_enabled));
   EXPECT_FALSE(drive.busy(tick));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   drive.enable(false, tick);
   EXPECT_EQ(controlword(), kQuickStop);
   say(status_bits(DriveState::switch_on_disabled));
@@ -32,10 +32,9 @@ TEST_F(DriveTest, IsLedStepByStepToOperationEnabled) {
 TEST_F(DriveTest, AFaultIsResetByEdges) {
   switch_on();
   say(status_bits(DriveState::fault));
-  const Drive::Finding finding = drive.finding(tick);
-  EXPECT_EQ(finding.code, ErrorCode::drive_fault);
-  EXPECT_EQ(make_report({finding.code, 0, finding.value, finding.limit, 7}, Slide{}.parameters()).detail.view(),
-            "axis 1 (x), tick 7: fault, no EMCY");
+  const DriveFault fault = drive.fault(tick);
+  EXPECT_EQ(code_of(fault), ErrorCode::drive_fault);
+  EXPECT_EQ(text_of(fault), "axis 1 (x), tick 7: fault, no EMCY");
   can::Frame next;
   drive.reset(tick, drive.position(), next);
   EXPECT_TRUE(drive.busy(tick));
@@ -78,7 +77,7 @@ TEST_F(DriveTest, AResetLetsAStopUnderWayEnd) {
 TEST_F(DriveTest, ADriveThatSwitchesItselfOffIsNotReady) {
   switch_on();
   say(status_bits(DriveState::switch_on_disabled));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_not_ready);
 }
 
 TEST_F(DriveTest, TheLastStepToOperationIsTakenWhenItMay) {
@@ -92,7 +91,7 @@ TEST_F(DriveTest, TheLastStepToOperationIsTakenWhenItMay) {
   EXPECT_TRUE(drive.may_operate());
   EXPECT_EQ(held(false), kSwitchOn);
   for (int i = 0; i < 2000; ++i) say(status_bits(DriveState::switched_on), 100);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none) << "it is another one that is not ready";
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none) << "it is another one that is not ready";
   EXPECT_EQ(held(true), kEnableOperation);
   say(status_bits(DriveState::operation_enabled), 103);
   say(status_bits(DriveState::operation_enabled), 110);
@@ -105,29 +104,29 @@ TEST_F(DriveTest, AStopThatDoesNotEndLosesThePower) {
   drive.enable(false, tick);
   for (int i = 0; i < 1000; ++i) {
     EXPECT_EQ(controlword(), kQuickStop);
-    EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+    EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
     say(status_bits(DriveState::quick_stop_active));
   }
   say(status_bits(DriveState::quick_stop_active));
   EXPECT_EQ(controlword(), kDisableVoltage);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_not_ready);
 }
 
 TEST_F(DriveTest, WhoKeepsItsPowerAgainstItsControlwordDoesNotHearIt) {
   beats = true;
-  const auto patience = static_cast<int>(Drive::kObeyTime / kCanPeriod);
+  const auto patience = static_cast<int>(DrivePower::kObeyTime / kCanPeriod);
   switch_on();
-  EXPECT_FALSE(drive.defies());
+  EXPECT_FALSE(drive.ignores_controlword());
   drive.enable(false, tick);
   for (int i = 0; i <= patience; ++i) {
-    EXPECT_FALSE(drive.defies()) << i;
+    EXPECT_FALSE(drive.ignores_controlword()) << i;
     EXPECT_EQ(controlword(), kQuickStop);
     say(status_bits(DriveState::operation_enabled));
   }
-  EXPECT_TRUE(drive.defies());
+  EXPECT_TRUE(drive.ignores_controlword());
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::stopped), tick, next);
-  EXPECT_FALSE(drive.defies()) << "it has been stopped";
+  EXPECT_FALSE(drive.ignores_controlword()) << "it has been stopped";
   drive.reset(tick, drive.position(), next);
   EXPECT_EQ(next.id, 0x601u) << "and is set up anew";
   // one that slows down has the time for it, and then that in which it is to let go
@@ -136,15 +135,15 @@ TEST_F(DriveTest, WhoKeepsItsPowerAgainstItsControlwordDoesNotHearIt) {
   say(status_bits(DriveState::operation_enabled));
   drive.enable(false, tick);
   for (int i = 0; i <= 1000 + patience; ++i) {
-    EXPECT_FALSE(drive.defies()) << i;
+    EXPECT_FALSE(drive.ignores_controlword()) << i;
     controlword();
     say(status_bits(DriveState::quick_stop_active));
   }
-  EXPECT_TRUE(drive.defies());
+  EXPECT_TRUE(drive.ignores_controlword());
   say(status_bits(DriveState::switch_on_disabled));
   controlword();
   say(status_bits(DriveState::operation_enabled));
-  EXPECT_FALSE(drive.defies()) << "it gets its time again";
+  EXPECT_FALSE(drive.ignores_controlword()) << "it gets its time again";
 }
 
 TEST_F(DriveTest, TheTimeToSwitchOnIsTheTables) {
@@ -157,7 +156,7 @@ TEST_F(DriveTest, TheTimeToSwitchOnIsTheTables) {
   EXPECT_TRUE(drive.busy(tick));
   say(status_bits(DriveState::ready_to_switch_on));
   EXPECT_FALSE(drive.busy(tick));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_not_ready);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_not_ready);
 }
 
 }  // namespace

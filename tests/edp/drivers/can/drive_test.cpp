@@ -89,18 +89,18 @@ TEST_F(DriveTest, AnEmergencyIsKeptUntilItIsReset) {
   can::Frame next;
   drive.take(to_frame({1, 0x3220, 1, {}}), tick, next);
   say(status_bits(DriveState::operation_enabled));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_fault);
-  EXPECT_EQ(drive.finding(tick).value, 0x3220);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_fault);
+  EXPECT_EQ(std::get<DriveError>(drive.fault(tick)).code, 0x3220);
   drive.take(to_frame({1, 0, 0, {}}), tick, next);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::drive_fault) << "it may have gone too soon to be seen";
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_fault) << "it may have gone too soon to be seen";
   drive.reset(tick, drive.position(), next);
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::none);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
 }
 
 TEST_F(DriveTest, ItsOwnFollowingErrorIsOurs) {
   switch_on();
   say(static_cast<std::uint16_t>(status_bits(DriveState::operation_enabled) | kFollowingError));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::following_error);
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::following_error);
 }
 
 TEST_F(DriveTest, HomingBelievesWhatItsDriveSaysAfterTheStart) {
@@ -129,14 +129,14 @@ TEST_F(DriveTest, HomingBelievesWhatItsDriveSaysAfterTheStart) {
   for (int i = 0; i < 60; ++i) say(homing(kHomingAttained | kTargetReached));
   EXPECT_EQ(drive.homing(), Homing::attained);
   say(homing(kFollowingError));
-  EXPECT_EQ(drive.finding(tick).code, ErrorCode::following_error) << "it regulates again";
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::following_error) << "it regulates again";
 }
 
 TEST_F(DriveTest, AHomingThatDoesNotEndHasFailed) {
   beats = true;
   switch_on();
   drive.home();
-  const auto ticks = static_cast<Tick>(Drive::kLongestHoming / kCanPeriod);
+  const auto ticks = static_cast<Tick>(HomingRun::kLongestTime / kCanPeriod);
   for (Tick i = 0; i <= ticks; ++i) say(status_bits(DriveState::operation_enabled));
   EXPECT_EQ(drive.homing(), Homing::running) << "the mode's change is not of it";
   for (Tick i = 0; i < 10; ++i) say(status_bits(DriveState::operation_enabled));

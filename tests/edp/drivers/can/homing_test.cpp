@@ -35,7 +35,7 @@ void expect_synchronisation(CanRig<Model>& rig) {
 
 TEST(DriveHoming, EveryAxisFindsItsZeroPulseByItself) {
   CanRig<Beside> rig(DriveMode::cyclic_position, false);
-  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  ASSERT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   EXPECT_FALSE(rig.seen().synchronised);
   ASSERT_NO_FATAL_FAILURE(expect_synchronisation(rig));
   // at its zero pulse or past it by what the shaft needs to stop at the fine speed
@@ -58,7 +58,7 @@ TEST(DriveHoming, ADriveThatCountsBackwardsGoesTheSameWay) {
     drive.homing.method = drive.homing.method == 3 ? 5 : 3;
   }
   CanRig<Beside> rig(table, false);
-  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  ASSERT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   ASSERT_NO_FATAL_FAILURE(expect_synchronisation(rig));
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(rig.seen().motors[i], -15.9, 0.3) << i;
 }
@@ -75,7 +75,7 @@ TEST(DriveHoming, AnAxisWithoutASwitchIsWhereItsDriveSays) {
   config::DriveTable table = table_for(Unswitched{}.parameters(), DriveMode::cyclic_position);
   for (config::DriveEntry& drive : table.drives) drive.homing.method = 37;
   CanRig<Unswitched> rig(table, false);
-  ASSERT_TRUE(rig.seen().enabled) << describe(rig.seen().fault.code);
+  ASSERT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   ASSERT_NO_FATAL_FAILURE(expect_synchronisation(rig));
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(rig.seen().motors[i], -15.9, 0.01) << i;
 }
@@ -149,7 +149,7 @@ TEST(DriveHoming, AnEmergencyStopIsTheDrivesQuickStop) {
   rig.operators.press();
   rig.run(200);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::emergency_stop);
-  EXPECT_FALSE(rig.seen().enabled);
+  EXPECT_FALSE(rig.seen().enabled());
   const JointVector there = rig.rack.shafts();
   rig.run(50);
   EXPECT_EQ(rig.rack.shafts(), there) << "it stands";

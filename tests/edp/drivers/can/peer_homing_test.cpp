@@ -15,7 +15,7 @@ class PeerHoming : public testing::TestWithParam<int> {
     hardware->open();
     servo = std::make_unique<Servo>(models, *hardware, kPeerPeriod, hand_over);
     effector.enable(true);
-    while (!servo->snapshot().enabled && now < 500) tick();
+    while (!servo->snapshot().enabled() && now < 500) tick();
   }
   void tick() {
     pause();
@@ -40,7 +40,7 @@ class PeerHoming : public testing::TestWithParam<int> {
 };
 
 TEST_P(PeerHoming, FindsItsPositions) {
-  ASSERT_TRUE(servo->snapshot().enabled);
+  ASSERT_TRUE(servo->snapshot().enabled());
   const double begin = servo->snapshot().motors.maxCoeff();
   RobotCommand turn;
   turn.kind = CommandKind::motor;

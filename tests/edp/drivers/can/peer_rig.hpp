@@ -75,8 +75,8 @@ class PeerTest : public testing::TestWithParam<canopen::DriveMode> {
     hardware->open();
     servo = std::make_unique<Servo>(models, *hardware, kPeerPeriod, hand_over);
     effector.enable(true);
-    while (!seen().enabled && seen().fault.code == ErrorCode::none && now < 500) tick();
-    ASSERT_TRUE(seen().enabled) << text();
+    while (!seen().enabled() && seen().fault.code == ErrorCode::none && now < 500) tick();
+    ASSERT_TRUE(seen().enabled()) << text();
   }
   void tick() {
     pause();

@@ -113,7 +113,7 @@ TEST(Timing, ADriveWhoseAnswersAlwaysComeTooLateIsSilent) {
   const HardwareInput input = rig.read(3);
   EXPECT_EQ(input.fault, ErrorCode::hardware_silent);
   EXPECT_EQ(input.fault_axis, 0);
-  EXPECT_EQ(static_cast<DriveSilence>(input.fault_value), DriveSilence::late);
+  EXPECT_EQ(describe(input.fault_detail), describe(DriveFault(Silent{Silent::How::late, 2})));
   rig.await_answer();
   rig.lag(false);
   EXPECT_EQ(rig.read(4).fault, ErrorCode::none);

@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "mrroc/robots/conveyor.hpp"
+#include "robots/common/one_robot_task.hpp"
 #include "robots/conveyor/conveyor_fixture.hpp"
-#include "robots/fast_conveyor/fast_conveyor_model.hpp"
 
 namespace mrroc {
 namespace {
@@ -33,12 +34,11 @@ TEST(FastConveyor, TheDriveIsTheConveyors) {
   EXPECT_EQ(belt().encoder_increments, slow().encoder_increments);
 }
 
-TEST(FastConveyor, TheInstalledFileLoads) {
-  const RobotModels models = load_fast_conveyor();
-  ASSERT_EQ(models.size(), 1U);
-  EXPECT_EQ(models.front()->name(), "nominal");
-  EXPECT_EQ(models.front()->parameters().type, "fast_conveyor");
-  EXPECT_EQ(models.front()->parameters().axes.front().name, "belt");
+TEST(FastConveyor, ATaskTakesTheFileThatItsDeploymentNames) {
+  OneRobotTask process("belt", "conveyor", conveyor_file("toml"));
+  const Conveyor belt(process);
+  EXPECT_EQ(belt.parameters().type, "conveyor");
+  EXPECT_EQ(belt.parameters().axes.front().velocity_max, 0.15);
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace mrroc::config {
+
+class Table;
+
+/// The files that describe one robot, absolute.
+struct RobotFiles {
+  std::filesystem::path parameters;  ///< TOML: its axes and its geometry
+  std::filesystem::path mjcf;        ///< its body in the simulated world
+  std::filesystem::path urdf;        ///< its geometry for generic tools; need not be there
+  std::filesystem::path drives;      ///< the table of its drives on a CAN bus
+};
+
+/// The files of a robot of type TYPE with the parameter file DIR/STEM.toml: that file, DIR/STEM.xml, DIR/STEM.urdf and
+/// DIR/STEM_drives.toml. A file that does not exist is replaced by robots/TYPE/TYPE.xml and so on. With `parameters`
+/// empty all files are those of robots/TYPE.
+RobotFiles robot_files(const std::string& type, const std::filesystem::path& parameters = {});
+
+/// `parameters`, or when it is empty the installed robots/TYPE/TYPE.toml.
+std::filesystem::path parameter_file(const std::string& type, const std::filesystem::path& parameters);
+
+/// For types whose loader reads one fixed file: throws ConfigurationError unless `parameters` is empty.
+void refuse_parameters(const std::filesystem::path& parameters);
+
+/// Resolves the key `parameters` of a robot's table: a path relative to the deployment, or else to robots/TYPE. Throws
+/// ConfigurationError when neither file can be read or its `type` is another one.
+std::filesystem::path find_parameters(const Table& table, const std::string& type);
+
+}  // namespace mrroc::config

@@ -1,0 +1,79 @@
+#include "config/robot_files.hpp"
+
+#include "config/deployment_fixture.hpp"
+
+namespace mrroc::config {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of types with two parameter files of the belt, and a deployment beside which others lie.
+class RobotFilesTest : public DeploymentFixture {
+ protected:
+  RobotFilesTest() : DeploymentFixture("valid") {
+    for (const auto* name : {"conveyor.toml", "conveyor.xml", "conveyor_drives.toml", "fast.toml", "fast.xml"})
+      share_.write(std::string("robots/conveyor/") + name, "type = \"conveyor\"\n");
+    setenv("MRROC_SHARE", share_.path().c_str(), 1);
+  }
+
+  fs::path own(const std::string& name) const { return share_.path() / "robots/conveyor" / name; }
+  fs::path here(const std::string& name) const { return task_.path() / name; }
+
+  /// The robot of a deployment with this line in its table.
+  RobotEntry belt(const std::string& line) {
+    const auto file = task_.write("task.toml",
+                                  "[deployment]\nname = \"one\"\n[robots.belt]\ntype = \"conveyor\"\nhardware = "
+                                  "\"loopback\"\n" +
+                                      line);
+    return load_deployment(file).robot("belt");
+  }
+
+  task_test::ScratchFolder share_, task_;
+};
+
+TEST_F(RobotFilesTest, WithoutTheKeyAllAreTheTypesOwn) {
+  const RobotFiles files = belt("").files();
+  EXPECT_EQ(files.parameters, own("conveyor.toml"));
+  EXPECT_EQ(files.mjcf, own("conveyor.xml"));
+  EXPECT_EQ(files.urdf, own("conveyor.urdf")) << "need not be there";
+  EXPECT_EQ(files.drives, own("conveyor_drives.toml"));
+}
+
+TEST_F(RobotFilesTest, AFileOfTheTypesFolderBringsWhatLiesBesideItWithItsStem) {
+  const RobotFiles files = belt("parameters = \"fast.toml\"\n").files();
+  EXPECT_EQ(files.parameters, own("fast.toml"));
+  EXPECT_EQ(files.mjcf, own("fast.xml"));
+  EXPECT_EQ(files.urdf, own("conveyor.urdf"));
+  EXPECT_EQ(files.drives, own("conveyor_drives.toml"));
+}
+
+TEST_F(RobotFilesTest, AFileBesideTheDeploymentGoesBeforeOneOfTheType) {
+  task_.write("fast.toml", "type = \"conveyor\"\n");
+  task_.write("fast_drives.toml", "");
+  const RobotFiles files = belt("parameters = \"fast.toml\"\n").files();
+  EXPECT_EQ(files.parameters, here("fast.toml"));
+  EXPECT_EQ(files.mjcf, own("conveyor.xml"));
+  EXPECT_EQ(files.drives, here("fast_drives.toml"));
+}
+
+TEST_F(RobotFilesTest, APathIsOneFromTheDeploymentsFolderOrAnAbsoluteOne) {
+  const auto file = task_.write("cell/belt_2.toml", "type = \"conveyor\"\n");
+  EXPECT_EQ(belt("parameters = \"cell/belt_2.toml\"\n").parameters, file);
+  EXPECT_EQ(belt("parameters = \"" + file.string() + "\"\n").parameters, file);
+}
+
+TEST_F(RobotFilesTest, AFileThatIsNowhereIsNamedWithBothPlaces) {
+  try {
+    belt("parameters = \"slow.toml\"\n");
+    FAIL();
+  } catch (const ConfigurationError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("task.toml:6: robots.belt.parameters: 'slow.toml' does not exist"), std::string::npos)
+        << message;
+    EXPECT_NE(message.find(here("slow.toml").string() + " or " + own("slow.toml").string()), std::string::npos)
+        << message;
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::config
