@@ -1,5 +1,5 @@
 # The few commands that people need. Everything else is CMake: `cmake --preset release`, `cmake --build build`.
-.PHONY: help demo check test build package asan tsan format clean
+.PHONY: help demo check test build package docs asan tsan format clean
 
 # a test takes two slots, one that mostly waits takes one: docs/how-to/testing.md
 slots := $(shell expr 2 '*' $$(nproc))
@@ -29,6 +29,11 @@ build: ## install what is missing and build
 
 package: build ## make the Debian packages build/*.deb
 	@cd build && cpack -G DEB
+
+docs: ## make the reference of the public headers: build/docs/html/index.html
+	@scripts/install_dependencies
+	@cmake --preset release
+	@cmake --build --preset release --target docs
 
 asan: ## build and test with the address and undefined-behaviour sanitizers
 	@scripts/install_dependencies

@@ -5,9 +5,9 @@
 
 #include "config/deployment.hpp"
 
-/// The sensor type's own parameters, as `configure()` reads them from a deployment's entry. The configuration layer
-/// has checked them against the declarations in sensors/<type>/<type>.toml and filled in the defaults; what is missing
-/// here is missing there, and throws SystemError(configuration).
+/// Parameters of a sensor type, read by `configure()` from the deployment's entry. The configuration layer has checked
+/// them against the declarations in sensors/TYPE/TYPE.toml and filled in the defaults. A parameter without a
+/// declaration throws SystemError(configuration).
 namespace mrroc::vsp {
 
 double number(const config::SensorEntry& entry, const std::string& key);

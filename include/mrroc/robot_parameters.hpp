@@ -9,7 +9,7 @@
 namespace mrroc {
 
 /// One axis: a joint, the motor that drives it, its servo regulator and its plant model. Data only, from
-/// robots/<name>/<name>.toml. Units: rad or m at the joint, rad at the motor shaft.
+/// robots/TYPE/TYPE.toml. Units: rad or m at the joint, rad at the motor shaft.
 struct AxisParameters {
   std::string name;
   // joint limits: hold at every tick, for every source of set-points; infinite positions: the axis turns without end

@@ -9,7 +9,7 @@
 /// holds what is looked for is taken.
 namespace mrroc::config {
 
-/// Folders with robots/<type>/ and sensors/<type>/: $MRROC_SHARE, else share/mrroc of the prefix under which the
+/// Folders with robots/TYPE/ and sensors/TYPE/: $MRROC_SHARE, else share/mrroc of the prefix under which the
 /// running executable is in bin/ or libexec/mrroc/.
 std::vector<std::filesystem::path> share_directories();
 
@@ -20,7 +20,7 @@ std::vector<std::filesystem::path> program_directories();
 std::vector<std::string> robot_types();
 std::vector<std::string> sensor_types();
 
-/// Path of <kind>/<type>/<name>, with kind `robots` or `sensors`; of a type that there is not, in the first folder.
+/// Path of KIND/TYPE/NAME, with KIND `robots` or `sensors`; of an unknown type, in the first folder.
 std::filesystem::path type_file(const std::string& kind, const std::string& type, const std::string& name);
 
 /// Puts both lists into the environment: processes started from now on look in the same folders.

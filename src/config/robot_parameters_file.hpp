@@ -6,7 +6,7 @@
 
 namespace mrroc::config {
 
-/// Reads the general part of robots/<type>/<type>.toml: `type`, `home`, and `[[axes]]` with the keys of AxisParameters
+/// Reads the general part of robots/TYPE/TYPE.toml: `type`, `home`, and `[[axes]]` with the keys of AxisParameters
 /// (same names; `[regulators.SET.AXIS]` holds what is other in another regulator set: a, b0, b1, eps, output_max,
 /// current_gain; only `encoder_increments` and `regulator_output_max` may be left out). Position and motor limits may
 /// be infinite, said in so many words (`-inf`, `inf`): an axis that turns without end. The `[geometry]` table is the
@@ -17,7 +17,7 @@ RobotParameters read_robot_parameters(const Table& file);
 /// fixed x, y and z axes in this order. Throws ConfigurationError.
 Pose read_tool(const Table& geometry);
 
-/// Path of robots/<type>/<name> in the share folder that has the type.
+/// Path of robots/TYPE/NAME in the share folder that has the type.
 std::filesystem::path robot_file(const std::string& type, const std::string& name);
 
 }  // namespace mrroc::config

@@ -1,33 +1,16 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
+#include "allocations.hpp"
 #include "clock/thread_deployment.hpp"
 #include "clock/wall/ticker.hpp"
-
-namespace {
-
-thread_local std::size_t allocations = 0;
-
-}  // namespace
-
-// noinline: the compiler takes malloc behind `new` for a mismatch when it sees it
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace mrroc::clock {
 namespace {
 
-std::size_t allocations_of(const std::function<void()>& action) {
-  const std::size_t before = allocations;
+std::uint64_t allocations_of(const std::function<void()>& action) {
+  const std::uint64_t before = test::thread_allocations();
   action();
-  return allocations - before;
+  return test::thread_allocations() - before;
 }
 
 TEST(Allocation, TheCounterCounts) {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "allocation_counter.hpp"
+#include "allocations.hpp"
 #include "edp/force/force_rig.hpp"
 
 namespace mrroc::edp {
@@ -17,12 +17,12 @@ TEST(Allocation, TheCounterSeesBothWays) {
     const Counting scope;
     std::free(allocate(10));
   }
-  EXPECT_EQ(allocations, 1u);
+  EXPECT_EQ(Counting::counted(), 1u);
   {
     const Counting scope;
     ::operator delete(make(10));
   }
-  EXPECT_EQ(allocations, 1u);
+  EXPECT_EQ(Counting::counted(), 1u);
 }
 
 TEST(Allocation, TheServoTickAndTheCommsSideAllocateNothing) {
@@ -59,7 +59,7 @@ TEST(Allocation, TheServoTickAndTheCommsSideAllocateNothing) {
     rig.effector.enable(true);
     rig.run(10);
   }
-  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(Counting::counted(), 0u);
   EXPECT_GE(refused, 41);
   EXPECT_GT(rig.replies.size(), 50u);
   EXPECT_GT(rig.seen().counters.stops, 5u);
@@ -83,7 +83,7 @@ TEST(Allocation, AForceMotionBesideASingularityAllocatesNothing) {
       code = state.error.code;
     }
   }
-  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(Counting::counted(), 0u);
   EXPECT_GT(lost, 0.5);
   EXPECT_EQ(code, ErrorCode::singular);
 }
@@ -122,7 +122,7 @@ TEST(Allocation, NothingThatStopsTheRobotAllocates) {
       rig.run(100);
     }
   }
-  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(Counting::counted(), 0u);
   EXPECT_EQ(accepted, 20);
   EXPECT_EQ(stopped, 20);
   EXPECT_GE(refused, 8);
@@ -147,7 +147,7 @@ TEST(Allocation, ForceMotionsAndTheirInterruptionsAllocateNothing) {
       rig.exchange(back);
     }
   }
-  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(Counting::counted(), 0u);
   EXPECT_EQ(rig.seen().interruptions, 20u);
   EXPECT_EQ(told, 20);
 }

@@ -1,12 +1,10 @@
-// Cyclone allocates per message, with malloc; this side of it must not. It allocates with new alone.
+// Cyclone allocates per message, with malloc; this side of it must not.
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <functional>
-#include <new>
 
+#include "allocations.hpp"
 #include "links/exchange/robot_requester.hpp"
 #include "links/exchange/robot_responder.hpp"
 #include "links/exchange/sensor_requester.hpp"
@@ -17,28 +15,14 @@
 #include "links/test_clock.hpp"
 #include "links/test_domain.hpp"
 
-namespace {
-
-std::atomic<std::size_t> allocations{0};  // of all threads: listeners have their own
-
-}  // namespace
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  allocations.fetch_add(1);
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-
 namespace mrroc::links {
 namespace {
 
-std::size_t allocations_of(const std::function<void()>& action) {
-  action();  // whatever is done once
-  const std::size_t before = allocations.load();
+std::uint64_t allocations_of(const std::function<void()>& action) {
+  action();                                          // whatever is done once
+  const std::uint64_t before = test::allocations();  // of all threads: listeners have their own
   for (int i = 0; i < 100; ++i) action();
-  return allocations.load() - before;
+  return test::allocations() - before;
 }
 
 TEST(Allocation, TheCounterCounts) {

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "allocations.hpp"
+#include "sim/mujoco_allocations.hpp"
 #include "sim/simulation.hpp"
 #include "worlds.hpp"
 
@@ -111,12 +111,12 @@ TEST_F(FeederTest, APartThatWaitsStaysWhereItIsThoughItLiesInAnother) {
 }
 
 TEST_F(FeederTest, FeedingAllocatesNothing) {
-  count_mujoco_allocations();
+  test::count_mujoco_allocations();
   Simulation simulation(deployment_, *memory_);
   simulation.step(1);
-  const long before = allocations();
+  const long before = test::allocations();
   for (Tick tick = 2; tick <= 600; ++tick) simulation.step(tick);
-  EXPECT_EQ(allocations(), before);
+  EXPECT_EQ(test::allocations(), before);
   EXPECT_LT(position(simulation, "c")[0], 2) << "all have been fed";
 }
 

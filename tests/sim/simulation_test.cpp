@@ -5,9 +5,9 @@
 
 #include <bit>
 
-#include "allocations.hpp"
 #include "mrroc/errors.hpp"
 #include "reference_dynamics.hpp"
+#include "sim/mujoco_allocations.hpp"
 #include "worlds.hpp"
 
 namespace mrroc::sim {
@@ -147,7 +147,7 @@ TEST_F(SimulationTest, FiveThousandStepsAreTheSameBitForBit) {
 }
 
 TEST_F(SimulationTest, StepsAllocateNothing) {
-  count_mujoco_allocations();
+  test::count_mujoco_allocations();
   Simulation simulation(twolink_deployment(2), *memory_);
   simulation.publish_initial();
   std::vector<world::JointDrive> drives;
@@ -160,10 +160,10 @@ TEST_F(SimulationTest, StepsAllocateNothing) {
     }
   };
   run(1, 100);
-  const long before = allocations();
+  const long before = test::allocations();
   EXPECT_GT(before, 0);
   run(101, 1100);
-  EXPECT_EQ(allocations() - before, 0);
+  EXPECT_EQ(test::allocations() - before, 0);
 }
 
 TEST_F(SimulationTest, OnlyMujocoRobotsAndSimulatedSensorsArePartOfTheWorld) {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "vsp/count_allocations.hpp"
+#include "allocations.hpp"
 #include "vsp/fakes.hpp"
 
 namespace mrroc::vsp {
@@ -14,9 +14,9 @@ class CountingSink : public ReadingSink {
 };
 
 TEST(Allocation, TheCounterCounts) {
-  const std::size_t before = allocations();
+  const std::size_t before = test::thread_allocations();
   ::operator delete(::operator new(8));
-  EXPECT_EQ(allocations() - before, 1U);
+  EXPECT_EQ(test::thread_allocations() - before, 1U);
 }
 
 TEST(Allocation, TheSamplerDoesNotAllocateAfterItsConstruction) {
@@ -25,7 +25,7 @@ TEST(Allocation, TheSamplerDoesNotAllocateAfterItsConstruction) {
   sensor.is_continuous = true;
   CountingSink sink;
   Sampler sampler(sensor, source, 3);
-  const std::size_t before = allocations();
+  const std::size_t before = test::thread_allocations();
   for (Tick now = 0; now < 100; ++now) {
     source.bad = now % 7 == 0;
     source.state = now % 11 == 0 ? SourceState::silent : SourceState::ready;
@@ -38,7 +38,7 @@ TEST(Allocation, TheSamplerDoesNotAllocateAfterItsConstruction) {
   for (std::size_t client = 0; client <= Sampler::kMaxPending; ++client) {
     sampler.on_request({client, 100}, {SensorRequestKind::reading, 1000}, 100, sink);
   }
-  EXPECT_EQ(allocations() - before, 0U);
+  EXPECT_EQ(test::thread_allocations() - before, 0U);
   EXPECT_GT(sink.given, 300);
 }
 

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "language/property.hpp"
-#include "sim/allocations.hpp"
 #include "sim/bent_model.hpp"
+#include "sim/mujoco_allocations.hpp"
 #include "sim/reference_dynamics.hpp"
 #include "sim/world.hpp"
 #include "sim/worlds.hpp"
@@ -149,13 +149,13 @@ TEST_F(MujocoHardwareTest, AServoTickAllocatesNothing) {
     measure(1, pair(0.3, 0.2), pair(1, 2));
     const JointVector current = pair(1, 2);
     drives.read(1, input);
-    const long before = allocations();
+    const long before = test::allocations();
     EXPECT_GT(before, 0);
     for (int i = 0; i < 100; ++i) {
       drives.read(1, input);
       drives.write(1, current);
     }
-    EXPECT_EQ(allocations() - before, 0);
+    EXPECT_EQ(test::allocations() - before, 0);
   }
 }
 

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "allocations.hpp"
 #include "cli/trace/format_line.hpp"
 #include "cli/trace/parse_line.hpp"
 #include "language/fakes.hpp"
-#include "robots/common/allocation_count.hpp"
 
 namespace mrroc::process {
 namespace {
@@ -148,9 +148,9 @@ TEST_F(Reported, NothingIsAllocated) {
   fill();
   format_step(text, deployment, "mp", record);
   text.clear();
-  const long before = allocation_count();
+  const std::uint64_t before = test::allocations();
   format_step(text, deployment, "mp", record);
-  EXPECT_EQ(allocation_count(), before);
+  EXPECT_EQ(test::allocations(), before);
 }
 
 }  // namespace

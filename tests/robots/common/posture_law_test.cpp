@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
+#include "allocations.hpp"
 #include "bench/kinematics/robots.hpp"
 #include "language/joints/nearest_posture.hpp"
-#include "robots/common/allocation_count.hpp"
 
 // What `nearest_posture` promises, for every model of every robot in robots/.
 namespace mrroc {
@@ -148,9 +148,9 @@ TEST(PostureLaw, AllocatesNothing) {
   for_random_postures([](const RobotModel& model, const JointVector& posture, const JointVector& near) {
     const ToolKinematics kinematics(model);
     const Pose pose = kinematics.direct(posture);
-    const long before = allocation_count();
+    const std::uint64_t before = test::allocations();
     const Posture found = nearest_posture(kinematics, pose, near);
-    EXPECT_EQ(allocation_count(), before) << found.joints.transpose();
+    EXPECT_EQ(test::allocations(), before) << found.joints.transpose();
   });
 }
 

@@ -1,18 +1,18 @@
 #include <gtest/gtest.h>
 
+#include "allocations.hpp"
 #include "fixture.hpp"
-#include "robots/common/allocation_count.hpp"
 
 namespace mrroc {
 namespace {
 
 TEST(SerialParallelAllocation, TheCounterSeesNewAndEigensHeap) {
-  const long before = allocation_count();
+  const std::uint64_t before = test::allocations();
   ::operator delete(::operator new(8));
-  const long after_new = allocation_count();
+  const std::uint64_t after_new = test::allocations();
   const Eigen::VectorXd heap = Eigen::VectorXd::Constant(100, static_cast<double>(before));
   EXPECT_EQ(after_new - before, 1);
-  EXPECT_EQ(allocation_count() - after_new, 1) << heap[0];
+  EXPECT_EQ(test::allocations() - after_new, 1u) << heap[0];
 }
 
 TEST(SerialParallelAllocation, NoMethodAllocates) {
@@ -23,7 +23,7 @@ TEST(SerialParallelAllocation, NoMethodAllocates) {
   postures.push_back(JointVector::Zero(6));  // legs that do not close
   JointVector motors, joints = model.parameters().home;
   double sum = 0;
-  const long before = allocation_count();
+  const std::uint64_t before = test::allocations();
   for (const JointVector& posture : postures) {
     const Pose pose = model.flange(posture);
     model.inverse(pose, model.parameters().home, joints);
@@ -31,7 +31,7 @@ TEST(SerialParallelAllocation, NoMethodAllocates) {
     model.motors_to_joints(motors, joints);
     sum += model.transmission(posture).sum() + model.jacobian(posture, {0, 0, 0.1}).sum() + joints.sum();
   }
-  EXPECT_EQ(allocation_count() - before, 0);
+  EXPECT_EQ(test::allocations() - before, 0u);
   EXPECT_TRUE(std::isfinite(sum));
 }
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "gripper_fixture.hpp"
-#include "sim/allocations.hpp"
+#include "sim/mujoco_allocations.hpp"
 
 namespace mrroc {
 namespace {
@@ -10,8 +10,8 @@ TEST(GripperAllocation, NoMethodAllocates) {
   const RobotModel& model = *gripper_model();
   JointVector motors, joints;
   double sum = 0;
-  EXPECT_GT(sim::allocations(), 0) << "the counter sees nothing";
-  const long before = sim::allocations();
+  EXPECT_GT(test::allocations(), 0) << "the counter sees nothing";
+  const long before = test::allocations();
   for (double opening = 0.053; opening < 0.091; opening += 0.001) {
     const JointVector posture = one(opening);
     model.inverse(model.flange(posture) * model.default_tool(), posture, joints);
@@ -19,7 +19,7 @@ TEST(GripperAllocation, NoMethodAllocates) {
     model.motors_to_joints(motors, joints);
     sum += model.transmission(posture).sum() + model.jacobian(posture, Eigen::Vector3d::Ones()).sum() + joints.sum();
   }
-  EXPECT_EQ(sim::allocations() - before, 0);
+  EXPECT_EQ(test::allocations() - before, 0);
   EXPECT_TRUE(std::isfinite(sum));
 }
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "allocations.hpp"
 #include "sensors/conveyor_encoder/made_sensor.hpp"
-#include "vsp/count_allocations.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -56,10 +56,10 @@ TEST(ConveyorEncoderSensor, RefusesANegativeResolution) {
 
 TEST(ConveyorEncoderSensor, DoesNotAllocateAfterItsConfiguration) {
   ConveyorEncoderSensor sensor = made_sensor();
-  const std::size_t before = allocations();
+  const std::size_t before = test::thread_allocations();
   sensor.bias(raw(0.3));
   const double position = aggregated(sensor, raw(1.3, 0.1)).values[0];
-  EXPECT_EQ(allocations() - before, 0U);
+  EXPECT_EQ(test::thread_allocations() - before, 0U);
   EXPECT_NEAR(position, 1, 1e-6);
 }
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "allocations.hpp"
 #include "sensors/digital_input/made_sensor.hpp"
-#include "vsp/count_allocations.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -97,11 +97,11 @@ TEST(DigitalInputSensor, RefusesADebounceTimeBelowZero) {
 
 TEST(DigitalInputSensor, DoesNotAllocateAfterItsConfiguration) {
   DigitalInputSensor sensor = made_sensor("debounce = 0.004");
-  const std::size_t before = allocations();
+  const std::size_t before = test::thread_allocations();
   double rises = 0;
   for (Tick tick = 0; tick < 100; ++tick) rises = measured(sensor, tick, tick / 10 % 2 == 0 ? 0 : 1).values[1];
   sensor.bias(raw(100, 1));
-  EXPECT_EQ(allocations() - before, 0U);
+  EXPECT_EQ(test::thread_allocations() - before, 0U);
   EXPECT_EQ(rises, 5);
 }
 

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "allocations.hpp"
 #include "mrroc/errors.hpp"
 #include "sensors/operator_input/made_sensor.hpp"
-#include "vsp/count_allocations.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -34,10 +34,10 @@ TEST(OperatorInputSensor, RefusesALeastAnswerAboveTheLargest) {
 
 TEST(OperatorInputSensor, DoesNotAllocateAfterItsConfiguration) {
   OperatorInputSensor sensor = made_sensor();
-  const std::size_t before = allocations();
+  const std::size_t before = test::thread_allocations();
   sensor.bias(raw(1, 5));
   const double value = aggregated(sensor, raw(2, 6)).values[1];
-  EXPECT_EQ(allocations() - before, 0U);
+  EXPECT_EQ(test::thread_allocations() - before, 0U);
   EXPECT_EQ(value, 6);
 }
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "allocations.hpp"
 #include "sensors/time/made_sensor.hpp"
-#include "vsp/count_allocations.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -58,10 +58,10 @@ TEST(TimeSensor, ItsSourceIsTheClockUnlessItIsPlayed) {
 
 TEST(TimeSensor, DoesNotAllocateAfterItsConfiguration) {
   TimeSensor sensor = made_sensor();
-  const std::size_t before = allocations();
+  const std::size_t before = test::thread_allocations();
   sensor.bias(raw(100));
   const double time = aggregated(sensor, 600).values[0];
-  EXPECT_EQ(allocations() - before, 0U);
+  EXPECT_EQ(test::thread_allocations() - before, 0U);
   EXPECT_EQ(time, 1);
 }
 

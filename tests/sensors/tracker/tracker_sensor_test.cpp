@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "allocations.hpp"
 #include "language/random_values.hpp"
 #include "sensors/tracker/made_sensor.hpp"
-#include "vsp/count_allocations.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -62,9 +62,9 @@ TEST(TrackerSensor, RefusesNegativeNoise) {
 TEST(TrackerSensor, DoesNotAllocateAfterItsConfiguration) {
   TrackerSensor sensor = made_sensor("position_noise = 0.001\nrotation_noise = 0.01");
   const RawReading r = raw({1, 2, 3}, Quaterniond::Identity());
-  const std::size_t before = allocations();
+  const std::size_t before = test::thread_allocations();
   const SensorReading v = aggregated(sensor, r);
-  EXPECT_EQ(allocations() - before, 0U);
+  EXPECT_EQ(test::thread_allocations() - before, 0U);
   EXPECT_NE(v.values[0], 1);
 }
 

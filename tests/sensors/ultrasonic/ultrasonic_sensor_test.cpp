@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "allocations.hpp"
 #include "mrroc/errors.hpp"
 #include "sensors/ultrasonic/made_sensor.hpp"
-#include "vsp/count_allocations.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -111,12 +111,12 @@ TEST(UltrasonicSensor, HasNoZeroAndRefusesADeadZoneBeyondItsRange) {
 
 TEST(UltrasonicSensor, DoesNotAllocateAfterItsConfiguration) {
   UltrasonicSensor sensor = made_sensor("noise = 0.01\ndropout = 0.1");
-  const std::size_t before = allocations();
+  const std::size_t before = test::thread_allocations();
   int errors = 0;
   for (const double range : {-1.0, -0.5, 0.0, 1.0, 5.0}) {
     if (aggregated(sensor, range, 3).error.error_class != ErrorClass::none) ++errors;
   }
-  EXPECT_EQ(allocations() - before, 0U);
+  EXPECT_EQ(test::thread_allocations() - before, 0U);
   EXPECT_EQ(errors, 2);
 }
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "allocation_counter.hpp"
+#include "allocations.hpp"
 #include "can_rig.hpp"
 #include "edp/check/switched_gantry.hpp"
 
@@ -27,7 +27,7 @@ TEST_P(Allocation, TheCyclicPathAllocatesNothing) {
     rig.send(motion);
     rig.run(200);
   }
-  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(Counting::counted(), 0u);
   rig.rack.with([](auto& nodes) { nodes[2].fail(0x7305); });
   {
     const Counting scope;
@@ -36,7 +36,7 @@ TEST_P(Allocation, TheCyclicPathAllocatesNothing) {
     rig.send(recover);
     rig.run(200);
   }
-  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(Counting::counted(), 0u);
   EXPECT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   rig.rack.with([](auto& nodes) { nodes[1].boot(0); });
   {
@@ -45,14 +45,14 @@ TEST_P(Allocation, TheCyclicPathAllocatesNothing) {
     rig.send(recover);
     rig.run(400);
   }
-  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(Counting::counted(), 0u);
   EXPECT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   {
     const Counting scope;
     rig.effector.enable(false);
     rig.run(200);
   }
-  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(Counting::counted(), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Can, Allocation,
@@ -81,7 +81,7 @@ TEST(AllocationOfHoming, IsNone) {
     EXPECT_FALSE(rig.send(synchronise));
     while (rig.replies.empty() && rig.now < 60'000) rig.tick();
   }
-  EXPECT_EQ(allocations, 0u);
+  EXPECT_EQ(Counting::counted(), 0u);
   EXPECT_TRUE(rig.seen().synchronised);
 }
 

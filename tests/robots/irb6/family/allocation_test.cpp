@@ -1,18 +1,18 @@
 #include <gtest/gtest.h>
 
-#include "robots/common/allocation_count.hpp"
+#include "allocations.hpp"
 #include "robots/irb6/family/robot_under_test.hpp"
 
 namespace mrroc {
 namespace {
 
 TEST(Allocation, TheCounterSeesNewAndEigensHeap) {
-  const long before = allocation_count();
+  const std::uint64_t before = test::allocations();
   ::operator delete(::operator new(8));
-  const long after_new = allocation_count();
+  const std::uint64_t after_new = test::allocations();
   const Eigen::VectorXd heap = Eigen::VectorXd::Constant(100, static_cast<double>(before));
   EXPECT_EQ(after_new - before, 1);
-  EXPECT_EQ(allocation_count() - after_new, 1) << heap[0];
+  EXPECT_EQ(test::allocations() - after_new, 1u) << heap[0];
 }
 
 TEST(Allocation, NoMethodAllocates) {
@@ -21,7 +21,7 @@ TEST(Allocation, NoMethodAllocates) {
   for (int i = 0; i < 100; ++i) postures.push_back(random_posture(random));
   JointVector motors, joints;
   double sum = 0;
-  const long before = allocation_count();
+  const std::uint64_t before = test::allocations();
   for (const auto& model : robot_under_test().models) {
     const ToolKinematics kinematics(*model);
     for (const JointVector& posture : postures) {
@@ -32,7 +32,7 @@ TEST(Allocation, NoMethodAllocates) {
       sum += model->transmission(posture).sum() + kinematics.jacobian(posture).sum() + joints.sum();
     }
   }
-  EXPECT_EQ(allocation_count() - before, 0);
+  EXPECT_EQ(test::allocations() - before, 0u);
   EXPECT_TRUE(std::isfinite(sum));
 }
 

@@ -1,15 +1,51 @@
-#include "vsp/count_allocations.hpp"
+#include "allocations.hpp"
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
 
-thread_local std::size_t count = 0;
+std::atomic<std::uint64_t> of_process{0};
+thread_local std::uint64_t of_thread = 0;
+
+}  // namespace
+
+namespace mrroc::test {
+
+std::uint64_t allocations() noexcept { return of_process.load(); }
+std::uint64_t thread_allocations() noexcept { return of_thread; }
+void count_allocation() noexcept {
+  of_process.fetch_add(1);
+  ++of_thread;
+}
+
+}  // namespace mrroc::test
+
+// the linker's --wrap directs the calls of malloc and its kin here
+extern "C" {
+void* __real_malloc(std::size_t size);
+void* __real_calloc(std::size_t count, std::size_t size);
+void* __real_realloc(void* memory, std::size_t size);
+void* __wrap_malloc(std::size_t size) {
+  mrroc::test::count_allocation();
+  return __real_malloc(size);
+}
+void* __wrap_calloc(std::size_t count, std::size_t size) {
+  mrroc::test::count_allocation();
+  return __real_calloc(count, size);
+}
+void* __wrap_realloc(void* memory, std::size_t size) {
+  mrroc::test::count_allocation();
+  return __real_realloc(memory, size);
+}
+}
+
+namespace {
 
 void* counted(std::size_t size) noexcept {
-  ++count;
-  return std::malloc(size);
+  mrroc::test::count_allocation();
+  return __real_malloc(size);
 }
 
 void* counted_or_throw(std::size_t size) {
@@ -18,7 +54,7 @@ void* counted_or_throw(std::size_t size) {
 }
 
 void* aligned(std::size_t size, std::align_val_t alignment) {
-  ++count;
+  mrroc::test::count_allocation();
   const auto step = static_cast<std::size_t>(alignment);
   if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
   throw std::bad_alloc();
@@ -26,10 +62,8 @@ void* aligned(std::size_t size, std::align_val_t alignment) {
 
 }  // namespace
 
-std::size_t allocations() noexcept { return count; }
-
-// every form: a sanitizer's own would not be counted, and does not match our delete
-// not inlined: the compiler takes the pair malloc, delete for a mistake
+// all forms: those of a sanitizer would not be counted, and do not match this delete
+// noinline: GCC takes a visible pair of malloc and delete for a mistake
 [[gnu::noinline]] void* operator new(std::size_t size) { return counted_or_throw(size); }
 [[gnu::noinline]] void* operator new[](std::size_t size) { return counted_or_throw(size); }
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept { return counted(size); }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+namespace mrroc::test {
+
+/// Allocations so far by operator new, in all its forms, and by malloc, calloc and realloc of the objects that are linked
+/// statically (Eigen's included). Tests link `allocation_count`. Any thread.
+std::uint64_t allocations() noexcept;         ///< of this process
+std::uint64_t thread_allocations() noexcept;  ///< of the calling thread
+
+/// Counts one more, for an allocator that is none of these.
+void count_allocation() noexcept;
+
+/// Counts the allocations of the calling thread during its lifetime.
+class Counting {
+ public:
+  Counting() noexcept : before_(thread_allocations()) {}
+  ~Counting() { counted() = thread_allocations() - before_; }
+  Counting(const Counting&) = delete;
+  Counting& operator=(const Counting&) = delete;
+
+  /// What the last one has counted.
+  static std::uint64_t& counted() noexcept {
+    thread_local std::uint64_t count = 0;
+    return count;
+  }
+
+ private:
+  std::uint64_t before_;
+};
+
+}  // namespace mrroc::test
