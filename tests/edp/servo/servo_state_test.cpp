@@ -3,33 +3,31 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <random>
-#include <set>
 
+#include "edp/edges.hpp"
 #include "edp/rig.hpp"
 
 namespace mrroc::edp {
 namespace {
 
 using S = ServoState;
-using Edge = std::pair<S, S>;
 
 /// The table in servo_state.hpp.
-const std::set<Edge> kEdges{{S::off, S::powering},
-                            {S::off, S::on},
-                            {S::off, S::cleared},
-                            {S::powering, S::cleared},
-                            {S::cleared, S::on},
-                            {S::cleared, S::powering_cleared},
-                            {S::powering, S::on},
-                            {S::powering_cleared, S::on},
-                            {S::cleared, S::off},
-                            {S::powering, S::off},
-                            {S::powering_cleared, S::off},
-                            {S::on, S::stopping},
-                            {S::on, S::off},
-                            {S::stopping, S::off}};
+const EdgeTable<S> kEdges{{S::off, S::powering},
+                          {S::off, S::on},
+                          {S::off, S::cleared},
+                          {S::powering, S::cleared},
+                          {S::cleared, S::on},
+                          {S::cleared, S::powering_cleared},
+                          {S::powering, S::on},
+                          {S::powering_cleared, S::on},
+                          {S::cleared, S::off},
+                          {S::powering, S::off},
+                          {S::powering_cleared, S::off},
+                          {S::on, S::stopping},
+                          {S::on, S::off},
+                          {S::stopping, S::off}};
 
 /// Drives that take `delay` ticks to switch on and to reset.
 class SlowDrives : public FaultyHardware {
@@ -93,7 +91,7 @@ class Walk {
     EXPECT_FALSE(servo_.drives_on());
   }
 
-  std::map<Edge, int> edges;
+  Edges<S> edges;
 
  private:
   int draw(int below) { return std::uniform_int_distribution<int>(0, below - 1)(random_); }
@@ -115,7 +113,7 @@ class Walk {
 };
 
 TEST(ServoState, TakesEveryEdgeOfItsTableAndNoOther) {
-  std::map<Edge, int> seen;
+  Edges<S> seen;
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Walk walk(seed);
@@ -123,10 +121,7 @@ TEST(ServoState, TakesEveryEdgeOfItsTableAndNoOther) {
     walk.leave();
     for (const auto& [edge, times] : walk.edges) seen[edge] += times;
   }
-  for (const auto& [edge, times] : seen)
-    EXPECT_TRUE(kEdges.contains(edge)) << static_cast<int>(edge.first) << " -> " << static_cast<int>(edge.second);
-  for (const Edge& edge : kEdges)
-    EXPECT_GT(seen[edge], 0) << static_cast<int>(edge.first) << " -> " << static_cast<int>(edge.second);
+  expect_all_of(seen, kEdges);
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
 // The state machines of a drive take every edge of their tables and no other; laws of its position and its answers.
 #include <gtest/gtest.h>
 
-#include <map>
 #include <random>
-#include <set>
 
 #include "edp/drivers/can/drive_answers.hpp"
 #include "edp/drivers/can/drive_position.hpp"
 #include "edp/drivers/can/drive_power.hpp"
 #include "edp/drivers/can/homing_run.hpp"
+#include "edp/edges.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -17,39 +16,27 @@ using namespace canopen;
 
 constexpr double kStep = 0.002;  // s
 
-template <class State>
-using Edges = std::map<std::pair<State, State>, int>;
-
-template <class State>
-void expect_all_of(const Edges<State>& seen, const std::set<std::pair<State, State>>& table) {
-  const auto name = [](const auto& edge) {
-    return std::to_string(static_cast<int>(edge.first)) + " -> " + std::to_string(static_cast<int>(edge.second));
-  };
-  for (const auto& [edge, times] : seen) EXPECT_TRUE(table.contains(edge)) << name(edge);
-  for (const auto& edge : table) EXPECT_TRUE(seen.contains(edge)) << name(edge) << " was not seen";
-}
-
 int draw(std::mt19937& random, int below) { return std::uniform_int_distribution<int>(0, below - 1)(random); }
 
 TEST(DrivePower, TakesEveryEdgeOfItsTableAndNoOther) {
   using S = DrivePower::State;
-  const std::set<std::pair<S, S>> table{{S::off, S::switching_on},
-                                        {S::resetting, S::resetting_first},
-                                        {S::switching_on, S::waiting},
-                                        {S::waiting, S::switching_on},
-                                        {S::switching_on, S::on},
-                                        {S::waiting, S::on},
-                                        {S::switching_on, S::off},
-                                        {S::waiting, S::off},
-                                        {S::on, S::off},
-                                        {S::resetting_first, S::resetting},
-                                        {S::resetting, S::off},
-                                        {S::resetting_first, S::switching_on},
-                                        {S::off, S::resetting},
-                                        {S::switching_on, S::resetting},
-                                        {S::waiting, S::resetting},
-                                        {S::on, S::resetting},
-                                        {S::on, S::switching_on}};
+  const EdgeTable<S> table{{S::off, S::switching_on},
+                           {S::resetting, S::resetting_first},
+                           {S::switching_on, S::waiting},
+                           {S::waiting, S::switching_on},
+                           {S::switching_on, S::on},
+                           {S::waiting, S::on},
+                           {S::switching_on, S::off},
+                           {S::waiting, S::off},
+                           {S::on, S::off},
+                           {S::resetting_first, S::resetting},
+                           {S::resetting, S::off},
+                           {S::resetting_first, S::switching_on},
+                           {S::off, S::resetting},
+                           {S::switching_on, S::resetting},
+                           {S::waiting, S::resetting},
+                           {S::on, S::resetting},
+                           {S::on, S::switching_on}};
   std::mt19937 random(402);
   DrivePower power(1, kStep);
   Edges<S> seen;
@@ -86,16 +73,16 @@ TEST(DrivePower, TakesEveryEdgeOfItsTableAndNoOther) {
 
 TEST(HomingRun, TakesEveryEdgeOfItsTableAndNoOther) {
   using P = HomingRun::Phase;
-  std::set<std::pair<P, P>> table{{P::none, P::selecting},     {P::attained, P::selecting}, {P::failed, P::selecting},
-                                  {P::selecting, P::starting}, {P::starting, P::moving},    {P::starting, P::leaving},
-                                  {P::moving, P::leaving},     {P::starting, P::failed},    {P::moving, P::failed},
-                                  {P::leaving, P::attained},   {P::starting, P::attained},  {P::moving, P::attained}};
+  EdgeTable<P> table{{P::none, P::selecting},     {P::attained, P::selecting}, {P::failed, P::selecting},
+                     {P::selecting, P::starting}, {P::starting, P::moving},    {P::starting, P::leaving},
+                     {P::moving, P::leaving},     {P::starting, P::failed},    {P::moving, P::failed},
+                     {P::leaving, P::attained},   {P::starting, P::attained},  {P::moving, P::attained}};
   for (const P phase : {P::selecting, P::starting, P::moving, P::leaving, P::attained, P::failed})
     table.insert({phase, P::none});
   std::mt19937 random(6);
   Edges<P> seen;
-  for (const bool tells : {true, false}) {
-    ModeDisplay display(1, tells, kStep);
+  for (const bool available : {true, false}) {
+    ModeDisplay display(1, available, kStep);
     HomingRun run(DriveMode::cyclic_position, kStep);
     std::uint16_t word = 0;
     for (Tick tick = 1; tick < 300'000; ++tick) {
