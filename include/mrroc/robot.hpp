@@ -20,9 +20,10 @@ class Robot {
   /// made in its constructor. Throws NonFatalError(invalid_argument) when the deployment has no such robot of the
   /// model's type, or when the task runs already and no object of it has opened the link before.
   Robot(Task& task, const std::string& name, RobotModels models);
-  /// Its models are those that `load` reads from the robot's parameter file: the one that the deployment names, or with
-  /// an empty path the type's own. Throws also what `load` throws: ConfigurationError.
-  Robot(Task& task, const std::string& name, RobotModels (*load)(const std::filesystem::path& parameters));
+  /// The same, with the models that `load` reads from the robot's parameter file: the one that the deployment names, or
+  /// with an empty path that of `type`. Throws also what `load` throws: ConfigurationError.
+  Robot(Task& task, const std::string& name, const std::string& type,
+        RobotModels (*load)(const std::filesystem::path& parameters));
   virtual ~Robot() = default;
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;

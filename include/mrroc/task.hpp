@@ -37,8 +37,11 @@ class Task {
   /// Name of the robot meant by `requested`: in an ECP, its own robot when empty. Throws NonFatalError when there is
   /// none.
   virtual std::string robot_name(const std::string& requested) const = 0;
-  /// The parameter file that the deployment names for this robot; empty: that of its type.
-  virtual std::filesystem::path robot_parameters(const std::string& /*name*/) const { return {}; }
+  /// The parameter file that the deployment names for robot `name` of type `type`. Empty: that of the type; also when
+  /// the deployment has no such robot, which `robot_link` reports.
+  virtual std::filesystem::path robot_parameters(const std::string& /*name*/, const std::string& /*type*/) const {
+    return {};
+  }
   /// The link to robot `name` of type `type` (its EDP or ECP). Throws NonFatalError(invalid_argument) when the
   /// deployment has no such robot, has it as another type, or the task runs already and has no link to it: links are
   /// opened while the task object is built, and live as long as it. Later calls get the same link.

@@ -4,7 +4,7 @@
 
 namespace mrroc {
 
-Conveyor::Conveyor(Task& task, const std::string& name) : Robot(task, name, load_conveyor) {}
+Conveyor::Conveyor(Task& task, const std::string& name) : Robot(task, name, "conveyor", load_conveyor) {}
 
 JointVector Conveyor::at(double position) { return JointVector::Constant(1, position); }
 

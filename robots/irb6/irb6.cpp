@@ -4,7 +4,7 @@
 
 namespace mrroc {
 
-Irb6::Irb6(Task& task, const std::string& name) : Robot(task, name, load_irb6) {}
+Irb6::Irb6(Task& task, const std::string& name) : Robot(task, name, "irb6", load_irb6) {}
 
 Pose Irb6::tool_down(double x, double y, double z) {
   Pose pose = Pose::Identity();

@@ -9,7 +9,7 @@ namespace mrroc {
 
 RobotModels load_irb60(const std::filesystem::path& file) { return load_irb6(config::parameter_file("irb60", file)); }
 
-Irb60::Irb60(Task& task, const std::string& name) : Robot(task, name, load_irb60) {}
+Irb60::Irb60(Task& task, const std::string& name) : Robot(task, name, "irb60", load_irb60) {}
 
 Pose Irb60::tool_down(double x, double y, double z) { return Irb6::tool_down(x, y, z); }
 

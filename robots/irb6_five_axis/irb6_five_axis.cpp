@@ -5,7 +5,8 @@
 
 namespace mrroc {
 
-Irb6FiveAxis::Irb6FiveAxis(Task& task, const std::string& name) : Robot(task, name, load_irb6_five_axis) {}
+Irb6FiveAxis::Irb6FiveAxis(Task& task, const std::string& name)
+    : Robot(task, name, "irb6_five_axis", load_irb6_five_axis) {}
 
 Pose Irb6FiveAxis::tool_down(double x, double y, double z) { return Irb6::tool_down(x, y, z); }
 

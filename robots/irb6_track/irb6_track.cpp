@@ -5,7 +5,7 @@
 
 namespace mrroc {
 
-Irb6Track::Irb6Track(Task& task, const std::string& name) : Robot(task, name, load_irb6_track) {}
+Irb6Track::Irb6Track(Task& task, const std::string& name) : Robot(task, name, "irb6_track", load_irb6_track) {}
 
 Pose Irb6Track::tool_down(double x, double y, double z) { return Irb6::tool_down(x, y, z); }
 

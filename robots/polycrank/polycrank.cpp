@@ -4,7 +4,7 @@
 
 namespace mrroc {
 
-Polycrank::Polycrank(Task& task, const std::string& name) : Robot(task, name, load_polycrank) {}
+Polycrank::Polycrank(Task& task, const std::string& name) : Robot(task, name, "polycrank", load_polycrank) {}
 
 Pose Polycrank::tool_down(double x, double y, double z) {
   Pose pose = Pose::Identity();

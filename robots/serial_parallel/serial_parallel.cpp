@@ -4,7 +4,8 @@
 
 namespace mrroc {
 
-SerialParallel::SerialParallel(Task& task, const std::string& name) : Robot(task, name, load_serial_parallel) {}
+SerialParallel::SerialParallel(Task& task, const std::string& name)
+    : Robot(task, name, "serial_parallel", load_serial_parallel) {}
 
 Pose SerialParallel::tool_down(double x, double y, double z) {
   Pose pose = Pose::Identity();

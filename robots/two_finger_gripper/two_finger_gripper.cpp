@@ -13,7 +13,8 @@ constexpr double kHeldOpen = 0.0005;  // m; free fingers follow within 0.05 mm
 
 }  // namespace
 
-TwoFingerGripper::TwoFingerGripper(Task& task, const std::string& name) : Robot(task, name, load_two_finger_gripper) {}
+TwoFingerGripper::TwoFingerGripper(Task& task, const std::string& name)
+    : Robot(task, name, "two_finger_gripper", load_two_finger_gripper) {}
 
 JointVector TwoFingerGripper::at(double opening) { return JointVector::Constant(1, opening); }
 

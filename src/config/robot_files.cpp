@@ -2,6 +2,7 @@
 
 #include "config/entries/named_file.hpp"
 #include "config/resources.hpp"
+#include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
 #include "config/text/file_text.hpp"
 #include "config/text/message_text.hpp"
@@ -39,7 +40,8 @@ fs::path find_parameters(const Table& table, const std::string& type) {
     table.fail("parameters", in_quotes(name) + " " + problem,
                "a readable file " + here.string() + (plain ? " or " + own.string() : ""));
   }
-  if (const std::string read = Table::load(found).text("type"); read != type)
+  const std::string read = read_robot_parameters(Table::load(found)).type;
+  if (read != type)
     table.fail("parameters", in_quotes(name) + " is of type " + in_quotes(read), "parameters of a " + in_quotes(type));
   return found;
 }

@@ -27,7 +27,7 @@ std::filesystem::path parameter_file(const std::string& type, const std::filesys
 void refuse_parameters(const std::filesystem::path& parameters);
 
 /// Resolves the key `parameters` of a robot's table: a path relative to the deployment, or else to robots/TYPE. Throws
-/// ConfigurationError when neither file can be read or its `type` is another one.
+/// ConfigurationError when neither file can be read, its axes are wrong, or its `type` is another one.
 std::filesystem::path find_parameters(const Table& table, const std::string& type);
 
 }  // namespace mrroc::config

@@ -4,8 +4,9 @@
 
 namespace mrroc {
 
-Robot::Robot(Task& task, const std::string& name, RobotModels (*load)(const std::filesystem::path&))
-    : Robot(task, name, load(task.robot_parameters(task.robot_name(name)))) {}
+Robot::Robot(Task& task, const std::string& name, const std::string& type,
+             RobotModels (*load)(const std::filesystem::path&))
+    : Robot(task, name, load(task.robot_parameters(task.robot_name(name), type))) {}
 
 Robot::Robot(Task& task, const std::string& name, RobotModels models)
     : task_(&task),

@@ -44,10 +44,10 @@ TaskProcess::TaskProcess(Process& process, const std::string& superior_topic)
 
 TaskProcess::~TaskProcess() = default;
 
-std::filesystem::path TaskProcess::robot_parameters(const std::string& name) const {
+std::filesystem::path TaskProcess::robot_parameters(const std::string& name, const std::string& type) const {
   for (const config::RobotEntry& robot : process_.deployment().robots)
-    if (robot.name == name) return robot.parameters;
-  return {};  // `robot_link` says that there is no such robot
+    if (robot.name == name && robot.type == type) return robot.parameters;
+  return {};
 }
 
 RobotLink& TaskProcess::robot_link(const std::string& name, const std::string& type) {

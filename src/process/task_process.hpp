@@ -62,7 +62,7 @@ class TaskProcess : public Task {
   // ---- Task
   // ------------------------------------------------------------------------------------------------------------
   const std::string& process_name() const noexcept override { return process_.name(); }
-  std::filesystem::path robot_parameters(const std::string& name) const override;
+  std::filesystem::path robot_parameters(const std::string& name, const std::string& type) const override;
   RobotLink& robot_link(const std::string& name, const std::string& type) override;
   SensorLink& sensor_link(const std::string& name, const std::string& type, bool& interactive) override;
   double servo_period() const noexcept override { return process_.clock().period(); }

@@ -1,6 +1,7 @@
 #include "config/robot_files.hpp"
 
 #include "config/deployment_fixture.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::config {
 namespace {
@@ -12,7 +13,7 @@ class RobotFilesTest : public DeploymentFixture {
  protected:
   RobotFilesTest() : DeploymentFixture("valid") {
     for (const auto* name : {"conveyor.toml", "conveyor.xml", "conveyor_drives.toml", "fast.toml", "fast.xml"})
-      share_.write(std::string("robots/conveyor/") + name, "type = \"conveyor\"\n");
+      share_.write(std::string("robots/conveyor/") + name, kParameters);
     setenv("MRROC_SHARE", share_.path().c_str(), 1);
   }
 
@@ -28,6 +29,7 @@ class RobotFilesTest : public DeploymentFixture {
     return load_deployment(file).robot("belt");
   }
 
+  const std::string kParameters = test::text_of(MRROC_SOURCE_DIR "/tests/config/share/robots/conveyor/conveyor.toml");
   task_test::ScratchFolder share_, task_;
 };
 
@@ -48,7 +50,7 @@ TEST_F(RobotFilesTest, AFileOfTheTypesFolderBringsWhatLiesBesideItWithItsStem) {
 }
 
 TEST_F(RobotFilesTest, AFileBesideTheDeploymentGoesBeforeOneOfTheType) {
-  task_.write("fast.toml", "type = \"conveyor\"\n");
+  task_.write("fast.toml", kParameters);
   task_.write("fast_drives.toml", "");
   const RobotFiles files = belt("parameters = \"fast.toml\"\n").files();
   EXPECT_EQ(files.parameters, here("fast.toml"));
@@ -57,7 +59,7 @@ TEST_F(RobotFilesTest, AFileBesideTheDeploymentGoesBeforeOneOfTheType) {
 }
 
 TEST_F(RobotFilesTest, APathIsOneFromTheDeploymentsFolderOrAnAbsoluteOne) {
-  const auto file = task_.write("cell/belt_2.toml", "type = \"conveyor\"\n");
+  const auto file = task_.write("cell/belt_2.toml", kParameters);
   EXPECT_EQ(belt("parameters = \"cell/belt_2.toml\"\n").parameters, file);
   EXPECT_EQ(belt("parameters = \"" + file.string() + "\"\n").parameters, file);
 }
@@ -72,6 +74,17 @@ TEST_F(RobotFilesTest, AFileThatIsNowhereIsNamedWithBothPlaces) {
         << message;
     EXPECT_NE(message.find(here("slow.toml").string() + " or " + own("slow.toml").string()), std::string::npos)
         << message;
+  }
+}
+
+TEST_F(RobotFilesTest, AMistakeInTheFileIsReportedBeforeAnythingStarts) {
+  task_.write("fast.toml", replaced(kParameters, "velocity_max", "velocity_maximum"));
+  try {
+    belt("parameters = \"fast.toml\"\n");
+    FAIL();
+  } catch (const ConfigurationError& error) {
+    EXPECT_NE(std::string(error.what()).find(here("fast.toml").string() + ":"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("velocity_max"), std::string::npos) << error.what();
   }
 }
 

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "cli/hosts/remote_host.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli {
 namespace {
@@ -46,6 +47,22 @@ RC_GTEST_PROP(AgentOrder, AnyOtherLineIsRefused, (std::vector<std::string> lines
   RC_ASSERT_THROWS_AS(order_of_lines(order), std::runtime_error);
   lines.push_back(line);
   RC_ASSERT_THROWS_AS(order_of_lines(lines), std::runtime_error);
+}
+
+TEST(FilesOfARun, IncludeTheParametersThatTheDeploymentNames) {
+  const task_test::ScratchFolder folder;
+  config::Deployment deployment;
+  deployment.file = folder.write("cell.toml", "");
+  config::RobotEntry& robot = deployment.robots.emplace_back();
+  robot.name = "belt";
+  robot.type = "conveyor";
+  robot.parameters = folder.write("fast.toml", "gear = 750\n");
+  const auto before = files_of(deployment);
+  ASSERT_EQ(before.size(), 2u);
+  EXPECT_EQ(before[1].first, "robots.belt.parameters");
+  folder.write("fast.toml", "gear = 751\n");
+  EXPECT_EQ(files_of(deployment)[0], before[0]);
+  EXPECT_NE(files_of(deployment)[1], before[1]);
 }
 
 TEST(WholeNumber, IsTheWholeText) {

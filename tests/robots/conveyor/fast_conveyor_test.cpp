@@ -41,5 +41,15 @@ TEST(FastConveyor, ATaskTakesTheFileThatItsDeploymentNames) {
   EXPECT_EQ(belt.parameters().axes.front().velocity_max, 0.15);
 }
 
+TEST(FastConveyor, IsNotTakenForARobotOfAnotherType) {
+  OneRobotTask process("belt", "irb6", conveyor_file("toml"));
+  try {
+    const Conveyor belt(process);
+    FAIL();
+  } catch (const NonFatalError& error) {
+    EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
+  }
+}
+
 }  // namespace
 }  // namespace mrroc
