@@ -14,7 +14,7 @@ namespace mrroc::edp {
 ///                              motor limits (within one turn where a joint has no limits)
 ///
 /// FILE is read in place of the type's own. Returns the exit code of the process: 0, or not for wrong arguments, which
-/// it tells on stderr.
+/// it reports on stderr.
 int describe(int argc, char** argv, const ModelFactory& factory);
 
 /// Whether `argument` is one of the above.

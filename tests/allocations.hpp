@@ -4,12 +4,12 @@
 
 namespace mrroc::test {
 
-/// Allocations so far by operator new, in all its forms, and by malloc, calloc and realloc of the objects that are linked
-/// statically (Eigen's included). Tests link `allocation_count`. Any thread.
+/// Allocations so far by operator new, in all its forms, and by malloc, calloc and realloc of the objects that are
+/// linked statically (Eigen's included). Tests link `allocation_count`. Any thread.
 std::uint64_t allocations() noexcept;         ///< of this process
 std::uint64_t thread_allocations() noexcept;  ///< of the calling thread
 
-/// Counts one more, for an allocator that is none of these.
+/// Counts one allocation of another allocator.
 void count_allocation() noexcept;
 
 /// Counts the allocations of the calling thread during its lifetime.

@@ -12,7 +12,7 @@
 
 namespace mrroc::test {
 
-EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& folder, int patience) {
+EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& folder, int timeout) {
   const int runs = tries(3, 10);
   const auto trace = [&folder](int run) { return folder.path() / ("trace_" + std::to_string(run)); };
   EqualRuns left{{}, trace(0), folder.path() / "states"};
@@ -27,7 +27,7 @@ EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& 
       pair.push_back(std::make_unique<MrrocRun>(arguments, 1 + run - first));
     }
     for (std::size_t i = 0; i < pair.size(); ++i) {
-      EXPECT_EQ(pair[i]->wait(patience), 0) << pair[i]->out() << pair[i]->err();
+      EXPECT_EQ(pair[i]->wait(timeout), 0) << pair[i]->out() << pair[i]->err();
       left.outputs.push_back(pair[i]->out());
       const int run = first + static_cast<int>(i);
       hashes.insert(trace_hash(trace(run)));

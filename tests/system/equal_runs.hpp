@@ -15,10 +15,10 @@ struct EqualRuns {
   std::filesystem::path states;      ///< folder of the snapshots that the first has saved
 };
 
-/// Runs the deployment several times in lockstep (3; thorough: 10), two at a time, each for at most `patience` s.
+/// Runs the deployment several times in lockstep (3; thorough: 10), two at a time, each for at most `timeout` s.
 /// Expects that all succeed and that all have the same trace, which keeps the laws and is read to the last bit. The
 /// files are in `folder`.
 EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& folder,
-                            int patience = MrrocRun::kPatience);
+                            int timeout = MrrocRun::kPatience);
 
 }  // namespace mrroc::test

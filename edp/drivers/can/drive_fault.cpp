@@ -57,7 +57,7 @@ struct Describe {
     if (!wrong.shown) return driver_text("no answer with its mode display (6061h), wanted %d", wanted);
     return driver_text("mode display %d, wanted %d", *wrong.shown, wanted);
   }
-  DriverText operator()(NotFollowing) const noexcept { return driver_text("told by its drive"); }
+  DriverText operator()(NotFollowing) const noexcept { return driver_text("reported by its drive"); }
 };
 
 }  // namespace

@@ -42,7 +42,7 @@ void HomingRun::update(std::uint16_t statusword, ModeDisplay& display) noexcept 
   if (!runs()) return;
   ++ticks_;
   if (phase_ == Phase::selecting) {
-    if (!(display.tells() ? display.confirms() : ticks_ >= select_ticks_)) return;
+    if (!(display.is_available() ? display.confirms() : ticks_ >= select_ticks_)) return;
     phase_ = Phase::starting;
     ticks_ = 0;
   } else if (phase_ == Phase::leaving) {

@@ -8,30 +8,30 @@
 
 namespace mrroc::edp {
 
-/// Whether a drive is in the mode that it has been told: its mode display (6061h), asked for by SDO until it shows that
-/// mode, and not again before another one is wanted. A drive that does not have the object is believed. It sends
-/// nothing itself, and its time is the servo's tick. Allocates nothing, never throws; one thread.
+/// Checks that a drive is in the commanded mode: reads its mode display (6061h) by SDO until it shows that mode, and
+/// not again before another mode is commanded. A drive without the object is assumed to be in the mode. It does no I/O:
+/// its owner passes the frames. Time is the servo's tick. Allocates nothing, never throws; one thread.
 class ModeDisplay {
  public:
-  static constexpr double kPause = 0.01;      ///< s, between two questions
-  static constexpr double kAnswerTime = 0.1;  ///< s, to a question; then it is asked again
+  static constexpr double kPause = 0.01;      ///< s between two requests
+  static constexpr double kAnswerTime = 0.1;  ///< s to an answer; then the request is repeated
 
   /// `there`: its EDS file has the object. `period` in s.
   ModeDisplay(canopen::NodeId node, bool there, double period) noexcept;
 
-  /// From now on this mode; what has been shown so far says nothing.
+  /// Commands this mode; what has been shown before is discarded.
   void want(canopen::DriveMode mode) noexcept;
   canopen::DriveMode wanted() const noexcept { return wanted_; }
-  /// False: the drive does not have it, no one can tell.
-  bool tells() const noexcept { return there_; }
-  /// It shows what is wanted, or cannot be asked.
+  /// False: the drive does not have the object.
+  bool is_available() const noexcept { return there_; }
+  /// The commanded mode is shown, or the display is not available.
   bool confirms() const noexcept { return !there_ || shown_ == static_cast<int>(wanted_); }
-  /// What it has shown last since then.
+  /// The mode shown last, since the last `want`.
   std::optional<int> shown() const noexcept { return shown_; }
 
-  /// True: it is to be asked, `request` is to be sent.
+  /// True: `request` is to be sent.
   bool asks(Tick tick, can::Frame& request) noexcept;
-  /// Looks at an SDO answer of its node; `next` is to be sent when it has data.
+  /// Takes an SDO answer of the node; `next` is to be sent unless it is empty.
   void take(const can::Frame& frame, can::Frame& next) noexcept;
 
  private:
@@ -41,7 +41,7 @@ class ModeDisplay {
   canopen::DriveMode wanted_ = canopen::DriveMode::none;
   std::optional<int> shown_;
   Tick asked_ = 0;
-  Tick due_ = 0;  ///< the next question
+  Tick due_ = 0;  ///< the next request
   canopen::SdoTransfer transfer_;
 };
 

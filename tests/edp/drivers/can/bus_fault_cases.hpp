@@ -182,7 +182,7 @@ inline std::vector<Case> cases() {
        false},
       {"FollowingError",
        {ErrorCode::following_error},
-       "told by its drive",
+       "reported by its drive",
        [](Rig& rig) { with_node(rig, [](auto& node) { node.stray(true); }); },
        [](Rig& rig) { with_node(rig, [](auto& node) { node.stray(false); }); }},
       {"ModeLost",

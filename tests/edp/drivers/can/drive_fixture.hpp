@@ -11,7 +11,7 @@ namespace mrroc::edp {
 
 using namespace canopen;
 
-/// What the operator is told of it, at tick 7.
+/// The report of a fault at tick 7.
 inline std::string text_of(const DriveFault& fault) {
   return std::string(make_report(Fault{code_of(fault), 0, describe(fault), 7}, Slide{}.parameters()).detail.view());
 }

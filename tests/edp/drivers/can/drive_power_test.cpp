@@ -114,11 +114,11 @@ TEST_F(DriveTest, AStopThatDoesNotEndLosesThePower) {
 
 TEST_F(DriveTest, WhoKeepsItsPowerAgainstItsControlwordDoesNotHearIt) {
   beats = true;
-  const auto patience = static_cast<int>(DrivePower::kObeyTime / kCanPeriod);
+  const auto timeout = static_cast<int>(DrivePower::kObeyTime / kCanPeriod);
   switch_on();
   EXPECT_FALSE(drive.ignores_controlword());
   drive.enable(false, tick);
-  for (int i = 0; i <= patience; ++i) {
+  for (int i = 0; i <= timeout; ++i) {
     EXPECT_FALSE(drive.ignores_controlword()) << i;
     EXPECT_EQ(controlword(), kQuickStop);
     say(status_bits(DriveState::operation_enabled));
@@ -134,7 +134,7 @@ TEST_F(DriveTest, WhoKeepsItsPowerAgainstItsControlwordDoesNotHearIt) {
   drive.enable(true, tick);
   say(status_bits(DriveState::operation_enabled));
   drive.enable(false, tick);
-  for (int i = 0; i <= 1000 + patience; ++i) {
+  for (int i = 0; i <= 1000 + timeout; ++i) {
     EXPECT_FALSE(drive.ignores_controlword()) << i;
     controlword();
     say(status_bits(DriveState::quick_stop_active));

@@ -56,7 +56,7 @@ TEST_P(PeerWindow, AJammedAxisIsToldByItsDriveAndRecoveredFrom) {
   run_into("node 2 jam on");
   EXPECT_EQ(seen().fault.code, ErrorCode::following_error) << describe(seen().fault.code);
   EXPECT_NE(text().find("axis 2 (y)"), std::string::npos) << text();
-  EXPECT_NE(text().find("told by its drive"), std::string::npos) << text();
+  EXPECT_NE(text().find("reported by its drive"), std::string::npos) << text();
   peer.say("node 2 jam off");
   recover_and_move(-0.1);
 }
