@@ -12,13 +12,17 @@ namespace mrroc::config {
 namespace fs = std::filesystem;
 
 RobotFiles robot_files(const std::string& type, const fs::path& parameters) {
-  const auto file = [&](const std::string& ending) {
-    const fs::path own = type_file("robots", type, type + ending);
-    if (parameters.empty()) return own;
-    const fs::path other = parameters.parent_path() / (parameters.stem().string() + ending);
-    return fs::exists(other) ? other : own;
+  const fs::path own = type_file("robots", type, type);
+  if (parameters.empty()) {
+    const std::string stem = own.string();
+    return {stem + ".toml", stem + ".xml", stem + ".urdf", stem + "_drives.toml"};
+  }
+  const std::string stem = (parameters.parent_path() / parameters.stem()).string();
+  const auto beside_or_own = [&](const std::string& ending) {
+    return fs::exists(stem + ending) ? fs::path(stem + ending) : fs::path(own.string() + ending);
   };
-  return {parameter_file(type, parameters), file(".xml"), file(".urdf"), file("_drives.toml")};
+  // the type's URDF has the limits of the type's own parameters
+  return {parameters, beside_or_own(".xml"), stem + ".urdf", beside_or_own("_drives.toml")};
 }
 
 fs::path parameter_file(const std::string& type, const fs::path& parameters) {

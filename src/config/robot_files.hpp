@@ -16,8 +16,8 @@ struct RobotFiles {
 };
 
 /// The files of a robot of type TYPE with the parameter file DIR/STEM.toml: that file, DIR/STEM.xml, DIR/STEM.urdf and
-/// DIR/STEM_drives.toml. A file that does not exist is replaced by robots/TYPE/TYPE.xml and so on. With `parameters`
-/// empty all files are those of robots/TYPE.
+/// DIR/STEM_drives.toml. Without DIR/STEM.xml the body is that of robots/TYPE/TYPE.xml, without DIR/STEM_drives.toml
+/// the drives are those of robots/TYPE/TYPE_drives.toml. With `parameters` empty all files are those of robots/TYPE.
 RobotFiles robot_files(const std::string& type, const std::filesystem::path& parameters = {});
 
 /// `parameters`, or when it is empty the installed robots/TYPE/TYPE.toml.

@@ -45,7 +45,7 @@ TEST_F(RobotFilesTest, AFileOfTheTypesFolderBringsWhatLiesBesideItWithItsStem) {
   const RobotFiles files = belt("parameters = \"fast.toml\"\n").files();
   EXPECT_EQ(files.parameters, own("fast.toml"));
   EXPECT_EQ(files.mjcf, own("fast.xml"));
-  EXPECT_EQ(files.urdf, own("conveyor.urdf"));
+  EXPECT_EQ(files.urdf, own("fast.urdf")) << "that of the type has its own limits";
   EXPECT_EQ(files.drives, own("conveyor_drives.toml"));
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "system/equal_runs.hpp"
 #include "text_of.hpp"
@@ -38,6 +39,34 @@ TEST_P(Demo, ToursItsWorkspaceTheSameWay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Demo, testing::ValuesIn(demos()), name_of);
+
+std::vector<std::string> types() {
+  std::vector<std::string> types;
+  for (const auto& entry : std::filesystem::directory_iterator(kRobots))
+    if (entry.is_directory()) types.push_back(entry.path().filename().string());
+  std::sort(types.begin(), types.end());
+  return types;
+}
+
+class OwnParameters : public testing::TestWithParam<std::string> {};
+
+/// A copy of the type's parameters with a lower speed limit is all that another machine of the type needs.
+TEST_P(OwnParameters, BesideTheDeploymentAreEnough) {
+  const ScratchFolder folder;
+  const std::string text = text_of(kRobots / GetParam() / (GetParam() + ".toml"));
+  const std::regex speed("\nvelocity_max = ([0-9.e+-]+)");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(text, found, speed));
+  folder.write("mine.toml", found.prefix().str() + "\nvelocity_max = " + std::to_string(0.9 * std::stod(found[1])) +
+                                found.suffix().str());
+  const auto deployment =
+      folder.write("cell.toml", "[deployment]\nname = \"cell\"\n[robots.mine]\ntype = \"" + GetParam() +
+                                    "\"\nparameters = \"mine.toml\"\nhardware = \"loopback\"\n");
+  run_mrroc({"run", deployment.string(), "--quiet"}, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, OwnParameters, testing::ValuesIn(types()),
+                         [](const auto& test) { return test.param; });
 
 /// tests/system/programs/unsynchronised.cpp on an IRb-6 whose drives do not know where they are.
 constexpr const char* kUnsynchronised = R"([deployment]
