@@ -39,7 +39,7 @@ std::string deployment(const Cable& cable) {
 struct Fault {
   const char* name;
   std::function<void(Cable&, const MrrocRun&)> strike;
-  const char* notice;  ///< what the runner says of it
+  const char* notice;  ///< the runner's message about it
 };
 
 void signal_process(const MrrocRun& run, const char* name, int number) { kill(run.descendant(name), number); }
@@ -58,7 +58,7 @@ const std::vector<Fault>& faults() {
   return all;
 }
 
-/// ms from the strike until the runner tells of it; none: it does not, or the task has not begun.
+/// ms from the fault to the runner's message; empty: there is no message, or the task has not begun.
 std::optional<double> time_of(const Fault& fault, std::uint64_t seed) {
   const ScratchFolder folder;
   Cable cable(seed);
@@ -86,10 +86,10 @@ std::optional<double> time_of(const Fault& fault, std::uint64_t seed) {
 
 }  // namespace
 
-/// cable_detection [SEEDS]: press_mp with the MP on one host and everything else on another (network namespaces with a
-/// cable, as root or in a user namespace), with keys, under the real clock; the cable is cut, or a process of either
-/// host killed or halted, SEEDS (20) times each at a random moment. Prints the wall time until `mrroc run` reports it.
-/// Fails when one is not noticed within 50 ms.
+/// cable_detection [SEEDS]: runs press_mp with the MP on one host and everything else on another (network namespaces
+/// with a cable, as root or in a user namespace), with keys, under the real clock. Cuts the cable, or kills or stops a
+/// process of either host, SEEDS (20) times each at a random moment. Prints the wall time until `mrroc run` reports the
+/// fault. Fails when a fault is not reported within 50 ms.
 int main(int argc, char** argv) {
   enter_own_network();
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 20;

@@ -22,12 +22,12 @@ def bits(data):
 
 
 def answers(axes):
-    """Bits until the last answer to a SYNC: a frame that was under way, the SYNC, TPDO 1 of every drive."""
+    """Bits until the last answer to a SYNC: a frame in transmission, the SYNC, TPDO 1 of every drive."""
     return bits(STATUS) + bits(SYNC) + axes * bits(FEEDBACK)
 
 
 def set_points(axes, asked):
-    """... and until the last set-point has come: they go before TPDO 2."""
+    """Bits until the last set-point: set-points precede TPDO 2."""
     return answers(axes) + axes * bits(COMMAND[asked.mode])
 
 
@@ -50,8 +50,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--mode", choices=COMMAND, default="position")
     parser.add_argument("--status_every", type=int, default=4, metavar="N", help="as in the table of drives; 4")
-    parser.add_argument("--heartbeat", type=float, default=0.1, metavar="S", help="likewise; 0.1")
-    parser.add_argument("--answer_time", type=float, default=0.5, metavar="SHARE", help="likewise; 0.5")
+    parser.add_argument("--heartbeat", type=float, default=0.1, metavar="S", help="as in the table of drives; 0.1")
+    parser.add_argument("--answer_time", type=float, default=0.5, metavar="SHARE", help="as in the table of drives; 0.5")
     parser.add_argument("--drive_time", type=float, default=0, metavar="S", help="from the SYNC until the slowest drive has its answer ready; 0")
     asked = parser.parse_args()
     for bit_rate in BIT_RATES:

@@ -1,6 +1,6 @@
-// What the lockstep clock itself costs: microseconds of wall and CPU time per tick with six processes that do nothing
-// but wait for the next tick (one of them is the simulated world, so a tick has two deltas), and with five of them
-// passing one message each per tick over Unix sockets (so a tick has three).
+// Cost of the lockstep clock: microseconds of wall and CPU time per tick with six processes that only wait for the next
+// tick (one of them is the simulated world, so a tick has two deltas), and with five of them passing one message each
+// per tick over Unix sockets (so a tick has three).
 //   clock_tick [ticks]
 
 #include <sys/resource.h>

@@ -1,6 +1,6 @@
-// What it costs a task to read a non-interactive sensor: Sensor::collect_reading() on a real link, while a VSP's end
-// publishes a thousand readings a second. Measured in turn, round by round, against a plain copy of a reading; the
-// figures are medians over the rounds. Nothing may be allocated on the reading thread.
+// Cost of reading a non-interactive sensor: Sensor::collect_reading() on a real link, while the VSP's end publishes a
+// thousand readings a second. Measured in turn, round by round, against a plain copy of a reading; the figures are
+// medians over the rounds. The reading thread must not allocate.
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -67,7 +67,7 @@ class ReadingTask : public Task {
   std::string name_ = "reader";
 };
 
-/// ns per call of `read`, of one round.
+/// ns per call of `read` in one round.
 template <class Read>
 double time_of(Read read) {
   const std::int64_t begin = clock::monotonic_ns();

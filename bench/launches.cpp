@@ -17,7 +17,7 @@ namespace {
 struct Deployment {
   const char* name;
   const char* file;
-  int one_of;  ///< so many launches
+  int one_of;  ///< its share of the launches: one of so many
 };
 
 const std::vector<Deployment> kDeployments{{"shuttle", "tasks/shuttle/shuttle.toml", 1},
@@ -34,7 +34,7 @@ class Launches {
  public:
   Launches(const Deployment& deployment, int count) : deployment_(deployment), count_(count) {}
 
-  /// Whether all went well.
+  /// Whether all launches succeeded.
   bool run(int together) {
     std::vector<std::thread> threads;
     for (int i = 0; i < together; ++i)
@@ -74,7 +74,7 @@ class Launches {
   const Deployment& deployment_;
   const int count_;
   std::atomic<int> next_{0};
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the members below
   std::string first_;
   std::vector<double> times_;
   int failed_ = 0, different_ = 0;
@@ -85,7 +85,7 @@ class Launches {
 
 /// launches [COUNT [TOGETHER]]: launches the task shuttle COUNT (1000) times and press a fifth as often, TOGETHER (4)
 /// at a time, in lockstep, with the processes in a random order with random delays; the seeds are 1, 2, ... Prints how
-/// many failed, had another trace than the first, or left a process; fails when one did.
+/// many failed, had another trace than the first, or left a process behind; fails when one did.
 int main(int argc, char** argv) {
   const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
   const int together = argc > 2 ? std::atoi(argv[2]) : 4;

@@ -1,13 +1,13 @@
-// What one step of Move costs between an ECP and an EDP, against a bare Cyclone DDS ping-pong of the same messages.
+// Cost of one step of Move between an ECP and an EDP, against a bare Cyclone DDS ping-pong of the same messages.
 //   link_roundtrip [--rounds n] [--steps n] [--realtime] [--domain n] [--keys folder]
 //
-// Two processes. The asking one runs blocks of `steps` exchanges in turn: the bare ping-pong, answered by a thread that
-// a listener wakes (the yardstick); a real Move of an IRb-6, whose EDP side is all of an EDP but its grid: the servo is
-// ticked as soon as a command of N = 1, v = 1 has been accepted, so that no one waits for the time of a tick; and the
-// bare ping-pong answered inside the listener, for reference; with keys (`mrroc keys folder`) also the bare ping-pong
-// of the first kind in a domain with DDS Security, the one after `n`, between the same two processes. A step is what
-// the ECP sees: from one next_state() to the next. A round is one block of each; the figures are medians over the
-// rounds of each round's quantiles and ratios.
+// Two processes. The asking process runs blocks of `steps` exchanges in turn: the bare ping-pong, answered by a thread
+// that a listener wakes (the yardstick); a real Move of an IRb-6, whose EDP side is all of an EDP but its grid (the
+// servo is ticked as soon as a command of N = 1, v = 1 has been accepted, so that no process waits for the time of a
+// tick); and the bare ping-pong answered inside the listener, for reference. With keys (`mrroc keys folder`) it also
+// runs the bare ping-pong of the first kind in a domain with DDS Security, the one after `n`, between the same two
+// processes. A step is what the ECP measures: from one next_state() to the next. A round is one block of each; the
+// figures are medians over the rounds of each round's quantiles and ratios.
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -42,7 +42,7 @@ constexpr double kBar = 1.25;
 constexpr double kGoal = 1.10;
 constexpr double kTimeout = 10;    // s, of hand-shakes
 constexpr double kLease = 20;      // s, outlasts any stall of a busy machine
-constexpr Tick kPatience = 10000;  // ticks that a reply may be late, likewise
+constexpr Tick kPatience = 10000;  // ticks that a reply may be late; outlasts any stall too
 constexpr int kPriority = 60;
 
 const std::string kPrefix = "roundtrip/irb6";
@@ -60,7 +60,7 @@ struct Options {
 
 RobotModels load_models() { return load_irb6(MRROC_SOURCE_DIR "/robots/irb6/irb6.toml"); }
 
-/// The second domain of a process, with DDS Security; none without keys.
+/// The second domain of a process, with DDS Security; empty without keys.
 std::unique_ptr<links::Domain> secured_domain(const Options& options) {
   if (options.keys.empty()) return nullptr;
   return std::make_unique<links::Domain>(
@@ -153,7 +153,7 @@ class EcpSide {
     stamps_.reserve(static_cast<std::size_t>(steps) + 2);
   }
 
-  /// One block of each; the order turns round by round, so that no one always comes after the same.
+  /// One block of each kind; the order rotates from round to round, so that no kind always follows the same one.
   void run_round(bool forwards) {
     if (forwards) ping(bare_, bare);
     move();
@@ -179,7 +179,7 @@ class EcpSide {
     stamps_.clear();
     direction_ = -direction_;
     Cycloid cycloid(robot_, steps_, direction_, stamps_);
-    // one more: the end of a step is the next one's next_state()
+    // one more, because a step ends at the next_state() of the next one
     Move({robot_}, {}, cycloid.until(ElapsedSteps{static_cast<std::uint64_t>(steps_) + 1}));
     moves.add(stamps_);
   }
@@ -261,7 +261,7 @@ int run(const Options& options) {
   return exit_code(edp) == 0 ? code : 2;
 }
 
-/// Exits when the arguments are not understood.
+/// Exits when the arguments are invalid.
 Options parse(int count, char** arguments) {
   Options options;
   for (int i = 1; i < count; ++i) {

@@ -1,7 +1,8 @@
-// The language's own cost of one step of Move: the time of a Move on links that answer at once, less the time of a
+// The language's own cost of one step of Move: the time of a Move on links that answer at once, minus the time of a
 // hand-written loop that makes the same calls of the links, the generator and the condition. Both are measured in turn,
 // round by round, in processor time of this thread, so that other work of the machine does not count; the table shows
-// medians over the rounds. Below it, what a process adds: each step as a line in memory that outlives it.
+// medians over the rounds. Below it, the cost that a process adds: each step as a line in memory that outlives the
+// process.
 #include <time.h>
 
 #include <algorithm>
@@ -127,7 +128,7 @@ struct Bench {
     Move(RobotList{robot_list}, SensorList{sensor_list}, generator.until(ElapsedSteps{kSteps}));
   }
 
-  /// What a Move asks of others, and nothing else.
+  /// The calls that a Move makes, and nothing else.
   void by_hand() {
     Advance generator(robot_list);
     Generator& next = generator;  // virtual calls, as in Move
@@ -188,7 +189,7 @@ class LastSteps : public StepObserver {
   process::SharedBlackBox memory_ = process::SharedBlackBox::create();
 };
 
-/// What a line of each step costs beside the step of a Move without.
+/// Cost of writing a line of each step, compared with a Move without it.
 void measure_last_steps(int robots, int sensors) {
   Bench bench(robots, sensors);
   const auto last_steps = std::make_unique<LastSteps>();

@@ -17,7 +17,7 @@ namespace mrroc {
 
 inline constexpr double kPeakSpeed = 0.1;  // rad/s, of `Cycloid`
 
-/// A task with one robot behind the given link, and no one else to look at: neither operator nor observer.
+/// A task with one robot behind the given link, without operator and observer.
 class OneRobotTask : public Task {
  public:
   OneRobotTask(clock::Clock& clock, RobotLink& link) : clock_(clock), link_(link) {}
@@ -42,7 +42,7 @@ class OneRobotTask : public Task {
 };
 
 /// All joints along a cycloid of `steps` steps, s = t/D - sin(2 pi t/D) / 2 pi: from rest to rest without a jump of the
-/// acceleration. Stamps every step.
+/// acceleration. Records the time of every step.
 class Cycloid : public Generator {
  public:
   Cycloid(Robot& robot, int steps, double direction, std::vector<std::int64_t>& stamps)

@@ -1,4 +1,4 @@
-// How many reachable poses a motion in joint space refuses, and what choosing among all branches costs.
+// How many reachable poses a motion in joint space refuses, and the cost of choosing among all branches.
 //   reachable [--postures n] [--seed n]
 //
 // For every robot of robots/: poses of random postures within joint and motor limits, asked for as JointLine does
@@ -7,7 +7,7 @@
 // "single" of the branch that is near (ToolKinematics::follow, within_limits), "all" of the best of all branches
 // (nearest_posture), for poses of which the former is within the limits; processor time of this thread, the ratio is
 // that of the medians.
-// A robot that refuses more than the bar, or is slower than the bar, makes the exit code 1.
+// The exit code is 1 when a robot refuses more than the bar, or is slower than the bar.
 #include <time.h>
 
 #include <CLI/CLI.hpp>

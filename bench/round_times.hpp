@@ -15,7 +15,7 @@ Value quantile(std::vector<Value> values, double p) {
   return values[static_cast<std::size_t>(rank)];
 }
 
-/// What was measured of one contestant, round by round, us.
+/// Times of one contestant, round by round, us.
 struct RoundTimes {
   std::vector<double> p50;
   std::vector<double> p99;
@@ -31,7 +31,7 @@ struct RoundTimes {
   }
 };
 
-/// Median over the rounds of `of` / `to`: both were measured under the same load in each round.
+/// Median over the rounds of `of` / `to`; both were measured under the same load in each round.
 inline double median_ratio(const std::vector<double>& of, const std::vector<double>& to) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < of.size(); ++i) ratios.push_back(of[i] / to[i]);

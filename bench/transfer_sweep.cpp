@@ -41,8 +41,8 @@ struct Worst {
 }  // namespace
 
 /// transfer_sweep [SEEDS [MASS ...]]: runs the task cooperative_transfer with every mass (kg; 0.5 1 2 3) and seeds 1 to
-/// SEEDS (20) of the initial error of the grasp, prints what became of the bar, and the worst of every mass. Fails when
-/// a run did.
+/// SEEDS (20) of the initial error of the grasp. Prints the outcome of every run and the worst of every mass. Fails
+/// when a run failed.
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 20;
   std::vector<double> masses;

@@ -19,7 +19,7 @@ using mrroc::process::ExitCode;
 
 constexpr std::int64_t kPatienceWithReader = 2 * mrroc::clock::kSecond;
 
-/// After a run its signals stay blocked: an error must not wait for a reader that has stopped.
+/// The signals stay blocked after a run: an error must not wait for a reader that has stopped.
 int fail(ExitCode code, const std::exception& error) {
   mrroc::cli::Output err(STDERR_FILENO);
   err.write("mrroc: " + mrroc::command::printable_lines(error.what()) + "\n");

@@ -2,7 +2,7 @@
 set(debian ${CMAKE_SOURCE_DIR}/cmake/debian)
 set(made ${CMAKE_BINARY_DIR}/debian)
 
-# a package says on which day it was made from its source, not when it was built
+# a package contains the date of its source, not of its build
 execute_process(COMMAND git -C ${CMAKE_SOURCE_DIR} log -1 --format=%cD RESULT_VARIABLE no_git OUTPUT_VARIABLE date ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(no_git OR date STREQUAL "")
   set(date "Thu, 01 Jan 1970 00:00:00 +0000")
@@ -35,7 +35,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_MRROC_PACKAGE_NAME mrroc)
 set(CPACK_DEBIAN_MRROC_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_MRROC_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_MRROC_PACKAGE_DEPENDS "adduser, libgl1-mesa-dri")  # Mesa draws pictures where there is no screen
+set(CPACK_DEBIAN_MRROC_PACKAGE_DEPENDS "adduser, libgl1-mesa-dri")  # Mesa draws pictures without a screen
 set(CPACK_DEBIAN_MRROC_PACKAGE_SUGGESTS "can-utils, openssh-client, graphviz")
 set(CPACK_DEBIAN_MRROC_PACKAGE_CONTROL_EXTRA ${debian}/conffiles ${debian}/postinst ${debian}/postrm)
 set(CPACK_DEBIAN_MRROC_PACKAGE_CONTROL_STRICT_PERMISSION ON)

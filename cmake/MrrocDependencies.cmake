@@ -1,9 +1,9 @@
 # Every third-party library that the project uses, each as one imported target. `scripts/install_dependencies` installs them.
-# Libraries of one sensor type are in its folder.
+# Libraries of a single sensor type are in its folder.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(CycloneDDS 0.10 REQUIRED)
-# src/links/cyclone replaces functions of this version by their names (docs/explanation/cyclone.md)
+# src/links/cyclone replaces functions of this version by name (docs/explanation/cyclone.md)
 set(MRROC_CYCLONE_VERSION 0.10.2)
 option(MRROC_ANY_CYCLONE "Build with a version of Cyclone DDS that src/links/cyclone was not written for" OFF)
 if(NOT CycloneDDS_VERSION VERSION_EQUAL MRROC_CYCLONE_VERSION AND NOT MRROC_ANY_CYCLONE)
@@ -34,7 +34,7 @@ set(BUILD_TESTS OFF CACHE BOOL "" FORCE)
 set(BUILD_SHARED_LIBS OFF CACHE BOOL "" FORCE)
 add_subdirectory(${MRROC_RUCKIG} ${CMAKE_BINARY_DIR}/ruckig EXCLUDE_FROM_ALL SYSTEM)
 
-# what tests and benchmarks compare our own kinematics with
+# reference for our own kinematics in tests and benchmarks
 if(MRROC_TESTS OR MRROC_BENCH)
   find_package(urdfdom REQUIRED)
   find_package(orocos_kdl REQUIRED) # sets variables only
@@ -52,7 +52,8 @@ endif()
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
-  # with these, and GCC's -fpch-preprocess, it keeps what includes a precompiled header; else it keeps nothing
+  # with these, and GCC's -fpch-preprocess, it caches sources that include a precompiled header; otherwise it caches
+  # nothing
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
   add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fpch-preprocess>)
 endif()

@@ -1,4 +1,4 @@
-# For the project's own code only: what users of find_package(mrroc) do not get.
+# For the project's own code only: not available to users of find_package(mrroc).
 
 # Warnings and sanitizers of our own code; third-party headers come as SYSTEM.
 set(MRROC_WARNINGS -Wall -Wextra -Wconversion -Wshadow -Werror)
@@ -13,8 +13,8 @@ if(MRROC_SANITIZE)
   add_link_options(-fsanitize=${MRROC_SANITIZE})
 endif()
 
-# What most sources read, compiled once: reading it takes longer than what many of them add. Only where sources are joined: a build
-# of each source by itself finds the includes that are missing.
+# Headers of most sources, precompiled: parsing them takes longer than compiling many sources. Only in unity builds: a
+# build of single sources finds missing includes.
 if(CMAKE_UNITY_BUILD)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/headers.cpp CONTENT "")
   add_library(mrroc_headers OBJECT ${CMAKE_BINARY_DIR}/headers.cpp)
@@ -22,7 +22,7 @@ if(CMAKE_UNITY_BUILD)
   target_link_libraries(mrroc_headers PRIVATE Eigen3::Eigen)
   target_precompile_headers(mrroc_headers PRIVATE <Eigen/Geometry> <algorithm> <array> <cmath> <filesystem> <functional>
     <map> <memory> <optional> <sstream> <string> <variant> <vector>)
-  # of a library or program: position-independent code for both, as the precompiled header has it
+  # of a library or program: position-independent code for both, as in the precompiled header
   function(mrroc_reuse_headers name)
     target_precompile_headers(${name} REUSE_FROM mrroc_headers)
     get_target_property(type ${name} TYPE)
@@ -32,8 +32,9 @@ if(CMAKE_UNITY_BUILD)
   endfunction()
 endif()
 
-# mrroc_own_program(NAME FOLDER SOURCES ... [LINKS ...] [ROOMS ...]): one program of the project's own, build/FOLDER/NAME, which no package has: benches, fuzzers,
-# the task programs of tests. It includes the headers of ROOMS, folders of the source tree.
+# mrroc_own_program(NAME FOLDER SOURCES ... [LINKS ...] [ROOMS ...]): one program of the project's own,
+# build/FOLDER/NAME, not in any package: benches, fuzzers, the task programs of tests. It includes the headers of ROOMS,
+# folders of the source tree.
 function(mrroc_own_program name folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;ROOMS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -47,11 +48,11 @@ function(mrroc_own_program name folder)
   endif()
 endfunction()
 
-# GoogleTest's macros take GCC twice the time with -O3; what the tests call was compiled with the libraries. Three warnings of GCC 12 are wrong about
-# std::string and Eigen at -O1; the libraries are compiled with them.
+# GCC takes twice the time for GoogleTest's macros with -O3; the tested code is compiled with the libraries. Three
+# warnings of GCC 12 are wrong about std::string and Eigen at -O1; the libraries are compiled with them.
 set(MRROC_TEST_OPTIMISATION -O1 -Wno-array-bounds -Wno-maybe-uninitialized -Wno-stringop-overflow)
 
-# What most tests read, compiled once: without it a third of the whole build is spent reading it again in every one of them.
+# Headers of most tests, precompiled: otherwise parsing them takes a third of the whole build.
 function(mrroc_test_headers)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/test_headers.cpp CONTENT "")
   add_library(mrroc_test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)
@@ -60,19 +61,20 @@ function(mrroc_test_headers)
   target_precompile_headers(mrroc_test_headers PRIVATE <gtest/gtest.h> <rapidcheck.h> <Eigen/Geometry>)
 endfunction()
 
-# mrroc_describe_test(NAME [SLOW] [SERIAL] [TIMEOUT s] [SLOTS n] [LABELS ...]): what ctest must know of a test, the same for all kinds.
+# mrroc_describe_test(NAME [SLOW] [SERIAL] [TIMEOUT s] [SLOTS n] [LABELS ...]): the properties of a test in ctest, the
+# same for all kinds.
 #   SLOW     label slow, else fast; a test with the label system (whole deployments) is slow: `make check` runs the fast ones
-#   SERIAL   needs real time: never beside another SERIAL test; it mostly waits, so that other tests run meanwhile
+#   SERIAL   needs real time: never together with another SERIAL test; it mostly waits, so that other tests can run
 #   SLOTS    of `ctest -j`, two for each processor: 2, of a SERIAL test 1
 # Tests with a long TIMEOUT start first.
 function(mrroc_describe_test name)
-  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "LABELS;SOURCES;LINKS;COMMAND" ${ARGN}) # of the callers, too
+  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "LABELS;SOURCES;LINKS;COMMAND" ${ARGN}) # also of the callers
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
   set(cost ${ARG_TIMEOUT})
   if(MRROC_SANITIZE)
-    math(EXPR ARG_TIMEOUT "4 * ${ARG_TIMEOUT}") # what takes a minute takes ten with the thread sanitizer
+    math(EXPR ARG_TIMEOUT "4 * ${ARG_TIMEOUT}") # a minute becomes ten with the thread sanitizer
   endif()
   if(NOT ARG_SLOTS)
     set(ARG_SLOTS $<IF:$<BOOL:${ARG_SERIAL}>,1,2>)
@@ -90,7 +92,7 @@ endfunction()
 # builds what the fast tests need
 add_custom_target(fast_tests)
 
-# What the sources of tests are compiled with.
+# Compile options of the tests' sources.
 function(mrroc_compile_as_test name)
   target_link_libraries(${name} PRIVATE mrroc_flags GTest::gtest)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/testing/include)
@@ -120,7 +122,7 @@ function(mrroc_test_executable name)
 endfunction()
 
 # mrroc_test(NAME SOURCES ... LINKS ... [SHARDS n] [LABELS ...] [TIMEOUT s] [SLOTS n] [SLOW] [SERIAL]): one GoogleTest executable, one ctest entry;
-# with SHARDS its test cases are dealt out to the entries NAME_1 ... NAME_n, which run side by side.
+# with SHARDS its test cases are distributed over the entries NAME_1 ... NAME_n, which run side by side.
 function(mrroc_test name)
   cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "SOURCES;LINKS;LABELS" ${ARGN})
   mrroc_test_executable(${name} SOURCES ${ARG_SOURCES} LINKS ${ARG_LINKS})
@@ -147,9 +149,10 @@ function(mrroc_script_test name)
   mrroc_describe_test(${name} ${ARGN})
 endfunction()
 
-# mrroc_socket_test(NAME TIMEOUT s COMMAND ... [VARIABLES N=V ...] [LABELS ...] [ENVIRONMENT ...]): one ctest entry whose command, with these variables
-# of its environment, has the CAN interfaces can0 and can1: in a guest where this kernel has none. Not with a sanitizer, for whose shadow memory a
-# guest's processes have no room. One guest at a time: all of them run on the last processor.
+# mrroc_socket_test(NAME TIMEOUT s COMMAND ... [VARIABLES N=V ...] [LABELS ...] [ENVIRONMENT ...]): one ctest entry
+# whose command, with these environment variables, has the CAN interfaces can0 and can1: in a guest if this kernel has
+# none. Not with a sanitizer, because a guest's processes have no room for its shadow memory. One guest at a time: all
+# of them run on the last processor.
 function(mrroc_socket_test name)
   if(MRROC_SANITIZE)
     return()

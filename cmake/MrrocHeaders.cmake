@@ -1,5 +1,5 @@
-# Which headers a package has, as they are included: "mrroc/move.hpp", "config/table.hpp", "robots/irb6/irb6_model.hpp". Whole folders of headers are public where
-# they are named include/; of the framework's own folders these are.
+# The headers of a package, as they are included: "mrroc/move.hpp", "config/table.hpp", "robots/irb6/irb6_model.hpp".
+# Folders named include/ are public as a whole; of the framework's own folders these headers are.
 set(MRROC_PUBLIC_HEADERS
   edp/hardware.hpp
   edp/shell.hpp
@@ -15,7 +15,8 @@ set(MRROC_PUBLIC_HEADERS
   vsp/virtual_sensor.hpp
 )
 
-# What the public ones include: no names for users, they may move. `headers` of ctest compares this list with the sources.
+# Headers that the public ones include: not for users, they may move. `headers` of ctest compares this list with the
+# sources.
 set(MRROC_INCLUDED_HEADERS
   edp/safety/fault.hpp
   src/clock/clock.hpp

@@ -1,8 +1,9 @@
-# What find_package(mrroc) finds: in the build folder at once, and in an installation (`cmake --install build --prefix ...`). Both
-# have the same layout: bin/, lib/cmake/mrroc/, lib/mrroc/ (archives), include/mrroc/, share/mrroc/; an installation has libexec/mrroc/, too.
+# The package for find_package(mrroc): in the build folder directly, and in an installation (`cmake --install build
+# --prefix ...`). Both have the same layout: bin/, lib/cmake/mrroc/, lib/mrroc/ (archives), include/mrroc/,
+# share/mrroc/; an installation also has libexec/mrroc/.
 include(CMakePackageConfigHelpers)
 
-# Ruckig is linked into our own library and comes along privately: an installation may meet another one
+# Ruckig is linked into our own library and installed privately: the system may have another one
 install(TARGETS ruckig EXPORT mrroc ARCHIVE DESTINATION lib/mrroc COMPONENT development)
 
 set(package ${CMAKE_BINARY_DIR}/lib/cmake/mrroc)

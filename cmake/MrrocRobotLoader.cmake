@@ -1,5 +1,6 @@
-# mrroc_robot_loader(NAME): a source with load_robots() (bench/kinematics/robots.hpp), in NAME_SOURCE, and what it links,
-# in NAME_LIBRARIES. Every folder of robots/ takes part automatically: robots/NAME/NAME_model.hpp declares load_NAME().
+# mrroc_robot_loader(NAME): a source with load_robots() (bench/kinematics/robots.hpp), in NAME_SOURCE, and its
+# libraries, in NAME_LIBRARIES. Every folder of robots/ is included automatically: robots/NAME/NAME_model.hpp declares
+# load_NAME().
 function(mrroc_robot_loader variable)
   set(robots_folder ${PROJECT_SOURCE_DIR}/robots)
   file(GLOB parts RELATIVE ${robots_folder} CONFIGURE_DEPENDS ${robots_folder}/*/CMakeLists.txt)

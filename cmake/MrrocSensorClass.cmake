@@ -1,6 +1,6 @@
 # mrroc_sensor_class(TYPE TOML OUTPUT_FOLDER CLASS_SUFFIX FILE_SUFFIX): writes the class that a task program declares for a sensor of
 # this type, with one accessor per channel of its declaration TYPE.toml ([[channels]] name, unit), to
-# OUTPUT_FOLDER/mrroc/sensors/TYPE<FILE_SUFFIX>.hpp. Configure again when TOML changes: CMake does.
+# OUTPUT_FOLDER/mrroc/sensors/TYPE<FILE_SUFFIX>.hpp. CMake configures again when TOML changes.
 function(mrroc_sensor_class type toml folder class_suffix file_suffix)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${toml})
   string(REPLACE "_" ";" words ${type})
@@ -46,7 +46,7 @@ function(mrroc_sensor_class type toml folder class_suffix file_suffix)
 
 namespace mrroc {
 
-/// A sensor of type `@type@` as a task program sees it: the channels of its reading, NaN before the first one. Task's thread.
+/// A sensor of type `@type@` in a task program: the channels of its reading, NaN before the first one. Task's thread.
 class @class@ : public Sensor {
  public:
   /// Throws NonFatalError when the deployment has no sensor `name` of this type.

@@ -1,8 +1,9 @@
 include(${CMAKE_CURRENT_LIST_DIR}/MrrocSensorClass.cmake)
 
 # The framework's few kinds of target, for its own folders and, after find_package(mrroc), for those of its users. Programs go to
-# bin/ and data to share/mrroc/ of the build folder: `mrroc run` finds them there. In an installation bin/ has the commands only,
-# and libexec/mrroc/ the programs that `mrroc run` starts. Components of an installation: runtime, development.
+# bin/ and data to share/mrroc/ of the build folder: `mrroc run` finds them there. In an installation bin/ contains only
+# the commands, and libexec/mrroc/ the programs that `mrroc run` starts. Components of an installation: runtime,
+# development.
 
 # mrroc_library(NAME SOURCES ... [LINKS ...] [PRIVATE_LINKS ...] [INTERNAL]): one static library. Includes read "folder/file.hpp";
 # the folder's include/ is public too. INTERNAL: of our own programs only, not part of the package.
@@ -26,7 +27,8 @@ function(mrroc_library name)
   endif()
 endfunction()
 
-# mrroc_program(NAME [COMMAND] SOURCES ... LINKS ...): one program, in bin/; COMMAND: that people type, others are installed in libexec/mrroc/.
+# mrroc_program(NAME [COMMAND] SOURCES ... LINKS ...): one program, in bin/; COMMAND: typed by users, other programs are
+# installed in libexec/mrroc/.
 function(mrroc_program name)
   cmake_parse_arguments(ARG "COMMAND" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -66,9 +68,10 @@ endfunction()
 
 # mrroc_add_sensor(TYPE [CLIENT ...] [SOURCES ...] [EXECUTABLE main.cpp]): a sensor type's folder. The class that a task program declares is
 # made from the channels in TYPE.toml: <mrroc/sensors/TYPE.hpp>; a folder that writes that header itself (in include/, for conditions
-# and the like) gets the base class from <mrroc/sensors/TYPE_channels.hpp>. CLIENT are further sources of mrroc_sensor_TYPE, what a
-# task program links; SOURCES those of mrroc_sensor_TYPE_vsp, its aggregating function, which tests link; its data files are in
-# share/mrroc/sensors/TYPE. EXECUTABLE is main() of its process TYPE_vsp, with the aggregating function where there are no SOURCES.
+# and the like) gets the base class from <mrroc/sensors/TYPE_channels.hpp>. CLIENT are further sources of
+# mrroc_sensor_TYPE, which a task program links; SOURCES those of mrroc_sensor_TYPE_vsp, its aggregating function, which
+# tests link; its data files are in share/mrroc/sensors/TYPE. EXECUTABLE is main() of its process TYPE_vsp, with the
+# aggregating function where there are no SOURCES.
 function(mrroc_add_sensor type)
   cmake_parse_arguments(ARG "" "EXECUTABLE" "CLIENT;SOURCES" ${ARGN})
   set(made ${CMAKE_CURRENT_BINARY_DIR}/include)
@@ -93,7 +96,7 @@ function(mrroc_add_sensor type)
 endfunction()
 
 # mrroc_add_task(NAME [MP mp.cpp ...] [ECP ecp.cpp ...] [ROBOTS type ...] [SENSORS type ...]): a task's programs NAME_mp and
-# NAME_ecp, linked with the robots and sensors that they use. What is left out is the stock program's business.
+# NAME_ecp, linked with the robots and sensors that they use. The stock programs replace those that are left out.
 function(mrroc_add_task name)
   cmake_parse_arguments(ARG "" "" "MP;ECP;ROBOTS;SENSORS" ${ARGN})
   list(TRANSFORM ARG_ROBOTS PREPEND mrroc::robot_)

@@ -1,4 +1,4 @@
-# find_package(mrroc), of a build folder and of an installation alike: the libraries mrroc::<name>, the functions of
+# find_package(mrroc), for a build folder and for an installation: the libraries mrroc::<name>, the functions of
 # MrrocTargets.cmake, and the user's own bin/mrroc.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)

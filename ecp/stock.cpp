@@ -2,7 +2,7 @@
 
 namespace {
 
-/// The stock ECP: transparent. It has nothing to do when it is started; MP-level Moves pass through it.
+/// The stock ECP: transparent. A start does nothing; MP-level Moves pass through it.
 class Stock : public mrroc::ecp::Task {};
 
 }  // namespace

@@ -32,7 +32,7 @@ void Task::run_started() try {
   else
     behaviours_.run(started());
 } catch (const SystemError&) {
-  throw;  // there may be no one to answer
+  throw;  // there may be no caller to answer
 } catch (...) {
   come_to_rest();
   throw;
@@ -72,7 +72,7 @@ void Task::poll_others() {
     state_.tick = tick();
     state_.error.error_class = ErrorClass::non_fatal;
     state_.error.code = ErrorCode::busy;
-    state_.error.detail.assign("the ECP runs a task of its own");
+    state_.error.detail.assign("the ECP runs its own task");
     mp_.reply(state_, sequence);
   }
 }
@@ -109,7 +109,7 @@ void serve(process::Process& process, const TaskFactory& factory) {
 
 int run(int argc, char** argv, const TaskFactory& factory) {
   process::open_standard_files();
-  if (argc == 2 && std::string_view{argv[1]} == "--behaviours") {  // what a state machine's file is checked against
+  if (argc == 2 && std::string_view{argv[1]} == "--behaviours") {  // to check state machines
     return std::fputs(config::to_text(Behaviours::declared()).c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0 : 4;
   }
   return process::run_process(argc, argv, links::ProcessRole::ecp,

@@ -52,7 +52,7 @@ int describe_robot(int argc, char** argv, const ModelFactory& factory) {
   std::uint64_t seed = 1;
   std::string name;
   std::filesystem::path parameters;
-  CLI::App app{"What this EDP knows of its robot"};
+  CLI::App app{"Data of this EDP's robot"};
   app.require_subcommand(1);
   CLI::App* limits = app.add_subcommand("limits", "Markdown table of the axes' limits");
   CLI::App* workspace = app.add_subcommand("workspace", "random tool positions within the limits, x y z in m");

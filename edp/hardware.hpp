@@ -9,38 +9,38 @@
 
 namespace mrroc::edp {
 
-/// What one axis's switches and encoder index say in one tick.
+/// The switches and the encoder index of one axis in one tick.
 struct AxisSwitches {
   bool synchro = false;
-  bool lower_limit = false;  ///< the axis stands on its limit switch, whatever that does to the wire
+  bool lower_limit = false;  ///< the axis is on its limit switch, regardless of the wiring
   bool upper_limit = false;
-  bool zero_pulse = false;   ///< one has passed since the last reading
-  double zero_position = 0;  ///< where, rad of the shaft as the encoder counts
+  bool zero_pulse = false;   ///< a zero pulse has passed since the last reading
+  double zero_position = 0;  ///< its position, rad of the shaft as the encoder counts
 };
 
-/// How far drives are that find their positions on their own.
+/// The homing state of drives that find their positions on their own.
 enum class Homing : std::uint8_t { none, running, attained, failed };
 
-/// What the drives report in one tick.
+/// The feedback of the drives in one tick.
 struct HardwareInput {
-  /// When it was measured: the tick of `read`, where the drives say nothing else. That of the reading before: positions
-  /// are repeated, guessed, or it is not sure whether they are new.
+  /// When it was measured: the tick of `read`, unless the drives report another one. The tick of the reading before:
+  /// positions are repeated, extrapolated, or perhaps not new.
   Tick tick = 0;
   double late = 0;                    ///< and how long after it at most, servo periods: on a bus, until it was answered
   JointVector motors;                 ///< shaft positions, rad, as the encoders resolve them
   JointVector current;                ///< measured currents, A
-  bool synchronised = false;          ///< positions are absolute; else they count from where the power came on
+  bool synchronised = false;          ///< positions are absolute; else they count from the position at power-on
   ErrorCode fault = ErrorCode::none;  ///< drive_fault, hardware_silent, ... ; `none` when all is well
-  int fault_axis = -1;                ///< whose; -1: the whole robot's
-  FaultDetail fault_detail{};         ///< more about it
+  int fault_axis = -1;                ///< its axis; -1: the whole robot
+  FaultDetail fault_detail{};         ///< its details
   std::array<AxisSwitches, kMaxJoints> switches{};
   Signals inputs;                ///< of the controller's terminals
   Homing homing = Homing::none;  ///< of the axis given to `home`
-  double homing_shift = 0;       ///< when it has attained: what to add to its positions, rad
+  double homing_shift = 0;       ///< after homing has attained: the offset to add to its positions, rad
 };
 
 /// The drives of one robot: CAN drives, the simulated world, or a plant model. `read` and `write` run in the servo
-/// tick: they allocate nothing, take no lock, do not throw, do not wait longer than the bus needs.
+/// tick: they allocate nothing, take no lock, do not throw, wait no longer than the bus needs.
 class Hardware {
  public:
   virtual ~Hardware() = default;
@@ -48,8 +48,8 @@ class Hardware {
   virtual void open() = 0;
   /// Power to the drives; the drives hold their position (brakes) while disabled.
   virtual void enable(bool on) noexcept = 0;
-  /// True: the drives are still on their way to what `enable` or `reset_fault` asked for. It ends on its own, if need
-  /// be with a fault. Servo thread, after `read`.
+  /// True: the drives are still executing `enable` or `reset_fault`. This ends on its own, with a fault at worst. Servo
+  /// thread, after `read`.
   virtual bool busy() const noexcept { return false; }
   /// Clears faults that the drives have latched. Servo thread.
   virtual void reset_fault() noexcept {}
@@ -57,9 +57,9 @@ class Hardware {
   /// continue, and it executes the present one only.
   virtual bool waits() const noexcept { return false; }
   /// True: the drives follow the currents of `write`; false: they follow `set_points` and regulate on their own. A
-  /// current that no drive follows is no evidence that an axis is stuck (MotionWatch).
+  /// current that no drive follows does not show that an axis is stuck (MotionWatch).
   virtual bool follows_current() const noexcept { return false; }
-  /// Positions at tick `tick`. What it does not write is NaN before, and so found out. Servo thread.
+  /// Positions at tick `tick`. Values that it does not write stay NaN, and are detected. Servo thread.
   virtual void read(Tick tick, HardwareInput& input) noexcept = 0;
   /// Set-points of the shafts (rad, rad/s) at this tick, for drives that regulate on their own; the others follow the
   /// current alone. Before `write`. Servo thread.
@@ -73,8 +73,8 @@ class Hardware {
   virtual void set_origin(const JointVector& shift) noexcept = 0;
   /// Whether the drives find their positions on their own, one axis after the other; else the servo does it.
   virtual bool homes() const noexcept { return false; }
-  /// Starts it for this axis: from now on the drive moves it, `HardwareInput::homing` tells how far it is. Servo
-  /// thread.
+  /// Starts homing of this axis: from now on the drive moves it, and `HardwareInput::homing` reports its progress.
+  /// Servo thread.
   virtual void home(int /*axis*/) noexcept {}
 };
 

@@ -28,7 +28,7 @@ namespace mrroc::edp {
 
 namespace {
 
-/// The robot's entry, and its place in the deployment: the EDP's process is called <robot>_edp.
+/// The robot's entry, and its index in the deployment: the EDP's process is called <robot>_edp.
 struct Place {
   std::size_t index;
   const config::RobotEntry& entry;
@@ -44,7 +44,7 @@ Place place_of(const process::Process& process) {
 
 constexpr std::int64_t kPatienceWithBus = 10 * clock::kSecond;
 
-/// A hub's socket may still have to be made by the simulated drives.
+/// The simulated drives may not have made the hub's socket yet.
 std::unique_ptr<can::Bus> open_bus(const std::string& name) {
   const std::int64_t end = clock::monotonic_ns() + kPatienceWithBus;
   for (;;) {
@@ -183,19 +183,19 @@ class Shell {
     // the thread's destructor stops the robot and switches the drives off
   }
 
-  /// The drives are on, or a fault keeps them off: from now on every command has its answer.
+  /// The drives are on, or a fault keeps them off: from now on every command gets its answer.
   bool switched_on() noexcept {
     const Snapshot* snapshot = effector_.snapshot();
     return snapshot != nullptr && (snapshot->enabled() || snapshot->fault.code != ErrorCode::none);
   }
 
-  /// The state e_l of the newest tick, to the sensors that want it.
+  /// The state e_l of the newest tick, to the sensors that use it.
   void feed() {
     if (feeds_.empty() || !effector_.peek(fed_)) return;
     for (links::StateFeed& each : feeds_) each.send(fed_);
   }
 
-  /// Replies that are due, then commands that have come.
+  /// Sends due replies, then takes received commands.
   void exchange() {
     while (effector_.poll(reply_)) responder_.reply(reply_.state, reply_.command);
     std::uint64_t sequence = 0;
@@ -229,7 +229,7 @@ class Shell {
   ModelSet model_set_;
   std::optional<world::MappedWorld> world_;
   std::unique_ptr<Hardware> hardware_;
-  std::unique_ptr<ForceSensor> force_sensor_;  ///< null: none
+  std::unique_ptr<ForceSensor> force_sensor_;  ///< null: no force sensor
   HandOver hand_over_;
   Servo servo_;
   Effector effector_;

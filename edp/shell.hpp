@@ -13,9 +13,9 @@ using ModelFactory = std::function<RobotModels(const std::filesystem::path& para
 
 /// main() of an EDP: the process that owns one robot. It checks the robot's files (robot_check.hpp), opens the hardware
 /// that the deployment names, passes the start-up barrier, switches the drives on, and from then on executes the
-/// commands of its ECP. Under simulated time its participant runs the servo tick; in real time a thread of its own
+/// commands of its ECP. Under simulated time its participant runs the servo tick; in real time its own thread
 /// does; when it is asked to end there, it stops the robot within its limits and switches the drives off.
-/// With `limits` or `workspace` as its first argument it tells about its robot instead (describe.hpp).
+/// With `limits` or `workspace` as its first argument it prints data of its robot instead (describe.hpp).
 int run(int argc, char** argv, const ModelFactory& factory);
 
 }  // namespace mrroc::edp

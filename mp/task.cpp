@@ -37,7 +37,7 @@ void Task::start_with(const std::string& name, const Parcel& behaviour) {
   Ecp& started = ecp(name, "start");
   wait_until([] { return true; });  // not while paused
   if (started.running) {
-    throw NonFatalError(ErrorCode::busy, "start: the ECP of robot '" + name + "' still runs what it was started with",
+    throw NonFatalError(ErrorCode::busy, "start: the ECP of robot '" + name + "' still runs its previous start",
                         {process_name(), name, 0, tick()});
   }
   started.running = true;
@@ -65,7 +65,7 @@ void Task::stop(const std::string& name) {
     stopped.asked_to_stop = true;
     stopped.link->send(links::TaskCommandKind::stop);
   }
-  for (;;) {  // looks before it waits: what has come already wakes no one
+  for (;;) {  // check before waiting: a message that has already arrived causes no wake-up
     read_superior();
     poll_others();
     if (!stopped.running) break;
@@ -85,7 +85,7 @@ void Task::wait_for_all() {
     command_running(links::TaskCommandKind::stop);
     while (any_running()) wait_for_running();
     const links::TaskStatus first = ecp->status;
-    for (auto& [name, other] : ecps_) other.status = links::TaskStatus{};  // what failed with it is not told again
+    for (auto& [name, other] : ecps_) other.status = links::TaskStatus{};  // not reported again
     ecp->status = first;
     rethrow(*ecp);
   }
@@ -138,7 +138,7 @@ OperatorRequest Task::operator_request() {
   return request;
 }
 
-/// Throws the error with which the ECP has failed; from now on it counts as told.
+/// Throws the error with which the ECP has failed; from now on it counts as reported.
 void Task::rethrow(Ecp& failed) {
   const links::TaskStatus status = std::exchange(failed.status, links::TaskStatus{});
   const ErrorOrigin origin{std::string{status.process.view()}, std::string{status.device.view()}, status.step,

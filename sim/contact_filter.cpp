@@ -34,7 +34,7 @@ bool is_masked(const mjModel& model, int first, int second) noexcept {
          (model.geom_contype[second] & model.geom_conaffinity[first]) == 0;
 }
 
-/// Their bodies are rigidly one, or parent and child, neither of which stands in the world.
+/// Their bodies are rigidly one, or parent and child, neither of which is fixed in the world.
 bool is_joined(const mjModel& model, int first, int second) noexcept {
   const int a = model.body_weldid[model.geom_bodyid[first]], b = model.body_weldid[model.geom_bodyid[second]];
   if (a == b) return true;

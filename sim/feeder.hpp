@@ -8,19 +8,19 @@
 
 namespace mrroc::sim {
 
-/// Puts parts into the world one after the other, each at a random place and after a random time, both from the
+/// Puts parts into the world one after the other, each at a random position and after a random time, both from the
 /// entry's seed: the same on every run.
 ///
-/// A part waits where the scene has it, without weight and touching nothing. Its turn comes at tick
-/// t_k = t_{k-1} + U(interval) / period, t_0 = first / period; then its frame is put, at rest, at position + U(-spread,
-/// spread), turned about the world's z by U(-turn, turn). Whether the place is free is the scene's affair. The
-/// simulation's thread; `feed` allocates nothing.
+/// A part waits where the scene has it, without weight and without contacts. Part k is placed at tick t_k = t_{k-1} +
+/// U(interval) / period, t_0 = first / period: its frame is put, at rest, at position + U(-spread, spread), turned
+/// about the world's z by U(-turn, turn). The scene must keep that position free. The simulation's thread; `feed`
+/// allocates nothing.
 class Feeder {
  public:
   /// `period`: servo period, s. Throws config::ConfigurationError when the scene has no such free bodies.
   Feeder(const config::FeederEntry& entry, World& world, double period);
 
-  /// Puts the part whose turn has come at `tick` into a world that is at `tick`.
+  /// Puts the part due at `tick` into a world that is at `tick`.
   void feed(World& world, Tick tick);
 
  private:

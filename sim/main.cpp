@@ -22,8 +22,8 @@ using mrroc::Tick;
 /// Ticks between two world snapshots: 0.1 s at 2 ms.
 constexpr Tick kSnapshotTicks = 50;
 
-/// What is written of the world as it goes: snapshots and the robots' motion, where they are asked for. One that cannot
-/// be written does not stop the world, in which robots move: it is the failure of the process at its end.
+/// Writes the requested records of the world: snapshots and the robots' motion. A failed write does not stop the world,
+/// in which robots move: the process fails at its end.
 class Records {
  public:
   Records(mrroc::process::Process& process, const mrroc::sim::Simulation& simulation,
@@ -100,9 +100,9 @@ void check_pace(Tick simulated, const mrroc::clock::Clock& clock) {
                            {.process = "sim", .device = {}, .tick = simulated});
 }
 
-/// Real time: one step per tick of the grid, each after the drives of the tick before. A step that comes too late is
-/// made all the same: the world loses no time. Also when it is asked to end it continues while a robot is driven: it is
-/// the robots' hardware, and they need it to stop.
+/// Real time: one step per tick of the grid, each after the drives of the tick before. A late step is still made: the
+/// world loses no time. When it is asked to end it continues while a robot is driven: it is the robots' hardware, and
+/// they need it to stop.
 void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simulation, Records& records) {
   mrroc::clock::Ticker ticker(process.clock().epoch_ns(), std::llround(process.clock().period() * 1e9));
   Tick simulated = 0;
@@ -113,7 +113,7 @@ void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simula
       simulation.step_in_real_time(++simulated);
       records.write(simulated);
       warnings.tell(simulation.world());
-      // the tick has come: it does not wait, it only tells when the process is to end
+      // the tick has come: this does not wait, it only reports when the process must end
       const bool ending = process.clock().wait(simulated) == mrroc::clock::Wake::interrupted;
       if ((ending || process.clock().stopping()) && !simulation.driven()) throw mrroc::Stopped{};
       check_pace(simulated, process.clock());

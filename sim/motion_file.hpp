@@ -9,8 +9,8 @@
 
 namespace mrroc::sim {
 
-/// A text file with what the robots of the simulated world truly did, tick by tick: for plots, and to measure how they
-/// stop (mrroc/testing/motion.hpp reads it). First comes a line for every robot,
+/// A text file with the true motion of the robots of the simulated world, tick by tick: for plots, and to measure how
+/// they stop (mrroc/testing/motion.hpp reads it). First comes a line for every robot,
 ///
 ///     # limits <robot> <least position of each joint> <greatest of each> <greatest speed of each>
 ///
@@ -31,8 +31,8 @@ class MotionFile {
 
   /// Appends the measurements of tick `tick`.
   void write(Tick tick);
-  /// Writes what is kept. Returns why the file is not complete: "cannot write the motion file m: No space left on
-  /// device"; empty: it is. Once, after the last write().
+  /// Writes the buffered text. Returns the reason why the file is incomplete: "cannot write the motion file m: No space
+  /// left on device"; empty when it is complete. Once, after the last write().
   std::string close();
 
  private:

@@ -8,13 +8,13 @@
 
 namespace mrroc::sim {
 
-/// Which MJCF sensors are the simulated hardware of one sensor of the deployment. Of these the first that exists:
+/// The MJCF sensors that are the simulated hardware of one sensor of the deployment: the first of these that exists:
 ///   1. `<name>` and `<name>/...`                   declared in the scene
 ///   2. `<robot>/<name>` and `<robot>/<name>/...`   declared in the MJCF of the robot that it is mounted on
-///   3. `<robot>/<type>` and `<robot>/<type>/...`   likewise, for any sensor of this type
+///   3. `<robot>/<type>` and `<robot>/<type>/...`   the same, for any sensor of this type
 /// Its raw values are theirs, one after the other, in the order of declaration; units and frames are MuJoCo's (a
-/// rangefinder reads metres, -1 when it sees nothing; force and torque act from the parent on the site's body, in the
-/// site's frame).
+/// rangefinder reads metres, -1 when it detects nothing; force and torque act from the parent on the site's body, in
+/// the site's frame).
 class SensorSource {
  public:
   /// Throws config::ConfigurationError when there is no such MJCF sensor (it lists those that exist) or they have more

@@ -26,18 +26,18 @@ void check_snapshot(const mjModel& model, const config::SensorEntry& sensor) {
   const std::size_t count = snapshot_values(model);
   if (count <= world::kMaxSnapshotValues) return;
   throw config::ConfigurationError({}, 0, "sensors." + sensor.name,
-                                   "looks at a world with " + std::to_string(count) + " positions",
+                                   "views a world with " + std::to_string(count) + " positions",
                                    "at most " + std::to_string(world::kMaxSnapshotValues));
 }
 
-/// An input that is not there is off, as a cut wire is: the emergency stop would be pressed forever.
+/// A missing input is off, like a cut wire: the emergency stop would be pressed permanently.
 void check_emergency_stop(const mjModel& model, const config::Deployment& deployment, const config::RobotEntry& robot) {
   if (!robot.emergency_stop) return;
   const std::string input = "input_" + std::to_string(*robot.emergency_stop);
   const std::string sensor = robot.name + "/" + input;
   if (mj_name2id(&model, mjOBJ_SENSOR, sensor.c_str()) >= 0) return;
   throw config::ConfigurationError(deployment.file, 0, "robots." + robot.name + ".emergency_stop",
-                                   input + " is not in the scene, so that it would be pressed for ever",
+                                   input + " is not in the scene, so that it would be pressed permanently",
                                    "a sensor " + config::in_quotes(sensor) + " there or in the robot's MJCF");
 }
 
@@ -129,9 +129,9 @@ bool Simulation::drives(const Slot& slot, Tick tick) const noexcept {
   return drive.tick > 0 && drive.enabled != 0 && drive.tick != slot.given_up && tick <= drive.tick + kDriveLifetime;
 }
 
-/// Whether the robot's drive of the tick before `tick` is still to come.
+/// Whether the robot's drive of the tick before `tick` has not come yet.
 bool Simulation::is_due(Slot& slot, Tick tick) noexcept {
-  memory_.drives[slot.memory].load(slot.drive);  // in the middle of a write the one before stays
+  memory_.drives[slot.memory].load(slot.drive);  // during a write the previous drive stays
   return drives(slot, tick) && slot.drive.tick + 1 < tick;
 }
 
@@ -139,7 +139,7 @@ bool Simulation::driven() const noexcept {
   return std::any_of(robots_.begin(), robots_.end(), [this](const Slot& slot) { return drives(slot, tick_); });
 }
 
-/// Lockstep: the EDP's tick is over when its frames are on the bus; what the drives make of them comes a moment later.
+/// Lockstep: the EDP's tick is over when its frames are on the bus; the drives' reaction comes a moment later.
 void Simulation::await_bus(Slot& slot, Tick tick) {
   const auto there = [&] { return memory_.drives[slot.memory].load(slot.drive) && slot.drive.tick + 1 >= tick; };
   if (there() || slot.drive.tick == slot.given_up) return;
@@ -165,7 +165,7 @@ void Simulation::publish(Tick tick) {
     memory_.readings[slot.memory].store(reading);
   }
   if (looked_at_) store_snapshot(tick);
-  // last: a servo that sees them looks at its force sensor's reading, too
+  // last: a servo that sees them also reads its force sensor
   for (const Slot& slot : robots_) {
     world::JointMeasurement measurement{};
     measurement.tick = tick;

@@ -18,12 +18,12 @@ Composition compose(const config::Deployment& deployment);
 /// The simulated world of one deployment, tied to the memory through which drivers and VSPs reach it. Slot i of
 /// `drives` and `measurements` is deployment.robots[i] (unused for other hardware than `mujoco`), slot j of `readings`
 /// deployment.sensors[j] (unused for other sources than `simulated`). A simulated sensor whose type has the parameter
-/// `camera` looks at the world itself: it needs no MJCF sensor, and for its sake `snapshot` is stored at every tick.
+/// `camera` views the world itself: it needs no MJCF sensor, and `snapshot` is stored for it at every tick.
 ///
 /// One thread. `step` allocates nothing.
 class Simulation {
  public:
-  /// As the watchdog of a real drive that misses its cyclic set-point.
+  /// Like the watchdog of a real drive that misses its cyclic set-point.
   static constexpr Tick kDriveLifetime = 5;
 
   /// Builds the world with each robot at its home. `memory` must outlive this object. Throws config::ConfigurationError
@@ -32,12 +32,12 @@ class Simulation {
 
   /// Stores the measurements and readings of tick 0.
   void publish_initial();
-  /// Has the feeders put their parts, reads the drives, advances the world from tick - 1 to `tick`, stores its
+  /// Lets the feeders put their parts, reads the drives, advances the world from tick - 1 to `tick`, stores its
   /// measurements and readings. Brakes hold a robot that has no drive yet, a disabled one, or one older than
   /// kDriveLifetime ticks: its EDP is gone. Drives on a bus are waited for, world::kPatienceWithDrives at most. Throws
   /// SystemError (simulator), see World::step.
   void step(Tick tick);
-  /// Real time: `step`, but not before every robot's drive of tick - 1 is there, as in lockstep. A robot whose brakes
+  /// Real time: `step`, but not before every robot's drive of tick - 1 has come, as in lockstep. A robot whose brakes
   /// are on is not waited for; one that keeps the world waiting for `patience` (s of wall time) is braked, and the
   /// world continues without it until it drives again.
   void step_in_real_time(Tick tick, double patience = world::kPatienceWithDrives);
@@ -45,7 +45,7 @@ class Simulation {
   /// Whether any robot's drive acted in the last step: if not, all brakes are on.
   bool driven() const noexcept;
 
-  /// What `mrroc_render` makes pictures of; `save_state` writes it to a file.
+  /// The state for pictures by `mrroc_render`; `save_state` writes it to a file.
   WorldState state() const;
   World& world() noexcept { return world_; }
 
@@ -55,7 +55,7 @@ class Simulation {
     std::size_t world;          ///< index of the robot in the world
     world::JointDrive drive{};  ///< the newest
     Tick given_up = 0;          ///< tick of the drive after which none came in time
-    bool on_bus = false;        ///< its drives are a process of their own, which the clock does not wait for
+    bool on_bus = false;        ///< its drives are a separate process, which the clock does not wait for
   };
   struct SensorSlot {
     std::size_t memory;
@@ -74,7 +74,7 @@ class Simulation {
   std::vector<Slot> robots_;
   std::vector<SensorSlot> sensors_;
   std::vector<Feeder> feeders_;
-  bool looked_at_ = false;           ///< some sensor wants the snapshot
+  bool looked_at_ = false;           ///< some sensor uses the snapshot
   world::WorldSnapshot snapshot_{};  ///< the last one stored
   Tick tick_ = 0;
 };

@@ -7,7 +7,7 @@
 
 namespace mrroc::sim {
 
-/// What a picture of the world needs: MuJoCo's generalized positions at one tick.
+/// The state for a picture of the world: MuJoCo's generalized positions at one tick.
 struct WorldState {
   Tick tick = 0;
   double time = 0;  ///< s of simulated time
@@ -18,7 +18,7 @@ struct WorldState {
 /// file appears whole or not at all (written beside it, then renamed). Throws SystemError (resources).
 void save_state(const std::filesystem::path& file, const WorldState& state);
 
-/// Throws config::ConfigurationError when `file` is no such state.
+/// Throws config::ConfigurationError when `file` is not such a state.
 WorldState load_state(const std::filesystem::path& file);
 
 }  // namespace mrroc::sim

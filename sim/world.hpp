@@ -22,30 +22,30 @@ struct WorldWarning {
 /// One MuJoCo world with the robots that are driven from outside, stepped tick by tick.
 ///
 /// A physics step of h seconds (semi-implicit Euler) is MuJoCo's own sequence with the drives between (see
-/// `DrivenJoints`); it ends with the position and velocity stages of the *new* state, so that positions, and what
-/// range, position and velocity sensors read, belong to the tick that `step` names. Force and acceleration sensors read
+/// `DrivenJoints`); it ends with the position and velocity stages of the *new* state, so that positions, and the values
+/// of range, position and velocity sensors belong to the tick that `step` names. Force and acceleration sensors read
 /// what acted during its last physics step.
 ///
 /// Bitwise deterministic on one machine. `step` allocates nothing. One thread at a time.
 class World {
  public:
   /// `period` is a whole number of `timestep`s (s). Throws config::ConfigurationError when MuJoCo rejects the world or
-  /// the scene asks for another integrator than Euler, SystemError when there is no memory.
+  /// the scene names another integrator than Euler, SystemError without memory.
   World(const Composition& composition, double period, double timestep);
 
   /// Adds a driven robot and places it at `home`, brakes on; returns its index. Before `start`. Throws as DrivenJoints.
   std::size_t attach(const std::string& robot, const std::vector<std::string>& joints, const JointVector& home);
-  /// Holds a free body of the scene where it is, without weight and touching nothing, until `put`; returns its index.
+  /// Holds a free body of the scene where it is, without weight and contacts, until `put`; returns its index.
   /// Before `start`. Throws as FreeBody.
   std::size_t hold(const std::string& body, const std::string& key);
   /// Computes positions, forces and sensors of tick 0, with all brakes on.
   void start();
 
-  /// What robot `index` gets during the next `step`. Throws SystemError (simulator): not finite, or coupling joints of
-  /// different branches.
+  /// Sets the drive of robot `index` for the next `step`. Throws SystemError (simulator): not finite, or coupling
+  /// joints of different branches.
   void drive(std::size_t index, const world::JointDrive& drive, Tick tick);
   void brake(std::size_t index);
-  /// Advances from tick - 1 to `tick`. Throws SystemError (simulator) with the tick and what diverged: MuJoCo met a
+  /// Advances from tick - 1 to `tick`. Throws SystemError (simulator) with the tick and the cause: MuJoCo met a
   /// bad position, velocity, acceleration or control (and has reset the world), its contact or constraint buffers are
   /// full, an inertia is singular, or time did not advance. The world is of no use afterwards.
   void step(Tick tick);

@@ -15,7 +15,7 @@ constexpr double kPositionTolerance = 0.01;  // rad or m
 
 std::vector<double> numbers(std::istringstream& words) {
   std::vector<double> values;
-  for (std::string word; words >> word;) values.push_back(std::strtod(word.c_str(), nullptr));  // knows nan, too
+  for (std::string word; words >> word;) values.push_back(std::strtod(word.c_str(), nullptr));  // accepts nan, too
   return values;
 }
 
@@ -34,7 +34,7 @@ void read_limits(std::istringstream& words, std::map<std::string, Motion>& motio
   motion.velocity_max = part(values, 2 * count, count);
 }
 
-/// False: the line is not what it should be.
+/// False: the line is invalid.
 bool read_tick(std::istringstream& words, std::map<std::string, Motion>& motions) {
   Tick tick = 0;
   std::string robot;
@@ -44,7 +44,7 @@ bool read_tick(std::istringstream& words, std::map<std::string, Motion>& motions
   if (!words || found == motions.end()) return false;
   const auto count = static_cast<std::size_t>(found->second.velocity_max.size());
   const std::vector<double> values = numbers(words);
-  if (values.empty()) return true;  // its drives have not been there yet
+  if (values.empty()) return true;  // its drives do not exist yet
   if (values.size() != 2 * count) return false;
   found->second.ticks.push_back(tick);
   found->second.positions.push_back(part(values, 0, count));
@@ -61,7 +61,7 @@ Tick Motion::standstill(double speed) const {
 }
 
 Tick Motion::at_rest(Tick from, double speed) const {
-  constexpr std::size_t kLong = 10;  // ticks: a joint that turns round is not at rest
+  constexpr std::size_t kLong = 10;  // ticks: a joint that reverses its direction is not at rest
   std::size_t slow = 0;
   for (std::size_t k = 0; k < ticks.size(); ++k) {
     if (ticks[k] < from) continue;
@@ -99,7 +99,7 @@ std::map<std::string, Motion> read_motion(const std::filesystem::path& file) {
   std::map<std::string, Motion> motions;
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
-    if (stream.eof()) break;  // no end of line: it is unfinished
+    if (stream.eof()) break;  // no end of line: the line is unfinished
     std::istringstream words(line);
     std::string mark, what;
     if (line.starts_with("# limits ")) {

@@ -19,10 +19,10 @@ namespace mrroc::task_test {
 
 namespace {
 
-/// Every process of a run has this variable in its environment, so that those it leaves behind are found.
+/// Every process of a run has this variable in its environment, so that remaining processes can be found.
 constexpr const char* kMark = "MRROC_TEST_RUN";
 
-/// The whole file; nothing of one that cannot be read, as those of a process that ends meanwhile.
+/// The whole file; empty when it cannot be read, for example because its process ends meanwhile.
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text;
@@ -86,7 +86,7 @@ std::vector<std::string> find_processes(const std::string& mark) {
   return found;
 }
 
-/// Those that are still there a second after the end of the run; they are killed.
+/// Processes that remain a second after the end of the run; they are killed.
 std::vector<std::string> kill_leftovers(const std::string& mark) {
   std::vector<std::string> found = find_processes(mark);
   for (int i = 0; i < 20 && !found.empty(); ++i) {
@@ -97,9 +97,9 @@ std::vector<std::string> kill_leftovers(const std::string& mark) {
   return found;
 }
 
-/// What follows `key=` in a line of a trace, with its quotation marks taken off.
+/// The text after `key=` in a line of a trace, without its quotation marks.
 std::string value_of(const std::string& line, const std::string& key) {
-  // the line's own comes first, those of its robots and sensors have a word before them
+  // the key of the line itself comes first; those of its robots and sensors have a prefix
   const std::size_t place = line.starts_with(key + "=") ? 0 : line.find(" " + key + "=");
   if (place == std::string::npos) return "";
   const std::size_t begin = line.find('=', place) + 1;
@@ -126,7 +126,7 @@ std::vector<Step> read_steps(const std::filesystem::path& trace) {
   return steps;
 }
 
-/// The rest of every line that begins with `beginning`.
+/// The rest of every line that starts with `beginning`.
 std::vector<std::string> rests_of(const std::string& text, const std::string& beginning) {
   std::vector<std::string> rests;
   for (std::size_t place = 0; place < text.size();) {

@@ -22,7 +22,7 @@ void count_allocation() noexcept {
 
 }  // namespace mrroc::test
 
-// the linker's --wrap directs the calls of malloc and its kin here
+// the linker's --wrap redirects malloc, calloc and realloc here
 extern "C" {
 void* __real_malloc(std::size_t size);
 void* __real_calloc(std::size_t count, std::size_t size);
@@ -62,8 +62,8 @@ void* aligned(std::size_t size, std::align_val_t alignment) {
 
 }  // namespace
 
-// all forms: those of a sanitizer would not be counted, and do not match this delete
-// noinline: GCC takes a visible pair of malloc and delete for a mistake
+// all forms: a sanitizer's would not be counted, and do not match this delete
+// noinline: GCC warns about a visible pair of malloc and delete
 [[gnu::noinline]] void* operator new(std::size_t size) { return counted_or_throw(size); }
 [[gnu::noinline]] void* operator new[](std::size_t size) { return counted_or_throw(size); }
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept { return counted(size); }

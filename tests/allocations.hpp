@@ -20,7 +20,7 @@ class Counting {
   Counting(const Counting&) = delete;
   Counting& operator=(const Counting&) = delete;
 
-  /// What the last one has counted.
+  /// The number that the last counter has counted.
   static std::uint64_t& counted() noexcept {
     thread_local std::uint64_t count = 0;
     return count;

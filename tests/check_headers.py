@@ -1,4 +1,4 @@
-"""Compares the lists of installed headers with what the public headers include: none is missing, none is superfluous.
+"""Compares the lists of installed headers with what the public headers include: no header is missing or superfluous.
 
 Usage: check_headers.py SOURCE_DIR
 """

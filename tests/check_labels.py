@@ -1,4 +1,4 @@
-"""Every test has exactly one of the labels fast and slow; a test without one would be in no `make check` and noticed by no reader.
+"""Checks that every test has exactly one of the labels fast and slow: `make check` would silently skip a test without one.
 
 Usage: check_labels.py CTEST BINARY_DIR
 """

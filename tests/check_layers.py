@@ -1,4 +1,4 @@
-"""Holds every #include between the folders of the project to their order: a file includes from its own layer and from those before it.
+"""Checks every #include between the folders of the project: a file includes only from its own layer and from lower ones.
 
 Usage: check_layers.py SOURCE_DIR
 """
@@ -20,10 +20,10 @@ LAYERS = [
 ]
 RANK = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folders}
 
-# the public headers give a task their classes: what they include of the language is a part of them
+# the public headers give a task their classes, including those that they include of the language
 PUBLIC = {"include/mrroc": {"src/core", "src/geometry", "src/language"}}
 
-# what is not in its place yet: the cameras of the simulated world, the EDP's one sensor type
+# known exceptions: the cameras of the simulated world, the EDP's one sensor type
 MISPLACED = {
     ("sensors", "sim/rendering/camera.hpp"),
     ("sensors", "sim/scene/model.hpp"),

@@ -1,4 +1,4 @@
-"""noisy_host takes processors away, hands the command's exit code on and leaves nobody behind."""
+"""Tests that noisy_host takes processor time away, returns the command's exit code and leaves no process behind."""
 
 import pathlib
 import subprocess
@@ -6,7 +6,7 @@ import sys
 import unittest
 
 TOOL = str(pathlib.Path(__file__).with_name("noisy_host"))
-# takes a second of a processor, and prints how often it was taken away
+# uses a second of processor time, and prints how often it was interrupted
 SPIN = "import resource, time\nwhile time.process_time() < 1: pass\nprint(resource.getrusage(resource.RUSAGE_SELF).ru_nivcsw)"
 
 
@@ -20,13 +20,13 @@ class NoisyHost(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertGreater(int(done.stdout), 20)
 
-    def test_hands_the_exit_code_on_and_leaves_nobody(self):
+    def test_returns_the_exit_code_and_leaves_no_process(self):
         self.assertEqual(run("--", "sh", "-c", "exit 3").returncode, 3)
         self.assertEqual(run("--", "sh", "-c", "kill -9 $$").returncode, 137)
         left = subprocess.run(["pgrep", "-f", f"{TOOL} --"], capture_output=True, text=True)
         self.assertEqual(left.stdout, "")
 
-    def test_says_what_is_wrong(self):
+    def test_reports_invalid_arguments(self):
         done = run("--fraction", "1.5", "--", "true")
         self.assertEqual(done.returncode, 2)
         self.assertIn("--fraction 1.5", done.stderr)

@@ -15,8 +15,9 @@
 
 namespace mrroc::test {
 
-/// Makes this process, while it has one thread, root of a user namespace that contains its own user only: it may create
-/// other namespaces then. Does nothing for root. Throws std::runtime_error where the kernel allows no user namespaces.
+/// Makes this process, while it has one thread, root of a user namespace that contains only its own user, so that it
+/// may create other namespaces. Does nothing for root. Throws std::runtime_error when the kernel allows no user
+/// namespaces.
 inline void become_root() {
   const uid_t user = ::geteuid();
   const gid_t group = ::getegid();
@@ -27,15 +28,15 @@ inline void become_root() {
   std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
 }
 
-/// `become_root`, and moves this thread and what it starts into a network namespace of its own, in which only the
-/// loopback device exists and is up. Nothing leads back to the namespaces of an ordinary user.
+/// Calls `become_root`, and moves this thread and its children into a new network namespace, in which only the loopback
+/// device exists and is up. An ordinary user's process cannot return to its previous namespaces.
 inline void enter_own_network() {
   become_root();
   if (::unshare(CLONE_NEWNET) != 0) throw std::runtime_error(std::string{"namespace: "} + std::strerror(errno));
   if (std::system("PATH=$PATH:/usr/sbin:/sbin; ip link set lo up") != 0) throw std::runtime_error("ip link set lo up");
 }
 
-/// Takes every capability from this process, and from what it executes from now on.
+/// Drops every capability of this process and of its later executions.
 inline void drop_capabilities() {
   for (int capability = 0; ::prctl(PR_CAPBSET_READ, capability, 0, 0, 0) >= 0; ++capability) {
     ::prctl(PR_CAPBSET_DROP, capability, 0, 0, 0);

@@ -12,15 +12,15 @@ inline constexpr bool kSanitized = true;
 inline constexpr bool kSanitized = false;
 #endif
 
-/// How often something is tried: all `times`; with a sanitizer, which is ten times slower and finds its errors on a
-/// path and not by frequency, a tenth of them, at least 2.
+/// Number of repetitions: all `times`; with a sanitizer, which is ten times slower and finds errors by path and not by
+/// frequency, a tenth of them, at least 2.
 template <std::integral Count>
 constexpr Count repetitions(Count times) {
   return kSanitized ? std::max(Count{2}, times / 10) : times;
 }
 
-/// How often whole runs are tried, each at another moment or with another seed: `usual` times in the suite, `thorough`
-/// times with MRROC_TEST_THOROUGH in the environment; with a sanitizer a tenth, at least 2.
+/// Number of whole runs, each at another moment or with another seed: `usual` times in the suite, `thorough` times with
+/// MRROC_TEST_THOROUGH in the environment; with a sanitizer a tenth, at least 2.
 inline int tries(int usual, int thorough) {
   return repetitions(std::getenv("MRROC_TEST_THOROUGH") != nullptr ? thorough : usual);
 }

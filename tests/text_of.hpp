@@ -7,7 +7,7 @@
 
 namespace mrroc::test {
 
-/// What stands in a file; nothing when it cannot be read.
+/// The contents of a file; empty when it cannot be read.
 inline std::string text_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};

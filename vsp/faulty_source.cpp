@@ -15,7 +15,7 @@ SourceState FaultySource::read(Tick wanted, RawReading& raw) noexcept {
         for (std::size_t i = 0; i < raw.count; ++i) raw.values[i] += each.fault().value;
         break;
       case faults::Kind::freeze: {
-        const Tick tick = raw.tick;  // it continues measuring, always the same
+        const Tick tick = raw.tick;  // it keeps measuring the same value
         if (last_.count > 0) raw = last_;
         raw.tick = tick;
         break;

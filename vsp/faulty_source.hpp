@@ -8,7 +8,7 @@
 
 namespace mrroc::vsp {
 
-/// Sensor hardware with injected faults: what the real source reads, falsified while a fault is in force.
+/// Sensor hardware with injected faults: falsifies the readings of the real source while a fault is in force.
 class FaultySource final : public Source {
  public:
   FaultySource(std::unique_ptr<Source> source, std::vector<faults::FaultSwitch> faults)

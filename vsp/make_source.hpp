@@ -6,12 +6,12 @@
 
 namespace mrroc::vsp {
 
-/// Simulated hardware that has not measured for this long, s, is silent. The world itself gives up when it is
+/// Simulated hardware that has not measured for this long, s, is silent. The world itself ends with an error when it is
 /// kPatienceWithWorld behind.
 inline constexpr double kSilentAfter = 1.5 * world::kPatienceWithWorld;
 
-/// The source that the deployment asks for: the sensor type's own, else a played file or a slot of the simulated world.
-/// Throws what `open_source` throws, ConfigurationError for a played file that is wrong, SystemError(configuration)
+/// The source that the deployment names: the sensor type's own, else a played file or a slot of the simulated world.
+/// Throws the exceptions of `open_source`, ConfigurationError for an invalid played file, SystemError(configuration)
 /// when a simulated sensor has no world or the type has no hardware.
 std::unique_ptr<Source> make_source(VirtualSensor& sensor, const SourceContext& context);
 

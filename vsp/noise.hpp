@@ -7,8 +7,8 @@
 
 namespace mrroc::vsp {
 
-/// Random numbers that are a function of (name, tick, stream) and of nothing else: the same on every run, whatever was
-/// asked before and in whatever order. Streams of one name are independent of each other. Any thread.
+/// Random numbers that depend on (name, tick, stream) alone: the same on every run, regardless of earlier requests.
+/// Streams of one name are independent of each other. Any thread.
 class Noise {
  public:
   /// `name`: of the sensor.

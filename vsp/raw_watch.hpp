@@ -9,12 +9,12 @@
 
 namespace mrroc::vsp {
 
-/// Tells hardware that is broken though it answers, as far as the deployment asks for it:
+/// Detects hardware that is broken although it answers, as far as the deployment requests it:
 ///
 /// - frozen: all raw values have been the same, bit for bit, for `frozen_after` s of at least three readings;
 /// - noisy: the noise of a raw value is above its `noise_max`. Its standard deviation is estimated over the last
-///   kWindow readings from their second differences, s^2 = mean (r_k - 2 r_k-1 + r_k-2)^2 / 6, which a signal that is
-///   straight over three readings does not enter.
+///   kWindow readings from their second differences, s^2 = mean (r_k - 2 r_k-1 + r_k-2)^2 / 6, to which a signal that
+///   is straight over three readings does not contribute.
 ///
 /// The VSP's thread; allocates nothing after construction.
 class RawWatch {
@@ -25,7 +25,7 @@ class RawWatch {
   /// `servo_period` in s. Throws SystemError(configuration) when `noise_max` has not one number per raw channel.
   RawWatch(const config::SensorEntry& entry, const std::vector<config::Channel>& raw_channels, double servo_period);
 
-  /// Looks at a complete and finite reading, later than the one before; `v` becomes a HardwareError(sensor_hardware)
+  /// Checks a complete and finite reading, later than the one before; `v` becomes a HardwareError(sensor_hardware)
   /// when it is frozen or noisy.
   void look(const RawReading& r, SensorReading& v) noexcept;
 

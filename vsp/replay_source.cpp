@@ -18,7 +18,7 @@ namespace {
 using config::ConfigurationError;
 using config::in_quotes;
 
-/// One line of the file and its place.
+/// One line of the file and its position.
 class Line {
  public:
   Line(const std::filesystem::path& file, int number, std::string_view text)
@@ -49,7 +49,7 @@ class Line {
     const std::string_view word = words_[0];
     const auto tick = core::to_whole<Tick>(word);
     if (tick && *tick != kNever) return *tick;
-    const std::string why = core::to_double(word) ? "is no tick" : core::number_problem(word);
+    const std::string why = core::to_double(word) ? "is not a tick" : core::number_problem(word);
     fail("tick", in_quotes(word) + " " + why, "a whole number of at least 0");
   }
 

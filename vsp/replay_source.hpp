@@ -12,19 +12,19 @@ namespace mrroc::vsp {
 /// Hardware readings played from a text file (docs/reference/sensors.md):
 ///
 ///     # mrroc readings range
-///     # comments and empty lines may stand anywhere below the first line
+///     # comments and empty lines are allowed below the first line
 ///     0    -1
 ///     250  0.62
 ///     500  0.08
 ///
 /// The first line names the sensor's raw channels in order; each line below is a tick and one number per channel,
 /// ticks strictly increasing. The value at tick k is that of the last line with tick <= k: not ready before the first
-/// line, and the last line holds forever. `nan` plays a hardware that fails. `#` at the begin of a line or behind a
-/// blank begins a comment. What may surround a line: core/text_lines.hpp; numbers: core/number_text.hpp.
+/// line, and the last line holds forever. `nan` plays failed hardware. `#` at the start of a line or after a
+/// blank begins a comment. Allowed text around a line: core/text_lines.hpp; numbers: core/number_text.hpp.
 class ReplaySource final : public Source {
  public:
-  /// Reads the whole file. Throws ConfigurationError (file, line, column, what is wrong, what was expected) unless it
-  /// is of the format above and of these channels.
+  /// Reads the whole file. Throws ConfigurationError (file, line, column, what is wrong, what was expected) when it
+  /// does not follow the format above or has other channels.
   ReplaySource(const std::filesystem::path& file, const std::vector<Channel>& raw_channels);
 
   SourceState read(Tick wanted, RawReading& raw) noexcept override;

@@ -68,7 +68,7 @@ void Sampler::on_tick(Tick now, ReadingSink& sink) {
   }
 }
 
-/// Something is due at `now`, and e_l is still to come.
+/// A reading is due at `now`, and e_l has not come yet.
 bool Sampler::waits_for_state(Tick now) noexcept {
   if (!follows_ || (!effector_.empty() && effector_.newest() >= now)) {
     patience_ = 0;
@@ -80,7 +80,7 @@ bool Sampler::waits_for_state(Tick now) noexcept {
   return false;
 }
 
-/// Hands the state of r's tick to the sensor.
+/// Passes the state of r's tick to the sensor.
 void Sampler::find_state() noexcept {
   if (!follows_ || !raw_usable()) return;
   const RobotState* state = effector_.at(raw_.tick);
@@ -128,7 +128,7 @@ void Sampler::answer_due(Tick now, ReadingSink& sink) {
     aggregate();
     if (bias_refused) {
       report(reading_, ErrorClass::non_fatal, ErrorCode::invalid_argument, "this type of sensor has no zero to set");
-      fresh_ = false;  // the refusal is this caller's only
+      fresh_ = false;  // the error is for this caller only
     }
     sink.reply(pending.caller, reading_);
   }

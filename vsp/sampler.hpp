@@ -11,32 +11,31 @@
 
 namespace mrroc::vsp {
 
-/// Whose request it is; comes back with the reply.
+/// Identifies the sender of a request; returned with the reply.
 struct Caller {
   std::size_t client = 0;      ///< the shell's number of the link
   std::uint64_t sequence = 0;  ///< of the request on that link
 };
 
-/// Where readings go: the shell's links. A sink hands on complete readings and never waits for a reader.
+/// The destination of readings: the shell's links. A sink forwards complete readings and never waits for a reader.
 class ReadingSink {
  public:
   virtual ~ReadingSink() = default;
   /// The one answer to a request.
   virtual void reply(const Caller& caller, const SensorReading& reading) = 0;
-  /// A non-interactive reading, to every reader's own buffer.
+  /// A non-interactive reading, for the buffer of every reader.
   virtual void publish(const SensorReading& reading) = 0;
 };
 
-/// What a VSP does, without its transport. *Interactive*: a request is kept until the tick that it asks for, then the
-/// hardware is read, aggregated, and the reading given to the caller; every request is answered exactly once, in the
-/// order of ticks, then of arrival. *Non-interactive*: a reading is published at every whole multiple of the
-/// publication period. A reader holds the reading published last in a buffer of its own, so no one ever waits for an
-/// aggregation but those who asked for it.
+/// The work of a VSP, without its transport. *Interactive*: a request is kept until its tick; then the hardware is
+/// read, aggregated, and the reading returned to the caller. Every request is answered exactly once, in the order of
+/// ticks, then of arrival. *Non-interactive*: a reading is published at every whole multiple of the publication period.
+/// A reader keeps the last published reading in its own buffer, so only interactive callers wait for an aggregation.
 ///
-/// All answers and the publication of one `on_tick` give one reading (a bias makes a new one). A reading without an
-/// error is complete and finite; a raw reading that is incomplete or not finite, or a silent source, is
-/// HardwareError(sensor_hardware), one that has not come yet NonFatalError(sensor_not_ready), and so is an e_l that the
-/// sensor needs and that does not come.
+/// All answers and the publication of one `on_tick` have the same reading (a bias makes a new one). A reading without
+/// an error is complete and finite; a raw reading that is incomplete or not finite, or a silent source, is
+/// HardwareError(sensor_hardware). A reading that has not come yet is NonFatalError(sensor_not_ready); so is a missing
+/// e_l that the sensor needs.
 ///
 /// The shell's loop, on the VSP's thread:
 ///
@@ -46,34 +45,34 @@ class ReadingSink {
 ///       sampler.on_tick(clock.tick(), sink);
 ///     }
 ///
-/// Allocates nothing after construction; throws only what the sink throws.
+/// Allocates nothing after construction; throws only exceptions of the sink.
 class Sampler {
  public:
   /// Requests that can wait at the same time; one more is answered at once with NonFatalError(busy).
   static constexpr std::size_t kMaxPending = 64;
 
-  /// `publication_period` in ticks; 0: nothing is published. `follows_effector`: nothing is read at a tick before the
-  /// state e_l of that tick has come, or kStateLate has gone by. `sensor` is configured; both outlive the sampler.
+  /// `publication_period` in ticks; 0: nothing is published. `follows_effector`: no reading is taken at a tick before
+  /// the state e_l of that tick has come, or kStateLate has passed. `sensor` is configured; both outlive the sampler.
   /// Throws SystemError(configuration) when the sensor has no channels or more than a reading carries.
   Sampler(VirtualSensor& sensor, Source& source, Tick publication_period, bool follows_effector = false);
 
-  /// How long, in ticks, what is due waits for e_l; how much older than r it may be (it is of r's own tick unless the
-  /// robot's EDP has missed that one).
+  /// Ticks for which a due reading waits for e_l, and by which e_l may be older than r (it is of r's own tick unless
+  /// the robot's EDP has missed that one).
   static constexpr Tick kStateLate = 50;
   static constexpr Tick kStateAge = 5;
 
-  /// Keeps a request until its tick; what is due is answered by the next `on_tick`.
+  /// Keeps a request until its tick; the next `on_tick` answers due requests.
   void on_request(const Caller& caller, const SensorRequest& request, Tick now, ReadingSink& sink);
-  /// Hardware that answers is looked at for being frozen or noisy, too. Before the first tick.
+  /// Also checks the hardware for frozen or noisy readings. Before the first tick.
   void watch(const RawWatch& watch) { watch_ = watch; }
-  /// e_l has come. Oldest first.
+  /// Takes e_l. Oldest first.
   void on_effector_state(const RobotState& state) noexcept { effector_.add(state); }
-  /// Does what is due at `now`: answers requests, then publishes. May be called at any time, several times at a tick.
+  /// Does the work due at `now`: answers requests, then publishes. May be called at any time, several times at a tick.
   void on_tick(Tick now, ReadingSink& sink);
 
   /// The tick at which `on_tick` has something to do; kNever: not before a request comes. Present or past: at once.
   Tick next_wake() const noexcept;
-  /// Publications that were left out because the VSP was not woken in time; the grid is never re-phased.
+  /// Publications that were skipped because the VSP was not woken in time; the grid is never re-phased.
   std::uint64_t missed() const noexcept { return missed_; }
 
  private:
@@ -104,13 +103,13 @@ class Sampler {
   Tick next_track_ = 0;
   std::uint64_t missed_ = 0;
   RawReading raw_;
-  SensorReading raw_fault_;  ///< in error when `raw_` cannot be used
+  SensorReading raw_fault_;  ///< in error when `raw_` is invalid
   SensorReading reading_;
   bool fresh_ = false;  ///< `reading_` is of the `on_tick` under way
   RawWatch watch_;
   bool follows_;
   EffectorStates effector_;
-  Tick patience_ = 0;  ///< what is due waits for e_l until this tick; 0: it does not wait
+  Tick patience_ = 0;  ///< due readings wait for e_l until this tick; 0: no wait
 };
 
 /// Ticks between two publications of `entry`: 0 when interactive, else 1 / (rate * servo_period). Throws

@@ -23,7 +23,7 @@ std::size_t slot_of(const process::Process& process) {
   throw SystemError(ErrorCode::configuration, "the deployment has no sensor for the process " + process.name());
 }
 
-/// Every process with a task may use the sensor; those that do connect.
+/// Every process with a task may use the sensor; only processes that use it connect.
 std::vector<std::string> possible_clients(const config::Deployment& deployment) {
   std::vector<std::string> names{"mp"};
   for (const config::RobotEntry& robot : deployment.robots) names.push_back(robot.name);
@@ -69,7 +69,7 @@ class Shell : private ReadingSink {
                         &process_.domain(), process_.faults().of(process_.name(), process_.clock())});
   }
 
-  /// Whether e_l comes to this sensor.
+  /// Whether this sensor receives e_l.
   bool follows() const noexcept { return entry_.wants_effector_state && !entry_.robot.empty(); }
 
   void take_effector_states() {

@@ -18,7 +18,7 @@ SimulatedSource::SimulatedSource(const world::WorldMemory& world, std::size_t sl
 }
 
 SourceState SimulatedSource::read(Tick wanted, RawReading& raw) noexcept {
-  there_ = slot_->load(newest_) || there_;  // in the middle of a write the one before stays
+  there_ = slot_->load(newest_) || there_;  // during a write the previous reading stays
   if (wanted > newest_.tick && wanted - newest_.tick > silent_after_) return SourceState::silent;
   if (!there_) return SourceState::not_ready;
   raw.tick = newest_.tick;

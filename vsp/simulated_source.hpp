@@ -6,8 +6,8 @@
 namespace mrroc::vsp {
 
 /// The simulated hardware of one sensor: a slot of the world's memory, written by the sim process at every tick. In
-/// lockstep the slot holds the present tick. In real time it may be some ticks behind or ahead: the newest is given,
-/// with its own tick; more than `silent_after` ticks behind counts as silent.
+/// lockstep the slot holds the present tick. In real time it may be some ticks behind or ahead: the newest reading is
+/// returned, with its own tick; a reading more than `silent_after` ticks old counts as silent.
 class SimulatedSource final : public Source {
  public:
   /// `slot`: index of the sensor in the deployment's list. Throws SystemError(configuration) when there is no such
@@ -20,7 +20,7 @@ class SimulatedSource final : public Source {
   const core::SharedSlot<world::HardwareReading>* slot_;
   Tick silent_after_;
   world::HardwareReading newest_{};
-  bool there_ = false;  ///< `newest_` is one
+  bool there_ = false;  ///< `newest_` is valid
 };
 
 }  // namespace mrroc::vsp

@@ -4,19 +4,19 @@
 
 namespace mrroc::vsp {
 
-/// What a source could give.
+/// The result of reading a source.
 enum class SourceState {
   ready,      ///< `raw` is filled in
-  not_ready,  ///< the hardware has not measured yet; it may later
+  not_ready,  ///< the hardware has not measured yet
   silent      ///< the hardware has stopped answering
 };
 
-/// Where raw data r comes from: simulated hardware, a played file, a driver. The VSP's thread; never waits for a
+/// The source of raw data r: simulated hardware, a played file, a driver. The VSP's thread; never waits for a
 /// measurement, allocates nothing, never throws.
 class Source {
  public:
   virtual ~Source() = default;
-  /// The hardware reading of tick `wanted`, or the newest before it; `raw.tick` tells which.
+  /// The hardware reading of tick `wanted`, or the newest before it; `raw.tick` is its tick.
   virtual SourceState read(Tick wanted, RawReading& raw) noexcept = 0;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNoticedWithin = 50;  // ms
 
-/// Threads that compute, until it goes.
+/// Threads that compute during the lifetime of this object.
 class Load {
  public:
   explicit Load(int threads) {
@@ -39,7 +39,7 @@ class Load {
   std::vector<std::thread> threads_;
 };
 
-/// ms; none: not noticed.
+/// ms; empty: not noticed.
 std::vector<double> times_of(const std::string& kind, int seeds) {
   std::vector<double> times;
   for (int seed = 1; seed <= seeds; ++seed) {

@@ -12,7 +12,7 @@ using namespace mrroc::faults_bench;
 
 namespace {
 
-/// Of a run without a fault, in ticks; 0: it does not reach its end.
+/// Length of a run without a fault, in ticks; 0: it does not reach its end.
 Tick length_of(const Campaign& campaign) {
   const auto run = task_test::DeploymentRun(MRROC_BINARY_DIR "/bin/mrroc", campaign.deployment).run();
   Tick last = 0;
@@ -46,7 +46,7 @@ bool run_campaign(const Campaign& campaign, int seeds, const std::string& beginn
               injected);
     }
     row.print();
-    // an encoder that was frozen has jumped when it comes back: its axis may have to be synchronised
+    // a frozen encoder jumps when it returns: its axis may need synchronisation
     good = row.good(campaign.recovers && !fault.starts_with("freeze")) && good;
   }
   return good;
@@ -54,12 +54,12 @@ bool run_campaign(const Campaign& campaign, int seeds, const std::string& beginn
 
 }  // namespace
 
-/// faults [SEEDS [TASK [BEGINNING] | real | loaded]]: injects every kind of fault at SEEDS (20) random ticks of the
-/// tasks press, cooperative_transfer and recovering, or of press_can or recovering_can over an interface can0, in
-/// lockstep, or those whose names have this beginning, and prints what came of it; then how long the runner takes to
-/// notice a dead or halted process under the real clock, and beside four threads that compute. Fails when a robot has
-/// exceeded a limit or moved to the end or was not seen at all, a process was left, recovering or recovering_can did
-/// not reach its end (an encoder that was frozen may end it), or a death was not noticed within 50 ms.
+/// faults [SEEDS [TASK [BEGINNING] | real | loaded]]: injects every kind of fault, or those whose names start with
+/// BEGINNING, at SEEDS (20) random ticks of the tasks press, cooperative_transfer and recovering, or of press_can or
+/// recovering_can over an interface can0, in lockstep. Prints the outcome, then how long the runner takes to report a
+/// dead or stopped process under the real clock, without load and beside four threads that compute. Fails when a robot
+/// exceeded a limit, moved to the end or was not recorded, a process remained, recovering or recovering_can did not
+/// reach its end (a frozen encoder may end it), or a death was not reported within 50 ms.
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 20;
   const std::string only = argc > 2 ? argv[2] : "";

@@ -1,5 +1,5 @@
-// The arm goes to and fro; whatever its EDP stops or refuses, it recovers, synchronises where the positions are lost,
-// and goes the line again, until the cause is gone.
+// The arm moves to and fro. When its EDP stops or refuses a motion, the arm recovers, synchronises where positions are
+// lost, and repeats the line until the cause is gone.
 #include <cstdio>
 
 #include "mrroc/ecp.hpp"
@@ -19,13 +19,13 @@ class Recovering : public ecp::Task {
 
   void pause() { sleep_until(tick() + 125); }  // 0.25 s
 
-  /// False: the cause lasts.
+  /// False: the cause persists.
   bool stands_again() {
     try {
       arm.recover();
       if (arm.state().synchronised) return true;
       arm.synchronise();
-      Move({arm}, {}, JointLine{arm, arm.parameters().home});  // from the switches not every line is free
+      Move({arm}, {}, JointLine{arm, arm.parameters().home});  // not every line is free from the switches
       return true;
     } catch (const HardwareError& error) {
       std::printf("not yet: %s\n", error.what());

@@ -11,15 +11,15 @@ namespace mrroc::faults_bench {
 
 namespace {
 
-/// What a run has said of the error: without the line that says when the fault was injected, whose kind may be told in
-/// the words of an error.
+/// The output of a run about the error, without the line that reports the injection, which may contain the words of an
+/// error.
 std::string said_of_the_error(std::string output) {
   if (const std::size_t place = output.find("injected at tick "); place != std::string::npos)
     output.erase(place, output.find('\n', place) - place);
   return output;
 }
 
-/// The smallest "tick <number>" in a text that is not before `first`: when the error was found.
+/// The smallest "tick <number>" in a text that is not before `first`: the tick of the detection.
 std::optional<Tick> tick_in(const std::string& text, Tick first) {
   std::optional<Tick> found;
   for (std::size_t place = text.find("tick "); place != std::string::npos; place = text.find("tick ", place + 1)) {
@@ -29,7 +29,7 @@ std::optional<Tick> tick_in(const std::string& text, Tick first) {
   return found;
 }
 
-/// "hardware error: the following error is too large", "process arm died": the first that the text tells, without what
+/// "hardware error: the following error is too large", "process arm died": the first in the text, without the part that
 /// belongs to one case.
 std::string kind_of_error(const std::string& text) {
   std::size_t place = std::string::npos;
@@ -42,8 +42,8 @@ std::string kind_of_error(const std::string& text) {
   return line.substr(0, std::min(line.find(": ", colon + 2), line.find(" [", colon + 2)));
 }
 
-/// "Move of arm": the instruction of the process that the error names in its origin, at the tick of its detection;
-/// "mrroc run": it was the runner that missed a process.
+/// "Move of arm": the instruction of the process that the error names in its origin, at the tick of its detection.
+/// "mrroc run": the runner missed a process.
 std::string place_of_error(const std::string& text, const task_test::RunResult& run, Tick detected) {
   constexpr const char* kOrigin = "[process ";
   const std::size_t place = text.find(kOrigin);
@@ -64,7 +64,7 @@ std::string figures(std::vector<Tick> ticks) {
   return std::to_string(ticks[ticks.size() / 2]).append(" / ").append(std::to_string(ticks.back()));
 }
 
-/// The text, or each with its number where there are several; the most frequent comes first.
+/// The text, or each text with its number when there are several, most frequent first.
 std::string counted(const std::map<std::string, std::size_t>& runs) {
   if (runs.size() == 1) return runs.begin()->first;
   std::vector<std::pair<std::size_t, std::string>> order;
@@ -98,12 +98,13 @@ void Row::add(const task_test::RunResult& run, const std::string& injected) {
     std::fprintf(stderr, "%s: ended before it: %s\n", injected.c_str(), run.output.c_str());
   }
   if (struck == run.injected.end() || (run.exit_code == 0 && error.empty())) {
-    ++unaffected_;  // it ended before, or continued in spite of it
+    ++unaffected_;  // it ended before, or continued in spite of the fault
     return;
   }
   ++(run.exit_code == 0 ? recovered_ : ended_);
   ++errors_[error];
-  // a process that dies at the beginning of a tick is missed at once: the tick before is the newest that all have seen
+  // a process that dies at the beginning of a tick is missed at once: the newest tick that all have seen is the one
+  // before
   const std::optional<Tick> told = tick_in(said, struck->second - 1);
   if (!told) return;
   const Tick detected = std::max(*told, struck->second);

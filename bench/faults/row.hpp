@@ -10,7 +10,7 @@
 
 namespace mrroc::faults_bench {
 
-/// What the runs with one fault came to: a line of the table.
+/// Results of the runs with one fault: a line of the table.
 class Row {
  public:
   /// `fault`: without its time.
@@ -18,8 +18,8 @@ class Row {
 
   /// Takes a run with the fault `injected`, its full text.
   void add(const task_test::RunResult& run, const std::string& injected);
-  /// False: a robot has exceeded a limit, moved to the end (but with a killed world) or was not seen at all; a process
-  /// was left; a run ended before its fault; or one did not reach its end though its task `recovers`.
+  /// False: a robot exceeded a limit, moved to the end (except with a killed world) or was not recorded; a process
+  /// remained; a run ended before its fault; or a run did not reach its end though its task `recovers`.
   bool good(bool recovers) const;
   void print() const;
   static void print_head();
@@ -31,8 +31,8 @@ class Row {
   double fastest_ = 0;          ///< joint, as a part of its limit
   std::size_t runs_ = 0, unseen_ = 0, early_ = 0, exceeded_ = 0, moving_ = 0, leftovers_ = 0;
   std::size_t ended_ = 0, recovered_ = 0, unaffected_ = 0;
-  std::map<std::string, std::size_t> places_;  ///< where the error was thrown: runs
-  std::map<std::string, std::size_t> errors_;  ///< of which kind it was: runs
+  std::map<std::string, std::size_t> places_;  ///< number of runs by the place where the error was thrown
+  std::map<std::string, std::size_t> errors_;  ///< number of runs by kind of error
   std::set<int> exit_codes_;
 };
 

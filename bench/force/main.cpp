@@ -1,6 +1,6 @@
-// How far a force motion goes beside a singularity: 10 N wanted along each of the tool's three axes, b = 0.005 m/(N s),
+// Distance of a force motion beside a singularity: 10 N wanted along each of the tool's three axes, b = 0.005 m/(N s),
 // for 0.5 s in free space, at distances from every singularity that one joint alone leads to from home. Exit code 1
-// where a contact axis goes less than half as far as 1 rad beside the singularity and the state does not report the
+// when a contact axis moves less than half as far as 1 rad beside the singularity and the state does not report the
 // rest as lost, or a joint is faster than its limit.
 #include <cstdio>
 #include <cstring>
@@ -16,7 +16,7 @@ namespace {
 constexpr double kBar = 0.5;
 constexpr double kForce = 10;  // N
 
-/// Prints a row; whether it is within the bar.
+/// Prints a row; returns whether it is within the bar.
 bool row(const RobotModel& model, const SingularPosture& singular, double distance, const double (&regular)[3]) {
   std::printf("  %7.3f", distance);
   bool good = true;
@@ -43,7 +43,7 @@ bool row(const RobotModel& model, const SingularPosture& singular, double distan
 int main() {
   bool good = true;
   std::printf(
-      "per tool axis x, y, z: way pressing / retreating, as parts of that at 1 rad; lost (* ended by `singular`); "
+      "per tool axis x, y, z: path pressing / retreating, as parts of that at 1 rad; lost (* ended by `singular`); "
       "worst joint speed, a part of its limit\n");
   for (const KnownRobot& robot : every_robot()) {
     const RobotModels models = robot.load(robot.file("toml"));

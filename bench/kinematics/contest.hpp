@@ -29,11 +29,11 @@ class Contest {
   /// rad, or when most postures are refused.
   Contest(RobotModels models, const Options& options);
 
-  /// Everything once, in turn, in processor time of this thread. `forwards`: this project's before KDL's.
+  /// Measures everything once, in turn, in processor time of this thread. `forwards`: this project's before KDL's.
   void run_round(bool forwards);
 
   const std::string& robot() const { return kinematics_.model().parameters().type; }
-  /// Why KDL does not take part; else empty.
+  /// Why KDL does not take part; empty: it does.
   const std::string& without_kdl() const { return without_kdl_; }
   /// Postures that were drawn again because an inverse did not find them.
   struct Refused {
@@ -44,7 +44,7 @@ class Contest {
   const Refused& refused() const { return refused_; }
 
   FunctionTimes direct, inverse, jacobian;  ///< KDL's inverse is LMA
-  std::vector<double> newton;               ///< KDL's other one, ns per call
+  std::vector<double> newton;               ///< KDL's other inverse, ns per call
 
  private:
   bool answer(const Posture& posture);

@@ -12,10 +12,10 @@
 
 namespace mrroc::bench {
 
-/// KDL's answers about postures that it is given beforehand, so that no conversion is measured. Its inverse comes
-/// twice: Levenberg-Marquardt (LMA) with its own settings, done when the error is below 1e-5 m and 1e-3 rad, and
-/// Newton-Raphson on the pseudo-inverse, quicker from a near start and easily lost from a far one, below 1e-5 in all.
-/// (Damped least squares would halve Newton's time, but abort on a chain of fewer than six joints.)
+/// KDL's answers about postures that are set in advance, so that no conversion is measured. There are two inverses:
+/// Levenberg-Marquardt (LMA) with its own settings, converged when the error is below 1e-5 m and 1e-3 rad, and
+/// Newton-Raphson on the pseudo-inverse, faster from a near start and often divergent from a far one, below 1e-5 in
+/// all. (Damped least squares would halve Newton's time, but abort on a chain of fewer than six joints.)
 class KdlKinematics {
  public:
   explicit KdlKinematics(const KDL::Chain& chain);

@@ -1,12 +1,12 @@
-// What a robot's kinematics cost, ns per call, beside KDL's for the chain of the same URDF.
+// Cost of a robot's kinematics, ns per call, compared with KDL's for the chain of the same URDF.
 //   kinematics [--rounds n] [--postures n] [--near rad] [--seed n]
 //
 // Every robot of robots/: direct, inverse and Jacobian of the tool frame, each over the same random postures for both.
-// The inverse starts with every joint off by `near`; KDL's is Levenberg-Marquardt (LMA), its Newton-Raphson stands
-// below for reference. Before anything is measured the answers are compared. A round measures both in turn, in
-// processor time of this thread, so that other work of the machine does not count; the table shows medians over the
+// The inverse starts with every joint off by `near`. KDL's inverse is Levenberg-Marquardt (LMA); its Newton-Raphson is
+// listed below for reference. The answers are compared before the measurement. A round measures both in turn, in
+// processor time of this thread, so that other work of the machine does not count. The table shows medians over the
 // rounds, of times and of ratios (KDL / mrroc). Where the URDF has no plain chain of the robot's axes to the tool, KDL
-// is left out and the reason told.
+// is omitted and the reason is printed.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -35,10 +35,10 @@ void print_row(const Contest& contest, const char* function, const FunctionTimes
 
 void print_remarks(const Contest& contest) {
   if (!contest.without_kdl().empty())
-    std::printf("  without KDL, the URDF is no chain of the axes: %s\n", contest.without_kdl().c_str());
+    std::printf("  without KDL, the URDF is not a chain of the axes: %s\n", contest.without_kdl().c_str());
   const auto [own, lma, newton] = contest.refused();
   if (own + lma + newton > 0) {
-    std::printf("  postures drawn anew because an inverse did not find them: mrroc %d, LMA %d, Newton %d\n", own, lma,
+    std::printf("  postures drawn again because an inverse did not find them: mrroc %d, LMA %d, Newton %d\n", own, lma,
                 newton);
   }
 }

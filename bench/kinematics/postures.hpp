@@ -7,11 +7,11 @@
 
 namespace mrroc::bench {
 
-/// What the contestants are asked about.
+/// One question to the contestants.
 struct Posture {
   JointVector joints;  ///< within joint and motor limits
   Pose pose;           ///< tool frame in the base frame
-  JointVector near;    ///< the joints, each off by the same distance, one way or the other: where the inverse starts
+  JointVector near;    ///< the joints, each off by the same distance in either direction: the start of the inverse
 };
 
 /// Random postures of one robot, evenly distributed within joint and motor limits (-pi to pi where a joint has none).

@@ -6,7 +6,7 @@
 
 namespace mrroc::bench {
 
-/// The models of every robot in robots/, by name. Its source is made when CMake configures (bench/kinematics.cmake).
+/// The models of every robot in robots/, by name. CMake generates its source (bench/kinematics.cmake).
 std::vector<RobotModels> load_robots();
 
 }  // namespace mrroc::bench

@@ -55,7 +55,7 @@ std::string difference(const std::vector<urdf::JointSharedPtr>& joints, const Ro
 UrdfChain urdf_chain(const std::filesystem::path& file, const RobotParameters& parameters) {
   const auto model = urdf::parseURDFFile(file.string());
   if (!model || !model->getLink("tool_frame")) {
-    throw std::runtime_error(file.string() + " is no URDF with a link 'tool_frame'");
+    throw std::runtime_error(file.string() + " is not a URDF with a link 'tool_frame'");
   }
   const auto joints = joints_to_tool(*model);
   UrdfChain result{.chain = {}, .missing = difference(joints, parameters)};

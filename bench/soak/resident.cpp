@@ -7,7 +7,7 @@ namespace mrroc::soak {
 
 namespace {
 
-/// KiB, of a mapping for one of Cyclone's receive buffers: 1 MiB and a page. The kernel may show several as one.
+/// KiB of a mapping for one of Cyclone's receive buffers: 1 MiB and a page. The kernel may show several as one.
 constexpr long kReceiveBuffer = 1028;
 
 Resident resident_of(const std::string& pid) {
@@ -25,7 +25,7 @@ Resident resident_of(const std::string& pid) {
   return resident;
 }
 
-/// What stands behind `--name` on its command line.
+/// The argument of `--name` on its command line.
 std::string name_of(const std::string& pid) {
   std::ifstream file("/proc/" + pid + "/cmdline");
   bool named = false;

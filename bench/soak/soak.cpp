@@ -11,10 +11,11 @@ using namespace mrroc::soak;
 
 namespace {
 
-/// KiB that a process may have grown by since the first eighth of the time, without the receive buffers. One byte kept
-/// per step would be 630 in four hours. What is done for the first time costs some: a new grip up to 112 in the MP.
+/// Permitted growth of a process since the first eighth of the time, KiB, without the receive buffers. One byte kept
+/// per step would be 630 in four hours. Work that is done for the first time costs some: a new grip up to 112 in the
+/// MP.
 constexpr long kGrowth = 256;
-/// KiB that the greatest process may ever have had more than at a lap: the runner joins the trace at the end.
+/// KiB that the largest process may ever have had more than at a lap: the runner joins the trace at the end.
 constexpr long kPeak = 16384;
 constexpr std::size_t kServos = 4;
 
@@ -60,7 +61,7 @@ bool print(const SoakRun& run) {
 }  // namespace
 
 /// soak [HOURS] [--twice]: carries the bar of the task cooperative_transfer forth and back for HOURS (4) of simulated
-/// time in lockstep, and prints what became of ticks, commands and memory. Fails when the bar was lost, a tick missed,
+/// time in lockstep, and prints the figures of ticks, commands and memory. Fails when the bar was lost, a tick missed,
 /// a command late or a process has grown; with --twice also when a second run has another trace.
 int main(int argc, char** argv) try {
   double hours = 4;

@@ -19,8 +19,8 @@ std::vector<Pose> onto_the_stands() { return {back().back(), bar_at(0.75, 0, 0.4
 
 }  // namespace
 
-/// The task cooperative_transfer for as long as one likes: carries the bar forth and back until the operator gives a
-/// trigger, which the deployment of the soak does at its tick. After every lap it says how long it has continued.
+/// The endless variant of the task cooperative_transfer: carries the bar forth and back until the operator gives a
+/// trigger, which the deployment of the soak does at its tick. Prints the elapsed time after every lap.
 class Soak : public Transfer {
   void run() override {
     set_tools();

@@ -41,7 +41,7 @@ std::filesystem::path write_deployment(const std::filesystem::path& folder, doub
   return file;
 }
 
-/// `mrroc run`, and what it says.
+/// `mrroc run` and its output.
 class Run {
  public:
   Run(const std::filesystem::path& deployment, const std::filesystem::path& trace) {
@@ -89,7 +89,7 @@ class Run {
   std::unique_ptr<std::FILE, Close> output_;
 };
 
-/// Takes what the line tells if it is one of the runner's report.
+/// Stores the values of a line of the runner's report; ignores other lines.
 void read_report(const std::string& line, SoakRun& run) {
   unsigned long long ticks = 0, missed = 0, late = 0;
   if (std::sscanf(line.c_str(), " %*s %llu ticks, %llu missed, %llu late", &ticks, &missed, &late) == 3) {

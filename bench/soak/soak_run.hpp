@@ -16,7 +16,7 @@ struct Sample {
   std::map<std::string, Resident> resident;
 };
 
-/// What a run has come to.
+/// Results of a run.
 struct SoakRun {
   int exit_code = 0;                              ///< of `mrroc run`; minus the signal that has ended it
   std::string summary;                            ///< the line with simulated and wall time
@@ -27,7 +27,7 @@ struct SoakRun {
   std::uintmax_t trace_bytes = 0;
   std::string hash;    ///< of the trace; empty when the run failed
   long peak = 0;       ///< KiB, the most that any process had at any time, the runner at the end too
-  std::string output;  ///< what was said besides, errors for instance
+  std::string output;  ///< remaining output, for example errors
 };
 
 /// Carries the bar forth and back for `seconds` of simulated time in lockstep. Everything that is written is in a

@@ -25,7 +25,7 @@ double amperes(const config::DriveEntry& entry, std::int64_t per_mille) {
   return static_cast<double>(per_mille) / 1000 * std::copysign(entry.rated_current, entry.units_per_turn);
 }
 
-/// The object that an SDO's first frame is about, with its name behind it.
+/// The object of an SDO's first frame, followed by its name.
 void name_object(std::string& text, const can::Frame& frame, const EdsFile& eds) {
   const Object object{static_cast<std::uint16_t>(can::get(frame.bytes(), 1, 2)), frame.data[3]};
   const std::string address = to_text(object);
@@ -63,7 +63,7 @@ std::string FrameWords::line(const can::Frame& frame) {
   return text;
 }
 
-/// Nothing: it is none of the PDOs that an EDP and its drives exchange, or too short.
+/// Nothing when the frame is too short or is not one of the PDOs that an EDP and its drives exchange.
 std::optional<std::string> FrameWords::process_data(const can::Frame& frame, Named& drive) const {
   const config::DriveEntry& entry = drive.entry;
   std::int64_t first = 0, second = 0, third = 0;

@@ -10,17 +10,17 @@
 
 namespace mrroc::cli {
 
-/// Frames of a CANopen network in words; with a table of drives, by the drives' axes: what PDOs carry, as the EDP of
-/// the robot maps them, in states, rad of the shaft (as the drive counts) and A; objects with their names of the EDS
-/// file. It remembers each drive's mode, by which a statusword is read. One thread.
+/// Formats frames of a CANopen network as text. With a table of drives, nodes are named by axis and PDOs are decoded as
+/// the robot's EDP maps them: states, rad of the shaft (as the drive counts) and A; objects have their names from the
+/// EDS file. It remembers each drive's mode, which is needed to decode a statusword. One thread.
 class FrameWords {
  public:
   FrameWords() = default;
   explicit FrameWords(config::DriveTable table);
 
-  /// One line. Any frame whatsoever; never throws but for want of memory.
+  /// One line, for any frame. Throws nothing but std::bad_alloc.
   std::string line(const can::Frame& frame);
-  /// What frames with this identifier are: "shoulder TPDO 1", "SYNC"; empty: nothing of the predefined connection set.
+  /// The kind of frames with this identifier: "shoulder TPDO 1", "SYNC"; empty outside the predefined connection set.
   std::string kind(std::uint32_t id) const;
 
  private:

@@ -12,8 +12,8 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr std::int64_t kGlance = clock::kSecond / 20;  // between two looks at `stop`
-constexpr double kLongest = 1e9;                       // s: what the clock can count
+constexpr std::int64_t kGlance = clock::kSecond / 20;  // between two checks of `stop`
+constexpr double kLongest = 1e9;                       // s: the longest time that the clock can count
 
 double seconds_of(std::int64_t time) { return static_cast<double>(time) / 1e9; }
 
@@ -43,7 +43,7 @@ void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, co
       show(fmt::format("{:12.6f}  {}\n", seconds_of(now - first), line));
   }
   if (options.summary) show(summary.text(words, seconds_of(clock::monotonic_ns() - begin), options.bit_rate));
-  if (gone) throw std::runtime_error("the bus has gone: its hub has ended");
+  if (gone) throw std::runtime_error("the bus is gone: its hub has ended");
 }
 
 }  // namespace mrroc::cli

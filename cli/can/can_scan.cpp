@@ -16,18 +16,18 @@ namespace {
 
 using namespace canopen;
 
-constexpr std::int64_t kRetry = clock::kSecond / 1000;  // between two tries to send where the queue is full
+constexpr std::int64_t kRetry = clock::kSecond / 1000;  // between two attempts to send while the queue is full
 
 constexpr Object kQuestions[] = {kDeviceType, kDeviceName, kVendor, kProduct, kRevision, kSerialNumber};
 
-/// The questions to one node, one after the other.
+/// The requests to one node, one after the other.
 class Inquiry {
  public:
   explicit Inquiry(NodeId node) { found_.node = node; }
 
   can::Frame ask() noexcept { return transfer_.upload(found_.node, kQuestions[place_]); }
 
-  /// Looks at a frame; `next` is to be sent when it has an identifier.
+  /// Takes a frame; the caller sends `next` when it has an identifier.
   void take(const can::Frame& frame, can::Frame& next) {
     next = {};
     if (!frame.error && !frame.remote && frame.size == 1 && frame.id == kHeartbeat + found_.node) {
@@ -94,7 +94,7 @@ ScanResult scan(can::Bus& bus, std::int64_t patience) {
     can::Frame frame;
     const std::int64_t until = to_send.empty() ? deadline : std::min(deadline, now + kRetry);
     if (!bus.receive(frame, until)) {
-      if (clock::monotonic_ns() < until) result.error = can::BusError::down;  // the bus has gone
+      if (clock::monotonic_ns() < until) result.error = can::BusError::down;  // the bus is gone
       continue;
     }
     if (frame.error) {

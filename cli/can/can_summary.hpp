@@ -9,7 +9,7 @@
 
 namespace mrroc::cli {
 
-/// Bits that a classical frame takes on the wire, with the pause behind it, where as many are stuffed as ever can be
+/// Bits that a classical frame takes on the wire, with the pause after it and the largest possible number of stuff bits
 /// (Davis, Burns, Bril, Lukkien: "Controller Area Network (CAN) schedulability analysis", Real-Time Systems 35, 2007).
 constexpr std::uint64_t bits_on_the_wire(std::size_t bytes) noexcept {
   return 47 + 8 * bytes + (34 + 8 * bytes - 1) / 4;
@@ -19,8 +19,8 @@ constexpr std::uint64_t bits_on_the_wire(std::size_t bytes) noexcept {
 class CanSummary {
  public:
   void add(const can::Frame& frame);
-  /// A table: how many frames of each kind, how often, and what part of a bus of `bit_rate` (bit/s) they take at most;
-  /// `seconds`: how long was listened. Frames of CAN FD have two bit rates: they are counted, and no load is told.
+  /// A table: number of frames of each kind, their rate, and the largest part of a bus of `bit_rate` (bit/s) that they
+  /// take. `seconds`: duration of the listening. CAN FD frames have two bit rates: they count without a load.
   std::string text(const FrameWords& words, double seconds, double bit_rate) const;
 
  private:

@@ -36,7 +36,7 @@ class Interruption {
     sigset_t pending;
     return sigpending(&pending) == 0 && (sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1);
   }
-  /// Takes what has come; the next one ends the process.
+  /// Takes the pending signal; the next one ends the process.
   void release() {
     constexpr timespec kNow{0, 0};
     while (sigtimedwait(&both_, nullptr, &kNow) > 0) {
@@ -48,7 +48,7 @@ class Interruption {
   sigset_t both_;
 };
 
-/// Prints when the reader of the output takes more, or an interruption has come: a pipe without a reader must not keep
+/// Prints once the reader of the output takes more, or an interruption has come: a pipe without a reader must not keep
 /// the process from ending.
 void print_unless_interrupted(std::string_view text, Interruption& interruption) {
   constexpr int kGlance = 50;  // ms
@@ -77,7 +77,7 @@ struct MonitorArguments {
   MonitorOptions options;
 };
 
-/// The drives of a robot of this type: the type's own table, or `file`.
+/// The drives of a robot of this type: from `file`, else from the type's own table.
 config::DriveTable drives_of(const std::string& type, std::filesystem::path file) {
   const config::RobotFiles files = config::robot_files(type);
   const auto parameters = config::read_robot_parameters(config::Table::load(files.parameters));
@@ -106,7 +106,7 @@ void add_scan(CLI::App& can, int& exit_code) {
     double patience = 0.5;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = can.add_subcommand("scan", "Ask every node of a CANopen network what it is");
+  CLI::App* command = can.add_subcommand("scan", "Identify every node of a CANopen network");
   command->add_option("INTERFACE", arguments->interface, kInterface)->required();
   command::add_number(*command, "--patience", arguments->patience, 0.01, 60.0, "s that an answer may take")
       ->capture_default_str();

@@ -21,7 +21,7 @@ namespace mrroc::cli {
 
 namespace {
 
-/// The program of this name in one of the folders of PATH.
+/// The path of the program of this name in the folders of PATH.
 std::filesystem::path find_program(const std::string& name) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "");
@@ -31,7 +31,7 @@ std::filesystem::path find_program(const std::string& name) {
                            "': install Graphviz, or leave --output away to get its input");
 }
 
-/// Has Graphviz draw it; the format is the file's extension.
+/// Draws it with Graphviz; the file's extension is the format.
 void draw(const std::string& dot, const std::filesystem::path& picture) {
   const std::string format = "-T" + (picture.has_extension() ? picture.extension().string().substr(1) : "svg");
   const process::TextMemory input(dot);

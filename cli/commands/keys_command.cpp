@@ -13,7 +13,7 @@ namespace mrroc::cli {
 
 namespace {
 
-/// The name alone: the file may name the very keys that are to be made, and would be refused as a whole.
+/// The deployment's name alone: the file may name the keys that this command makes, and would be refused as a whole.
 std::string name_of_deployment(const std::filesystem::path& file) {
   const config::DeploymentText source = config::read_deployment_text(file);
   const config::Table general =
@@ -28,7 +28,7 @@ void keys(const std::filesystem::path& folder, const std::filesystem::path& file
   make_keys(folder, deployment);
   command::print(
       folder.string() + ": keys for " + (deployment.empty() ? "any deployment" : "deployment " + deployment) +
-      "\nname them in the deployment file as `keys` of [network]; whoever has a copy can command the robots\n");
+      "\nname them in the deployment file as `keys` of [network]; anyone with a copy can command the robots\n");
 }
 
 }  // namespace
@@ -39,10 +39,10 @@ void add_keys_command(CLI::App& app, int& exit_code) {
     std::filesystem::path deployment;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("keys", "Make the keys by which a deployment's processes know each other");
-  command->add_option("FOLDER", arguments->folder, "Folder to make; there must be none of this name")->required();
+  CLI::App* command = app.add_subcommand("keys", "Make the keys that authenticate a deployment's processes");
+  command->add_option("FOLDER", arguments->folder, "Folder to make; it must not exist yet")->required();
   command->add_option("--deployment", arguments->deployment,
-                      "Deployment file (TOML): the keys are good for its topics only");
+                      "Deployment file (TOML): the keys are valid for its topics only");
   command->callback([arguments, &exit_code] {
     keys(arguments->folder, arguments->deployment);
     exit_code = 0;

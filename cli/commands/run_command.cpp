@@ -28,7 +28,7 @@ config::ClockMode clock_mode(const std::string& name) {
   return name == "paced" ? config::ClockMode::paced : config::ClockMode::lockstep;
 }
 
-/// What the command line may not ask of a deployment on several machines.
+/// Rejects options that a deployment on several machines does not support.
 void check_hosts(const config::Deployment& deployment, const RunArguments& arguments,
                  const config::DeploymentText& source) {
   const auto used = deployment.hosts_used();
@@ -45,7 +45,7 @@ void check_hosts(const config::Deployment& deployment, const RunArguments& argum
                                      "a simulator on this machine");
 }
 
-/// Real drives continue on their own, whatever the clock of the command line.
+/// Real drives keep moving whatever the clock is, so they need the real clock.
 void check_drives(const config::Deployment& deployment, const RunArguments& arguments) {
   if (deployment.clock == config::ClockMode::real) return;
   for (const config::RobotEntry& robot : deployment.robots)
@@ -56,7 +56,7 @@ void check_drives(const config::Deployment& deployment, const RunArguments& argu
 
 int run(const RunArguments& arguments) {
   const config::DeploymentText source = config::read_deployment_text(arguments.file);
-  // messages name a file as it was given
+  // messages name a file as the command line does
   config::Deployment deployment = config::load_deployment(source.is_file ? arguments.file : source.file, source.text);
   RunOptions options = arguments.options;
   options.text = source.text;

@@ -11,7 +11,7 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr std::uint64_t kShown = 10;  // violations, unless all are asked for
+constexpr std::uint64_t kShown = 10;  // violations, unless --all is given
 
 std::string count_of(std::uint64_t number, const std::string& what) {
   return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");

@@ -28,8 +28,8 @@ namespace mrroc::cli {
 namespace {
 
 constexpr int kTurn = 20;                                             // ms
-constexpr std::int64_t kPatienceWithRunner = 5 * clock::kSecond / 2;  // to take more of what waits for it
-constexpr double kPatienceWithStart = 10;      // s beyond the deployment's `start_timeout`, which is the runner's
+constexpr std::int64_t kPatienceWithRunner = 5 * clock::kSecond / 2;  // to take more of the waiting lines
+constexpr double kPatienceWithStart = 10;      // s beyond the deployment's `start_timeout`, which the runner applies
 constexpr std::size_t kMostWaiting = 4 << 20;  // bytes that the runner has not taken
 
 void add_to(int wake, int fd) {
@@ -38,7 +38,7 @@ void add_to(int wake, int fd) {
   epoll_ctl(wake, EPOLL_CTL_ADD, fd, &event);
 }
 
-/// The same files as the runner's, or an error that names the first that is not.
+/// Throws an error that names the first file that differs from the runner's.
 void compare_files(const AgentOrder& order, const config::Deployment& deployment) {
   const auto here = files_of(deployment);
   for (std::size_t i = 0; i < order.files.size(); ++i) {
@@ -113,7 +113,7 @@ void Agent::prepare() {
   const in_addr runner = ipv4_of(order_.machines.front());
   const in_addr own = own_address_towards(runner);
   own_address_ = to_text(own);
-  // on the runner's own machine the domain is kept already, by the runner
+  // on the runner's own machine the runner already holds the domain
   if (config::locate_host(order_.machines.front()) != config::HostPlace::local)
     domain_lock_ = std::make_unique<DomainLock>(order_.domain);
   clock::HostOptions options = clock_options(deployment_, names_of(plan_));
@@ -149,7 +149,7 @@ void Agent::start_processes() {
     records_->add_to(arguments);
     crew_.start(process, process::to_command_line(arguments), arguments.descriptors());
   }
-  // after the children, who must not inherit the priority of its thread's memory nor its socket
+  // after the children: they must not inherit the thread's memory priority or its socket
   link_ = std::make_unique<HostLink>(own_address_towards(ipv4_of(order_.machines.front())), order_.domain, order_.key,
                                      false, deployment_.link_timeout, operator_clock_->emergency_stop());
   add_to(wake_, link_->event_fd());
@@ -162,22 +162,21 @@ void Agent::supervise() {
   const std::int64_t deadline = clock::monotonic_ns() + static_cast<std::int64_t>(patience * 1e9);
   while (!stopping_) {
     turn(kTurn);
-    // until the start the runner's silence does not count, and it may have vanished
+    // until the start the runner's silence does not count, so this detects a runner that has vanished
     if (!started_ && clock::monotonic_ns() > deadline)
-      fail(process::ExitCode::system,
-           fmt::format("not started in time: the runner has not said so for {} s", patience));
+      fail(process::ExitCode::system, fmt::format("not started in time: the runner sent no start for {} s", patience));
   }
 }
 
 void Agent::turn(int milliseconds) {
   crew_.wait(milliseconds, wake_);
   for (const std::string& line : runner_.read()) obey(line);
-  // first the causes: what happens here may be but their consequence
+  // causes first: other events here may be their consequences
   if (!stopping_ && clock_->was_stopped()) fail(process::ExitCode::system, "its agent was stopped by a signal");
   if (!stopping_ && runner_.closed()) fail(process::ExitCode::system, "the runner is gone");
   if (!stopping_ && link_->lost()) {
     fail(process::ExitCode::system,
-         fmt::format("link to the runner lost: nothing heard for {} s", deployment_.link_timeout));
+         fmt::format("link to the runner lost: nothing received for {} s", deployment_.link_timeout));
   }
   read_signals();
   check_children();
@@ -199,14 +198,14 @@ void Agent::obey(const std::string& line) {
     link_->watch();
     runner_.write("started");
   } else {
-    throw std::runtime_error("order '" + line + "' is not known: the runner is of another version");
+    throw std::runtime_error("order '" + line + "' is unknown: the runner has another version");
   }
 }
 
 void Agent::read_signals() {
   while (const int number = signals_.take()) {
     if (number != SIGCHLD && !stopping_)
-      fail(process::ExitCode::system, "its agent was told to end by signal " + std::to_string(number));
+      fail(process::ExitCode::system, "its agent was ended by signal " + std::to_string(number));
   }
 }
 
@@ -229,11 +228,11 @@ void Agent::check_children() {
 }
 
 void Agent::fail(process::ExitCode code, const std::string& reason) {
-  if (code_ != process::ExitCode::success) return;  // it is but a consequence
+  if (code_ != process::ExitCode::success) return;  // it is a consequence of the first failure
   stopping_ = true;
   code_ = code;
   runner_.write("failed " + std::to_string(static_cast<int>(code)) + " " + reason);
-  // the runner may never read it: who looks for the cause on this machine shall find it, too
+  // the runner may never read it: the cause must also be in the log of this machine
   syslog(LOG_ERR, "mrroc agent, host %s: %s", order_.host.c_str(), reason.c_str());
 }
 
@@ -253,7 +252,7 @@ void Agent::end_processes() {
 }
 
 void Agent::turn_at_the_end() {
-  crew_.wait(kTurn, signals_.descriptor());  // not the channel: one that is closed would wake it forever
+  crew_.wait(kTurn, signals_.descriptor());  // not the channel: a closed one would wake it without end
   read_signals();
   runner_.read();
   runner_.flush();

@@ -21,14 +21,14 @@
 
 namespace mrroc::cli {
 
-/// `mrroc agent`: what `mrroc run` starts on every other host of a deployment, with a control channel on stdin and
-/// stdout (agent_protocol.hpp). It starts the processes that belong there under a clock of their own, whose tick 0 is
-/// the runner's, hands on what they say, and stops them, robots first, when it is instructed to, when one of them dies,
-/// when the channel closes, when the runner's beats stay away and when it never says "start": no robot continues
-/// without its runner. Main thread.
+/// `mrroc agent`: the process that `mrroc run` starts on every other host of a deployment, with a control channel on
+/// stdin and stdout (agent_protocol.hpp). It starts the processes of that host under their own clock, whose tick 0 is
+/// the runner's, and forwards their output. It stops them, robots first, when it is instructed to, when one of them
+/// dies, when the channel closes, when the runner's beats stop, and when the runner never sends "start": no robot
+/// continues without its runner. Main thread.
 class Agent {
  public:
-  /// How long it waits for its order, s.
+  /// Timeout for the order, s.
   static constexpr double kPatienceWithOrder = 30;
 
   /// Takes both descriptors.
@@ -37,15 +37,15 @@ class Agent {
   process::ExitCode run();
 
  private:
-  /// False: the runner has gone before it has said what to do. Throws std::runtime_error when it does not say so in
-  /// time.
+  /// Returns false when the runner is gone before it has sent its order. Throws std::runtime_error when the order does
+  /// not arrive in time.
   bool take_order();
   void prepare();
   void start_processes();
   void supervise();
   void end_processes();
   void turn_at_the_end();
-  /// Gives the runner time to take what waits for it.
+  /// Gives the runner time to take the waiting lines.
   void drain();
 
   void turn(int milliseconds);
@@ -69,9 +69,9 @@ class Agent {
   std::unique_ptr<HostLink> link_;
   std::string own_address_;
   std::unique_ptr<TaskRecords> records_;
-  std::optional<process::ClaimedFile> motion_;  // of the simulator here
+  std::optional<process::ClaimedFile> motion_;  // of the simulator on this host
   Crew crew_;
-  std::string missing_ = "?";  // as told last
+  std::string missing_ = "?";  // as reported last
   bool started_ = false;
   bool stopping_ = false;
   process::ExitCode code_ = process::ExitCode::success;

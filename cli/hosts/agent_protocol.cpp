@@ -12,7 +12,7 @@ namespace mrroc::cli {
 
 namespace {
 
-/// FNV-1a, as that of traces: it tells files apart, no one is to be kept out by it.
+/// FNV-1a, the hash of traces: it distinguishes files but does not protect against attacks.
 std::string hash_of(const std::filesystem::path& file) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const char character : config::read_file(file)) {
@@ -74,7 +74,7 @@ AgentOrder order_of_lines(const std::vector<std::string>& lines) {
     } else if (word == "motion") {
       order.motion = text;
     } else {
-      throw std::runtime_error("order '" + line + "' is not known: the runner is of another version");
+      throw std::runtime_error("order '" + line + "' is unknown: the runner has another version");
     }
   }
   if (order.host.empty() || order.deployment.empty() || order.machines.empty() || order.beat_port == 0 || !has_key)

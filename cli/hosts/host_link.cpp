@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kBeatsInTimeout = 10;
 constexpr std::int64_t kPeriodToLearn = clock::kSecond / 250;  // the peer's clock is known after 128 beats
-constexpr int kPriority = 85;  // above the servo threads: a late sign of life would stop them all
+constexpr int kPriority = 85;  // above the servo threads: a late beat would stop them all
 constexpr int kFirstPort = 7600;
 constexpr int kPortsOfDomain = 250;
 constexpr int kPorts = 50;
@@ -29,9 +29,9 @@ constexpr int kPorts = 50;
   throw std::runtime_error("link between hosts: " + what + ": " + std::strerror(errno));
 }
 
-/// As the runner's has been pressed and reset: no one else does so on this host.
+/// Follows the presses and resets of the runner's emergency stop; nothing else presses it on this host.
 void follow(clock::EmergencyStop& own, const Beat& beat) noexcept {
-  // first the presses: a reset counts for those that came before it
+  // presses first: a reset counts for the presses before it
   while (own.presses() < beat.presses) own.press();
   while (own.resets() < beat.resets) own.reset();
 }
@@ -86,7 +86,7 @@ void HostLink::run() {
     const std::lock_guard lock(mutex_);
     warning_ = warning;
   }
-  // not longer than a tick of patience with the destructor
+  // at most one tick, so that the destructor does not wait longer
   const std::int64_t period = std::min(timeout_ / kBeatsInTimeout, clock::kSecond / 20);
   std::int64_t due = clock::monotonic_ns();
   while (!ended_) {
@@ -94,7 +94,7 @@ void HostLink::run() {
     pollfd descriptor{socket_, POLLIN, 0};
     ppoll(&descriptor, 1, &pause, nullptr);
     const std::lock_guard lock(mutex_);
-    // first what has come: it may have been kept waiting by this machine
+    // first read what has arrived: this machine may have been slow
     listen();
     const std::int64_t now = clock::monotonic_ns();
     look_for_silence(now);
@@ -109,10 +109,10 @@ void HostLink::listen() {
   std::uint8_t datagram[256];
   sockaddr_in from{};
   socklen_t size = sizeof from;
-  // no more at once: a flood shall not keep it from looking for silence
+  // a limited number at once: a flood must not keep it from detecting silence
   for (int i = 0; i < 64; ++i) {
     const ssize_t length = recvfrom(socket_, datagram, sizeof datagram, 0, reinterpret_cast<sockaddr*>(&from), &size);
-    if (length < 0 && errno == ECONNREFUSED) continue;  // no one there yet
+    if (length < 0 && errno == ECONNREFUSED) continue;  // the peer has no socket yet
     if (length < 0) return;
     const auto beat = open(datagram, static_cast<std::size_t>(length), key_);
     if (beat && beat->from_runner != is_runner_ && beat->sequence > peer_sequence_)
@@ -134,12 +134,12 @@ void HostLink::take(const Beat& beat, std::int64_t now) {
 }
 
 void HostLink::send(std::int64_t now) {
-  const std::uint32_t resets = emergency_stop_.resets();  // first: the press that it was for is told, too
+  const std::uint32_t resets = emergency_stop_.resets();  // first, so that its press is sent, too
   const Beat beat{
       is_runner_, ++figures_.sent, now, peer_sent_, peer_sent_ == 0 ? 0 : now - heard_at_, emergency_stop_.presses(),
       resets};
   const auto datagram = seal(beat, key_);
-  // one that cannot be sent is one that is lost: the peer will notice
+  // a beat that cannot be sent is a lost beat, which the peer detects
   sendto(socket_, datagram.data(), datagram.size(), 0, reinterpret_cast<const sockaddr*>(&peer_), sizeof peer_);
 }
 
@@ -150,7 +150,7 @@ void HostLink::look_for_silence(std::int64_t now) {
   if (silence < timeout_) return;
   lost_ = true;
   const std::uint64_t one = 1;
-  if (write(event_, &one, sizeof one) < 0) return;  // it is seen at the next look all the same
+  if (write(event_, &one, sizeof one) < 0) return;  // the next check sees it anyway
 }
 
 std::optional<clock::ClockOffset> HostLink::offset() const {

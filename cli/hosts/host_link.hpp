@@ -14,24 +14,24 @@
 
 namespace mrroc::cli {
 
-/// What a link has been like, for reports.
+/// Statistics of a link, for reports.
 struct LinkFigures {
   std::uint64_t sent = 0;
   std::uint64_t heard = 0;
-  std::uint64_t refused = 0;         ///< datagrams that were no beat of the peer, or an old one
+  std::uint64_t refused = 0;         ///< datagrams that were old beats or not beats of the peer
   std::int64_t longest_silence = 0;  ///< ns, since `watch()`
   std::int64_t drift_ns = 0;         ///< PeerClock::worst_drift_ns
   std::int64_t certain_drift_ns = 0;
 };
 
-/// One end of the link between the runner and another host: a thread sends a beat in each tenth of the time-out, at
-/// least every 50 ms (until the start every 4 ms, to learn the clock soon), listens to the peer's, learns its clock
-/// from them and notices when they stay away. UDP, for TCP would continue repeating itself behind a cut; every beat is
-/// sealed. The runner's beats tell its emergency stop, too: the other end's follows it within a tenth of the time-out,
-/// later when beats are lost, and when all are, the link is. The main thread constructs it; any thread may ask.
+/// One end of the link between the runner and another host. A thread sends a beat in each tenth of the timeout, at
+/// least every 50 ms (until the start every 4 ms, to estimate the clock soon), receives the peer's, estimates its clock
+/// from them and detects when they stop. UDP, because TCP would keep repeating itself after a cut; every beat is
+/// sealed. The runner's beats also carry its emergency stop: the other end's follows within a tenth of the timeout,
+/// later when beats are lost; when all are, the link is lost. The main thread constructs it; any thread may query it.
 class HostLink {
  public:
-  /// Binds a port of `own` in those that a DDS domain leaves free: 7600 + 250 domain to 7649 + 250 domain.
+  /// Binds a port of `own` among those that a DDS domain leaves free: 7600 + 250 domain to 7649 + 250 domain.
   /// `emergency_stop`: of this host; it must outlive the link. Throws std::runtime_error when there is no port.
   HostLink(in_addr own, int domain, const BeatKey& key, bool is_runner, double timeout,
            clock::EmergencyStop& emergency_stop);
@@ -42,17 +42,17 @@ class HostLink {
   int port() const noexcept { return port_; }
   /// Begins to send beats to the peer's end.
   void start(in_addr peer, int port);
-  /// From now on silence counts, and the peer's clock may not drift.
+  /// From now on silence counts as a loss, and the peer's clock may not drift.
   void watch();
 
-  /// No beat has come for the time-out since `watch()`. It stays so.
+  /// True when no beat has come for the timeout since `watch()`; then it stays true.
   bool lost() const noexcept { return lost_.load(); }
   /// Becomes readable when the link is lost.
   int event_fd() const noexcept { return event_; }
-  /// The peer's clock; nothing for the first 128 beats.
+  /// The peer's clock; nothing during the first 128 beats.
   std::optional<clock::ClockOffset> offset() const;
   LinkFigures figures() const;
-  /// What the system has refused to the thread; empty: nothing.
+  /// What the system refused to the thread; empty when it refused nothing.
   std::string warning() const;
 
  private:
@@ -75,7 +75,7 @@ class HostLink {
   std::int64_t peer_sent_ = 0;
   std::int64_t heard_at_ = 0;
 
-  mutable std::mutex mutex_;  // of what the thread tells
+  mutable std::mutex mutex_;  // of the members that the thread writes
   clock::PeerClock clock_;
   LinkFigures figures_;
   std::string warning_;

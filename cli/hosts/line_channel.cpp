@@ -11,7 +11,7 @@ namespace mrroc::cli {
 
 namespace {
 
-/// A peer that says more than this without an end of line says nothing that can be understood.
+/// A peer that sends more than this without an end of line does not follow the protocol.
 constexpr std::size_t kLongestLine = 1 << 20;
 
 }  // namespace
@@ -36,7 +36,7 @@ std::vector<std::string> LineChannel::read() {
       break;
     }
     incoming_.append(buffer, static_cast<std::size_t>(size));
-    if (incoming_.size() > 2 * kLongestLine) break;  // a peer that never stops writing shall not hold the reader
+    if (incoming_.size() > 2 * kLongestLine) break;  // a peer that never stops writing must not block the reader
   }
   if (size == 0) closed_ = true;
   std::vector<std::string> lines;
@@ -57,15 +57,15 @@ void LineChannel::write(const std::string& line) {
 void LineChannel::flush() {
   while (waiting() > 0 && out_ >= 0) {
     const char* const text = outgoing_.data() + sent_;
-    // without the signal that a peer who is gone would cost; a pipe's owner ignores that
+    // without SIGPIPE when the peer is gone; the owner of a pipe ignores that signal
     ssize_t size = ::send(out_, text, waiting(), MSG_NOSIGNAL);
     if (size < 0 && errno == ENOTSOCK) size = ::write(out_, text, waiting());
     if (size < 0 && errno == EINTR) continue;
     if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) break;
-    // no one is left to read it; `read` sees the end
+    // the peer is gone; `read` sees the end
     sent_ = size <= 0 ? outgoing_.size() : sent_ + static_cast<std::size_t>(size);
   }
-  // seldom, for it moves what is left
+  // rarely, because it moves the remaining text
   if (sent_ < outgoing_.size() && sent_ < outgoing_.size() / 2) return;
   outgoing_.erase(0, sent_);
   sent_ = 0;

@@ -5,26 +5,26 @@
 
 namespace mrroc::cli {
 
-/// Lines to and from another process, never waiting for it: a peer that does not read must not hold who has robots to
-/// stop. One thread.
+/// Lines to and from another process. It never waits for the peer: a peer that does not read must not hold a process
+/// that has robots to stop. One thread.
 class LineChannel {
  public:
-  /// Takes both descriptors, which may be one, and closes them at its end.
+  /// Takes both descriptors, which may be the same, and closes them in the destructor.
   LineChannel(int in, int out);
   ~LineChannel();
   LineChannel(const LineChannel&) = delete;
   LineChannel& operator=(const LineChannel&) = delete;
 
-  /// Whole lines that have come.
+  /// The whole lines that have arrived.
   std::vector<std::string> read();
-  /// The peer has closed its end, or is gone.
+  /// True when the peer has closed its end, or is gone.
   bool closed() const noexcept { return closed_; }
-  /// Sends a line; what the peer does not take is kept and tried again by the next `write` or `flush`.
+  /// Sends a line; the next `write` or `flush` retries the text that the peer did not take.
   void write(const std::string& line);
   void flush();
-  /// How much waits to be taken, bytes.
+  /// Bytes that the peer has not taken yet.
   std::size_t waiting() const noexcept { return outgoing_.size() - sent_; }
-  /// Says the peer that no more comes; reading continues.
+  /// Closes the sending side; reading continues.
   void finish() noexcept;
 
   int fd() const noexcept { return in_; }

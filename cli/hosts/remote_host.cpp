@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kPatienceWithKernel = clock::kSecond / 10;  // from the end of a channel to that of its process
 
-/// As a POSIX shell reads it back.
+/// The word in quotes, as a POSIX shell reads it back.
 std::string in_shell_quotes(const std::string& word) {
   std::string quoted = "'";
   for (const char character : word) quoted += character == '\'' ? "'\\''" : std::string(1, character);
   return quoted + "'";
 }
 
-/// The program of this name, as a shell finds it.
+/// The path of the program of this name, found as a shell does.
 std::string found_on_path(const std::string& program) {
   if (program.find('/') != std::string::npos) return program;
   const char* const path = std::getenv("PATH");
@@ -40,7 +40,7 @@ std::string found_on_path(const std::string& program) {
   throw std::runtime_error("no program '" + program + "' in the folders of $PATH");
 }
 
-/// The command, started with one end of a new channel; the other end is what `channel` becomes.
+/// Starts the command with one end of a new channel; `channel` becomes the other end.
 Child start(const std::string& name, std::vector<std::string> words, std::unique_ptr<LineChannel>& channel) {
   const std::string program = found_on_path(words.front());
   words.erase(words.begin());
@@ -63,7 +63,7 @@ Child start(const std::string& name, std::vector<std::string> words, std::unique
 std::vector<std::string> agent_command(const config::HostEntry& host) {
   const std::string mrroc = host.mrroc.empty() ? fs::read_symlink("/proc/self/exe").string() : host.mrroc;
   if (host.command.empty()) {
-    // never asks; no terminal; gives up soon where no one answers
+    // never asks; no terminal; gives up soon when the host does not answer
     return {"ssh",
             "-T",
             "-o",
@@ -100,14 +100,14 @@ void RemoteHost::look() {
   for (const std::string& line : agent_.read_lines()) listener_.message("host " + name_ + " | " + line);
   channel_->flush();
   if (!said_ended_) look_at_agent();
-  if (!stopped_ && gone_since_ == 0) look_at_link();  // the silence of one that is gone is but a consequence
+  if (!stopped_ && gone_since_ == 0) look_at_link();  // the silence of an agent that is gone is only a consequence
 }
 
 void RemoteHost::hear(const std::string& line) {
   const auto [word, text] = split_word(line);
   const auto [name, rest] = split_word(text);
   if (!greeted_) {
-    // a shell there may say something first
+    // a shell there may print something first
     if (line == kAgentGreeting) {
       greeted_ = true;
     } else if (word == split_word(std::string{kAgentGreeting}).first) {
@@ -146,7 +146,7 @@ void RemoteHost::hear(const std::string& line) {
 
 void RemoteHost::look_at_agent() {
   if (told_gone_ || (!agent_.ended() && !channel_->closed())) return;
-  // its channel closes a moment before the kernel knows how it ended
+  // its channel closes a moment before the kernel reports how it ended
   const std::int64_t now = clock::monotonic_ns();
   if (gone_since_ == 0) gone_since_ = now;
   if (!agent_.ended() && now - gone_since_ < kPatienceWithKernel) return;
@@ -160,7 +160,7 @@ void RemoteHost::look_at_agent() {
 
 void RemoteHost::look_at_link() {
   if (link_.lost()) {
-    fail(process::ExitCode::system, fmt::format("link lost: nothing heard for {} s", limits_.link_timeout));
+    fail(process::ExitCode::system, fmt::format("link lost: nothing received for {} s", limits_.link_timeout));
     return;
   }
   const std::int64_t drift = link_.figures().certain_drift_ns;
@@ -183,12 +183,12 @@ std::vector<std::string> RemoteHost::missing() const {
   if (!told_missing_) names.push_back("the processes of host " + name_);
   if (!names.empty()) return names;
   const auto offset = link_.offset();
-  if (!offset) return {"the clock of host " + name_ + " (nothing heard from it yet)"};
+  if (!offset) return {"the clock of host " + name_ + " (nothing received from it yet)"};
   const double error = static_cast<double>(offset->error_ns) * 1e-9;
   if (error <= limits_.clock_error) return {};
   return {fmt::format(
-      "the clock of host {} (known to {:.3f} ms, for its answers take {:.3f} ms; expected clock_error = {} ms)", name_,
-      error * 1e3, 2 * error * 1e3, limits_.clock_error * 1e3)};
+      "the clock of host {} (known to {:.3f} ms, because its answers take {:.3f} ms; expected clock_error = {} ms)",
+      name_, error * 1e3, 2 * error * 1e3, limits_.clock_error * 1e3)};
 }
 
 std::int64_t RemoteHost::clock_error_ns() const {
@@ -206,7 +206,7 @@ void RemoteHost::stop() {
   stopped_ = true;
   channel_->write("stop");
   if (!link_.lost()) return;
-  // one that is cut off never answers, and stops on its own: its command has nothing to wait for
+  // a host that is cut off never answers and stops on its own: its command need not wait
   channel_->finish();
   agent_.signal(SIGTERM);
 }
@@ -215,7 +215,7 @@ std::string RemoteHost::summary() const {
   const LinkFigures figures = link_.figures();
   const auto us = [](std::int64_t ns) { return static_cast<double>(ns) * 1e-3; };
   return fmt::format(
-      "{:<10} clock known to {:.0f} us, drift {:.0f} us; {} of {} beats heard, longest silence {:.1f} ms", name_,
+      "{:<10} clock known to {:.0f} us, drift {:.0f} us; {} of {} beats received, longest silence {:.1f} ms", name_,
       us(clock_error_ns()), us(figures.drift_ns), figures.heard, figures.sent, us(figures.longest_silence) * 1e-3);
 }
 

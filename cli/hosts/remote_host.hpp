@@ -16,14 +16,14 @@
 
 namespace mrroc::cli {
 
-/// What the runner wants to know of its other hosts. Called in the main thread.
+/// The runner's callbacks for events of its other hosts. Called in the main thread.
 struct HostListener {
   std::function<void(const std::string& line)> message;  ///< for the operator
-  /// A process has ended or was stopped, `how` says it; `exit_code` -1: a signal has done it.
+  /// A process has ended or was stopped, `how` describes it; `exit_code` -1: by a signal.
   std::function<void(const std::string& process, int exit_code, const std::string& how)> lost;
   std::function<void(process::ExitCode code, const std::string& reason)> failed;
   std::function<void(const std::string& process, const std::string& line)> trace;  ///< a line of its trace
-  /// Of its last steps, the oldest first (process::SharedBlackBox).
+  /// A line of its last steps, the oldest first (process::SharedBlackBox).
   std::function<void(const std::string& process, const std::string& line)> last_step;
 };
 
@@ -33,35 +33,34 @@ struct HostLimits {
   double clock_error = 0.001;
 };
 
-/// The words that start `mrroc agent` on a host: its command, or ssh, which hands its words to a shell there.
+/// The words that start `mrroc agent` on a host: its command, or ssh, which passes its words to a shell there.
 std::vector<std::string> agent_command(const config::HostEntry& host);
 
 /// The runner's end of one other host: the agent there, its control channel and the link's beats. Main thread.
 class RemoteHost {
  public:
-  /// Starts the agent and tells it its order, of which everything is given but the beat's port and key. `own`: this
-  /// machine's address on the way there. Throws std::runtime_error when the command cannot be started.
+  /// Starts the agent and sends it its order, of which the caller gives everything but the beat's port and key. `own`:
+  /// this machine's address on the route to the host. Throws std::runtime_error when the command cannot be started.
   RemoteHost(const config::HostEntry& entry, AgentOrder order, in_addr own, in_addr there, HostLimits limits,
              const HostListener& listener, clock::EmergencyStop& emergency_stop);
 
   /// Descriptors that become readable when `look` has something to do.
   std::vector<int> descriptors() const;
-  /// Takes in what the agent has said, and notices when it is gone or silent. A task may seem to succeed because its
-  /// processes there were instructed to end: what the agent has said before it got the word to stop counts after that,
-  /// too.
+  /// Processes what the agent has sent, and detects when it is gone or silent. A task may seem to succeed because its
+  /// processes there were instructed to end: what the agent sent before it received the stop counts even after that.
   void look();
-  /// What is not ready yet: processes, the agent, its clock. Empty: all is.
+  /// What is not ready yet: processes, the agent, its clock. Empty when all are ready.
   std::vector<std::string> missing() const;
-  /// Tick 0 is at `epoch_ns` of this machine's CLOCK_MONOTONIC. From now on silence counts.
+  /// Tick 0 is at `epoch_ns` of this machine's CLOCK_MONOTONIC. From now on silence counts as a loss.
   void start(std::int64_t epoch_ns);
   void stop();
   bool ended() noexcept { return agent_.ended(); }
   void kill() noexcept { agent_.signal(SIGKILL); }
 
   const std::string& name() const noexcept { return name_; }
-  /// When the last line of a trace or black box has come, CLOCK_MONOTONIC, ns; 0: none has.
+  /// When the last line of a trace or black box arrived, CLOCK_MONOTONIC, ns; 0: never.
   std::int64_t traced_at() const noexcept { return traced_at_; }
-  /// How far off its clock may be, ns; 0 as long as it is not known.
+  /// The error bound of its clock, ns; 0 while the clock is unknown.
   std::int64_t clock_error_ns() const;
   /// One line about link and clock, for the report.
   std::string summary() const;
@@ -82,10 +81,10 @@ class RemoteHost {
   bool greeted_ = false;
   bool told_missing_ = false;
   std::string missing_;
-  bool stopped_ = false;     // it has been told to go
-  bool said_ended_ = false;  // it goes in order
+  bool stopped_ = false;     // it has been instructed to stop
+  bool said_ended_ = false;  // it has reported its end
   std::int64_t traced_at_ = 0;
-  std::int64_t gone_since_ = 0;  // CLOCK_MONOTONIC, ns; 0: it is there
+  std::int64_t gone_since_ = 0;  // CLOCK_MONOTONIC, ns; 0: it is present
   bool told_gone_ = false;
 };
 

@@ -15,7 +15,7 @@ namespace mrroc::cli {
 
 namespace {
 
-/// From the agreement on tick 0 to tick 0: time for the word to come everywhere, and for all processes to wake up.
+/// From the agreement on tick 0 to tick 0: time for the message to reach every host, and for all processes to wake up.
 constexpr std::int64_t kLead = clock::kSecond / 5;
 
 void add_to(int wake, int fd) {
@@ -38,16 +38,16 @@ RemoteHosts::~RemoteHosts() {
   if (wake_ >= 0) close(wake_);
 }
 
-/// DDS leaves by the interface that is named, everything else as the kernel routes it.
+/// DDS uses the interface that the deployment names, everything else follows the kernel's routes.
 void RemoteHosts::check_interface(in_addr own) const {
   const std::string& named = deployment_.network.interface;
   if (named.empty()) return;
   const links::NetworkInterface interface = links::find_interface(named);
-  // by the device: one may have several addresses
+  // compared by device: a device may have several addresses
   if (interface.index == links::find_interface(to_text(own)).index) return;
   throw config::ConfigurationError(
       deployment_.file, 0, "network.interface",
-      "'" + named + "' has the address " + interface.address + ", and the way to the host begins at " + to_text(own),
+      "'" + named + "' has the address " + interface.address + ", but the route to the host begins at " + to_text(own),
       "the interface that leads to the hosts");
 }
 

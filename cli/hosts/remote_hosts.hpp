@@ -11,22 +11,22 @@
 
 namespace mrroc::cli {
 
-/// All other hosts of a run; of most deployments there are none. Main thread.
+/// All other hosts of a run; most deployments have no other hosts. Main thread.
 class RemoteHosts {
  public:
-  /// Starts nothing yet. Deployment and emergency stop, which theirs follow, outlive it.
+  /// Starts nothing yet. The deployment and the emergency stop, which those of the hosts follow, outlive it.
   RemoteHosts(const config::Deployment& deployment, HostListener listener, clock::EmergencyStop& emergency_stop);
   ~RemoteHosts();
   RemoteHosts(const RemoteHosts&) = delete;
   RemoteHosts& operator=(const RemoteHosts&) = delete;
 
-  /// Starts an agent on each. `common`: what all are told alike, the domain and what is to be recorded. Throws
-  /// std::runtime_error that names the host: no address, no command; ConfigurationError: it is not reached by the
-  /// interface that the deployment names.
+  /// Starts an agent on each. `common`: the part of the order that is the same for all, the domain and what is to be
+  /// recorded. Throws std::runtime_error that names a host without an address or a command; throws ConfigurationError
+  /// when a host is not reached by the interface that the deployment names.
   void start_agents(const AgentOrder& common);
 
-  /// This machine's address on the way to the others, and the addresses of all, this one's first; both empty when there
-  /// are no others.
+  /// This machine's address on the route to the others, and the addresses of all, this one's first; both empty when
+  /// there are no others.
   const std::string& own_address() const noexcept { return own_address_; }
   const std::vector<std::string>& machines() const noexcept { return machines_; }
 
@@ -38,9 +38,9 @@ class RemoteHosts {
   std::int64_t start();
   void stop();
   bool all_ended() noexcept;
-  /// When the last line of a trace or black box has come from any of them, CLOCK_MONOTONIC, ns; 0: none has.
+  /// When the last line of a trace or black box arrived from any of them, CLOCK_MONOTONIC, ns; 0: never.
   std::int64_t traced_at() const noexcept;
-  /// Kills the commands that still live; gives the names of their hosts.
+  /// Kills the commands that still run; returns the names of their hosts.
   std::vector<std::string> kill_rest() noexcept;
   /// A line for each, for the report.
   std::vector<std::string> summaries() const;

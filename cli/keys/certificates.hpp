@@ -26,7 +26,7 @@ Certificate certify(const std::string& name, EVP_PKEY* key, CertificateUse use, 
 std::string to_pem(X509* certificate);
 std::string to_pem(EVP_PKEY* key);
 
-/// The document with its signature, in clear text (S/MIME, multipart/signed), as DDS Security wants it.
+/// The document with its signature, in clear text (S/MIME, multipart/signed), as DDS Security requires.
 std::string sign_document(const std::string& document, X509* signer, EVP_PKEY* key);
 
 }  // namespace mrroc::cli

@@ -24,7 +24,7 @@ constexpr const char* kHead =
     "<dds xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\">\n";
 constexpr const char* kAllDomains = "<domains><id_range><min>0</min><max>230</max></id_range></domains>\n";
 
-/// Whoever has no identity is ignored; every message but those of the hand-shake itself is signed by its process.
+/// Participants without an identity are ignored; each process signs every message except those of the handshake itself.
 std::string governance() {
   return std::string{kHead} + "<domain_access_rules><domain_rule>\n" + kAllDomains +
          R"(<allow_unauthenticated_participants>false</allow_unauthenticated_participants>

@@ -8,7 +8,7 @@ namespace mrroc::cli {
 
 namespace {
 
-/// "--help --clock": what may follow the verb; an option's short name is left out where it has a long one.
+/// "--help --clock": the options that may follow the verb; an option with a long name is listed without its short one.
 std::string words_after(const CLI::App& app) {
   std::string words;
   const auto add = [&words](const std::string& word) { words += (words.empty() ? "" : " ") + word; };

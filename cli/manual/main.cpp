@@ -5,7 +5,7 @@
 #include "cli/manual/bash_completion.hpp"
 #include "cli/manual/manual_page.hpp"
 
-/// Prints what is made from the description of the command `mrroc`: `mrroc_manual man` or `mrroc_manual bash`.
+/// Prints the text made from the description of the command `mrroc`: `mrroc_manual man` or `mrroc_manual bash`.
 int main(int count, char** arguments) {
   const std::string kind = count == 2 ? arguments[1] : "";
   CLI::App app;

@@ -13,7 +13,7 @@ struct Verb {
 };
 
 /// Every verb of `app`, itself first, each before its own verbs; in the order in which they were described. Hidden
-/// verbs (without a group) are left out.
+/// verbs (without a group) are omitted.
 std::vector<Verb> verbs_of(const CLI::App& app);
 
 /// The verbs directly below `app` that are not hidden.

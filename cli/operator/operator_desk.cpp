@@ -18,10 +18,11 @@ void check_somebody_answers(const config::Deployment& deployment, bool attended)
     if (!config::asks_operator(sensor) || std::any_of(deployment.events.begin(), deployment.events.end(), answers)) {
       continue;
     }
-    throw config::ConfigurationError(deployment.file, 0, "sensors." + sensor.name,
-                                     std::string{"asks the operator, and nobody answers under "} +
-                                         (lockstep ? "the clock 'lockstep'" : "a standard input that is no terminal"),
-                                     "an event that does: [[events]] with tick, command = 'answer', sensor and value");
+    throw config::ConfigurationError(
+        deployment.file, 0, "sensors." + sensor.name,
+        std::string{"asks the operator, and no answer can be typed under "} +
+            (lockstep ? "the clock 'lockstep'" : "a standard input that is not a terminal"),
+        "an event that answers: [[events]] with tick, command = 'answer', sensor and value");
   }
 }
 
@@ -55,7 +56,7 @@ void OperatorDesk::look() {
   read_lines();
 }
 
-/// In the order in which they were asked.
+/// Takes new questions, in the order in which they were asked.
 void OperatorDesk::take_questions() {
   std::vector<Open> taken;
   Open open;
@@ -79,7 +80,7 @@ void OperatorDesk::take_question(const Open& open) {
     return;
   }
   if (!somebody_types()) refuse(open);
-  // the oldest first, but for the one that someone is answering
+  // the oldest first, except the one that the operator is answering
   const auto waiting = open_.begin() + (!open_.empty() && open_.front().same(shown_) ? 1 : 0);
   const auto later = [](const Open& a, const Open& b) { return a.question.tick < b.question.tick; };
   open_.insert(std::upper_bound(waiting, open_.end(), open, later), open);
@@ -96,7 +97,7 @@ bool OperatorDesk::somebody_types() const noexcept {
 }
 
 void OperatorDesk::refuse(const Open& question) const {
-  throw NonFatalError(ErrorCode::sensor_not_ready, question.text() + " Nobody is left to answer",
+  throw NonFatalError(ErrorCode::sensor_not_ready, question.text() + " No operator is left to answer",
                       {"", question.asker, 0, 0});
 }
 

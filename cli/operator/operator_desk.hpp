@@ -16,20 +16,20 @@
 
 namespace mrroc::cli {
 
-/// Throws ConfigurationError when a sensor asks the operator and no one could ever answer it: no event of the
-/// deployment does, and `attended` is false or time is lockstep's, where a typed answer would come at another tick on
+/// Throws ConfigurationError when a sensor asks the operator and no answer is possible: no event of the deployment
+/// answers, and `attended` is false or the clock is lockstep, where a typed answer would arrive at another tick on
 /// every run.
 void check_somebody_answers(const config::Deployment& deployment, bool attended);
 
-/// Where what sensors and task programs ask and tell the operator comes together, and his answers leave: those of the
-/// deployment's events at their ticks, those that he types as soon as he has. A sensor's question is answered by the
-/// first event for it at a later tick; without one, as a program's, it is shown, the oldest first, and asked again
-/// until the line typed is an answer. Messages are shown at once. The main thread, but for `answer`.
+/// Collects the questions and messages of sensors and task programs for the operator, and sends the operator's answers:
+/// those of the deployment's events at their ticks, typed ones at once. A sensor's question is answered by the first
+/// event for it at a later tick. A program's question, and a sensor's without an event, is shown, the oldest first, and
+/// repeated until the typed line is an answer. Messages are shown at once. Main thread, except `answer`.
 class OperatorDesk {
  public:
   using Show = std::function<void(const std::string& line)>;
 
-  /// `clock`: the operator's; `input`: where answers are typed; `show`: a line for him to read. All outlive the desk.
+  /// `clock`: the operator's; `input`: where answers are typed; `show`: displays a line. All outlive the desk.
   OperatorDesk(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock, TypedLines& input,
                Show show);
 
@@ -37,11 +37,10 @@ class OperatorDesk {
   void answer(const config::Event& event);
   /// `estop` or `reset` of an event: presses or resets the emergency stop of all robots. Any thread.
   void emergency(const std::string& word);
-  /// Looks for questions and for what has been typed: the words `estop` and `reset` at any time, before every answer.
-  /// Throws NonFatalError(sensor_not_ready) for a question that no one
-  /// is left to answer.
+  /// Checks for questions and for typed lines: the words `estop` and `reset` at any time, before every answer. Throws
+  /// NonFatalError(sensor_not_ready) for a question that no operator is left to answer.
   void look();
-  /// Whether a question waits for a line to be typed.
+  /// Whether a question waits for a typed line.
   bool waits_for_line() const noexcept { return !open_.empty(); }
 
  private:

@@ -18,10 +18,10 @@ class TaskCommands {
   explicit TaskCommands(links::TaskSuperior& mp) : mp_(mp) {}
 
   void send(links::TaskCommandKind kind);
-  /// Whether the operator, or an event, has asked the task to stop. Any thread.
+  /// Whether the operator or an event has requested the task to stop. Any thread.
   bool stop_sent() const noexcept { return stop_sent_.load(); }
-  /// The start at tick 0, and what the deployment's events ask of the task and of the operator's `desk`. Before the
-  /// clock starts; all must outlive its last tick.
+  /// Schedules the start at tick 0, and the deployment's events for the task and for the operator's `desk`. Call it
+  /// before the clock starts; all must outlive its last tick.
   void schedule(clock::ClockHost& clock, const config::Deployment& deployment, OperatorDesk& desk);
 
  private:

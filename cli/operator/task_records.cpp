@@ -45,7 +45,7 @@ void TaskRecords::send(LineChannel& runner) const {
       runner.write("last_step " + task + " " + std::string{line.view()});
   for (const auto& [task, trace] : traces_) {
     std::ifstream file(trace.path());
-    // of one that was killed the last line may be half a line
+    // the last line of a killed process may be incomplete
     for (std::string line; std::getline(file, line) && !file.eof();) runner.write("trace " + task + " " + line);
   }
 }

@@ -14,8 +14,8 @@
 
 namespace mrroc::cli {
 
-/// What the tasks of an agent's host leave for the runner, as far as its order asks for it: their traces, meanwhile in
-/// a folder that goes with this object, and their last steps, in memory that outlives them. Main thread.
+/// Records of the tasks on an agent's host for the runner, as far as its order requests them: their traces, kept in a
+/// folder that this object removes, and their last steps, in memory that outlives the tasks. Main thread.
 class TaskRecords {
  public:
   /// Throws std::runtime_error: no folder; SystemError(resources): no memory.
@@ -24,9 +24,9 @@ class TaskRecords {
   TaskRecords(const TaskRecords&) = delete;
   TaskRecords& operator=(const TaskRecords&) = delete;
 
-  /// Adds where the process is to keep its own; none for one without a task.
+  /// Adds the descriptors for the records of the process; none for a process without a task.
   void add_to(process::Arguments& arguments) const;
-  /// Hands all on, when the processes have ended.
+  /// Sends all records to the runner once the processes have ended.
   void send(LineChannel& runner) const;
 
  private:

@@ -13,7 +13,7 @@ namespace mrroc::cli {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
-constexpr std::size_t kTyped = 65536;  // a pipe may hold more than anybody types
+constexpr std::size_t kTyped = 65536;  // more than an operator types; a pipe may hold more
 
 bool same_word(std::string_view typed, std::string_view word) {
   return typed.size() == word.size() && strncasecmp(typed.data(), word.data(), word.size()) == 0;
@@ -56,19 +56,19 @@ std::optional<std::string> TypedLines::next_of(std::initializer_list<std::string
   return std::nullopt;
 }
 
-/// Lines that no one has asked for must not keep an emergency stop behind them from being read.
+/// Drops the oldest text: unrequested lines must not delay an emergency stop behind them.
 void TypedLines::forget_oldest() {
   const std::size_t end = unread_.find('\n', unread_.size() - kTyped);
   unread_.erase(0, end == std::string::npos ? end : end + 1);
 }
 
-/// What has come; of what no one types, a part.
+/// Reads what has arrived; of a file, a part.
 void TypedLines::read_more() {
   // reading a terminal from the background would stop this process, and the deployment with it
   if (isatty(fd_) != 0 && tcgetpgrp(fd_) != getpgrp()) return;
   struct stat status {};
   const bool is_file = fstat(fd_, &status) == 0 && S_ISREG(status.st_mode);
-  if (is_file && unread_.size() >= kTyped) return;  // no one types into it, and it does not run away
+  if (is_file && unread_.size() >= kTyped) return;  // a file is not typed, and the rest can be read later
   std::array<char, 256> buffer;
   std::size_t taken = 0;
   for (pollfd look{fd_, POLLIN, 0}; !ended_ && taken < kTyped && poll(&look, 1, 0) > 0;) {

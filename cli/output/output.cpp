@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t kMostKept = 1000;
 
-/// A terminal or pipe opened again, not to block: that flag on a descriptor from outside would be set for all who share
-/// it. -1: it is neither, or may not be opened.
+/// Opens a terminal or pipe again, non-blocking: that flag on the inherited descriptor would affect every process that
+/// shares it. -1: the descriptor is another kind of file, or cannot be opened.
 int open_anew(int fd) {
   struct stat status {};
   if (fstat(fd, &status) != 0 || (!S_ISFIFO(status.st_mode) && isatty(fd) == 0)) return -1;
@@ -50,7 +50,7 @@ void Output::flush() {
     pollfd look{fd, POLLOUT, 0};
     if (poll(&look, 1, 0) <= 0) return;
     if (written_ == text_.size()) take_next();
-    // no more than a pipe takes at once when it takes anything
+    // no more than a pipe takes at once
     const ssize_t size = ::write(fd, text_.data() + written_, std::min<std::size_t>(text_.size() - written_, PIPE_BUF));
     if (size < 0 && (errno == EAGAIN || errno == EINTR)) return;
     if (size <= 0) {

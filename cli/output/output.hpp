@@ -7,28 +7,28 @@
 
 namespace mrroc::cli {
 
-/// Text to a descriptor (stdout, stderr) that holds no one up: what a terminal that stands still or a pipe that no one
-/// reads does not take is kept and tried again, the newest 1000 pieces of it, and how many were dropped is said in
-/// their place. After an error (full disk, closed terminal, no one left to read) it is silent. One thread.
+/// Text to a descriptor (stdout, stderr) that never blocks the caller. Text that a stopped terminal or a pipe without a
+/// reader does not take is kept and tried again, the newest 1000 pieces of it; a line reports how many were dropped.
+/// After an error (full disk, closed terminal, no reader) it is silent. One thread.
 class Output {
  public:
-  /// `fd`: not owned. SIGPIPE is to be ignored by the process.
+  /// `fd`: not owned. The process must ignore SIGPIPE.
   explicit Output(int fd);
   ~Output();
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
-  /// Writes a piece of text, or keeps it for later. Never waits; an error of the descriptor is no exception.
+  /// Writes a piece of text, or keeps it for later. Never waits; does not throw when the descriptor fails.
   void write(std::string text);
-  /// Writes what is kept, as far as that needs no waiting.
+  /// Writes kept text as far as possible without waiting.
   void flush();
   /// The same, waiting up to `deadline_ns` of CLOCK_MONOTONIC.
   void drain(std::int64_t deadline_ns);
-  /// Nothing is kept.
+  /// True when no text is kept.
   bool empty() const noexcept { return kept_.empty() && written_ == text_.size(); }
 
  private:
-  /// The next text to be written: what is kept, behind the number of what was dropped before it.
+  /// The next text to be written: the number of dropped lines, then the kept text.
   void take_next();
 
   int fd_;

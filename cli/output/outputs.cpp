@@ -13,7 +13,7 @@ namespace mrroc::cli {
 
 process::ClaimedFile claim_motion(const std::filesystem::path& path) {
   struct stat status {};
-  // the simulator writes it between two steps of the world: a reader that stops would stop the world
+  // the simulator writes it between two steps of the world: a stopped reader would stop the world
   if (::stat(path.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)))
     throw std::runtime_error("--motion " + path.string() + ": is a pipe, expected a file");
   return {path, "the motion file"};
@@ -49,8 +49,8 @@ void Outputs::check_apart(const std::string& option, const std::filesystem::path
   if (::stat(path.c_str(), &status) != 0 || S_ISCHR(status.st_mode)) return;
   for (const auto& [name, identity] : known_)
     if (identity == process::identity_of(path))
-      throw std::runtime_error(option + " " + path.string() + ": is the file of " + name +
-                               ", too, expected another file");
+      throw std::runtime_error(option + " " + path.string() + ": is also the file of " + name +
+                               ", expected another file");
 }
 
 Outputs::~Outputs() {

@@ -15,11 +15,11 @@
 
 namespace mrroc::cli {
 
-/// All files and folders that a run writes by name, claimed before anything starts: no other run has one of them, none
-/// is named twice, and none is a file that the deployment is made of. Main thread.
+/// All files and folders that a run writes by name, claimed before anything starts: no other run uses one of them, none
+/// is named twice, and none is a file of the deployment. Main thread.
 class Outputs {
  public:
-  /// Throws std::runtime_error that names the option, the file and the reason; nothing has been emptied then. `wait`:
+  /// Throws std::runtime_error that names the option, the file and the reason; then nothing has been emptied. `wait`:
   /// see TraceOutput.
   Outputs(const RunOptions& options, const config::Deployment& deployment, const std::vector<PlannedProcess>& plan,
           const TraceOutput::Wait& wait);
@@ -27,10 +27,10 @@ class Outputs {
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
 
-  /// Empties what has been left of an earlier run: from now on the outputs are this run's.
+  /// Removes the content of an earlier run: from now on the outputs belong to this run.
   void begin();
 
-  /// The open part of the trace of a process, the open motion file; -1: none.
+  /// The open part of the trace of a process, the open motion file; -1 when there is none.
   int trace_of(const std::string& process) const noexcept { return parts_ ? parts_->fd_of(process) : -1; }
   int motion() const noexcept { return motion_ ? motion_->fd() : -1; }
   /// Null: no trace is written.
@@ -41,7 +41,7 @@ class Outputs {
  private:
   void check_apart(const std::string& option, const std::filesystem::path& path) const;
 
-  std::vector<std::pair<std::string, process::FileIdentity>> known_;  // what no further output may be
+  std::vector<std::pair<std::string, process::FileIdentity>> known_;  // files that no further output may be
   std::optional<TraceOutput> trace_;
   std::optional<process::ClaimedFile> motion_;
   std::optional<process::ClaimedFile> snapshots_;

@@ -21,7 +21,7 @@ const char* name_of(config::ClockMode clock) noexcept {
   return "real";
 }
 
-/// Takes off what an editor or a file transfer has put around a line of a trace: it has the same hash again.
+/// Removes what an editor or a file transfer has added around a line of a trace, so that the hash stays the same.
 void take_off_extras(std::string& text, bool first) {
   if (first && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   while (text.ends_with('\r')) text.pop_back();
@@ -35,7 +35,7 @@ std::uint64_t tick_of(const std::string& text, std::uint64_t before) {
   return std::max(tick, before);
 }
 
-/// A part that is read line by line: a trace of hours is larger than memory.
+/// A part of a trace, read line by line: a trace of hours is larger than memory.
 class Part {
  public:
   explicit Part(const std::filesystem::path& path) : file_(path) {
@@ -87,7 +87,7 @@ std::string hash_trace(const std::filesystem::path& trace) {
   const bool any = static_cast<bool>(std::getline(file, text));
   take_off_extras(text, true);
   if (!any || !text.starts_with(kTraceHeader)) {
-    throw std::runtime_error(trace.string() + ":1: is no trace, expected the line \"" + std::string{kTraceHeader} +
+    throw std::runtime_error(trace.string() + ":1: is not a trace, expected the line \"" + std::string{kTraceHeader} +
                              "...\"");
   }
   while (std::getline(file, text)) {

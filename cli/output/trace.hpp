@@ -14,15 +14,15 @@ namespace mrroc::cli {
 
 using process::kTraceHeader;
 
-/// Joins the traces of several processes into one, ordered by tick, then process, then as each process wrote them: an
-/// order that depends on nothing but the lines. (The tick of a line is here the newest of its process so far: a `Wait`
-/// without robots may know older ticks than the line before.) `clock`: by which they ran. `write` takes the text, piece
-/// by piece. Throws std::runtime_error when a part cannot be read, and what `write` throws.
+/// Joins the traces of several processes into one, ordered by tick, then process, then as each process wrote them: the
+/// order depends on the lines alone. (The tick of a line is here the newest of its process so far: a `Wait` without
+/// robots may have older ticks than the line before.) `clock`: the clock of the processes. Calls `write` for each piece
+/// of text. Throws std::runtime_error when a part cannot be read, and any exception of `write`.
 void merge_traces(const std::vector<std::filesystem::path>& parts, config::ClockMode clock,
                   const std::function<void(std::string_view text)>& write);
 
-/// FNV-1a (64 bit) of all lines below the first, as 16 hexadecimal digits. Throws std::runtime_error when it cannot be
-/// read, or is no trace.
+/// FNV-1a (64 bit) of all lines below the first, as 16 hexadecimal digits. Throws std::runtime_error when the file
+/// cannot be read or is not a trace.
 std::string hash_trace(const std::filesystem::path& trace);
 
 }  // namespace mrroc::cli

@@ -18,9 +18,9 @@ namespace mrroc::cli {
 namespace {
 
 constexpr const char* kWhat = "the trace";
-constexpr int kGlance = 20;  // ms between two questions whether to continue
+constexpr int kGlance = 20;  // ms between two checks whether to continue
 
-/// Whether what `fd` and the path lead to is one file in which the texts of two writers would mix.
+/// Whether `fd` and the path lead to one file in which the text of two writers would mix.
 bool would_mix(int fd, const std::filesystem::path& path) {
   struct stat status {};
   if (fstat(fd, &status) != 0 || (S_ISCHR(status.st_mode) && isatty(fd) == 0)) return false;
@@ -54,7 +54,7 @@ void TraceOutput::write(std::string_view text, const Continue& go_on) {
       if (!go_on(static_cast<double>(clock::monotonic_ns() - taken) * 1e-9)) fail("ended by the operator");
       continue;
     }
-    // no more than a pipe takes at once when it takes anything: a descriptor from outside may block
+    // no more than a pipe takes at once: an inherited descriptor may block
     const std::size_t most = is_file() ? text.size() : std::min<std::size_t>(text.size(), PIPE_BUF);
     const ssize_t size = ::write(file_->fd(), text.data(), most);
     if (size < 0 && (errno == EAGAIN || errno == EINTR)) continue;

@@ -9,28 +9,28 @@
 
 namespace mrroc::cli {
 
-/// Where the trace of a run is written at its end: a file, or a stream, which is a FIFO, a pipe behind `/dev/fd/N`, or
-/// a device. Never waits without asking whether to. Main thread.
+/// The output of a run's trace, written at the end of the run: a file, or a stream (a FIFO, a pipe behind `/dev/fd/N`,
+/// or a device). Asks before each wait whether to continue. Main thread.
 class TraceOutput {
  public:
-  /// Spends so many milliseconds on other things; returns false when the operator wants the end.
+  /// Spends so many milliseconds on other work; returns false when the operator requests the end.
   using Wait = std::function<bool(int milliseconds)>;
-  /// Is asked before each wait, and after each piece of text, with how long nothing has been taken, s; false ends it.
+  /// Called before each wait and after each piece of text, with the s since the reader last took text; false ends it.
   using Continue = std::function<bool(double stalled)>;
 
-  /// Opens and claims it. Waits up to `patience` s for the reader of a FIFO; when the operator ends that it is not
-  /// opened. Throws std::runtime_error that names it and the reason.
+  /// Opens and claims it. Waits up to `patience` s for the reader of a FIFO; when the operator ends that wait the FIFO
+  /// is not opened. Throws std::runtime_error that names the output and the reason.
   TraceOutput(const std::filesystem::path& path, double patience, const Wait& wait);
 
   bool opened() const noexcept { return !file_->waits(); }
-  /// A regular file: what another run has left in it is removed by clear().
+  /// True for a regular file: clear() removes the content of an earlier run.
   bool is_file() const noexcept { return file_->is_own_regular_file(); }
   const process::ClaimedFile& file() const noexcept { return *file_; }
 
   void clear();
   /// Throws std::runtime_error when it cannot be written, or `go_on` ends it.
   void write(std::string_view text, const Continue& go_on);
-  /// Throws std::runtime_error when it is not complete, or the path leads to another file by now.
+  /// Throws std::runtime_error when it is not complete, or the path now leads to another file.
   void close();
 
  private:

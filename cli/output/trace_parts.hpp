@@ -12,20 +12,20 @@
 namespace mrroc::cli {
 
 /// The parts of a trace while its run writes them: one file for each process with a task, `<trace>.<process>.part`
-/// beside the trace, or in the folder for temporary files when the trace is a stream. The files are new ones: where
-/// another run, or a killed one, has left a file of this name, it is `<trace>.<process>.2.part`, and so on. Main
+/// beside the trace, or in the folder for temporary files when the trace is a stream. The files are always new: where
+/// an earlier or killed run has left a file of this name, the name is `<trace>.<process>.2.part`, and so on. Main
 /// thread.
 class TraceParts {
  public:
   /// Throws std::runtime_error when a file cannot be made.
   TraceParts(const TraceOutput& output, const std::vector<PlannedProcess>& processes);
 
-  /// The open file of a process; -1: it writes none.
+  /// The open file of a process; -1 when it writes none.
   int fd_of(const std::string& process) const noexcept;
-  /// A line of a process on another host.
+  /// Writes a line of a process on another host.
   void take(const std::string& process, const std::string& line);
-  /// Joins the parts to the trace and removes them; on an error they stay. Throws std::runtime_error that names the
-  /// trace, the reason and where the parts are.
+  /// Joins the parts to the trace and removes them; after an error they stay. Throws std::runtime_error that names the
+  /// trace, the reason and the paths of the parts.
   void join(TraceOutput& output, config::ClockMode clock, const TraceOutput::Continue& go_on);
   /// Removes the files of a run that has not begun.
   void remove();

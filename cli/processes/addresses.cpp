@@ -24,7 +24,9 @@ in_addr ipv4_of(const std::string& host) {
 }
 
 in_addr own_address_towards(in_addr peer) {
-  const auto refuse = [peer] { return std::runtime_error("no way to " + to_text(peer) + ": " + std::strerror(errno)); };
+  const auto refuse = [peer] {
+    return std::runtime_error("no route to " + to_text(peer) + ": " + std::strerror(errno));
+  };
   const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (probe < 0) throw refuse();
   sockaddr_in address{};

@@ -13,7 +13,7 @@ namespace {
 config::ProgramBehaviours ask(const std::string& program) {
   Child child("behaviours", program, {"--behaviours"});
   const std::string text = child.wait_for_output();
-  if (child.exit_code() != 0) throw std::runtime_error("does not tell its behaviours: " + child.how_it_ended());
+  if (child.exit_code() != 0) throw std::runtime_error("does not report its behaviours: " + child.how_it_ended());
   return config::read_behaviours(text);
 }
 

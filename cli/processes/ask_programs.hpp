@@ -5,8 +5,8 @@
 
 namespace mrroc::cli {
 
-/// Asks the ECP program of every robot for its behaviours. Throws ConfigurationError that names the robot whose program
-/// does not tell them. Starts processes. Main thread.
+/// Queries the ECP program of every robot for its behaviours. Throws ConfigurationError that names the robot whose
+/// program does not report them. Starts processes. Main thread.
 config::ProgramsByRobot ask_programs(const config::Deployment& deployment);
 
 }  // namespace mrroc::cli

@@ -19,7 +19,7 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr std::size_t kLongestLine = 65536;  // what is longer comes in pieces, or it would fill the memory
+constexpr std::size_t kLongestLine = 65536;  // longer lines come in pieces, or they would fill the memory
 constexpr int kPatienceWithKilled = 3000;    // ms; a debugger can keep a killed process
 
 [[noreturn]] void execute(const std::string& program, char** words, int output, int channel,
@@ -30,9 +30,9 @@ constexpr int kPatienceWithKilled = 3000;    // ms; a debugger can keep a killed
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  signal(SIGPIPE, SIG_DFL);  // ignored by the runner, and that would be handed down
+  signal(SIGPIPE, SIG_DFL);  // the runner ignores it, and a child would inherit that
   signal(SIGXFSZ, SIG_DFL);
-  setpgid(0, 0);  // Ctrl-C is the runner's to forward
+  setpgid(0, 0);  // the runner forwards Ctrl-C
   dup2(channel >= 0 ? channel : output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
   const int input = channel >= 0 ? channel : ::open("/dev/null", O_RDONLY);
@@ -44,7 +44,7 @@ constexpr int kPatienceWithKilled = 3000;    // ms; a debugger can keep a killed
   _exit(127);
 }
 
-/// The state letter of a `stat` file of proc(5); 0: there is no such thread any more.
+/// The state letter of a `stat` file of proc(5); 0: the thread no longer exists.
 char state_of(const std::filesystem::path& thread) {
   std::ifstream file(thread / "stat");
   std::string stat;
@@ -123,7 +123,7 @@ bool Child::lost() noexcept {
 }
 
 bool Child::is_at_work() const {
-  // the pidfd is readable when the last thread has gone; the first one is a zombie while others still close files
+  // the pidfd is readable when the last thread has ended; the first one is a zombie while others still close files
   pollfd end{handle_, POLLIN, 0};
   if (poll(&end, 1, 0) != 0) return false;
   std::error_code gone;
@@ -160,7 +160,7 @@ void Child::signal(int number) const noexcept {
 }
 
 std::vector<std::string> Child::read_lines() {
-  // no more than a pipe holds: a process that never stops printing shall not hold the runner
+  // no more than a pipe holds: a process that never stops printing must not block the runner
   char buffer[65536];
   if (const ssize_t size = read(output_, buffer, sizeof buffer); size > 0)
     unfinished_.append(buffer, static_cast<std::size_t>(size));
@@ -184,7 +184,7 @@ std::string Child::wait_for_output() {
   for (bool all = false; !all;) {
     pollfd output{output_, POLLIN, 0};
     poll(&output, 1, kTurn);
-    all = ended();  // before the last look: what it wrote before its end is there then
+    all = ended();  // before the last read, which then gets everything that it wrote
     for (const std::string& line : read_lines()) text += line + "\n";
   }
   return text;

@@ -12,9 +12,9 @@ namespace mrroc::cli {
 /// main thread ends, however that happens (PR_SET_PDEATHSIG). Main thread only.
 class Child {
  public:
-  /// Starts `program`; its stdout and stderr come through `output_fd()`. `channel`: a descriptor that becomes its stdin
-  /// and stdout, so that only its stderr comes through; -1: none. `handed`: descriptors that it gets although they
-  /// close on exec, under the same numbers. Throws std::runtime_error when it cannot be started.
+  /// Starts `program`; `output_fd()` delivers its stdout and stderr. `channel`: a descriptor that becomes its stdin and
+  /// stdout, so that `output_fd()` delivers only stderr; -1: none. `handed`: close-on-exec descriptors that it inherits
+  /// nevertheless, under the same numbers. Throws std::runtime_error when it cannot be started.
   Child(std::string name, const std::string& program, const std::vector<std::string>& arguments, int channel = -1,
         const std::vector<int>& handed = {});
   ~Child();
@@ -27,28 +27,28 @@ class Child {
   pid_t pid() const noexcept { return pid_; }
   int output_fd() const noexcept { return output_; }
 
-  /// True when it has ended; then `how_it_ended()` and `exit_code()` tell how. Never waits.
+  /// True when it has ended; then `how_it_ended()` and `exit_code()` report how. Never waits.
   bool ended() noexcept;
-  /// True when it has ended, or a signal has stopped it (SIGSTOP): it does nothing any more. The kernel tells the
-  /// runner of both at once, by SIGCHLD. Never waits.
+  /// True when it has ended, or a signal has stopped it (SIGSTOP). The kernel reports both to the runner at once, by
+  /// SIGCHLD. Never waits.
   bool lost() noexcept;
-  /// False once `lost()` gives true, and only then: when no thread of it runs any more. Any thread; what the kernel has
-  /// to tell of it stays for the main thread. Never waits.
+  /// False once `lost()` returns true, and only then: no thread of it runs any more. Any thread; it leaves the kernel's
+  /// report for the main thread. Never waits.
   bool is_at_work() const;
   /// "exit code 3", "signal 9 (Killed)" or "stopped by signal 19 (Stopped (signal))".
   std::string how_it_ended() const;
-  /// When it is lost: "died: exit code 3: its last line", "is stopped by signal 19 (Stopped (signal))".
+  /// Once it is lost: "died: exit code 3: its last line", "is stopped by signal 19 (Stopped (signal))".
   std::string how_it_was_lost() const;
-  /// Nothing when it lives or a signal has ended it.
+  /// Nothing when it still runs or a signal has ended it.
   std::optional<int> exit_code() const noexcept;
-  /// The last line that `read_lines` has given; of a process that gives up, the reason.
+  /// The last line that `read_lines` returned; for a process that gives up, the reason.
   const std::string& last_line() const noexcept { return last_line_; }
-  /// Any thread; never to another process that has got its number since it ended.
+  /// Any thread; never signals another process that has reused its number.
   void signal(int number) const noexcept;
-  /// Whole lines that it has written since the last call; at its end also an unfinished one, and
-  /// one of more than 64 KB in pieces. Never waits.
+  /// Whole lines that it has written since the last call; at its end also an unfinished one. A line of more than 64 KB
+  /// comes in pieces. Never waits.
   std::vector<std::string> read_lines();
-  /// Waits until it has ended; every line that it has written.
+  /// Waits until it has ended; returns every line that it has written.
   std::string wait_for_output();
 
  private:
@@ -60,7 +60,7 @@ class Child {
   int output_ = -1;
   bool ended_ = false;
   bool stopped_ = false;
-  int status_ = 0;  ///< of its end, or of its stop
+  int status_ = 0;  ///< of its end or stop
   std::string unfinished_;
   std::string last_line_;
 };

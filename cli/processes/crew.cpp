@@ -21,7 +21,7 @@ const Child* Crew::find(const std::string& name) const noexcept {
 void Crew::wait(int milliseconds, int also) {
   std::vector<pollfd> descriptors{{also, POLLIN, 0}};
   for (Member& member : members_) {
-    // the pipe of one that has ended stays readable forever: polling it would not wait
+    // the pipe of a process that has ended stays readable: polling it would not wait
     descriptors.push_back({member.child.ended() ? -1 : member.child.output_fd(), POLLIN, 0});
   }
   poll(descriptors.data(), descriptors.size(), milliseconds);
@@ -31,7 +31,7 @@ void Crew::wait(int milliseconds, int also) {
 Child* Crew::first_lost(const std::vector<std::string>& suspects) {
   if (std::none_of(members_.begin(), members_.end(), [](Member& member) { return member.child.lost(); }))
     return nullptr;
-  // one that leaves because another has died may be seen before that one: so all are looked at once more
+  // a process that leaves because another has died may be seen before that one, so all are checked again
   const auto blame = [&suspects](Child& child) {
     if (!child.lost()) return -1;
     if (std::find(suspects.begin(), suspects.end(), child.name()) != suspects.end()) return 2;

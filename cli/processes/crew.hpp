@@ -14,32 +14,32 @@ namespace mrroc::cli {
 /// The processes of a run. Main thread only.
 class Crew {
  public:
-  /// Is given each whole line that a process writes.
+  /// Called with each whole line that a process writes.
   using Listener = std::function<void(const std::string& name, const std::string& line)>;
   explicit Crew(Listener listener) : listener_(std::move(listener)) {}
 
   /// `handed`: descriptors for it (see Child). Throws std::runtime_error when it cannot be started.
   void start(const PlannedProcess& process, const std::vector<std::string>& arguments,
              const std::vector<int>& handed = {});
-  /// Null: there is none of that name. Any thread, when all have been started.
+  /// Null when no process has that name. Any thread, once all have been started.
   const Child* find(const std::string& name) const noexcept;
-  /// Waits until a process writes or ends, `also` becomes readable, or the time is over; hands the lines on.
+  /// Waits until a process writes or ends, `also` becomes readable, or the time is over; forwards the lines.
   void wait(int milliseconds, int also);
-  /// A process that has ended or been stopped, with all that it has written handed on; null when all are at work. One
-  /// of `suspects` rather than another.
+  /// A process that has ended or been stopped, with all its output forwarded; null when all are running. Prefers one of
+  /// `suspects`.
   Child* first_lost(const std::vector<std::string>& suspects = {});
   bool all_ended() noexcept;
-  /// Those of this part that have not ended as they should: lost with an exit code, by a signal, or stopped by one.
-  /// All that they have written is handed on.
+  /// Those of this part that failed: ended with an exit code or by a signal, or stopped by one. All their output is
+  /// forwarded.
   std::vector<Child*> failed(clock::Part part);
   /// Whether every process of this part is lost or has left the clock. One that has left may take seconds to end on a
   /// busy machine.
   bool all_left(clock::Part part, const clock::ClockHost& clock) noexcept;
   void signal(int number) noexcept;
   void signal(int number, clock::Part part) noexcept;
-  /// Kills those that a signal has stopped: they cannot end on their own. Gives their names.
+  /// Kills those that a signal has stopped: they cannot end on their own. Returns their names.
   std::vector<std::string> kill_stopped() noexcept;
-  /// Kills those that still live; gives their names.
+  /// Kills those that still run; returns their names.
   std::vector<std::string> kill_rest() noexcept;
 
  private:

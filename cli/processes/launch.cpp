@@ -11,7 +11,7 @@ namespace mrroc::cli {
 
 namespace {
 
-/// Of the addresses of a named device the one that leads to the hosts: they may have no way to another one.
+/// Of the addresses of a named device, the one that leads to the hosts: the hosts may have no route to the others.
 std::string interface_of(const Surroundings& surroundings) {
   const std::string& named = surroundings.deployment.network.interface;
   const std::string& own = surroundings.own_address;
@@ -67,7 +67,7 @@ std::string check_network(const config::NetworkEntry& network) {
   }
   if (!network.security) {
     if (!config::beyond_loopback(network.interface)) return "";
-    return "warning: without security whoever reaches the interface " + network.interface +
+    return "warning: without security anyone who reaches the interface " + network.interface +
            " can command the robots; make keys with `mrroc keys` (docs/how-to/security.md)";
   }
   try {

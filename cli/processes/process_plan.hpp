@@ -15,7 +15,7 @@ struct PlannedProcess {
   std::filesystem::path program;
   clock::Part part = clock::Part::task;
   bool has_task = false;  ///< an MP or ECP: it runs instructions and may write a trace
-  std::string host = {};  ///< on which it runs; empty: the runner's machine
+  std::string host = {};  ///< where it runs; empty: the runner's machine
 };
 
 /// All processes of a deployment: sim and simulated drives first (hardware is there before its drivers), then EDPs,

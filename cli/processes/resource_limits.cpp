@@ -15,8 +15,8 @@ namespace mrroc::cli {
 
 namespace {
 
-// in /proc/PID/fd of a run: a process has 18, the runner 15 and four for each process; the rest is for what a task
-// opens
+// in /proc/PID/fd of a run: a process has 18 files, the runner 15 and four for each process; the rest is for files that
+// a task opens
 constexpr std::size_t kOfRunner = 24;
 constexpr std::size_t kForEachProcess = 4;
 constexpr std::size_t kOfProcess = 40;

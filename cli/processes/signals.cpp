@@ -14,7 +14,7 @@ int open_signals(std::initializer_list<int> others) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, number);
   for (const int number : others) sigaddset(&set, number);
   sigprocmask(SIG_BLOCK, &set, nullptr);
-  signal(SIGCHLD, SIG_DFL);  // whoever has started this may ignore it, and then no one hears of a death
+  signal(SIGCHLD, SIG_DFL);  // the parent process may ignore it, and then no death would be reported
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
   return signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);

@@ -4,10 +4,10 @@
 
 namespace mrroc::cli {
 
-/// The signals that whoever starts processes hears instead of dying of them: those that ask it to end (SIGINT, SIGTERM,
-/// SIGHUP), SIGCHLD and `others`; from then on they are blocked. SIGPIPE is ignored: who does not read what it says is
-/// found gone otherwise; so is SIGXFSZ: a file size limit is an error of the write. Main thread, before it starts a
-/// thread or a process.
+/// The signals that a process with children receives instead of dying of them: those that request its end (SIGINT,
+/// SIGTERM, SIGHUP), SIGCHLD and `others`; from then on they are blocked. SIGPIPE is ignored, because a write reports a
+/// missing reader anyway; so is SIGXFSZ, because a file size limit is an error of the write. Main thread, before it
+/// starts a thread or a process.
 class Signals {
  public:
   explicit Signals(std::initializer_list<int> others = {});
@@ -17,7 +17,7 @@ class Signals {
 
   /// Readable when `take` has one.
   int descriptor() const noexcept { return descriptor_; }
-  /// The number of the next; 0: no other has come. Never waits.
+  /// The number of the next signal; 0 when no other has come. Never waits.
   int take() noexcept;
 
  private:

@@ -8,7 +8,7 @@
 
 namespace mrroc::cli {
 
-/// What the clock of a deployment is to be like, with these processes as participants.
+/// The clock options of a deployment with these processes as participants.
 clock::HostOptions clock_options(const config::Deployment& deployment, const std::vector<std::string>& processes);
 
 }  // namespace mrroc::cli

@@ -2,11 +2,11 @@
 
 namespace mrroc::cli {
 
-/// Keeps a DDS domain of this host for one deployment: two at once on one domain would only slow each other's
-/// discovery. The lock is an abstract Unix socket: the kernel gives it back however the runner ends.
+/// Reserves a DDS domain of this host for one deployment: two deployments on one domain would slow each other's
+/// discovery. The lock is an abstract Unix socket: the kernel releases it however the runner ends.
 class DomainLock {
  public:
-  /// Takes domain `wanted`, or a free one when -1. Throws std::runtime_error when there is none.
+  /// Takes domain `wanted`, or a free one when -1. Throws std::runtime_error when none is free.
   explicit DomainLock(int wanted);
   ~DomainLock();
   DomainLock(const DomainLock&) = delete;

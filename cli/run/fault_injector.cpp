@@ -59,7 +59,7 @@ void FaultInjector::schedule() {
   }
 }
 
-/// An event of tick `tick`: strikes when the fault is in force, else looks again at the next tick.
+/// An event of tick `tick`: injects the fault when it is in force, else checks again at the next tick.
 void FaultInjector::look(std::size_t index, Tick tick) {
   if (clock_.fault_tick(index) > tick) {
     clock_.at_tick(tick + 1, [this, index, tick] { look(index, tick + 1); });
@@ -69,7 +69,7 @@ void FaultInjector::look(std::size_t index, Tick tick) {
   if (faults::is_signal(fault.kind)) strike(fault);
 }
 
-/// Sends the signal and waits until it has acted, so that in simulated time no tick goes by.
+/// Sends the signal and waits until it has taken effect, so that no simulated tick passes.
 void FaultInjector::strike(const faults::InjectedFault& fault) {
   const Child* const child = crew_.find(fault.process);
   if (child == nullptr) return;
@@ -94,7 +94,7 @@ std::vector<std::string> FaultInjector::struck() {
 
 void FaultInjector::tell() {
   for (std::size_t i = 0; i < plan_.all().size(); ++i) {
-    // the tick that it strikes at is not visible yet while it does
+    // the tick of the injection is not visible yet while the signal is sent
     if (told_.contains(i) || clock_.fault_tick(i) > clock_.tick() + 1) continue;
     told_.insert(i);
     show_("injected at tick " + std::to_string(clock_.fault_tick(i)) + ": " + plan_.all()[i].text);

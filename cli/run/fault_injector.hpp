@@ -14,27 +14,27 @@
 
 namespace mrroc::cli {
 
-/// Injects a run's faults, as far as the runner does it: sets off those of a tick, sends the signals of those that
-/// strike a process, and says what has been injected. Main thread; the signals are sent by the clock's.
+/// Injects a run's faults that are the runner's task: triggers those of a tick, sends the signals to processes, and
+/// reports each injected fault. Main thread; the clock's thread sends the signals.
 class FaultInjector {
  public:
-  /// Parses the faults. `show` is given the lines for the operator. References must outlive it. Throws
-  /// std::invalid_argument: a fault is wrong, names a process that is not there or on another host, or counts the steps
-  /// of one that has none.
+  /// Parses the faults. `show` displays a line to the operator. References must outlive it. Throws
+  /// std::invalid_argument when a fault is invalid, names a process that does not exist or is on another host, or
+  /// counts the steps of a process without steps.
   FaultInjector(const std::vector<std::string>& texts, const std::vector<PlannedProcess>& plan, clock::ClockHost& clock,
                 const Crew& crew, bool simulated, std::function<void(const std::string& line)> show);
 
-  /// When all processes have been started, before the clock.
+  /// Call it when all processes have been started, before the clock.
   void schedule();
-  /// Tells of those that have been set off since the last call.
+  /// Reports the faults that were triggered since the last call.
   void tell();
-  /// At the end: tells of those that never were.
+  /// At the end: reports the faults that were never triggered.
   void tell_left();
-  /// Those that a signal was sent to. In simulated time the others may have ended in consequence before anybody looks.
+  /// Processes that received a signal. In simulated time others may have ended in consequence before the next check.
   std::vector<std::string> struck();
-  /// Under the real clock: tells how long it took to see what a signal has done to this process.
+  /// Under the real clock: reports how long it took to detect the effect of a signal on this process.
   void tell_noticed(const std::string& process);
-  /// A fault has begun the end of the run: whatever a task says from now on is a consequence.
+  /// A fault has begun the end of the run: later reports of a task are consequences.
   bool ends_run() const noexcept { return clock_.stop_tick() != kNever; }
 
  private:

@@ -8,20 +8,20 @@
 
 namespace mrroc::cli {
 
-/// The last word of every process of a run, and when it was heard, s of wall time. Main thread.
+/// The last status of every process of a run, and its arrival, s of wall time. Main thread.
 class Heartbeats {
  public:
   /// `timeout`: s without a sign of life after which a process counts as silent.
   explicit Heartbeats(double timeout) : timeout_(timeout) {}
 
-  /// Those of which no status has come yet.
+  /// The processes without a status so far.
   std::vector<std::string> missing(const std::vector<std::string>& processes) const;
-  /// From now on each of them is expected to beat.
+  /// From now on each of them must send heartbeats.
   void expect(const std::vector<std::string>& processes, double now);
-  /// Takes a status; false when it is the last one again.
+  /// Takes a status; returns false when it repeats the last one.
   bool take(const links::ProcessStatus& status, double now);
   const std::map<std::string, links::ProcessStatus>& statuses() const noexcept { return statuses_; }
-  /// The first that is silent; empty: none.
+  /// The first silent process; empty when none is silent.
   std::string silent(double now) const;
 
  private:

@@ -10,9 +10,9 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;  // that robots get to stop
+constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;  // within which robots must stop
 constexpr std::int64_t kPatienceWithKilled = 3 * clock::kSecond;
-constexpr std::int64_t kPatienceWithHosts = 10 * clock::kSecond;  // longer than that of their agents
+constexpr std::int64_t kPatienceWithHosts = 10 * clock::kSecond;  // longer than the timeout of their agents
 
 void look_for_failures(Crew& crew, clock::ClockHost& clock, const EndListener& listener) {
   for (const clock::Part part : {clock::Part::drives, clock::Part::world}) {
@@ -48,8 +48,8 @@ void stop_robots(Crew& crew, clock::ClockHost& clock, const EndListener& listene
 void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndListener& listener) {
   if (started) stop_robots(crew, clock, listener);
   for (const std::string& name : crew.kill_stopped())
-    listener.message("process " + name + " does not go on, killing it");
-  // first the signal: who is still being set up must know that it is asked to end before its clock refuses it
+    listener.message("process " + name + " does not continue, killing it");
+  // first the signal: a process that is still being set up must receive the request before its clock refuses it
   crew.signal(SIGTERM);
   clock.end();
   const std::int64_t deadline =
@@ -60,19 +60,19 @@ void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndLi
   while (!crew.all_ended() && clock::monotonic_ns() < last) listener.turn();
   for (const std::string& name : crew.kill_rest())
     listener.message("process " + name + " is killed, but a debugger or the kernel holds it: not waiting for it");
-  // one that has left the clock may still fail, or have to be killed: what it records is not complete
+  // a process that has left the clock may still fail or be killed: then its records are incomplete
   if (started && clock.state() == clock::State::ended) look_for_failures(crew, clock, listener);
 }
 
 void end_in_order(RemoteHosts& hosts, const EndListener& listener) {
   const std::int64_t begin = clock::monotonic_ns();
-  // a trace takes as long as it takes
+  // no timeout: the time to write a trace is not known
   const auto patient = [&] { return clock::monotonic_ns() < std::max(begin, hosts.traced_at()) + kPatienceWithHosts; };
   while (!hosts.all_ended() && patient() && !listener.hurried()) listener.turn();
   for (const std::string& name : hosts.kill_rest())
     listener.message("host " + name + ": its agent does not end, killing the command that started it");
   while (!hosts.all_ended()) listener.turn();
-  listener.turn();  // what they wrote last
+  listener.turn();  // forwards their last output
 }
 
 }  // namespace mrroc::cli

@@ -9,24 +9,24 @@
 
 namespace mrroc::cli {
 
-/// What whoever ends a crew does meanwhile, and is told.
+/// Callbacks and options for the end of a crew.
 struct EndListener {
-  std::function<void()> turn;                             ///< waits some milliseconds, hands on what processes say
+  std::function<void()> turn;                             ///< waits some milliseconds, forwards the output of processes
   std::function<void(const std::string& line)> message;   ///< a process had to be killed
   std::function<void(const std::string& reason)> failed;  ///< a robot may not have stopped as it should
-  double end_timeout = 3;                                 ///< s for processes to end, once the robots stand
-  std::function<bool()> hurried = [] { return false; };   ///< when the robots stand nothing more is waited for
+  double end_timeout = 3;                                 ///< s for processes to end, once the robots have stopped
+  std::function<bool()> hurried = [] { return false; };   ///< true: wait for nothing once the robots have stopped
 };
 
-/// Ends every process of a crew, robots first: tasks and sensors are asked to go (SIGTERM), EDPs stop their robots,
-/// switch the drives off and leave, the simulated world goes last; then the clock ends, and who is still there is
-/// killed. An EDP, world or clock that fails meanwhile is reported, and the others do not wait for it. `started`: the
-/// clock was; before that nothing moves. Returns when all have ended, or 3 s after they have been killed: a debugger,
-/// or a driver in the kernel, can keep a killed process. Main thread.
+/// Ends every process of a crew, robots first: tasks and sensors receive SIGTERM, EDPs stop their robots, switch the
+/// drives off and leave, the simulated world ends last; then the clock ends, and remaining processes are killed. A
+/// failure of an EDP, the world or the clock meanwhile is reported, and the others do not wait for it. `started`:
+/// whether the clock was started; before that nothing moves. Returns when all have ended, or 3 s after they have been
+/// killed: a debugger, or a driver in the kernel, can keep a killed process. Main thread.
 void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndListener& listener);
 
-/// Waits until all other hosts, which have been told to stop, have ended their processes so and sent what they
-/// recorded; the commands that started agents which do not end within 10 s are killed. Main thread.
+/// Waits until all other hosts, which were instructed to stop, have ended their processes in the same order and sent
+/// their records; kills the commands of agents that do not end within 10 s. Main thread.
 void end_in_order(RemoteHosts& hosts, const EndListener& listener);
 
 }  // namespace mrroc::cli

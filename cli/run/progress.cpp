@@ -84,7 +84,7 @@ void Progress::error(const std::string& text) {
 void Progress::draw() {
   err_.flush();
   out_.flush();
-  // who does not read what is old is shown nothing new
+  // an output that has not taken older text gets no new live lines
   if (!live_ || paused_ || !out_.empty()) return;
   std::string lines = erasure();
   for (const std::string& name : names_) {

@@ -9,14 +9,14 @@
 
 namespace mrroc::cli {
 
-/// What the operator sees while a deployment runs: on a terminal one live line per process, redrawn in place; otherwise
-/// one plain line for each change of a process's state or instruction. It never waits for who reads, and an output that
-/// fails is no failure of the run. Text from elsewhere is made printable. Main thread.
+/// The display of a running deployment: on a terminal one live line per process, redrawn in place; otherwise one plain
+/// line for each change of a process's state or instruction. Output never blocks the run, and a failed output does not
+/// fail it. Text from other processes is made printable. Main thread.
 class Progress {
  public:
-  /// `quiet`: shows nothing but messages. `output`: the descriptor of all but the errors, which go to stderr.
+  /// `quiet`: shows only messages. `output`: the descriptor of all but the errors, which go to stderr.
   Progress(std::vector<std::string> processes, double servo_period, bool quiet, int output = 1);
-  /// Waits up to 2 s for what is not written yet.
+  /// Waits up to 2 s to write the remaining text.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -24,17 +24,17 @@ class Progress {
   void update(const links::ProcessStatus& status);
   /// A line of text above the live lines: output of a process, a notice. Shown even when quiet.
   void message(const std::string& text);
-  /// A line on stderr, with the live lines out of its way.
+  /// A line on stderr, with the live lines removed while it is written.
   void error(const std::string& text);
-  /// Redraws the live lines and writes what could not be written before; call it a few times per second.
+  /// Redraws the live lines and writes text that could not be written before; call it a few times per second.
   void draw();
-  /// While paused there are no live lines: what the operator types is not overwritten.
+  /// While paused there are no live lines: the operator's typed text is not overwritten.
   void pause(bool paused);
-  /// Leaves the live lines as they are and writes below from now on.
+  /// Leaves the live lines unchanged and writes below them from now on.
   void finish();
 
  private:
-  /// What takes the live lines away.
+  /// The control text that removes the live lines.
   std::string erasure();
   void print_change(const links::ProcessStatus& before, const links::ProcessStatus& now);
 

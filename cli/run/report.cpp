@@ -18,7 +18,7 @@ void add_servo(std::string& text, const links::ProcessStatus& status, bool real)
   text += "\n";
 }
 
-/// The simulator in real time: its missed ticks were simulated late.
+/// The simulator in real time: it simulated missed ticks late.
 void add_simulator(std::string& text, const links::ProcessStatus& status) {
   text += fmt::format("  {:<10} {} ticks, {} missed\n", status.process.view(), status.counters.ticks,
                       status.counters.missed_ticks);

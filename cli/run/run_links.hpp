@@ -14,11 +14,11 @@
 
 namespace mrroc::cli {
 
-/// The runner's own part in a deployment's communication: the words of its processes, the task in the MP, the operator.
-/// Main thread, but for the commands.
+/// The runner's own links of a deployment: the statuses of its processes, the task in the MP, the operator. Main
+/// thread, except the commands.
 struct RunLinks {
-  /// Opens the links when all processes have been started: they would inherit the domain's sockets. Deployment, clock
-  /// and input outlive it; `show`: a line for the operator.
+  /// Construct it when all processes have been started: they would inherit the domain's sockets. Deployment, clock
+  /// and input outlive it; `show`: displays a line to the operator.
   RunLinks(const config::Deployment& deployment, const links::DomainOptions& options, clock::Clock& clock,
            TypedLines& input, std::function<void(const std::string& line)> show);
 

@@ -25,11 +25,11 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr double kHandShake = 0.1;              // s of one try to reach the MP
+constexpr double kHandShake = 0.1;              // s of one attempt to reach the MP
 constexpr double kEndTimeoutAfterSuccess = 10;  // s: on a busy machine the kernel takes seconds to end a process
-constexpr double kPatienceWithReader = 2;       // s that a reader of the trace may take nothing when the operator waits
+constexpr double kPatienceWithReader = 2;       // s without progress of the trace's reader while the operator waits
 
-/// Those of one host; "": of this machine.
+/// The processes of one host; "": of this machine.
 std::vector<PlannedProcess> processes_on(const std::string& host, const std::vector<PlannedProcess>& plan) {
   std::vector<PlannedProcess> found;
   for (const PlannedProcess& process : plan)
@@ -37,7 +37,7 @@ std::vector<PlannedProcess> processes_on(const std::string& host, const std::vec
   return found;
 }
 
-/// The text, when the limits of this process leave room for what a run needs.
+/// The text, when the limits of this process allow what a run needs.
 const std::string& within_limits(const std::vector<PlannedProcess>& plan, const std::string& text) {
   check_limits(processes_on("", plan).size());
   return text;
@@ -72,7 +72,7 @@ Runner::~Runner() {
 process::ExitCode Runner::run() {
   check_somebody_answers(deployment_, input_.attended());
   if (const std::string warning = check_network(deployment_.network); !warning.empty()) progress_.error(warning);
-  // before anything is started: a run whose outputs are lost would be in vain
+  // before anything is started: a run without its outputs would be useless
   bool waits = false;
   Outputs outputs(options_, deployment_, plan_, [&](int milliseconds) {
     if (!std::exchange(waits, true)) progress_.message("waiting for a reader of the trace " + options_.trace.string());
@@ -87,7 +87,7 @@ process::ExitCode Runner::run() {
     if (!supervisor_.ending()) supervisor_.supervise();
   });
   end_processes();
-  // a task that has failed has written its own; here are those that died, or were ended because of it
+  // a failed task has written its own; this writes those of tasks that died or were ended because of it
   if (supervisor_.result().code == process::ExitCode::system)
     if (const std::string line = black_boxes_.save_rest(); !line.empty()) progress_.message(line);
   join_trace(outputs);
@@ -101,7 +101,7 @@ process::ExitCode Runner::run() {
 void Runner::join_trace(Outputs& outputs) {
   for (const PlannedProcess& process : plan_) {
     const Child* const child = crew_.find(process.name);
-    // a task that could not write its part has reported that last
+    // the last report of a task that could not write its part
     if (child != nullptr && child->exit_code() == static_cast<int>(process::ExitCode::system) &&
         child->last_line().starts_with(process::kTraceProblem))
       supervisor_.fail(process::ExitCode::system, child->last_line());
@@ -115,12 +115,12 @@ void Runner::join_trace(Outputs& outputs) {
     if (supervisor_.result().code == process::ExitCode::success)
       supervisor_.fail(supervisor_.hurried() ? process::ExitCode::stopped : process::ExitCode::system, error.what());
     else
-      progress_.error("mrroc: " + deployment_.name + ": " + error.what());  // no consequence of why the run has failed
+      progress_.error("mrroc: " + deployment_.name + ": " + error.what());  // not a consequence of the run's failure
   }
 }
 
 void Runner::start_processes(Outputs& outputs) {
-  // a program may lie elsewhere than the others: it finds them, and the data files, where the runner does
+  // a program in another folder finds the others and the data files where the runner does
   config::hand_down_directories();
   std::vector<PlannedProcess> order = plan_;
   std::mt19937_64 random(options_.shuffle_seed.value_or(0));

@@ -26,28 +26,28 @@
 namespace mrroc::cli {
 
 /// `mrroc run`: starts every process of a deployment, opens the clock when all are ready, starts the MP, lets the
-/// supervisor watch over them, and ends every process whatever happens. Main thread.
+/// supervisor watch them, and ends every process in every case. Main thread.
 class Runner {
  public:
-  /// Throws std::runtime_error and SystemError when the deployment cannot be started so; nothing has been started then.
+  /// Throws std::runtime_error and SystemError when the deployment cannot be started; then nothing has been started.
   Runner(const config::Deployment& deployment, RunOptions options);
   ~Runner();
-  /// The outcome of the task, whatever becomes of what is said about it.
+  /// The outcome of the task, even when its output cannot be written.
   process::ExitCode run();
 
  private:
   void start_processes(Outputs& outputs);
   void pass_barrier();
-  /// Shakes hands with the MP, and sees meanwhile who dies and what the operator wants; false when all is to end.
+  /// Connects to the MP, and watches processes and the operator meanwhile; returns false when the run must end.
   bool connect_to_mp(double deadline);
   void end_processes();
-  /// What is done when another host reports something.
+  /// Callbacks for reports of other hosts.
   HostListener host_listener(Outputs& outputs);
-  /// Writes the trace; the reason why it is not complete becomes that of the run.
+  /// Writes the trace; if it is incomplete, the reason becomes the reason of the run's failure.
   void join_trace(Outputs& outputs);
-  /// What all other hosts are told alike.
+  /// The part of the order that is the same for all other hosts.
   AgentOrder common_order() const;
-  /// The processes here, and what the other hosts wait for.
+  /// The processes here that are not ready, and those of the other hosts.
   std::vector<std::string> not_ready();
 
   config::Deployment deployment_;

@@ -21,7 +21,7 @@ std::string StallWatch::look_at_simulated_time(double now) {
     time_ = {0, now, kPatience};
     return "";
   }
-  const double stall = time_.look(clock_.delta() + clock_.tick() + 1, now);  // both only grow
+  const double stall = time_.look(clock_.delta() + clock_.tick() + 1, now);  // both only increase
   if (stall == 0) return "";
   return "nothing has happened for " + std::to_string(std::lround(stall)) + " s; clock " + clock_.describe();
 }

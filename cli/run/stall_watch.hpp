@@ -8,15 +8,15 @@
 
 namespace mrroc::cli {
 
-/// Looks whether someone computes without end, is blocked, or waits for a message that does not arrive: in simulated
-/// time all others stand still meanwhile, under the real clock its robots do. That is no error: a planner may take a
-/// minute for a step. But who it is is told. Main thread.
+/// Detects a process that computes without end, is blocked, or waits for a message that does not arrive: meanwhile all
+/// others stand still in simulated time; under the real clock its robots do. This is not an error: a planner may take a
+/// minute for a step. But the process is reported. Main thread.
 class StallWatch {
  public:
   explicit StallWatch(const clock::ClockHost& clock) : clock_(clock) {}
 
-  /// After 2 s of wall time, after 4, 8, ...: one line that says who is waited for, or which process has not waited for
-  /// anything since; otherwise empty. `now`: s of wall time. While everybody sleeps: always empty.
+  /// After 2 s of wall time, after 4, 8, ...: one line that names the process that all wait for, or the one that has
+  /// not waited since; otherwise empty. `now`: s of wall time. While all processes sleep: always empty.
   std::string look(double now);
 
  private:
@@ -27,7 +27,7 @@ class StallWatch {
     double since = 0;
     double patience = kPatience;
 
-    /// How long nothing has happened, when it is time to say so; else 0.
+    /// s without any event, when it is time to report them; else 0.
     double look(std::uint64_t present, double now);
   };
 

@@ -15,14 +15,14 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr double kPatienceWithCause = 0.5;  // s from a task's word of a loss to its cause
+constexpr double kPatienceWithCause = 0.5;  // s from a task's report of a loss to its cause
 
-/// Between machines a process that has died and a cut link look alike to its peers.
+/// Between machines, peers cannot distinguish a dead process from a cut link.
 bool tells_of_a_loss(ErrorCode code) { return code == ErrorCode::process_died || code == ErrorCode::link_lost; }
 
 }  // namespace
 
-// SIGTTOU: a terminal may be set to stop those who write to it from the background
+// SIGTTOU: a terminal may be set to stop background processes that write to it
 Supervisor::Supervisor(const Watched& watched)
     : watched_(watched),
       signals_({SIGTSTP, SIGTTOU}),
@@ -69,12 +69,12 @@ bool Supervisor::turn(int milliseconds) {
   read_signals();
   if (links_ != nullptr) read_statuses();
   watched_.faults.tell();
-  // first the causes: what the task says about a death or a lost clock is but their consequence
+  // causes first: the task's report of a death or a lost clock is only their consequence
   check_stop();
   check_children();
   if (hosts_ != nullptr) hosts_->look();
   check_clock();
-  if (task_started_ && !ending_) look_at_desk();  // what was said before the end is shown before it
+  if (task_started_ && !ending_) look_at_desk();  // messages from before the end are shown before it
   if (task_started_) read_task_status();
   watched_.progress.draw();
   return !ending_;
@@ -110,7 +110,7 @@ void Supervisor::read_statuses() {
 }
 
 void Supervisor::await_cause() {
-  // of an agent that stands still its processes leave before its silence has lasted long enough
+  // the processes of a stopped agent leave before its silence has reached the timeout
   const double silence = watched_.deployment.hosts_used().empty() ? 0 : watched_.deployment.link_timeout;
   const double deadline = watched_.wall.wall_seconds() + kPatienceWithCause + silence;
   while (!ending_ && watched_.wall.wall_seconds() < deadline) {
@@ -118,7 +118,7 @@ void Supervisor::await_cause() {
     read_signals();
     check_children();
     if (hosts_ != nullptr) hosts_->look();
-    if (task_started_ && !ending_) look_at_desk();  // an emergency stop may not wait for it
+    if (task_started_ && !ending_) look_at_desk();  // an emergency stop must not wait for it
   }
 }
 
@@ -129,7 +129,7 @@ void Supervisor::read_task_status() {
     check_children();  // a death may be why the task ends
     if (watched_.faults.ends_run()) continue;
     if (!ending_ && status.state == links::TaskState::failed && tells_of_a_loss(status.error.code)) await_cause();
-    // asked by someone else, with a signal to the MP alone: its end is that of a process
+    // the request came from elsewhere, with a signal to the MP alone: its end is the end of a process
     if (!ending_ && status.state == links::TaskState::stopped && !links_->commands.stop_sent()) await_cause();
     if (!ending_) take(status);
   }
@@ -165,7 +165,7 @@ void Supervisor::check_stop() {
 void Supervisor::check_children() {
   if (ending_) return;
   if (watched_.crew.first_lost() == nullptr) return;
-  // a second look: the cause came before what it caused, but may have been looked at too early
+  // a second check: the cause came before its effect, but the first check may have been too early
   Child* const child = watched_.crew.first_lost(watched_.faults.struck());
   const int code = child->exit_code().value_or(-1);
   const bool left =
@@ -187,7 +187,7 @@ void Supervisor::process_lost(const std::string& name, int exit_code, const std:
 }
 
 process::ExitCode Supervisor::code_of_death(int exit_code) const {
-  // a process that refuses its part of the deployment says how grave that is; later it would be missed by the others
+  // a process that rejects its part of the deployment reports the severity; later the others would miss it
   const bool refused = !task_started_ && exit_code >= static_cast<int>(process::ExitCode::task_failed) &&
                        exit_code <= static_cast<int>(process::ExitCode::hardware);
   return refused ? static_cast<process::ExitCode>(exit_code) : process::ExitCode::system;
@@ -206,7 +206,7 @@ void Supervisor::check_clock() {
 }
 
 void Supervisor::fail(process::ExitCode code, std::string reason) {
-  if (result_.code != process::ExitCode::success) return;  // it is but a consequence
+  if (result_.code != process::ExitCode::success) return;  // it is a consequence of the first failure
   watched_.faults.tell();
   ending_ = true;
   result_.code = code;

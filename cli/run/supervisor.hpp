@@ -21,7 +21,7 @@
 
 namespace mrroc::cli {
 
-/// What a supervisor watches and tells; all outlive it.
+/// The objects that a supervisor watches and reports to; all outlive it.
 struct Watched {
   const config::Deployment& deployment;
   const std::vector<PlannedProcess>& plan;
@@ -33,46 +33,46 @@ struct Watched {
   Progress& progress;
 };
 
-/// Finds the one reason why a run ends. It hears the operator's signals, the deaths and silences of processes, here and
-/// on other hosts, the clock and the task, looks for causes before their consequences, and shows the progress. Before
-/// the first turn it blocks the signals that it hears (see Signals). Main thread.
+/// Finds the one reason why a run ends. It receives the operator's signals, the deaths and silences of processes, here
+/// and on other hosts, the state of the clock and of the task, checks causes before their consequences, and shows the
+/// progress. Before the first turn it blocks the signals that it takes (see Signals). Main thread.
 class Supervisor {
  public:
-  static constexpr int kTurn = 20;  ///< ms between looks at the mail
+  static constexpr int kTurn = 20;  ///< ms between checks of the links
 
   explicit Supervisor(const Watched& watched);
 
-  /// From now on these are looked at, too; they outlive the supervisor's last turn.
+  /// From now on these are watched, too; they outlive the supervisor's last turn.
   void watch(RemoteHosts& hosts) { hosts_ = &hosts; }
   void watch(RunLinks& links) { links_ = &links; }
   /// The processes that have not reported any status yet.
   std::vector<std::string> without_status() const { return heartbeats_.missing(names_of(watched_.plan)); }
-  /// All processes are ready and the clock starts: from now on each is expected to beat.
+  /// All processes are ready and the clock starts: from now on each must send heartbeats.
   void task_starts();
   bool task_started() const noexcept { return task_started_; }
-  /// The processes begin to go: the task's length is known.
+  /// The processes begin to end: the task's length is known.
   void task_ends();
-  /// How the run has ended, with the last words of its processes.
+  /// How the run has ended, with the last statuses of its processes.
   RunResult result() const;
 
   /// One turn: waits at most `milliseconds` for signals and output; true when all is well.
   bool turn(int milliseconds);
   /// Turns until the run has to end.
   void supervise();
-  /// A turn while processes end, from which nothing may keep them.
+  /// A turn while processes end, which nothing may prevent.
   void turn_at_the_end();
-  /// Waits at most `milliseconds` for the operator's signals, when all processes have ended, and writes what is shown.
+  /// Waits at most `milliseconds` for the operator's signals, when all processes have ended, and writes the display.
   void watch_operator(int milliseconds);
-  /// Takes a step; what it throws is why the run fails.
+  /// Takes a step; its exception becomes the reason of the failure.
   void guard(const std::function<void()>& step);
 
-  /// The operator has asked for the end.
+  /// The operator has requested the end.
   bool interrupted() const noexcept { return interrupts_ > 0 || hurried_; }
-  /// The operator has asked for the end while the run was ending: nothing that only takes time is waited for.
+  /// The operator has requested the end again while the run was ending: no optional wait follows.
   bool hurried() const noexcept { return hurried_; }
-  /// The task has ended or failed: processes may go.
+  /// The task has ended or failed: processes may end.
   bool ending() const noexcept { return ending_; }
-  /// Why the run fails; a later reason is but a consequence.
+  /// Sets the reason of the failure; ignores later reasons, which are consequences.
   void fail(process::ExitCode code, std::string reason);
   /// The same when a process is lost. `exit_code` -1: a signal has ended it.
   void process_lost(const std::string& name, int exit_code, const std::string& how);
@@ -83,9 +83,9 @@ class Supervisor {
   void read_statuses();
   void read_task_status();
   void take(const links::TaskStatus& status);
-  /// The task says that a process has died or is cut off: looks for a moment which one, and why.
+  /// The task reports that a process has died or is cut off: searches briefly for the process and the cause.
   void await_cause();
-  /// Who finds the runner stopped by a signal begins the end of all, which is else the runner's to begin.
+  /// A process that finds the runner stopped by a signal begins the end; otherwise the runner does.
   void check_stop();
   void check_children();
   void check_heartbeats();

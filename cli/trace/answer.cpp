@@ -15,10 +15,10 @@ std::vector<Answer> answers(const Step& step) {
     if (!moves || to.error != ErrorClass::none || from.name != to.name) continue;
     Answer answer{from, *from.command, to};
     const RobotMemory* known = step.memory.robot(from.name);
-    // of the first state in a black box it is not known where the motion before it leads
+    // at the first state of a black box, the end of the motion before it is unknown
     if (step.before->step != 0 && (known == nullptr || !known->answered)) continue;
     const bool forced = known != nullptr && known->forced;
-    // at the first step the state is that of a query, which tells the end of all that was accepted
+    // at the first step the state answers a query and gives the end of every accepted motion
     answer.end_before = forced && step.before->step != 0 ? from.macrostep + known->steps : from.desired_tick;
     answer.after_force = forced && from.command->kind != CommandKind::force;
     answer.late = to.late > from.late;

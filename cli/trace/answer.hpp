@@ -6,28 +6,28 @@
 
 namespace mrroc::cli::trace {
 
-/// e^{i+1} of one robot beside the command and the state that it follows from.
+/// e^{i+1} of one robot with the command and the state that precede it.
 struct Answer {
   const RobotEntry& from;       ///< e^i
-  const CommandEntry& command;  ///< what was asked for
+  const CommandEntry& command;  ///< the command
   const RobotEntry& to;         ///< e^{i+1}
   /// When the macrostep before ends: the state's `desired_tick`; after a force motion the end of its macrostep, which
-  /// the state does not tell.
+  /// is not in the state.
   Tick end_before = 0;
   /// A motion after a force motion: it begins after a stop whose end is not in the trace, and may take longer.
   bool after_force = false;
-  /// The command came after the robot had begun to brake: likewise.
+  /// The command came after the robot had begun to brake: it may take longer, too.
   bool late = false;
 
   /// The robot stopped first, because the command begins later than the motion before ended.
   bool stopped_first() const noexcept { return from.moving && to.macrostep != end_before; }
   /// The desired state at the macrostep's start is that of `from`.
   bool continues() const noexcept { return !after_force && !late && !stopped_first(); }
-  /// The state is from after the macrostep, and tells of a stop instead of its end.
+  /// The state is from after the macrostep, and describes a stop instead of the macrostep's end.
   bool braked() const noexcept { return to.tick > to.macrostep + command.motion_steps && to.desired_tick > to.tick; }
 };
 
-/// One for each robot whose state in the line answers the command of the line before, without an error. None where the
+/// One for each robot whose state in the line answers the command of the line before without an error. Empty where the
 /// robots held in between, or the exchange was broken off.
 std::vector<Answer> answers(const Step& step);
 

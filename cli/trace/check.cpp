@@ -8,7 +8,7 @@ namespace mrroc::cli::trace {
 
 namespace {
 
-constexpr std::size_t kDeferred = 100;  // violations of a process that its remark may explain; more are not kept
+constexpr std::size_t kDeferred = 100;  // kept violations of a process that its remark may explain
 
 class Check {
  public:
@@ -57,7 +57,7 @@ class Check {
     settle(found, remark.process);
     if (remark.dropped != 0) {
       note(remark.number, words("process ", remark.process, " has dropped ", remark.dropped,
-                                " lines: steps that are missing are no violation"));
+                                " lines: missing steps are not a violation"));
       deferred_.erase(remark.process);
     }
     if (remark.cut != 0)
@@ -109,7 +109,7 @@ class Check {
   const std::function<void(const std::string&)>& report_;
   const Rules rules_;
   Memory memory_;
-  std::map<std::string, std::vector<Violation>> deferred_;  ///< by process: its remark tells whether they count
+  std::map<std::string, std::vector<Violation>> deferred_;  ///< by process: its remark decides whether they count
   Verdict verdict_;
 };
 

@@ -7,21 +7,21 @@
 
 namespace mrroc::cli::trace {
 
-/// What a check has come to.
+/// The result of a check.
 struct Verdict {
   std::uint64_t lines = 0;         ///< steps
   std::uint64_t instructions = 0;  ///< of all processes
   std::size_t processes = 0;       ///< that have moved or waited
-  std::size_t rules = 0;           ///< that were looked at
+  std::size_t rules = 0;           ///< that were checked
   std::uint64_t violations = 0;
-  /// What is no violation, but leaves something open: a process that was killed, lines that were dropped. With the file
+  /// Notes about a killed process or dropped lines, which are not violations but leave something open. With the file
   /// and the line.
   std::vector<std::string> notes;
 };
 
-/// Reads a trace once, line by line, and looks at every line with every rule. `report` is told each violation as soon
-/// as it is certain, as "FILE:LINE: rule: found, expected ...". Memory does not grow with the trace's length. Throws
-/// std::runtime_error when the file cannot be read or a line is not of the format.
+/// Reads a trace once, line by line, and checks every line with every rule. `report` receives each violation as soon as
+/// it is certain, as "FILE:LINE: rule: found, expected ...". Memory does not grow with the trace's length. Throws
+/// std::runtime_error when the file cannot be read or a line does not follow the format.
 Verdict check_trace(const std::filesystem::path& file, const std::function<void(const std::string&)>& report);
 
 /// Every rule with the equation it states, one per line.

@@ -21,8 +21,8 @@ PossibleValues linked(Link link, PossibleValues a, PossibleValues b) {
   return result;
 }
 
-/// A row of parts with links between them, the brackets set in every way: the values of every stretch from those of the
-/// shorter ones.
+/// A sequence of parts with operators between them, for every placement of the brackets: computes the values of every
+/// span from those of the shorter ones.
 PossibleValues bracketed(const std::vector<PossibleValues>& row, const std::vector<Link>& links) {
   const std::size_t n = row.size();
   std::vector<std::vector<PossibleValues>> stretch(n, std::vector<PossibleValues>(n, {false, false}));
@@ -41,7 +41,7 @@ PossibleValues bracketed(const std::vector<PossibleValues>& row, const std::vect
   return stretch[0][n - 1];
 }
 
-/// Reads a composed name from left to right; its parts come in their order.
+/// Reads a composed name from left to right; its parts are in order.
 class NameReader {
  public:
   NameReader(std::string_view name, const std::vector<ConditionEntry>& parts) : rest_(name), parts_(parts) {}
@@ -75,7 +75,7 @@ class NameReader {
     }
   }
 
-  /// The next part's own name comes, and not one that only begins like it.
+  /// Whether the next part's name follows, and not a longer name with the same beginning.
   bool take_part_name() {
     if (next_ == parts_.size() || !rest_.starts_with(parts_[next_].name)) return false;
     const std::string_view behind = rest_.substr(parts_[next_].name.size());

@@ -14,14 +14,14 @@ using Numbers = std::vector<double>;
 
 /// `command=` of a robot: e^{i+1}.
 struct CommandEntry {
-  CommandKind kind = CommandKind::hold;  ///< `set_tool` stands for every change of the robot itself
+  CommandKind kind = CommandKind::hold;  ///< `set_tool` represents every change of the robot itself
   bool relative = false;
   Interpolation interpolation = Interpolation::joints;
   std::uint64_t motion_steps = 0;  ///< N
   std::uint64_t reply_step = 0;    ///< v
   Tick start_tick = 0;             ///< 0: none is given
-  Numbers target;         ///< joints, shafts, pose, velocity or twist, as the kind says; of force: a twist, a wrench
-  std::string behaviour;  ///< of force: a letter per axis
+  Numbers target;  ///< joints, shafts, pose, velocity or twist, according to the kind; for force: a twist, a wrench
+  std::string behaviour;  ///< for force: a letter per axis
 };
 
 /// `robot=` and what follows it: e^i. Units and frames are those of RobotState.
@@ -34,8 +34,8 @@ struct RobotEntry {
   Numbers desired, desired_pose;  ///< poses: x, y, z, then the quaternion w, x, y, z
   bool moving = false;            ///< at `desired_tick`
   std::uint64_t late = 0;         ///< late commands since the start
-  Numbers wrench;                 ///< none where it is zero
-  double lost = 0;                ///< part of a force motion's twist, 0..1
+  Numbers wrench;                 ///< empty where it is zero
+  double lost = 0;                ///< lost fraction of a force motion's twist, 0..1
   ErrorClass error = ErrorClass::none;
   std::string error_code;  ///< in words
   std::optional<CommandEntry> command;
@@ -62,7 +62,7 @@ struct ConditionEntry {
 /// One line of a trace: a step of a Move or Wait. docs/reference/trace.md describes the fields.
 struct Line {
   std::size_t number = 0;  ///< in the file, from 1
-  bool cut = false;        ///< it was too long: what stands after `step` is not all there
+  bool cut = false;        ///< it was too long: fields after `step` are incomplete
   Tick tick = 0;
   std::string process;
   std::uint64_t instruction = 0;
@@ -78,7 +78,7 @@ struct Line {
   std::optional<Tick> skew;
 
   bool ends() const noexcept { return ending != StepEnding::none; }
-  /// The instruction was left in the middle of an exchange, perhaps: the states need not be of one step.
+  /// The instruction may have been interrupted in an exchange: the states need not be of one step.
   bool broken_off() const noexcept { return ending == StepEnding::stopped || ending == StepEnding::system_error; }
 };
 

@@ -82,7 +82,7 @@ void Memory::take(const Line& line) {
   if (begins) {
     process.last_instruction = std::max(process.last_instruction, line.instruction);
     ++instructions;
-    // one with the same robot is over, whatever the trace says
+    // an instruction with the same robot is over, even without an end in the trace
     std::erase_if(process.open, [&line](const auto& other) { return share_a_robot(line, other.second.before); });
   }
   if (!line.cut) remember_robots(line, before(line), *this, process);

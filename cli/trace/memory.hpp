@@ -8,25 +8,25 @@
 
 namespace mrroc::cli::trace {
 
-/// What is known of an instruction that continues.
+/// The record of an instruction that continues.
 struct InstructionMemory {
   Line before;                         ///< its last line
-  bool interrupted = false;            ///< lines behind `before` are missing
+  bool interrupted = false;            ///< lines after `before` are missing
   Tick skew = 0;                       ///< worst spread of the robots' macrosteps so far
-  bool skew_is_known = true;           ///< that of every step was seen
-  std::set<std::string> goes_on_with;  ///< values of the condition's parts with which it continued, as "0110"
+  bool skew_is_known = true;           ///< the skew of every step was seen
+  std::set<std::string> goes_on_with;  ///< values of the condition's parts at which it continued, as "0110"
 };
 
-/// What is known of a process.
+/// The record of a process.
 struct ProcessMemory {
   std::uint64_t lines = 0;
   std::size_t last_line = 0;           ///< number in the file
   std::uint64_t last_instruction = 0;  ///< greatest that has begun
   Tick newest = 0;                     ///< greatest tick of a line
   std::map<std::uint64_t, InstructionMemory> open;
-  std::map<std::string, RobotEntry> robots;    ///< as last seen, without the command
-  std::map<std::string, SensorEntry> sensors;  ///< as last seen
-  bool ended = false;                          ///< its remark was there
+  std::map<std::string, RobotEntry> robots;    ///< last state, without the command
+  std::map<std::string, SensorEntry> sensors;  ///< last reading
+  bool ended = false;                          ///< its remark was read
 };
 
 /// The last command of a process to a robot.
@@ -35,15 +35,15 @@ struct Commanded {
   Tick tick = 0;
 };
 
-/// What is known of a robot, whoever commands it.
+/// The record of a robot, for all processes that command it.
 struct RobotMemory {
-  bool answered = false;    ///< what the last state answers is known
+  bool answered = false;    ///< the command of the last state is known
   bool forced = false;      ///< the last command that it answered was a force motion: its end is not in the state
   std::uint64_t steps = 0;  ///< N of that command
   std::map<std::string, Commanded> by;  ///< by process
 };
 
-/// All that is remembered of the lines so far: bounded by processes, robots and sensors, not by the trace's length.
+/// The record of all lines so far: bounded by processes, robots and sensors, not by the trace's length.
 struct Memory {
   bool simulated = true;
   bool black_box = false;  ///< the trace begins in the middle of its process's run
@@ -54,7 +54,7 @@ struct Memory {
   std::map<std::string, ProcessMemory> processes;
   std::map<std::string, RobotMemory> robots;
 
-  /// Null when there is none.
+  /// Null when there is no such process.
   const ProcessMemory* process(const std::string& name) const;
   const RobotMemory* robot(const std::string& name) const;
   /// The step before `line`, when it was in the trace; else null.

@@ -8,7 +8,7 @@ namespace mrroc::cli::trace {
 
 namespace {
 
-constexpr double kUnitLength = 1e-6;  // by which a quaternion's length may be off
+constexpr double kUnitLength = 1e-6;  // tolerance of a quaternion's length
 
 template <class Value, std::size_t N>
 using Words = std::array<std::pair<std::string_view, Value>, N>;

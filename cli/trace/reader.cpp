@@ -38,7 +38,7 @@ Reader::Reader(std::filesystem::path file) : path_(std::move(file)), file_(path_
   if (black_box_) clock.resize(clock.size() - process::kBlackBoxMark.size());
   simulated_ = clock != "real";
   if (clock != "real" && clock != "paced" && clock != "lockstep")
-    throw std::runtime_error(path_.string() + ":1: is no trace, expected the line \"" + std::string{kTraceHeader} +
+    throw std::runtime_error(path_.string() + ":1: is not a trace, expected the line \"" + std::string{kTraceHeader} +
                              "...\", the clock real, paced or lockstep");
 }
 
@@ -49,7 +49,7 @@ bool Reader::read() {
   }
   ++number_;
   try {
-    // the writer's own bound on the length is judged below
+    // the writer's own bound on the length is checked below
     constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
     const std::string_view content = core::content_of_line(text_, static_cast<int>(number_), kAnyLength);
     text_ = std::string(content.substr(0, content.find_last_not_of(" \t") + 1));

@@ -9,16 +9,16 @@ namespace mrroc::cli::trace {
 
 struct Rule;
 
-/// A place where a rule does not hold.
+/// A violation of a rule.
 struct Violation {
   const Rule* rule = nullptr;
   std::size_t line = 0;  ///< number in the file
   std::string found, expected;
-  /// It may be that lines were dropped there, which is no violation under the real clock: the process's remark tells.
+  /// Lines may have been dropped there, which is allowed under the real clock: the process's remark decides.
   bool may_be_dropped = false;
 };
 
-/// Where a rule puts what it finds.
+/// The collector of a rule's findings.
 class Findings {
  public:
   Findings(const Rule& rule, std::size_t line, std::vector<Violation>& violations)
@@ -27,7 +27,7 @@ class Findings {
   void add(std::string found, std::string expected) {
     violations_.push_back({&rule_, line_, std::move(found), std::move(expected), false});
   }
-  /// What lines that are missing would explain.
+  /// Adds a finding that missing lines would explain.
   void add_unless_dropped(std::string found, std::string expected) {
     violations_.push_back({&rule_, line_, std::move(found), std::move(expected), true});
   }
@@ -38,7 +38,7 @@ class Findings {
   std::vector<Violation>& violations_;
 };
 
-/// One line and what was there before it.
+/// One line and the record of the lines before it.
 struct Step {
   const Line& line;
   const Line* before;                    ///< of the step before; null at the first one, or where lines are missing
@@ -50,20 +50,20 @@ struct Step {
   bool begins() const noexcept { return instruction == nullptr; }
 };
 
-/// One law that every trace keeps. Rules are independent of each other and remember nothing.
+/// One law that every trace satisfies. Rules are independent of each other and have no state.
 struct Rule {
   const char* name;
-  const char* equation;  ///< of the paper, or the part of the design, that it states
+  const char* equation;  ///< the equation of the paper, or the part of the design, that it states
   const char* says;
-  /// Looks at a line. Null: the rule is about remarks.
+  /// Checks a line. Null: the rule is about remarks.
   void (*check)(const Step& step, Findings& findings);
-  /// Looks at a process's remark. Null: the rule is about lines.
+  /// Checks a process's remark. Null: the rule is about lines.
   void (*check_end)(const Remark& remark, const Memory& memory, Findings& findings) = nullptr;
 };
 
 using Rules = std::vector<Rule>;
 
-/// All of them, in the order in which they are listed and looked at.
+/// All of them, in the order in which they are listed and checked.
 Rules all_rules();
 
 // the parts of the list

@@ -1,5 +1,4 @@
-// That e^{i+1} is the answer to the command of step i, in time: a macrostep of N ticks of which the state is that of
-// tick v.
+// Checks that e^{i+1} answers the command of step i in time: a macrostep of N ticks whose state is that of tick v.
 #include <algorithm>
 
 #include "cli/trace/answer.hpp"
@@ -11,7 +10,7 @@ namespace {
 
 /// The process had nothing else to wait for between the newest tick of the line and its commands.
 bool sent_at_once(const Step& step) {
-  if (step.memory.black_box) return false;  // it may have an instruction under way of which no line has come yet
+  if (step.memory.black_box) return false;  // it may have an instruction in progress without a line so far
   const std::vector<SensorEntry>& sensors = step.before->sensors;
   return step.process->open.size() == 1 && std::all_of(sensors.begin(), sensors.end(), [](const SensorEntry& sensor) {
            return sensor.mode == SensorMode::published;
@@ -25,7 +24,7 @@ void macrostep_start(const Step& step, Findings& findings) {
     const std::string found = words("macrostep=", start, " of robot ", answer.to.name);
     if (start < earliest) findings.add(found, words("at least ", earliest));
     if (start <= earliest || answer.late || answer.after_force) continue;
-    // a moving robot cannot begin later, it would have braked; what is held may
+    // a moving robot cannot begin later, because it would have braked; a held robot may
     if (answer.from.moving && answer.command.kind != CommandKind::hold && earliest == answer.end_before)
       findings.add(found, words(earliest, ", where the motion before ends"));
     const Tick sent = step.before->tick;
@@ -46,7 +45,7 @@ void reply_tick(const Step& step, Findings& findings) {
       continue;
     }
     const Tick due = answer.to.macrostep + command.reply_step;
-    const bool after = command.reply_step > command.motion_steps;  // however long the macrostep has become
+    const bool after = command.reply_step > command.motion_steps;  // regardless of the length of the macrostep
     if (answer.to.tick < due) findings.add(found, words(due, ", tick ", command.reply_step, " of the macrostep"));
     if (answer.to.tick > due && step.simulated() && !after)
       findings.add(found, words(due, ", tick ", command.reply_step, " of the macrostep"));
@@ -62,7 +61,7 @@ void macrostep_end(const Step& step, Findings& findings) {
     const CommandEntry& command = answer.command;
     const Tick end = answer.to.macrostep + command.motion_steps;
     const std::string found = words("desired_tick=", answer.to.desired_tick, " of robot ", answer.to.name);
-    if (answer.to.tick > end) {  // the state is from after it: of rest, or of a stop
+    if (answer.to.tick > end) {  // the state is from after the end: at rest, or in a stop
       if (answer.to.moving)
         findings.add(words("robot ", answer.to.name, " moves after its macrostep"), "rest, or a stop");
       continue;
@@ -89,7 +88,7 @@ void rest_before_resume(const Step& step, Findings& findings) {
   for (const RobotEntry& robot : line.robots)
     if (robot.moving)
       findings.add(words("robot ", robot.name, " still moves"),
-                   words("rest before the motion goes on after a ", late ? "late command" : "pause"));
+                   words("rest before the motion continues after a ", late ? "late command" : "pause"));
 }
 
 /// Every hold takes at least a tick, after the macrostep of the command before it.

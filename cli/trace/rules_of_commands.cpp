@@ -1,4 +1,4 @@
-// What is commanded, and that e^{i+1} is where the command leads: f_e* of equation (5), e^{i+1} = e^i of (3).
+// Checks the commands, and that e^{i+1} is where the command leads: f_e* of equation (5), e^{i+1} = e^i of (3).
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@ namespace mrroc::cli::trace {
 
 namespace {
 
-/// rad or m. Joints that are commanded in joint space are met exactly; those at the end of a path in task space, and
-/// poses, as exactly as the inverse kinematics is.
+/// rad or m. Joints commanded in joint space are met exactly; those at the end of a path in task space, and poses, as
+/// exactly as the inverse kinematics allows.
 constexpr double kOfPath = 1e-6;
 
 void wait_holds(const Step& step, Findings& findings) {

@@ -17,7 +17,7 @@ void common_start(const Step& step, Findings& findings) {
   }
 }
 
-/// Robots that are instructed to begin on one tick do so.
+/// Checks that robots with one start tick begin on it.
 void no_skew(const Step& step, Findings& findings) {
   if (!step.simulated() || step.line.robots.size() < 2) return;
   const std::vector<Answer> found = answers(step);

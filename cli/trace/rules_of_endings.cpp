@@ -1,5 +1,5 @@
-// The cases of equations (3) and (5): an instruction continues with a command, or ends by f_I or f_T, by f_E, or
-// because someone wants it to.
+// The cases of equations (3) and (5): an instruction continues with a command, or ends by f_I or f_T, by f_E, or on
+// request.
 #include "cli/trace/condition_value.hpp"
 #include "cli/trace/rule.hpp"
 #include "cli/trace/words.hpp"
@@ -25,9 +25,10 @@ void condition_decides(const Step& step, Findings& findings) {
   if (line.ending == StepEnding::condition) {
     if (value.is_false()) findings.add(words("end=condition, ", parts), "an end when it holds");
     if (step.instruction != nullptr && step.instruction->goes_on_with.contains(key_of(line.conditions)))
-      findings.add(words("end=condition, ", parts), "no end: it went on with the same values before");
+      findings.add(words("end=condition, ", parts), "no end: it continued with the same values before");
   } else if (value.is_true()) {
-    findings.add(words("it ", line.ends() ? "does not end by its condition" : "goes on", ", ", parts), "end=condition");
+    findings.add(words("it ", line.ends() ? "does not end by its condition" : "continues", ", ", parts),
+                 "end=condition");
   }
 }
 
@@ -51,10 +52,10 @@ void error_decides(const Step& step, Findings& findings) {
   };
   for (const RobotEntry& robot : step.line.robots) look(robot.error, robot.name);
   for (const SensorEntry& sensor : step.line.sensors) look(sensor.error, sensor.name);
-  // an instruction that is broken off ends by what it did not expect
+  // an instruction that is broken off ends by an unexpected event
   if (gravest != ErrorClass::none && !step.line.broken_off() && step.line.ending != ending_of(gravest))
     findings.add(words("an error of ", who, ", and the instruction does not end by it"),
-                 "end= with the class of the gravest error");
+                 "end= with the class of the most severe error");
 }
 
 void skew(const Step& step, Findings& findings) {
@@ -65,7 +66,7 @@ void skew(const Step& step, Findings& findings) {
     return;
   }
   if (!shown || line.broken_off() || (step.before == nullptr && !step.begins())) return;
-  // that of a step after which the robots held was measured on states that are not in the trace
+  // the skew of a step followed by a hold was measured on states that are not in the trace
   const bool seen = step.before != nullptr && line.held == 0;
   const Tick known = std::max(step.instruction == nullptr ? 0 : step.instruction->skew, seen ? spread(line) : 0);
   const bool all_known = (step.instruction == nullptr || step.instruction->skew_is_known) &&
@@ -78,13 +79,13 @@ void skew(const Step& step, Findings& findings) {
 }  // namespace
 
 Rules rules_of_endings() {
-  return {
-      {"end-or-command", "(3) (5)", "every robot is commanded at a step, none at the end", end_or_command},
-      {"condition-decides", "(3) f_I, (5) f_T", "it ends by its condition when that holds, and only then",
-       condition_decides},
-      {"wait-has-no-generator", "(3) f_I", "a Wait does not end by a generator", wait_ends_by_condition},
-      {"error-decides", "(3) (5) f_E", "it ends by the gravest error that a robot or sensor reports", error_decides},
-      {"skew", "coordination", "skew= is the worst spread of the robots' macrosteps", skew}};
+  return {{"end-or-command", "(3) (5)", "every robot is commanded at a step, none at the end", end_or_command},
+          {"condition-decides", "(3) f_I, (5) f_T", "it ends by its condition when that holds, and only then",
+           condition_decides},
+          {"wait-has-no-generator", "(3) f_I", "a Wait does not end by a generator", wait_ends_by_condition},
+          {"error-decides", "(3) (5) f_E", "it ends by the most severe error that a robot or sensor reports",
+           error_decides},
+          {"skew", "coordination", "skew= is the worst spread of the robots' macrosteps", skew}};
 }
 
 }  // namespace mrroc::cli::trace

@@ -14,9 +14,9 @@ std::uint64_t last_instruction(const Step& step) {
 
 void instruction_count(const Step& step, Findings& findings) {
   const std::uint64_t last = last_instruction(step);
-  if (step.memory.black_box) return;  // those between may have ended before it begins
+  if (step.memory.black_box) return;  // instructions between may have ended before it begins
   if (!step.begins() || step.line.instruction == last + 1) return;
-  if (step.line.instruction <= last) return;  // nothing-after-end tells
+  if (step.line.instruction <= last) return;  // nothing-after-end reports it
   findings.add_unless_dropped(words("instruction ", step.line.instruction), words("instruction ", last + 1));
 }
 
@@ -29,7 +29,7 @@ void step_count(const Step& step, Findings& findings) {
   const Line& before = step.instruction->before;
   const bool same = step.line.step == before.step && step.line.broken_off();
   if (step.line.step == before.step + 1 || same) return;
-  // lines that are missing leave a gap; nothing explains a step that comes again
+  // lines that are missing leave a gap; a repeated step is always a violation
   const std::string found = words("step ", step.line.step), expected = words("step ", before.step + 1);
   if (step.line.step > before.step)
     findings.add_unless_dropped(found, expected);
@@ -75,7 +75,7 @@ bool same_names(const std::vector<ConditionEntry>& a, const std::vector<Conditio
   return all_same(a, b, [](const ConditionEntry& x, const ConditionEntry& y) { return x.name == y.name; });
 }
 
-/// At an end at which the parts of the condition are not evaluated they are not in the line.
+/// The parts of the condition are not in the line of an end that does not evaluate them.
 bool shows_conditions(const Line& line) {
   return !line.ends() || line.ending == StepEnding::condition || line.ending == StepEnding::generator;
 }
@@ -127,7 +127,7 @@ void all_end(const Remark& remark, const Memory& memory, Findings& findings) {
   const ProcessMemory* process = memory.process(remark.process);
   if (process == nullptr) return;
   if (process->ended) findings.add(words("a second remark of process ", remark.process), "one");
-  if (memory.black_box) return;  // others continue, side by side, when an error ends one
+  if (memory.black_box) return;  // other instructions continue in parallel when an error ends one
   for (const auto& [number, open] : process->open)
     findings.add_unless_dropped(words("instruction ", number, " stops at line ", open.before.number, " without end="),
                                 "an end: the process was not killed");
@@ -145,7 +145,7 @@ Rules rules_of_instructions() {
           {"step-count", "(3) (5): i = i0, ..., im", "an instruction's steps are 0, 1, 2, ...", step_count},
           {"one-form", "(3) (5)", "an instruction's lines have one name, one condition, one list of robots and sensors",
            one_form},
-          {"lists", "(3) (5)", "a robot or sensor stands once in a line, a robot in one instruction at a time", lists},
+          {"lists", "(3) (5)", "a robot or sensor is once in a line, a robot in one instruction at a time", lists},
           {"nothing-after-end", "(3) (5): i <= im", "nothing follows an instruction's end", nothing_after_end},
           {"all-end", "(3) (5): im", "every instruction of a process that was not killed ends", nullptr, all_end},
           {"remark-is-last", "trace", "nothing of a process follows its remark", nothing_after_remark}};

@@ -1,4 +1,4 @@
-// The file itself: which lines there are, in which order.
+// The file itself: its lines and their order.
 #include <algorithm>
 #include <tuple>
 
@@ -23,7 +23,7 @@ void line_tick(const Step& step, Findings& findings) {
   if (step.line.tick != newest) findings.add(words("tick=", step.line.tick), words(newest, ", the newest in the line"));
 }
 
-/// Ticks and counts of the robots of one process only grow.
+/// Ticks and counts of the robots of one process never decrease.
 void ticks_go_on(const Step& step, Findings& findings) {
   if (step.process == nullptr) return;
   for (const RobotEntry& robot : step.line.robots) {
@@ -39,7 +39,7 @@ void ticks_go_on(const Step& step, Findings& findings) {
   }
 }
 
-/// The reading of this sensor that the instruction had before; of its first step, that the process had.
+/// The instruction's previous reading of this sensor; at its first step, the process's.
 const SensorEntry* reading_before(const Step& step, const std::string& sensor) {
   if (step.instruction != nullptr) {
     for (const SensorEntry& entry : step.instruction->before.sensors)
@@ -51,7 +51,7 @@ const SensorEntry* reading_before(const Step& step, const std::string& sensor) {
   return known == step.process->sensors.end() ? nullptr : &known->second;
 }
 
-/// By instruction: of two that continue side by side one may hold an older reading, which is not yet due again.
+/// Per instruction: one of two parallel instructions may hold an older reading, which is not yet due again.
 void readings_go_on(const Step& step, Findings& findings) {
   for (const SensorEntry& sensor : step.line.sensors) {
     const SensorEntry* before = reading_before(step, sensor.name);

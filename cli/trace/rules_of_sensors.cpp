@@ -1,4 +1,4 @@
-// v^i: when a reading is renewed, and of which tick it is.
+// v^i: when a reading is renewed, and its tick.
 #include <algorithm>
 #include <bit>
 
@@ -32,7 +32,7 @@ void sensor_period(const Step& step, Findings& findings) {
   }
 }
 
-/// The tick that an interactive reading was asked for.
+/// The tick for which an interactive reading was requested.
 void sensor_tick(const Step& step, Findings& findings) {
   const Line& line = step.line;
   if (!step.simulated() || line.broken_off()) return;

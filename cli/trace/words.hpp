@@ -7,7 +7,7 @@
 
 namespace mrroc::cli::trace {
 
-/// Its arguments in a row, as a stream writes them; numbers with all their digits.
+/// Concatenates its arguments, as a stream writes them; numbers with all their digits.
 template <class... Parts>
 std::string words(const Parts&... parts) {
   std::ostringstream text;

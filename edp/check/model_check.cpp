@@ -16,11 +16,11 @@ constexpr std::uint64_t kModelSeed = 1;
 constexpr int kModelPostures = 200;
 constexpr int kSteps = 32;              // of a motor over its range
 constexpr int kTriesForALimit = 20000;  // random postures until a joint limit counts as out of reach
-constexpr double kReturn = 1e-6;        // of a position there and back, relative to it where it is above 1
+constexpr double kReturn = 1e-6;        // of a position converted there and back, relative to it where it is above 1
 
 std::string axis_text(const AxisParameters& axis) { return "axis " + config::in_quotes(axis.name); }
 
-/// The first of `values` that is not that of `expected`; -1: all are.
+/// Index of the first of `values` that differs from `expected`; -1: all are equal.
 Eigen::Index first_change(const JointVector& values, const JointVector& expected) {
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     // written so that a value that is not a number differs

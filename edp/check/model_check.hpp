@@ -5,13 +5,13 @@
 
 namespace mrroc::edp {
 
-/// Refuses a parameter file whose numbers are each in range but do not go together. For every robot, before anything
-/// moves; `file` is the parameter file of `models`. Throws ConfigurationError with its line, the key, the values.
+/// Rejects a parameter file whose numbers are each in range but inconsistent. For every robot, before anything moves;
+/// `file` is the parameter file of `models`. Throws ConfigurationError with its line, the key, the values.
 ///
 /// - Home: its motors are within their limits, and every model has joints for them.
-/// - Every motor alone, from home to its limits (a whole turn of the joint where it has none): joints belong to it, and
-///   they give the motors back.
-/// - 200 random postures within the limits, the same ones every time: the motors found for them give the joints back.
+/// - Every motor alone, from home to its limits (a whole turn of the joint where it has none), has joint positions that
+///   convert back to the motor positions.
+/// - 200 random postures within the limits, the same in every run: their motor positions convert back to the joints.
 /// - In all of these the transmission d motors / d joints can be inverted and turns no axis the other way than at home:
 ///   no dead centre is within the limits.
 /// - Every joint limit is within the motors' limits in some posture.

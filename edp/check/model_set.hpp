@@ -8,7 +8,7 @@
 
 namespace mrroc::edp {
 
-/// The models of one robot by their place in its list, and the one of a robot that is not synchronised.
+/// The models of one robot by their index in its list, and the model of a robot that is not synchronised.
 class ModelSet {
  public:
   static constexpr std::uint8_t kShafts = 255;

@@ -13,10 +13,10 @@ namespace mrroc::edp {
 /// Evenly distributed within the joint limits; where a joint has none, from -pi to pi, where it has one, 2 pi from it.
 JointVector random_joints(const RobotModel& model, std::mt19937_64& random);
 
-/// Whether the motors bring the robot there within their limits. Joint limits are not looked at.
+/// Whether the motors bring the robot there within their limits. Joint limits are not checked.
 bool within_motor_limits(const RobotModel& model, const JointVector& joints);
 
-/// Home, then random postures within joint and motor limits: `count` of them, or fewer of a robot that has hardly any.
+/// Home, then random postures within joint and motor limits: `count` of them, or fewer of a robot with hardly any.
 /// The same ones for the same seed.
 std::vector<JointVector> postures(const RobotModel& model, int count, std::uint64_t seed);
 

@@ -31,7 +31,7 @@ class Reader {
     config::read_xml(file_, "a URDF", document_);
     const XMLElement* robot = document_.RootElement();
     if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
-      throw ConfigurationError(file_, robot == nullptr ? 1 : robot->GetLineNum(), "", "is no URDF", "<robot>");
+      throw ConfigurationError(file_, robot == nullptr ? 1 : robot->GetLineNum(), "", "is not a URDF", "<robot>");
     }
     refuse_macros(*robot);
     return *robot;
@@ -49,7 +49,7 @@ class Reader {
     return *found;
   }
 
-  /// All numbers of an attribute, in any locale; `fallback` when it is left out.
+  /// All numbers of an attribute, in any locale; `fallback` when it is missing.
   template <int size>
   Eigen::Matrix<double, size, 1> numbers(const XMLElement& element, const char* name,
                                          const Eigen::Matrix<double, size, 1>& fallback) const {
@@ -97,7 +97,7 @@ class Reader {
  private:
   static constexpr const char* kExpanded = "the URDF that the command xacro makes of this file";
 
-  /// A file for xacro, which has not been expanded, is XML, but not yet a URDF.
+  /// Rejects a xacro file that has not been expanded: it is XML, but not yet a URDF.
   void refuse_macros(const XMLElement& robot) const {
     for (auto* each = robot.FirstChildElement(); each != nullptr; each = each->NextSiblingElement()) {
       if (std::string_view(each->Name()).starts_with("xacro:")) fail(*each, "", "is an element of xacro", kExpanded);
@@ -129,7 +129,7 @@ Eigen::Vector3d read_axis(const Reader& reader, const XMLElement& element) {
   return axis.normalized();
 }
 
-/// The range of a joint that turns without end means nothing.
+/// The range of a continuous joint has no meaning.
 void read_limit(const Reader& reader, const XMLElement& element, Urdf::Joint& joint) {
   if (joint.type != Urdf::Type::continuous) {
     joint.lower = reader.number(element, "lower").value_or(0);
@@ -139,7 +139,7 @@ void read_limit(const Reader& reader, const XMLElement& element, Urdf::Joint& jo
   joint.velocity = reader.required(element, "velocity");
 }
 
-/// What only a joint that moves has. Defaults and what is required: http://wiki.ros.org/urdf/XML/joint.
+/// The elements that only a moving joint has. Defaults and what is required: http://wiki.ros.org/urdf/XML/joint.
 void read_motion(const Reader& reader, const XMLElement& element, Urdf::Joint& joint) {
   if (const XMLElement* axis = element.FirstChildElement("axis")) joint.axis = read_axis(reader, *axis);
   const XMLElement* limit = element.FirstChildElement("limit");
@@ -177,7 +177,7 @@ Urdf Urdf::load(const std::filesystem::path& file) {
   for (auto* link = robot.FirstChildElement("link"); link != nullptr; link = link->NextSiblingElement("link")) {
     const std::string name = reader.text(*link, "name");
     if (!urdf.links_.emplace(name, link->GetLineNum()).second) {
-      reader.fail(*link, "name", in_quotes(name) + " is the name of an earlier link", "a name of its own");
+      reader.fail(*link, "name", in_quotes(name) + " is the name of an earlier link", "a unique name");
     }
   }
   if (urdf.links_.empty()) reader.fail(robot, "", "no <link>", "links");
@@ -190,7 +190,7 @@ Urdf Urdf::load(const std::filesystem::path& file) {
       }
     }
     if (urdf.joint(joint.name) != nullptr) {
-      reader.fail(*element, "name", in_quotes(joint.name) + " is the name of an earlier joint", "a name of its own");
+      reader.fail(*element, "name", in_quotes(joint.name) + " is the name of an earlier joint", "a unique name");
     }
     if (urdf.joint_above(joint.child) != nullptr) {
       reader.fail(*element, "name=" + in_quotes(joint.name), "link " + in_quotes(joint.child) + " has two parents",
@@ -198,7 +198,7 @@ Urdf Urdf::load(const std::filesystem::path& file) {
     }
     urdf.joints_.push_back(std::move(joint));
   }
-  // every link has one parent at most: with one joint less than links and a way up from each, it is a tree
+  // every link has one parent at most: with one joint less than links and a path to the root from each, it is a tree
   for (const auto& [name, line] : urdf.links_) {
     std::size_t steps = 0;
     for (const Joint* up = urdf.joint_above(name); up != nullptr; up = urdf.joint_above(up->parent)) {
@@ -243,7 +243,7 @@ double Urdf::position(const Joint& joint, const Positions& positions) const {
     const auto followed = positions.find(joint.mimic->joint);
     if (followed != positions.end()) return joint.mimic->multiplier * followed->second + joint.mimic->offset;
   }
-  throw ConfigurationError(file_, joint.line, "joint " + in_quotes(joint.name), "nothing says where it is",
+  throw ConfigurationError(file_, joint.line, "joint " + in_quotes(joint.name), "its position is not determined",
                            "an axis of the robot, a joint that follows one, or a fixed one");
 }
 

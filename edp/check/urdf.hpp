@@ -10,7 +10,7 @@
 
 namespace mrroc::edp {
 
-/// The kinematics of a URDF: links and joints, where they are and how they move. Masses and shapes are passed over.
+/// The kinematics of a URDF: links and joints, their positions and motions. Masses and shapes are ignored.
 /// Configuration time only.
 class Urdf {
  public:
@@ -34,11 +34,11 @@ class Urdf {
   using Positions = std::map<std::string, double>;
 
   /// Reads a file. Defaults are those of the specification (http://wiki.ros.org/urdf/XML/joint): origin identity, axis
-  /// 1 0 0, lower and upper limit 0, multiplier 1, offset 0. What the type of a joint makes meaningless is not read:
-  /// axis, limit, dynamics and mimic of a fixed joint, the range of a continuous one. Elements that the specification
-  /// does not have are passed over. Throws ConfigurationError with file and line: what `read_xml` refuses, no
+  /// 1 0 0, lower and upper limit 0, multiplier 1, offset 0. Elements without meaning for the type of a joint are not
+  /// read: axis, limit, dynamics and mimic of a fixed joint, the range of a continuous one. Elements that the
+  /// specification does not have are ignored. Throws ConfigurationError with file and line: what `read_xml` refuses, no
   /// `<robot>`, xacro that is not expanded, a name twice, a joint of another type, a joint that moves without effort
-  /// and velocity, a link that a joint names and the file has not, links that are no tree, numbers that core::to_finite
+  /// and velocity, a joint's link that is not in the file, links that are not a tree, numbers that core::to_finite
   /// refuses.
   static Urdf load(const std::filesystem::path& file);
 
@@ -46,11 +46,11 @@ class Urdf {
   bool has_link(const std::string& name) const { return links_.contains(name); }
   /// Line of a link's element.
   int line_of_link(const std::string& name) const { return links_.at(name); }
-  /// Null when there is none.
+  /// Null when it does not exist.
   const Joint* joint(const std::string& name) const;
   /// The joint that carries a link; null for the root.
   const Joint* joint_above(const std::string& link) const;
-  /// Pose of a link of this file in the root link's frame. Throws ConfigurationError when a joint on the way there
+  /// Pose of a link of this file in the root link's frame. Throws ConfigurationError when a joint on the path
   /// moves and is neither in `positions` nor follows one that is.
   Pose pose(const std::string& link, const Positions& positions) const;
 

@@ -112,7 +112,7 @@ ErrorReport Effector::take_outputs(const Signals& outputs) noexcept {
   return make_report(ErrorClass::non_fatal, ErrorCode::busy, "outputs that the servo has not taken yet");
 }
 
-/// The answer to a motion or change that is not possible; with it an interruption is told.
+/// The answer to a motion or change that is not possible; it also reports an interruption.
 ErrorReport Effector::refuse(const RobotCommand& command) noexcept {
   const ErrorReport error = refusal(command);
   if (bad(error)) interruptions_told_ = snapshot_->interruptions;
@@ -181,8 +181,8 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   return {};
 }
 
-/// Beside a servo with a thread of its own a resting robot begins a tick later than planned when that tick began
-/// meanwhile; and so does what follows at once.
+/// When the servo has its own thread, a resting robot begins a tick later than planned when that tick has begun
+/// meanwhile; the motions that follow at once are also a tick later.
 void Effector::begun(Outstanding& entry, Tick start) noexcept {
   if (start <= entry.start) return;
   const Tick delay = start - entry.start, end = entry.end;
@@ -201,7 +201,7 @@ bool Effector::poll_recovery(Reply& reply) noexcept {
   refresh();
   if (!recovery_.under_way || snapshot_ == nullptr || snapshot_->orders == recovery_.orders) return false;
   recovery_.under_way = false;
-  answer(recovery_.number, {}, reply);  // a fault that came back is in it
+  answer(recovery_.number, {}, reply);  // it contains a fault that has returned
   return true;
 }
 
@@ -217,7 +217,7 @@ bool Effector::poll(Reply& reply) noexcept {
     if (entry != nullptr && kind == Report::Kind::refused) {
       ErrorReport error = refuse(entry->command);
       if (!bad(error) && snapshot_->interruptions != entry->interruptions)
-        error = snapshot_->interruption;  // told to the command before, which its sender had not heard of
+        error = snapshot_->interruption;  // reported to the previous command; its sender had not received it
       if (!bad(error)) error = hand_over(*entry);
       answered = bad(error);
       if (answered) {

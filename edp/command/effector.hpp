@@ -12,7 +12,7 @@
 
 namespace mrroc::edp {
 
-/// Whether a command changes the robot instead of moving it. Unknown kinds do: they are refused as such.
+/// Whether a command changes the robot instead of moving it. Unknown kinds do, and are refused.
 constexpr bool is_change(CommandKind kind) noexcept { return kind >= CommandKind::set_tool; }
 
 /// The answer to one command.
@@ -21,55 +21,55 @@ struct Reply {
   RobotState state;
 };
 
-/// The comms side of one robot, without any transport: takes commands, hands macrosteps to the servo, gives replies.
+/// The comms side of one robot, without any transport: takes commands, passes macrosteps to the servo, gives replies.
 /// Every command is answered exactly once: by `accept` at once (queries and errors) or by `poll` at its tick v.
 ///
 /// A command is planned from the desired state at the end of all that was accepted before. One may run and one may wait
 /// for it (pipelining); a third is refused with `busy`. A start tick after the end of a motion that does not end at
 /// rest lets the robot stop first.
 ///
-/// Late: a command is late when the robot has begun to brake for want of it, that is when it was computed from a state
+/// Late: a command is late when the robot has begun to brake without it, that is when it was computed from a state
 /// before the braking. It is counted, planned from the end of the stop, and takes longer instead of being refused where
-/// the limits demand it. A reply that reports the stop ends this: what comes after it knows.
+/// the limits demand it. A reply that reports the stop ends this: later commands are computed from the stop.
 ///
-/// What follows a force motion, other than its continuation, waits for the stop after it and is planned then.
+/// A command after a force motion, other than its continuation, waits for the stop after it and is planned then.
 ///
-/// An interrupted motion is answered with the servo's error, at once if its reply is still due; else the next command
-/// is: it was computed by someone who does not know.
+/// An interrupted motion is answered with the servo's error, at once if its reply is still due; otherwise the next
+/// command is, because its sender computed it without that error.
 ///
 /// After a fault or `enable(false)` motions are refused, and every reply carries a latched fault as a hardware error,
 /// until `enable(true)` or a `recover` command. A robot that is not synchronised takes relative motor motion, hold and
 /// `synchronise`; its joints are then the shafts.
 ///
 /// `set_tool` is answered at once, `use_model` when the servo has changed, `synchronise` when it is done, `recover`
-/// when the drives are on or the fault has come back. The first three want a motion that ends at rest, and come after
+/// when the drives are on or the fault has come back. The first three require a motion that ends at rest, and follow
 /// it.
 ///
-/// One thread (any, but always the same one); allocates nothing but in the constructor, never throws, never waits.
+/// One thread (any, but always the same one); allocates only in the constructor, never throws, never waits.
 class Effector {
  public:
   /// `period` in s. `models` must outlive it. Throws SystemError when an axis has no acceleration or jerk limit.
   Effector(const ModelSet& models, double period, HandOver& hand_over);
 
-  /// The robot has a force sensor, whose frame lies at `mount` in the flange frame. Before the first command.
+  /// The robot has a force sensor, whose frame is at `mount` in the flange frame. Before the first command.
   void use_force_sensor(const Pose& mount) noexcept { mount_ = mount; }
 
   /// Takes command number `number` (the caller's, for the reply). True: `reply` is the answer; false: `poll` will give
   /// it. Call `poll` until false before; in lockstep, both after the servo's tick.
   bool accept(const RobotCommand& command, std::uint64_t number, Reply& reply) noexcept;
 
-  /// The next reply that may leave; false when there is none. Call until false whenever the servo's tick returned true.
+  /// The next reply that is due; false when no reply is due. Call until false whenever the servo's tick returned true.
   bool poll(Reply& reply) noexcept;
 
   /// Switches the drives on (clearing a fault that is over) or stops the robot and switches them off, from the servo's
   /// next tick on.
   void enable(bool on) noexcept;
 
-  /// The state as a query would report it, for telemetry; false before the servo's first tick. Does not count as told.
+  /// The state as a query would report it, for telemetry; false before the servo's first tick. Reports nothing.
   bool peek(RobotState& state) noexcept;
 
   const CommandCounters& counters() const noexcept { return counters_; }
-  /// What the servo has published last; null before its first tick. Valid until the next call of this object.
+  /// The last snapshot of the servo; null before its first tick. Valid until the next call of this object.
   const Snapshot* snapshot() noexcept {
     refresh();
     return snapshot_;
@@ -80,12 +80,12 @@ class Effector {
     bool used = false;
     bool replied = false;
     bool late = false;
-    bool after_force = false;         ///< planned from a stop that its sender did not know of
-    std::uint32_t interruptions = 0;  ///< of which its sender knew
+    bool after_force = false;         ///< planned from a stop of which its sender had no report
+    std::uint32_t interruptions = 0;  ///< reported to its sender
     std::uint64_t ticket = 0;
     std::uint64_t number = 0;
     RobotCommand command;
-    Tick start = 0, end = 0;  ///< of its macrostep as planned, or as the servo has told
+    Tick start = 0, end = 0;  ///< of its macrostep as planned, or as the servo reported
   };
 
   void refresh() noexcept;
@@ -103,7 +103,7 @@ class Effector {
   void fill_present(RobotState& state) const noexcept;
   void answer(std::uint64_t number, const ErrorReport& error, Reply& reply) noexcept;
 
-  /// A `recover` command that has no answer yet.
+  /// A `recover` command without an answer so far.
   struct Recovery {
     bool under_way = false;
     std::uint64_t number = 0;
@@ -124,7 +124,7 @@ class Effector {
   Tick end_tick_ = 0;     ///< when
   bool holding_ = false;  ///< the last accepted macrostep is a hold: it may end before the stop does
   bool forced_ = false;   ///< the last accepted motion of this epoch is one of force: `end_` is not known
-  bool untold_ = false;   ///< the robot has braked and no reply has said so yet
+  bool untold_ = false;   ///< the robot has braked and no reply has reported it yet
   std::array<Outstanding, 2> outstanding_{};
   std::uint64_t last_ticket_ = 0;
   Tick macrostep_start_ = 0;  ///< of the last one that was answered

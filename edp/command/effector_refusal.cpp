@@ -1,4 +1,4 @@
-// What may be asked of the robot as it is now.
+// Checks whether the robot can execute a command in its present state.
 #include <algorithm>
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 namespace mrroc::edp {
 
-/// What a force macrostep follows.
+/// The target of a force macrostep.
 struct ForceTarget {
   ForceLaw law;
   Twist velocity = Twist::Zero();  ///< in tool axes

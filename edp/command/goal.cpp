@@ -16,7 +16,7 @@ ErrorReport refuse(ErrorCode code, const char* text) noexcept {
   return make_report(ErrorClass::non_fatal, code, "%s", text);
 }
 
-/// An empty vector stands for "not given".
+/// An empty vector means "not given".
 ErrorReport check_vector(const JointVector& vector, const char* name, Eigen::Index count, bool may_be_empty) noexcept {
   if (vector.size() != count && !(may_be_empty && vector.size() == 0))
     return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "%s has %d values, expected %d", name,
@@ -95,7 +95,7 @@ ErrorReport read_pose(const RobotCommand& command, const DesiredState& from, con
   if (!is_rigid(command.pose)) return refuse(ErrorCode::invalid_argument, "the pose's orientation is not a rotation");
   goal.tool.pose = command.relative ? Pose(kinematics.direct(from.position) * command.pose) : command.pose;
   goal.joints = DesiredState::resting_at(from.position);
-  // a way of the tool keeps its branch, one of the joints or motors may end on another one
+  // a path of the tool keeps its branch, a path of joints or motors may end on another one
   const ErrorCode code = command.interpolation == Interpolation::task
                              ? kinematics.follow(goal.tool.pose, from.position, goal.joints.position)
                              : kinematics.inverse(goal.tool.pose, from.position, goal.joints.position);
@@ -121,7 +121,7 @@ ErrorReport read_goal(const RobotCommand& command, const DesiredState& from, con
     case CommandKind::motor: {
       JointVector shafts;
       if (const ErrorCode code = model.joints_to_motors(from.position, shafts); code != ErrorCode::none)
-        return refuse(code, "the robot stands where its transmission cannot reach");
+        return refuse(code, "the robot is at a position that its transmission cannot reach");
       if (const ErrorReport report = read_axes(command, shafts, goal); bad(report)) return report;
       if (const ErrorReport report = shafts_to_joints(model, period, goal.joints); bad(report)) return report;
       break;

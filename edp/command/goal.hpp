@@ -8,19 +8,19 @@
 
 namespace mrroc::edp {
 
-/// What a command asks for at the end of its macrostep, whatever way leads there.
+/// The goal of a command at the end of its macrostep, for every kind of path.
 struct Goal {
   DesiredState joints;              ///< for velocity commands: `velocity` alone
   MovingPose tool;                  ///< the same of the tool, where `wants_tool`
-  bool wants_tool = false;          ///< the way is one of the tool
+  bool wants_tool = false;          ///< the path is planned for the tool
   bool wants_velocity = false;      ///< a velocity alone, no position
   bool acceleration_given = false;  ///< else it is the mean acceleration of the macrostep
 };
 
 /// Reads `command`, validating every value of it; `from` is the desired state that increments start from, `duration`
 /// that of the macrostep, s, `period` the servo's. A pose is turned into joints on the branch next to `from`, or,
-/// where that one passes a limit and the way is not one of the tool, into the nearest posture within the limits; a
-/// twist into joint velocities (least squares, least norm where the robot is redundant). Class `none`, or a non-fatal
+/// where that one passes a limit and the path is not planned for the tool, into the nearest posture within the limits;
+/// a twist into joint velocities (least squares, least norm where the robot is redundant). Class `none`, or a non-fatal
 /// error. Allocates nothing, never throws. For commands of motion only.
 ErrorReport read_goal(const RobotCommand& command, const DesiredState& from, const ToolKinematics& kinematics,
                       double duration, double period, Goal& goal) noexcept;

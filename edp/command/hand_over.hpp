@@ -7,7 +7,7 @@
 
 namespace mrroc::edp {
 
-/// What the operator's side asks of the drives.
+/// An order of the comms side to the drives.
 enum class DriveOrder : std::uint8_t {
   none,
   enable,
@@ -15,7 +15,7 @@ enum class DriveOrder : std::uint8_t {
   recover  ///< clear what the drives have latched, then enable
 };
 
-/// What became of one ticket; exactly one per accepted command, unless it is `refused` and handed over again.
+/// The outcome of one ticket; exactly one per accepted command, unless it is `refused` and handed over again.
 struct Report {
   enum class Kind : std::uint8_t {
     reply,    ///< tick v has come: the reply may leave
@@ -28,7 +28,7 @@ struct Report {
   Snapshot snapshot;  ///< of the tick in which it happened
 };
 
-/// All that the comms thread and the servo thread share. Lock-free: neither side ever waits for the other.
+/// The data that the comms thread and the servo thread share. Lock-free: neither side ever waits for the other.
 struct HandOver {
   core::SpscQueue<Macrostep, 4> macrosteps;         ///< comms -> servo: two commands, each with a stop before it
   core::SpscQueue<Report, 8> reports;               ///< servo -> comms: at most two tickets are out at a time

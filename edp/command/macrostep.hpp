@@ -7,22 +7,22 @@
 
 namespace mrroc::edp {
 
-/// One accepted macrostep, ready for the servo: everything in it has been checked. Its tick 0 is the boundary with what
-/// came before (the set-point there is `from`); its set-points are those of ticks 1..steps, the last one is exactly
+/// One accepted macrostep, ready for the servo: all its values have been checked. Its tick 0 is the boundary with the
+/// motion before (the set-point there is `from`); its set-points are those of ticks 1..steps, the last one is exactly
 /// `to`.
 struct Macrostep {
   enum class Kind : std::uint8_t {
     path,        ///< along `path`
     force,       ///< `force`, tick by tick: `from` and `to` are not known
     unplanned,   ///< follows a force motion: the servo stops and gives it back, to be planned from there
-    stop,        ///< the robot's Stop from `from`, as far as it comes, then rest
+    stop,        ///< the robot's Stop from `from`, as far as it gets, then rest
     model,       ///< at rest: from its start on the servo uses model `choice`
     regulators,  ///< at rest: from its start on the regulators are those of set `choice`
-    bias,        ///< at rest: what the force sensor reads is zero
+    bias,        ///< at rest: the present reading of the force sensor becomes zero
     synchronise  ///< as long as it takes; then with the robot's first model
   };
   Kind kind = Kind::path;
-  std::uint64_t ticket = 0;      ///< names the command in reports; 0: no one asked for it, no reply
+  std::uint64_t ticket = 0;      ///< names the command in reports; 0: not commanded, no reply
   std::uint32_t epoch = 0;       ///< the servo's plan that it continues; refused when the servo has left that plan
   Tick start = 0;                ///< tick 0; a resting robot may begin later, a moving one may not
   std::uint32_t steps = 1;       ///< N
@@ -31,7 +31,7 @@ struct Macrostep {
   DesiredState to;
   Path path;
   ForceTarget force;
-  std::uint8_t choice = 0;  ///< place in the ModelSet or among the regulator sets
+  std::uint8_t choice = 0;  ///< index in the ModelSet or of the regulator set
   bool with_outputs = false;
   Signals outputs;  ///< from its start on, where `with_outputs`
 };

@@ -10,7 +10,7 @@
 
 namespace mrroc::edp {
 
-/// The way of the set-point inside a macrostep of duration D, always as joints. It is planned in one of four spaces:
+/// The path of the set-point inside a macrostep of duration D, always as joints. It is planned in one of four spaces:
 ///
 /// - joints: a `Quintic` of the joints.
 /// - motors: a `Quintic` m(t) of the shafts; q(t) is its transmission backwards.
@@ -31,7 +31,7 @@ class Path {
   /// Codes of `joints_to_motors`.
   ErrorCode plan_motors(const RobotModel& model, const DesiredState& from, const DesiredState& to, double duration,
                         double period) noexcept;
-  /// From where `from` has the tool to `to`. `invalid_argument` when the tool would turn by more than kTurnMax.
+  /// From the tool's pose at `from` to `to`. `invalid_argument` when the tool would turn by more than kTurnMax.
   ErrorCode plan_task(const ToolKinematics& kinematics, const DesiredState& from, const MovingPose& to, double duration,
                       double period) noexcept;
   void plan_velocity(const RobotParameters& parameters, const DesiredState& from, const JointVector& velocity) noexcept;
@@ -41,11 +41,11 @@ class Path {
   const Quintic& quintic() const noexcept { return quintic_; }
 
   /// State t seconds after the start. `near` are the joints one tick earlier: they choose the branch of the inverse
-  /// kinematics. `none`, or why no joints belong to that point (then `state` is undefined).
+  /// kinematics. `none`, or the reason why the point has no joint positions (then `state` is undefined).
   ErrorCode at(double t, const JointVector& near, DesiredState& state) const noexcept;
 
   static constexpr double kDifference = 0.25;  // of a servo period
-  static constexpr double kTurnMax = 3.0;      // rad; at pi the way around is not unique
+  static constexpr double kTurnMax = 3.0;      // rad; at pi the direction of rotation is not unique
 
  private:
   ErrorCode joints_at(double t, const JointVector& near, JointVector& joints) const noexcept;

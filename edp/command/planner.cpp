@@ -33,7 +33,7 @@ ErrorReport Planner::plan(const RobotCommand& command, const DesiredState& from,
                        int{command.reply_step}, steps + 1);
   if (command.kind == CommandKind::hold) {
     plan_stop(from, command.motion_steps, macrostep);
-    // other robots of the same Move continue: they cannot wait for the end of a long stop, unless that is asked for
+    // other robots of the same Move continue: they cannot wait for the end of a long stop, unless requested
     if (command.reply_step <= steps) cut_stop(command.motion_steps, macrostep);
   } else if (command.kind == CommandKind::force) {
     if (const ErrorReport report = check_force_law(command.force, command.twist); bad(report)) return report;
@@ -88,7 +88,7 @@ ErrorReport Planner::plan_path(Interpolation interpolation, Macrostep& macrostep
     path.at(duration, macrostep.from.position, macrostep.to);
     return check(macrostep);
   }
-  // a macrostep that ends in motion and does not say how continues accelerating as it did on average
+  // a macrostep that ends in motion without a given acceleration ends with its mean acceleration
   if (!goal_.acceleration_given && !(macrostep.to.velocity.array() == 0.0).all())
     macrostep.to.acceleration = (macrostep.to.velocity - macrostep.from.velocity) / duration;
   ErrorCode code = ErrorCode::none;
@@ -131,10 +131,10 @@ ErrorReport Planner::stretch(Interpolation interpolation, ErrorReport report, Ma
     }
     macrostep.steps = commanded;
     while (bad(report = plan_path(interpolation, macrostep))) {
-      // what a longer duration cannot heal; the mean acceleration it can
+      // a longer duration corrects only the mean acceleration
       const ErrorReport end = limits_.check_end(macrostep.from, macrostep.to, macrostep.steps);
       if (bad(end) && end.code != ErrorCode::acceleration_limit) break;
-      // a longer run-up swings farther out, a longer way to rest does not
+      // a longer run-up swings farther out, a longer path to rest does not
       if (!at_rest && (report.code == ErrorCode::joint_limit || report.code == ErrorCode::motor_limit ||
                        report.code == ErrorCode::limit_switch))
         break;

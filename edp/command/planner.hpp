@@ -10,40 +10,40 @@
 
 namespace mrroc::edp {
 
-/// What to do with a macrostep that is too fast.
+/// The treatment of a macrostep that is too fast.
 enum class Pace {
   as_commanded,  ///< refuse it
-  stretched      ///< let it take longer: the command was planned from a state that is gone
+  stretched      ///< let it take longer: the command was planned from an outdated state
 };
 
-/// Turns a command into a macrostep, or says why it cannot: everything is validated here, before acceptance. Increments
+/// Turns a command into a macrostep, or reports why it cannot: all is validated here, before acceptance. Increments
 /// (`relative`) are on the desired state `from`, for joints, motors and poses alike, so that they never add up an
 /// error.
 ///
 /// Pace::stretched lets the duration grow, by a quarter at a time and to at most 4 kMaxMotionSteps, until the limits
 /// hold; when the run-up to an end velocity does not fit, the macrostep ends at rest instead.
 ///
-/// Allocates nothing but in its constructor, never throws; the comms thread.
+/// Allocates only in its constructor, never throws; the comms thread.
 class Planner {
  public:
   /// Throws SystemError when an axis has no acceleration or jerk limit.
   Planner(const RobotModel& model, double period);
-  /// From now on with this model and tool of the same robot; the model must outlive this object.
+  /// Switches to this model and tool of the same robot; the model must outlive this object.
   void use(const ToolKinematics& kinematics) noexcept;
   const ToolKinematics& kinematics() const noexcept { return kinematics_; }
-  /// The limit switches on which the axes stand: they may only move away from there.
+  /// The limit switches on which the axes are: they may only move away from there.
   void stand_on(const LimitSwitches& switches) noexcept { limits_.stand_on(switches); }
 
-  /// Fills kind, steps, reply_step, from, to and path of `macrostep`; the rest is the caller's. Class `none`, or a
-  /// non-fatal error, which leaves `macrostep` undefined. Not for queries. Of a force motion only the values are looked
-  /// at: where it leads no one knows.
+  /// Fills kind, steps, reply_step, from, to and path of `macrostep`; the caller fills the rest. Class `none`, or a
+  /// non-fatal error, which leaves `macrostep` undefined. Not for queries. Of a force motion only the values are
+  /// checked: its end is unknown.
   ErrorReport plan(const RobotCommand& command, const DesiredState& from, Pace pace, Macrostep& macrostep) noexcept;
 
-  /// The stop from `from`, lasting at least `steps` ticks.
+  /// Plans the stop from `from`, lasting at least `steps` ticks.
   void plan_stop(const DesiredState& from, std::uint32_t steps, Macrostep& macrostep) noexcept;
 
  private:
-  /// Ends the stop just planned after `steps` ticks, be it in motion.
+  /// Ends the stop just planned after `steps` ticks, even in motion.
   void cut_stop(std::uint32_t steps, Macrostep& macrostep) const noexcept;
   ErrorReport check(const Macrostep& macrostep) noexcept;
   ErrorReport plan_path(Interpolation interpolation, Macrostep& macrostep) noexcept;

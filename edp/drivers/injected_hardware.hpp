@@ -9,11 +9,11 @@
 
 namespace mrroc::edp {
 
-/// Drives with injected faults: what the real driver reads and writes, falsified while a fault is in force. Above it
-/// nothing knows. Its position in the servo tick makes it keep the tick's rules.
+/// Drives with injected faults: falsifies the values that the real driver reads and writes while a fault is in force.
+/// The layers above cannot detect it. It runs in the servo tick and follows its rules.
 class InjectedHardware final : public Hardware {
  public:
-  /// `parameters` must outlive it. Throws NonFatalError(invalid_argument): a fault of an axis that the robot has not.
+  /// `parameters` must outlive it. Throws NonFatalError(invalid_argument): a fault of a missing axis.
   InjectedHardware(std::unique_ptr<Hardware> hardware, std::vector<faults::FaultSwitch> faults,
                    const RobotParameters& parameters);
 

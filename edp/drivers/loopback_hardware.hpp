@@ -7,16 +7,16 @@
 
 namespace mrroc::edp {
 
-/// Drives that are a plant model of their own: per motor, with J the rotor's inertia, b the viscous friction and k_t
+/// Drives with their own plant model: per motor, with J the rotor's inertia, b the viscous friction and k_t
 /// the torque constant, J dw/dt = k_t i - b w. Within one servo period the current is constant and the solution exact:
 ///   w' = w_e + (w - w_e) g,  angle' = angle + w_e T + (w - w_e) (1 - g) J/b,  w_e = k_t i / b,  g = exp(-b T / J).
-/// Positions are what `Encoders` make of the shafts. The robot starts at `home`; disabled, the brakes hold it where it
-/// is. It lags and overshoots as a drive does: measured is never simply commanded.
+/// `Encoders` computes positions from the shafts. The robot starts at `home`; disabled, the brakes hold it where it is.
+/// It lags and overshoots as a drive does: the measured position is not simply the commanded one.
 ///
-/// Its terminals are wired back: input i, digital or analogue, is what output i was a tick before; inputs that are
+/// Its terminals are wired back: input i, digital or analogue, is output i of the tick before; inputs that are
 /// closed circuits at the start (`close`) are on until outputs are set for the first time.
 ///
-/// Loads couple nothing here: use the simulator for gravity and contact. Deterministic.
+/// There is no coupling by loads: use the simulator for gravity and contact. Deterministic.
 class LoopbackHardware : public Hardware {
  public:
   /// `period` in s. Throws SystemError when an axis has no inertia, friction or encoder, or `home` cannot be reached.

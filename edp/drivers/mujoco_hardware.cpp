@@ -7,7 +7,7 @@ namespace mrroc::edp {
 
 namespace {
 
-constexpr double kDifferenceTime = 1e-4;  // s: far above rounding, far below what the transmission's curvature shows
+constexpr double kDifferenceTime = 1e-4;  // s: far above rounding, short enough to neglect the transmission's curvature
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 

@@ -8,9 +8,9 @@
 
 namespace mrroc::edp {
 
-/// The drives of a robot in the simulated world. MuJoCo knows the links only; the motors are here, seen from the joints
-/// through the transmission m(q), G = dm/dq (J, b: diagonal rotor inertias and viscous frictions, k_t: torque
-/// constants, i: currents):
+/// The drives of a robot in the simulated world. MuJoCo simulates the links only; the motors are simulated here, seen
+/// from the joints through the transmission m(q), G = dm/dq (J, b: diagonal rotor inertias and viscous frictions, k_t:
+/// torque constants, i: currents):
 ///
 ///   tau = G^T k_t i,   B = G^T J G,   D = G^T b G,   c = G^T J (dG/dt) dq/dt,
 ///
@@ -19,29 +19,29 @@ namespace mrroc::edp {
 ///
 /// The controller's terminals are wired to the world by name (`sim::Terminals`).
 ///
-/// Positions are what `Encoders` make of the shafts. Currents follow the regulator at once, cut at current_max.
+/// `Encoders` computes positions from the shafts. Currents follow the regulator at once, cut at current_max.
 /// Disabled, the brakes hold.
 class MujocoHardware : public Hardware {
  public:
   enum class Timing {
-    lockstep,  ///< the clock sees to it that the world has reached the servo's tick
+    lockstep,  ///< the clock ensures that the world has reached the servo's tick
     real,      ///< `read` waits for the world, as a fieldbus master does for its slaves
-    newest     ///< `read` takes what was measured last, whatever its tick: a drive that is asked by its bus
+    newest     ///< `read` takes the newest measurement of any tick: a drive that its bus polls
   };
 
-  /// Robot slot `slot` of `memory`; both references must outlive this object. `patience`: how long `read` waits, s.
+  /// Robot slot `slot` of `memory`; both references must outlive this object. `patience`: timeout of `read`, s.
   MujocoHardware(const RobotModel& model, world::WorldMemory& memory, std::size_t slot, Timing timing,
                  bool synchronised = true, double patience = world::kPatienceWithWorld);
 
-  /// The world is there before the first tick: the start-up barrier waits for it.
+  /// The world is ready before the first tick: the start-up barrier waits for it.
   void open() override {}
   /// The world brakes or releases with the next `write`.
   void enable(bool on) noexcept override { enabled_ = on; }
   /// The world waits for the drives of every tick.
   bool waits() const noexcept override { return true; }
   bool follows_current() const noexcept override { return true; }
-  /// Fault `hardware_silent`: the world has not reached the tick (then the last known motors are given); in real time
-  /// it is not waited for again before it has continued. `drive_fault`: the joints are where the transmission cannot
+  /// Fault `hardware_silent`: the world has not reached the tick (then the last motor positions are returned); in real
+  /// time there is no further wait before it has continued. `drive_fault`: the joints are where the transmission cannot
   /// reach.
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
@@ -58,7 +58,7 @@ class MujocoHardware : public Hardware {
   std::int64_t patience_ns_;
   Encoders encoders_;
   bool enabled_ = false;
-  bool silent_ = false;    ///< waited for in vain
+  bool silent_ = false;    ///< the last wait timed out
   Tick silent_since_ = 0;  ///< the world's tick then
   Signals outputs_;
   JointVector shafts_, current_;   ///< as last known, as last commanded

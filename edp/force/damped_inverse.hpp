@@ -30,7 +30,7 @@ double speed_of(const Twist& twist) noexcept;
 ///   e = kLostPart max_i s_i,
 ///
 /// every direction with s_i >= e is followed exactly: when all are, the result is that of `joint_velocity_of`, bit for
-/// bit. Of the others the part (s_i / e)^2 is followed, so no direction asks for more joint speed than at s_i = e, and
+/// bit. Of the others the part (s_i / e)^2 is followed, so no direction requires more joint speed than at s_i = e, and
 /// none at the singularity itself:
 ///
 ///   dq/dt = sum_i min(1, (s_i / e)^2) w_i u_i^T W twist.

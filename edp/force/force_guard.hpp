@@ -7,15 +7,15 @@
 
 namespace mrroc::edp {
 
-/// Watches the wrench that a robot meets. A robot that has been stopped by it stands in contact and has to come out of
-/// it: what it met then is allowed from there on, plus a tenth, and shrinks with the force, down to the limit. So it
-/// may go back, and goes no farther in. Allocates nothing, never throws.
+/// Watches the contact wrench of a robot. A robot that it has stopped is in contact and must be able to leave it: from
+/// then on the wrench at the stop plus a tenth is allowed, and this bound shrinks with the force, down to the limit. So
+/// the robot may go back, but not farther in. Allocates nothing, never throws.
 class ForceGuard {
  public:
   explicit ForceGuard(const ForceLimits& limits) noexcept : limits_(limits), allowed_(limits) {}
 
-  /// Takes the wrench of a tick. `moving`: the robot follows a plan; else it rests, or stops already, and whatever it
-  /// meets is allowed. The axis (0..5) that is beyond what is allowed, -1: none. NaN is beyond.
+  /// Takes the wrench of a tick. `moving`: the robot follows a plan; else it rests or is stopping, and every wrench is
+  /// allowed. Returns the axis (0..5) beyond its bound, or -1. NaN is beyond.
   int look(const Wrench& wrench, bool moving) noexcept {
     int beyond = -1;
     for (int i = 5; i >= 0; --i) {

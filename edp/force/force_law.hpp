@@ -14,7 +14,7 @@ ErrorReport check_force_law(const ForceLaw& law, const Twist& velocity) noexcept
 Twist follow_force(const ForceLaw& law, const Twist& velocity, const Wrench& measured, const Twist& previous,
                    double dt) noexcept;
 
-/// The same wrench for a frame that lies at `frame` in the present one: its axes, about its origin.
+/// The same wrench for a frame that is at `frame` in the present one: its axes, about its origin.
 Wrench seen_from(const Pose& frame, const Wrench& wrench) noexcept;
 
 }  // namespace mrroc::edp

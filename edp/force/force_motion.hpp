@@ -7,10 +7,10 @@
 namespace mrroc::edp {
 
 /// The set-points of a force motion, one by one: the twist of the law at the tool's desired pose
-/// (edp/force/force_law.hpp), the joint velocities that belong to it (`damped_joint_velocity`: what is out of the
-/// robot's reach is left out, what a singularity takes is given up), scaled down together until none is above kFraction
-/// of its limit, followed as fast as acceleration and jerk limits allow (`follow_velocity`). A set-point is given only
-/// if a stop from it stays inside the limits.
+/// (edp/force/force_law.hpp), the joint velocities that belong to it (`damped_joint_velocity`: without parts that are
+/// out of the robot's reach or lost in a singularity), scaled down together until none is above kFraction of its limit,
+/// followed as fast as acceleration and jerk limits allow (`follow_velocity`). A set-point is given only if a stop from
+/// it stays inside the limits.
 ///
 /// Lost is the part of the law's twist that the robot does not follow beside a singularity, be it out of its reach,
 /// scaled down or damped:

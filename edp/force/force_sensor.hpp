@@ -5,11 +5,11 @@
 
 namespace mrroc::edp {
 
-/// A wrench as the EDP takes it in a tick.
+/// The wrench that the EDP uses in a tick.
 struct WrenchReading {
   ErrorCode error = ErrorCode::sensor_not_ready;  ///< none, sensor_not_ready, sensor_out_of_range, sensor_hardware
-  /// That the environment exerts on the tool: axes and origin of the sensor frame, N and N m. As well as it is known
-  /// where it is out of range; zero where there is none.
+  /// That the environment exerts on the tool: axes and origin of the sensor frame, N and N m. An estimate when it is
+  /// out of range; zero without a reading.
   Wrench wrench = Wrench::Zero();
 };
 
@@ -20,10 +20,10 @@ class ForceSensor {
   virtual ~ForceSensor() = default;
   /// The sensor frame in the robot's flange frame.
   virtual const Pose& mount() const noexcept = 0;
-  /// The reading of `tick`, the flange being at `flange` in the base frame; null: not known, the robot is not
+  /// The reading of `tick`, the flange being at `flange` in the base frame; null: unknown, the robot is not
   /// synchronised.
   virtual WrenchReading read(Tick tick, const Pose* flange) noexcept = 0;
-  /// What was read last is zero from now on; an out-of-range reading changes nothing.
+  /// The last reading becomes zero; an out-of-range reading changes nothing.
   virtual void bias() noexcept = 0;
 };
 

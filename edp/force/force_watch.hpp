@@ -8,18 +8,18 @@
 
 namespace mrroc::edp {
 
-/// The force sensor of one robot, if it has one, and what its readings mean for a motion. The servo's thread; allocates
-/// nothing, never throws.
+/// The force sensor of one robot, if it has one, and the effect of its readings on a motion. The servo's thread;
+/// allocates nothing, never throws.
 class ForceWatch {
  public:
-  /// What the robot does in the tick that is looked at.
+  /// The state of the robot in the present tick.
   enum class Doing : std::uint8_t {
-    resting,    ///< or stopping already: whatever it meets is allowed
+    resting,    ///< or stopping: every wrench is allowed
     moving,     ///< along a path
     following,  ///< the force
   };
 
-  /// From now on there is `sensor`, which must outlive this object.
+  /// Sets the sensor, which must outlive this object.
   void use(ForceSensor& sensor, const ForceLimits& limits) noexcept;
   bool present() const noexcept { return sensor_ != nullptr; }
   /// The sensor frame in the flange frame. Only where a sensor is present, as the following ones.
@@ -27,7 +27,7 @@ class ForceWatch {
 
   /// Takes the reading of `tick`; `flange` as in ForceSensor::read.
   void read(Tick tick, const Pose* flange) noexcept;
-  /// What was read is zero from now on, this very tick included.
+  /// The present reading becomes zero, including in this tick.
   void bias() noexcept;
   /// As read last: in the axes of the sensor frame, about its origin.
   const Wrench& wrench() const noexcept { return reading_.wrench; }

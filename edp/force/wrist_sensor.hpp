@@ -10,7 +10,7 @@ namespace mrroc::edp {
 
 /// The force/torque sensor of a robot's wrist, read by its EDP: the same raw readings and the same aggregating function
 /// as in the sensor's VSP (sensors/force_torque), but with the flange pose of the present tick for the tool's weight
-/// and with a zero of its own. Where the reading is out of range the wrench is the raw one.
+/// and with its own zero. Where the reading is out of range the wrench is the raw one.
 class WristSensor final : public ForceSensor {
  public:
   /// Throws ConfigurationError, SystemError(configuration) as the VSP does.

@@ -7,7 +7,7 @@ namespace mrroc::edp {
 JointVector joint_velocity_of(const ToolKinematics& kinematics, const JointVector& joints,
                               const Twist& twist) noexcept {
   Jacobian jacobian = kinematics.jacobian(joints);
-  // a joint that the inverse keeps would else be moved by the velocities alone
+  // otherwise the velocities alone would move a joint that the inverse keeps
   if (const int kept = kinematics.model().kept_joint(); kept >= 0) jacobian.col(kept).setZero();
   return Eigen::CompleteOrthogonalDecomposition<Jacobian>(jacobian).solve(twist);
 }

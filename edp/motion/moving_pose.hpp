@@ -14,8 +14,8 @@ MovingPose tool_motion(const ToolKinematics& kinematics, const DesiredState& joi
 JointVector joint_velocity_of(const ToolKinematics& kinematics, const JointVector& joints, const Twist& twist) noexcept;
 
 /// The joints' velocity and acceleration that give the tool this motion at `joints`: that of `joint_velocity_of` and
-/// its derivative in time, the central difference over +-`dt` s. Returns what of the twist is out of reach, as the norm
-/// of the residual.
+/// its derivative in time, the central difference over +-`dt` s. Returns the part of the twist that is out of reach, as
+/// the norm of the residual.
 double joint_motion(const ToolKinematics& kinematics, const JointVector& joints, const MovingPose& tool, double dt,
                     JointVector& velocity, JointVector& acceleration) noexcept;
 

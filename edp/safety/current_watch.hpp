@@ -8,7 +8,7 @@
 namespace mrroc::edp {
 
 /// Watches the measured currents: none may stay at its axis's current_max or beyond for longer than current_max_time.
-/// A drive at its limit moves against more than it can bear; what it can take for a moment heats it forever. The
+/// A drive at its limit moves against too large a load; a current that is safe for a moment overheats it later. The
 /// servo's thread; allocates nothing, never throws.
 class CurrentWatch {
  public:
@@ -17,8 +17,8 @@ class CurrentWatch {
 
   /// The drives have been switched on.
   void reset() noexcept { ticks_.fill(0); }
-  /// Takes the currents (A) measured after another `ticks` ticks. The first axis that has been at its limit for too
-  /// long, -1: none.
+  /// Takes the currents (A) measured after another `ticks` ticks. Returns the first axis that has been at its limit for
+  /// too long, or -1.
   int look(const JointVector& current, Tick ticks) noexcept {
     int beyond = -1;
     for (std::size_t i = parameters_->axes.size(); i-- > 0;) {

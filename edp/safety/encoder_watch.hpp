@@ -7,18 +7,18 @@
 
 namespace mrroc::edp {
 
-/// Watches the encoders: a reading that is not finite, or that lies farther from the last good one than the shaft can
-/// have come since, is not true. A shaft turns at most kMargin times as fast as the joints' velocity limits let it turn
-/// at home: the ratios of a transmission differ elsewhere, and what pushes a robot may push it fast.
+/// Watches the encoders: a reading is invalid when it is not finite or farther from the last good one than the shaft
+/// can have moved since. A shaft turns at most kMargin times as fast as the joints' velocity limits let it turn at
+/// home: the ratios of a transmission differ elsewhere, and an external push may be fast.
 ///
-/// After a jump no more time is given: the drives are off and the shaft stands, so the reading has to come back to
-/// where it was, or the position is lost. The servo's thread; allocates nothing, never throws.
+/// After a jump the allowed distance does not grow: the drives are off and the shaft is at rest, so the reading must
+/// return to the old position, or the position is lost. The servo's thread; allocates nothing, never throws.
 class EncoderWatch {
  public:
   static constexpr double kMargin = 6;
 
   struct Finding {
-    int axis = -1;         ///< -1: the readings may be true
+    int axis = -1;         ///< -1: the readings are plausible
     FaultDetail detail{};  ///< how far from the last good reading and how far at most, rad; or NotFinite
   };
 
@@ -32,10 +32,10 @@ class EncoderWatch {
 
  private:
   std::size_t count_;
-  std::array<double, kMaxJoints> way_{};  ///< in a tick, rad
+  std::array<double, kMaxJoints> way_{};  ///< largest motion in a tick, rad
   JointVector good_;                      ///< the last good readings; empty before the first
-  Tick tick_ = 0;                         ///< theirs
-  double ticks_ = 1;                      ///< given for the way from them
+  Tick tick_ = 0;                         ///< the tick of `good_`
+  double ticks_ = 1;                      ///< ticks for the motion since then
   bool jumped_ = false;
 };
 

@@ -24,7 +24,7 @@ struct ShaftPosition {
 /// Text of a driver about its drives or its bus.
 using DriverText = FixedText<127>;
 
-/// What an error code does not say. Drivers compose a DriverText when the fault occurs.
+/// Details of a fault beyond its error code. Drivers compose a DriverText when the fault occurs.
 using FaultDetail = std::variant<std::monostate, Excess, NotFinite, ShaftPosition, DriverText>;
 
 /// Text of the detail, such as "1.204, limit 1.2", with as many digits as make the two differ; empty for monostate. Any

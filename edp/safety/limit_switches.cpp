@@ -5,7 +5,7 @@
 namespace mrroc::edp {
 namespace {
 
-constexpr double kRest = 1e-9;  // rad: rounding of a set-point that stands
+constexpr double kRest = 1e-9;  // rad: rounding of a set-point at rest
 
 }  // namespace
 

@@ -11,10 +11,10 @@ namespace mrroc::edp {
 
 using mrroc::LimitSwitches;
 
-/// Watches the limit switches: an axis that comes onto one stops the robot, and so does one that is to move farther
-/// onto the one on which it stands. It may stand there and it may move away. A switch on which an axis has stopped is
-/// known until the axis has left it by following_error_max: what regulates it back and forth on the spot comes onto
-/// nothing.
+/// Watches the limit switches. An axis that comes onto a switch, or is to move farther onto the one on which it is,
+/// stops the robot. It may stay on a switch and it may move away. A switch on which an axis has stopped is remembered
+/// until the axis has left it by following_error_max: regulation back and forth at the same position does not count as
+/// coming onto it.
 ///
 /// The servo's thread; allocates nothing, never throws.
 class LimitSwitchWatch {
@@ -25,12 +25,12 @@ class LimitSwitchWatch {
   explicit LimitSwitchWatch(const RobotParameters& parameters) noexcept : parameters_(&parameters) {}
 
   /// Takes the switches and shaft positions (rad) of a tick. `increment`: of the shafts' set-points in the last tick.
-  /// `finding` is the axis that finds its own switches (the synchronisation), `kEvery`: no one is to be stopped, -1:
-  /// all are watched. The first axis to stop for; -1: none.
+  /// `finding` is the axis that finds its own switches (the synchronisation), `kEvery`: no axis is watched, -1:
+  /// all are watched. Returns the first axis to stop for, or -1.
   int look(const HardwareInput& input, const JointVector& increment, int finding) noexcept;
   static constexpr int kEvery = -2;
 
-  /// Of the last look.
+  /// Of the last check.
   const LimitSwitches& on() const noexcept { return on_; }
 
  private:

@@ -63,7 +63,7 @@ Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const 
   for (Eigen::Index i = joints.size(); i-- > 0;) {
     const double latest = (joints[i] - last.joints[i]) / longest;
     const double change = latest - speed_[i];
-    // where the times are in doubt, so is a change that would turn the motion round
+    // when the times are uncertain, so is a change that would reverse the motion
     const double ahead = exact ? std::abs(latest + change) : std::abs(latest) + std::copysign(1, latest) * change;
     const double next = ahead - tremble_[i] / longest;
     const double over_all = full ? std::abs(joints[i] - oldest.joints[i]) / whole_time : 0.0;
@@ -98,7 +98,7 @@ Fault MotionWatch::look_at_shafts(const RobotModel& model, const Seen& seen, int
   return fault.code != ErrorCode::none || pushed_.isZero(0) ? fault : look_at_push(model, seen.joints);
 }
 
-/// Each shaft's push on its own, as all that its encoder hides.
+/// The push of each shaft alone, as the only motion that its encoder hides.
 Fault MotionWatch::look_at_push(const RobotModel& model, const JointVector& joints) const noexcept {
   const std::vector<AxisParameters>& axes = model.parameters().axes;
   const JointMatrix ratio = model.transmission(joints).inverse();

@@ -19,24 +19,24 @@ namespace mrroc::edp {
 /// one that the drive was given, or, of drives that regulate on their own, the measured one.
 ///
 /// With drives that follow the current the set-point need not move for that: the servo's regulator adds up the part of
-/// an increment by which a dead encoder stands beside it. A drive that regulates on its own holds a resting set-point
-/// with whatever current the load, friction and its own resolution ask for, and watches its own encoder: its current
+/// an increment by which a dead encoder differs from it. A drive that regulates on its own holds a resting set-point
+/// with the current that load, friction and its own resolution require, and monitors its own encoder: its current
 /// is judged only while the set-point moves, and has moved by more than kTremble increments.
 ///
 /// The servo's thread; allocates nothing, never throws.
 class MotionWatch {
  public:
   static constexpr double kOverspeed = 1.15;
-  /// A single difference trembles by an increment of the encoder, and by what the regulator does about it.
+  /// A single difference varies by an increment of the encoder and by the regulator's reaction.
   static constexpr std::size_t kReadings = 4;
   static constexpr double kTremble = 4;
-  /// A wrist that holds one end of a bar, whose other end is held too, is pushed to 0.9 and stands.
+  /// A wrist that holds one end of a bar, whose other end is also held, reaches 0.9 at rest.
   static constexpr double kPushed = 1.3;
 
   /// `period` in s.
   explicit MotionWatch(double period) noexcept : period_(period) {}
 
-  /// The drives have been switched on, or joints and shafts are counted otherwise from now on.
+  /// The drives have been switched on, or the positions of joints and shafts have a new origin.
   void reset() noexcept { readings_ = 0; }
   struct Seen {
     const JointVector& joints;          ///< as they were read, rad or m

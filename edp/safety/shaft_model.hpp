@@ -7,8 +7,8 @@
 
 namespace mrroc::edp {
 
-/// A robot that does not know yet where its joints are, as a model: its "joints" are the motor shafts, counted from
-/// where the power came on. Limits: slow motion, no positions. It has no poses.
+/// The model of a robot whose joint positions are still unknown: its "joints" are the motor shafts, counted from
+/// power-on. Limits: slow motion, no positions. It has no poses.
 class ShaftModel final : public RobotModel {
  public:
   explicit ShaftModel(const RobotParameters& robot) : parameters_(robot) {

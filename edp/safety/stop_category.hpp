@@ -13,12 +13,12 @@ enum class StopCategory : std::uint8_t {
   stop_and_hold = 2   ///< along the jerk-limited Stop, then the drives hold the robot where it is
 };
 
-/// How the servo stops its robot for `reason`; `none`: no one commands it on (a command is late or its ECP silent, the
-/// end of a motion). Categories 0 and 1 latch a fault, 2 does not.
+/// How the servo stops its robot for `reason`; `none`: no further command (a command is late, its ECP is silent, or the
+/// motion has ended). Categories 0 and 1 latch a fault, 2 does not.
 constexpr StopCategory stop_category(ErrorCode reason) noexcept {
   switch (reason) {
-    // a drive that is broken, that says nothing, or whose position is not known follows no stop: a controlled one would
-    // be wishful thinking, or a motion without feedback
+    // a drive that is broken, silent or without a known position follows no stop: a controlled stop would be a motion
+    // without feedback
     case ErrorCode::drive_fault:
     case ErrorCode::hardware_silent:
     case ErrorCode::encoder_fault:
@@ -29,15 +29,15 @@ constexpr StopCategory stop_category(ErrorCode reason) noexcept {
     case ErrorCode::heartbeat_lost:
     case ErrorCode::drive_restarted:
       return StopCategory::drives_off;
-    // nothing is broken: the robot can be commanded on at once, and power keeps it where it is, weight and all
+    // nothing is broken: the robot can accept commands at once, and power holds it against its weight
     case ErrorCode::none:
     case ErrorCode::force_limit:
     case ErrorCode::sensor_not_ready:
     case ErrorCode::sensor_out_of_range:
     case ErrorCode::sensor_hardware:
       return StopCategory::stop_and_hold;
-    // something is in the way or someone in danger, and the drives still follow: the shortest way to rest that tears
-    // at nothing, and no power after it. So is what no one has thought of.
+    // an obstacle or a person in danger, and the drives still follow: the shortest stop within the limits, without
+    // power after it. This is also the default for unforeseen causes.
     case ErrorCode::emergency_stop:
     case ErrorCode::following_error:
     case ErrorCode::over_current:
@@ -45,12 +45,12 @@ constexpr StopCategory stop_category(ErrorCode reason) noexcept {
     case ErrorCode::bus_error:  // it still carries frames
     case ErrorCode::synchronisation_failed:
     case ErrorCode::not_enabled:  // switched off by order, or the deployment ends
-    default:                      // a set-point that passes a limit, joints that are none
+    default:                      // a set-point that passes a limit, invalid joints
       return StopCategory::stop_then_off;
   }
 }
 
-/// Whether a fault stops the robot more sharply than another that has been found already; `none` is no fault.
+/// Whether a fault stops the robot more sharply than an earlier one; `none` means no fault.
 constexpr bool graver(ErrorCode fault, ErrorCode found) noexcept {
   if (fault == ErrorCode::none) return false;
   return found == ErrorCode::none || stop_category(fault) < stop_category(found);

@@ -7,7 +7,7 @@ namespace mrroc::edp {
 /// What the servo counts, always on, since start.
 struct ServoCounters {
   std::uint64_t ticks = 0;      ///< executed
-  std::uint64_t missed = 0;     ///< ticks of the grid that no one executed
+  std::uint64_t missed = 0;     ///< ticks of the grid that were not executed
   std::uint64_t stops = 0;      ///< times the robot braked because no successor had come
   JointVector following_error;  ///< largest |desired - measured| of each motor while enabled, rad
 };
@@ -16,7 +16,7 @@ struct ServoCounters {
 struct CommandCounters {
   std::uint32_t accepted = 0;
   std::uint32_t refused = 0;    ///< answered by an error at once
-  std::uint32_t late = 0;       ///< came after the robot had begun to brake, planned from a state that was gone
+  std::uint32_t late = 0;       ///< came after the robot had begun to brake, planned from an outdated state
   std::uint32_t stretched = 0;  ///< late ones whose duration had to grow to stay within the limits
 };
 

@@ -20,10 +20,10 @@ class DriveHoming {
 
   /// From rest at `shafts`. The first axis starts.
   void start(Hardware& hardware, const JointVector& shafts) noexcept;
-  /// One tick: what the drives said, and the set-point of the shafts that follows. `failed`: a drive has given up.
+  /// One tick: takes the drives' feedback, gives the next set-point of the shafts. `failed`: a drive has given up.
   Status step(Hardware& hardware, const HardwareInput& input, DesiredState& desired) noexcept;
 
-  /// What to add to every shaft position; after `done`.
+  /// The offset to add to every shaft position; after `done`.
   const JointVector& shift() const noexcept { return shift_; }
   /// The axis being synchronised, or the one that failed.
   int axis() const noexcept { return order_[place_]; }

@@ -9,11 +9,11 @@ namespace mrroc::edp {
 
 /// The latched emergency stop of one robot: pressed by the operator (clock::EmergencyStop) or by a digital input of the
 /// robot's controller, which is active low, so that a broken wire presses it. It stays latched until the operator has
-/// reset it, after everything that presses it has been let go; a reset that comes before or together with a press
-/// counts for nothing. The servo's thread; allocates nothing, never throws, never waits.
+/// reset it, after every input that presses it has been released; a reset before or together with a press
+/// is ignored. The servo's thread; allocates nothing, never throws, never waits.
 class EmergencyLatch {
  public:
-  /// Both before the first look. `stop` must outlive this object.
+  /// Both before the first check. `stop` must outlive this object.
   void use(const clock::EmergencyStop& stop) noexcept { stop_ = &stop; }
   /// Terminal 0..15.
   void use_terminal(int terminal) noexcept { terminal_ = terminal; }

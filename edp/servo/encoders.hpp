@@ -8,13 +8,13 @@ namespace mrroc::edp {
 /// The position measurement of simulated drives, as the original's cabinets do it: incremental encoders with one zero
 /// pulse per revolution, a synchronisation switch and two limit switches per axis.
 ///
-/// Encoders resolve a shaft revolution into encoder_increments. Robots that start unsynchronised count from where the
-/// power came on. With s the axis's motor_synchro and u the direction of its coarse synchronisation motion (+-1), the
-/// switch is closed where u (m - s) / 2 pi >= 0.5, all the way to the limit: so it tells on which side of s an axis
-/// stands, and the first zero pulse off it, in the direction -u, is at s. (How long the original's switches are its
-/// sources do not say; they call it an area.) An axis stands on a limit switch as far beyond motor_min and motor_max as
-/// it may be from its set-point, following_error_max: commands within the limits never meet one. Deterministic;
-/// allocates in the constructor only.
+/// Encoders resolve a shaft revolution into encoder_increments. Robots that start unsynchronised count from power-on.
+/// With s the axis's motor_synchro and u the direction of its coarse synchronisation motion (+-1), the
+/// switch is closed where u (m - s) / 2 pi >= 0.5, up to the limit: so it shows on which side of s an axis
+/// is, and the first zero pulse off it, in the direction -u, is at s. (The original's sources do not give the length of
+/// its switches; they call it an area.) An axis is on a limit switch as far beyond motor_min and motor_max as it may be
+/// from its set-point, following_error_max: commands within the limits never meet one. Deterministic; allocates in the
+/// constructor only.
 class Encoders {
  public:
   Encoders(const RobotParameters& parameters, bool synchronised);

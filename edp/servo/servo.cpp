@@ -31,7 +31,7 @@ Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver
 
 void Servo::use_force_sensor(ForceSensor& sensor, const ForceLimits& limits) noexcept { force_.use(sensor, limits); }
 
-/// The robot rests: the same shafts, seen as joints of another model. False: they are no joints of that model.
+/// The robot rests: the same shafts, seen as joints of another model. False: they are not valid joints of that model.
 bool Servo::use(std::uint8_t index) noexcept {
   const RobotModel& model = models_.at(index);
   JointVector joints, desired;
@@ -98,12 +98,12 @@ void Servo::obey_order() noexcept {
     give_up_power();
     if (state_ == ServoState::on) stop_and_switch_off();
   } else {
-    if (state_ == ServoState::stopping || leaving_) return;  // first comes the end of the stop; the order waits
+    if (state_ == ServoState::stopping || leaving_) return;  // the order waits for the end of the stop
     if (order == DriveOrder::recover && state_ != ServoState::on && !is_cleared(state_)) {
       give_up_power();
       hardware_.reset_fault();
       state_ = ServoState::cleared;
-      return;  // the next reading tells whether the fault has gone
+      return;  // the next reading shows whether the fault is gone
     }
     if (state_ != ServoState::on && !switch_on()) return;
   }
@@ -112,17 +112,17 @@ void Servo::obey_order() noexcept {
   hand_over_.order.compare_exchange_strong(order, DriveOrder::none, std::memory_order_acq_rel);
 }
 
-/// Drives that are on their way to being on go off again.
+/// Drives that are switching on go off again.
 void Servo::give_up_power() noexcept {
   if (is_powering(state_)) hardware_.enable(false);
   if (!has_power(state_)) state_ = ServoState::off;
 }
 
-/// False: not yet, the order waits.
+/// False: not yet; the order waits.
 bool Servo::switch_on() noexcept {
   const bool refused = found_.code != ErrorCode::none;
   if (hardware_.busy() && !(is_powering(state_) && refused)) return false;
-  // the next reading is seen as joints of the other model; positions that are none of it are as good as unknown
+  // the next reading is seen as joints of the other model; positions that are invalid in it count as unknown
   const bool other_model = input_.synchronised != (model_index_ != ModelSet::kShafts);
   if (hardware_.homes() && other_model && use(input_.synchronised ? 0 : ModelSet::kShafts)) return false;
   fault_ = {};

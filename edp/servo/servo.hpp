@@ -22,30 +22,30 @@
 
 namespace mrroc::edp {
 
-/// The servo of one robot. One tick: read the hardware, estimate the state, take the set-point of this tick, look at
-/// the limits, regulate, write the hardware, count. Ticked by whoever owns it: a thread of its own in real time, the
-/// participant in lockstep; the other side of `HandOver` may be any one other thread.
+/// The servo of one robot. One tick: read the hardware, estimate the state, take the set-point of this tick, check
+/// the limits, regulate, write the hardware, count. Its owner ticks it: its own thread in real time, the
+/// participant in lockstep; the other side of `HandOver` may be any single thread.
 ///
 /// Set-points: macrosteps one after the other, each from the tick at which its predecessor ended. When a macrostep ends
-/// in motion and no successor has come by the next tick, the robot brakes within its limits from where it should be and
+/// in motion and no successor has come by the next tick, the robot brakes within its limits from its set-point and
 /// holds there. At rest it holds the desired position.
 ///
 /// Life (ServoState): it starts stopped, with the drives off. `enable` switches them on at the measured position, so
-/// nothing jumps, and clears a latched fault; while its cause lasts they stay off. A robot whose drives have lost their
-/// positions, but find them on their own (Hardware::homes), is switched on as one that is not synchronised. `disable`
-/// and every fault stop the robot, each in its category (stop_category.hpp): faults that the drives report, readings of
-/// the encoders that cannot be true, the emergency stop, a limit switch, a current or a following error beyond the
-/// axis's limit, a set-point beyond a limit.
+/// there is no jump, and clears a latched fault; while its cause lasts they stay off. A robot whose drives have lost
+/// their positions, but find them on their own (Hardware::homes), is switched on as one that is not synchronised.
+/// `disable` and every fault stop the robot, each in its category (stop_category.hpp): faults that the drives report,
+/// readings of the encoders that cannot be true, the emergency stop, a limit switch, a current or a following error
+/// beyond the axis's limit, a set-point beyond a limit.
 ///
 /// Joints are those of the model in use: the shafts themselves until the hardware is synchronised, the robot's first
-/// model then, another one when a macrostep says so.
+/// model then, another one when a macrostep changes it.
 ///
 /// The servo's plan has an epoch: it is left (braking, stopping, switching on, another model) by counting it up, and a
-/// macrostep planned for an older epoch is refused, because it would continue a motion that is no more.
+/// macrostep planned for an older epoch is refused, because it would continue a motion that has ended.
 ///
 /// With a force sensor it follows force macrosteps, and watches every motion: a wrench beyond its limits, a sensor that
 /// does not answer, a set-point of a force motion from which a stop would not stay inside the limits interrupt the
-/// motion. The robot then brakes and holds; what was commanded is given back, with a non-fatal error.
+/// motion. The robot then brakes and holds; the command is returned with a non-fatal error.
 ///
 /// `tick` allocates nothing, takes no lock, does not log, never throws; the constructor allocates.
 class Servo {
@@ -64,7 +64,7 @@ class Servo {
   void use_emergency_terminal(int terminal) noexcept { emergency_.use_terminal(terminal); }
 
   /// Executes tick `tick`, greater than the last one; a gap counts as missed ticks. True: reports have been put out,
-  /// the comms side should look.
+  /// the comms side should poll.
   bool tick(Tick tick) noexcept;
 
   /// The process ends: from the next tick on the robot stops, then its drives go off, and no order switches them on
@@ -72,7 +72,7 @@ class Servo {
   void leave() noexcept;
   /// Whether the drives wait for each tick (Hardware::waits), so that none may be skipped.
   bool drives_wait() const noexcept { return hardware_.waits(); }
-  /// False once nothing moves any more: the drives are off, and have said so. The servo's thread.
+  /// False once nothing moves any more: the drives are off, and have reported it. The servo's thread.
   bool drives_on() const noexcept { return has_power(state_) || (leaving_ && hardware_.busy()); }
 
   /// What the last tick published. The servo's thread.
@@ -146,7 +146,7 @@ class Servo {
   JointVector read_joints_;  ///< those of the last new reading
 
   // what may stop the robot
-  Fault found_;  ///< by the readings of this tick, whatever the robot does
+  Fault found_;  ///< by the readings of this tick, in every state of the robot
   EncoderWatch encoders_;
   CurrentWatch currents_;
   MotionWatch motion_;

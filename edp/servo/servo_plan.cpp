@@ -1,4 +1,4 @@
-// What the servo follows: macrosteps one after the other, and the ways out of them.
+// The set-points of the servo: macrosteps one after the other, and the ways to leave them.
 #include <algorithm>
 
 #include "edp/servo/servo.hpp"
@@ -53,7 +53,7 @@ void Servo::follow(double time, Tick tick) noexcept {
   const ErrorCode code = active_.path.at(time, desired_.position, next);
   if (code == ErrorCode::none)
     desired_ = next;
-  else  // the planner has been along this path: only a missed tick can bring it to another branch
+  else  // the planner has checked this path: only a missed tick can bring it to another branch
     latch({code}, tick);
 }
 
@@ -124,7 +124,7 @@ bool Servo::start_next(Tick tick) noexcept {
   active_ = *next;
   hand_over_.macrosteps.pop();
   running_ = true;
-  // a moving predecessor ended at `start`, be it in a missed tick; a resting robot begins now
+  // a moving predecessor ended at `start`, even in a missed tick; a resting robot begins now
   active_.start = std::max({active_.start, boundary_, last_});
   if (active_.kind == Macrostep::Kind::stop) stop_.plan(desired_);
   if (active_.kind == Macrostep::Kind::force) {
@@ -176,7 +176,7 @@ void Servo::stop(StopCategory category) noexcept {
 }
 
 void Servo::stop_and_switch_off() noexcept {
-  if (homing_axis() >= 0) return drives_off();  // a drive that homes follows no stop of ours
+  if (homing_axis() >= 0) return drives_off();  // a drive that homes does not follow our stop
   if (running_ && active_.ticket != 0) finished_ = active_.ticket;
   abort_pending();
   brake(last_);
@@ -184,7 +184,7 @@ void Servo::stop_and_switch_off() noexcept {
   state_ = ServoState::stopping;
 }
 
-/// At once, whatever the robot does.
+/// At once, in every state of the robot.
 void Servo::drives_off() noexcept {
   if (running_ && active_.ticket != 0) finished_ = active_.ticket;
   abort_pending();

@@ -6,7 +6,7 @@ namespace mrroc::edp {
 
 /// State of the power of a robot's drives.
 ///
-///   off -> powering, on                          enable; the drives take some time, or none
+///   off -> powering, on                          enable; the drives may take some time
 ///   off, powering -> cleared                     recover: the faults of the drives are reset
 ///   cleared -> powering_cleared, on              the next reading has no fault
 ///   powering, powering_cleared -> on             all drives have power

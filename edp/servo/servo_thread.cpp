@@ -13,7 +13,7 @@ void raise_priority() noexcept {
   if (pthread_getschedparam(pthread_self(), &policy, &parameters) != 0 || policy != SCHED_FIFO) return;
   if (parameters.sched_priority >= sched_get_priority_max(SCHED_FIFO)) return;
   ++parameters.sched_priority;
-  pthread_setschedparam(pthread_self(), policy, &parameters);  // refused: it stays as it was inherited
+  pthread_setschedparam(pthread_self(), policy, &parameters);  // on failure the inherited priority stays
 }
 
 }  // namespace

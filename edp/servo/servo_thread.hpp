@@ -12,14 +12,14 @@ namespace mrroc::edp {
 /// Real time: the servo's own thread, ticking on the deployment's grid from construction to destruction. When a tick
 /// puts out reports it wakes the comms thread with `Clock::notify`. It inherits the scheduling class of the thread that
 /// makes it; under SCHED_FIFO it takes the next higher priority, so that no comms thread of the process delays it.
-/// Ticks whose time has gone by are skipped on drives that continue on their own; drives that wait get every one of
-/// them, late.
+/// Ticks whose time has passed are skipped on drives that continue on their own; drives that wait get all of them,
+/// late.
 ///
 /// The destructor stops the robot, switches the drives off, and returns when that is done (a stop's duration).
 class ServoThread {
  public:
-  /// After `clock.start()`. `servo` and `clock` must outlive it; no one else may tick `servo`. `notify_always`: every
-  /// tick wakes the comms thread, for it passes the state of every tick on.
+  /// After `clock.start()`. `servo` and `clock` must outlive it; no other thread may tick `servo`. `notify_always`:
+  /// every tick wakes the comms thread, which forwards the state of every tick.
   ServoThread(Servo& servo, clock::Clock& clock, bool notify_always = false);
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;

@@ -1,4 +1,4 @@
-// What the servo measures, and what it stops the robot for.
+// The servo's measurements, and the faults for which it stops the robot.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 namespace mrroc::edp {
 namespace {
 
-// the planner has checked the limits; this guard only meets what it cannot see
+// the planner has checked the limits; this guard catches only errors that the planner cannot detect
 constexpr double kGuard = 2;        // of the planner's tolerance of positions
 constexpr double kRounding = 1e-6;  // of velocities
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
@@ -52,7 +52,7 @@ void Servo::measure(Tick tick) noexcept {
   if (emergency_.look(input_.inputs)) find_fault({ErrorCode::emergency_stop});
   if (ticked_) {
     measured_increment_ = input_.motors - measured_motors_;
-    if (input_.tick > last_read)  // else it is the same reading again
+    if (input_.tick > last_read)  // else it is a repeated reading
       velocity_ = (joints - read_joints_) / (period_ * static_cast<double>(input_.tick - last_read));
   }
   if (!ticked_ || input_.tick > last_read) read_joints_ = joints;
@@ -62,10 +62,10 @@ void Servo::measure(Tick tick) noexcept {
   counters_.missed += elapsed_ - 1;
 }
 
-/// Positions and currents that cannot be true are as if they had not changed.
+/// Implausible positions and currents are replaced by the last valid ones.
 void Servo::look_at_encoders(Tick tick) noexcept {
   if (found_.code != ErrorCode::hardware_silent || !input_.motors.allFinite()) {
-    // after a silence the first reading need not be of a new tick, but the axis has had all that time
+    // after a silence the first reading may be old, but the axis could move during all that time
     const EncoderWatch::Finding finding = encoders_.look(input_.motors, std::max(input_.tick, tick));
     if (finding.axis >= 0) {
       find_fault({ErrorCode::encoder_fault, finding.axis, finding.detail});
@@ -79,7 +79,7 @@ void Servo::look_at_encoders(Tick tick) noexcept {
   }
 }
 
-/// What the readings show stops the robot as if the drives had reported it; of two the graver one counts.
+/// A fault in the readings stops the robot like one that the drives report; the more severe one counts.
 void Servo::find_fault(const Fault& fault) noexcept {
   if (graver(fault.code, found_.code)) found_ = fault;
 }
@@ -100,7 +100,7 @@ void Servo::watch(Tick tick) noexcept {
   if (force_.present()) watch_force(tick);
 }
 
-/// What matters while the drives are on and are to stay on; counts, whatever they do.
+/// Checks that apply while the drives are on and stay on; counts in every state.
 Fault Servo::find_in_motion() noexcept {
   const bool moves = state_ == ServoState::on;
   const std::vector<AxisParameters>& axes = model_->parameters().axes;
@@ -142,7 +142,7 @@ bool Servo::keeps_limits(Tick tick) noexcept {
     latch({ErrorCode::motor_limit}, tick);
     return state_ == ServoState::stopping;
   }
-  if (state_ == ServoState::stopping) return true;  // nothing better than the stop is left
+  if (state_ == ServoState::stopping) return true;  // the stop is the best remaining reaction
   const int homing = homing_axis();
   for (int i = 0; i < model_->joint_count(); ++i) {
     if (i == homing) continue;  // the set-point is where the drive has brought it

@@ -9,7 +9,7 @@
 
 namespace mrroc::edp {
 
-/// All that the servo knows at the end of a tick, as the comms side sees it.
+/// The state of the servo at the end of a tick, for the comms side.
 struct Snapshot {
   Tick tick = 0;
   JointVector joints, velocity, motors, current;  ///< measured
@@ -17,13 +17,13 @@ struct Snapshot {
   bool drives_home = false;  ///< Hardware::homes
   ServoState state = ServoState::off;
   Fault fault;
-  LimitSwitches switches;      ///< on which the axes stand
-  std::uint8_t model = 0;      ///< in use: place in the ModelSet
+  LimitSwitches switches;      ///< on which the axes are
+  std::uint8_t model = 0;      ///< in use: index in the ModelSet
   std::uint32_t orders = 0;    ///< how many DriveOrders have been obeyed
-  std::uint32_t epoch = 0;     ///< counts the times the servo left the accepted plan (braked, was switched on or off)
-  bool braking = false;        ///< the epoch began by braking for want of a successor
+  std::uint32_t epoch = 0;     ///< counts how often the servo left the accepted plan (braked, was switched on or off)
+  bool braking = false;        ///< the epoch began by braking because no successor came
   DesiredState desired;        ///< set-point of `tick`
-  DesiredState end;            ///< end of the macrostep or stop under way; `desired` when there is none
+  DesiredState end;            ///< end of the macrostep or stop under way; `desired` when the robot rests
   Tick end_tick = 0;           ///< when `end` is reached; `tick` when the robot rests
   std::uint64_t finished = 0;  ///< ticket of the last macrostep that ended or was given up
   Wrench wrench = Wrench::Zero();  ///< axes and origin of the force sensor's frame

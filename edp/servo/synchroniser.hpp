@@ -13,8 +13,8 @@ namespace mrroc::edp {
 /// does (`mrrocpp` 1.3): at coarse speed onto the synchronisation switch, stop, at fine speed back off it, on to the
 /// next zero pulse of the encoder, stop. There the shaft is at motor_synchro.
 ///
-/// An axis that starts on its switch leaves it at coarse speed and begins then: the original leaves it at fine speed,
-/// which takes minutes where the switch covers half of the axis's way. One that starts beyond a short switch runs to
+/// An axis that starts on its switch leaves it at coarse speed, then begins: the original leaves it at fine speed,
+/// which takes minutes where the switch covers half of the axis's range. One that starts beyond a short switch runs to
 /// its limit switch and comes back across. Every change of speed keeps the acceleration and jerk limits of `shafts`.
 ///
 /// The servo's thread; allocates nothing, never throws.
@@ -27,12 +27,12 @@ class Synchroniser {
 
   /// From rest at `shafts`.
   void start(const JointVector& shafts) noexcept;
-  /// One tick: what the drives said, and the set-point of the shafts that follows. `failed`: an axis has met a limit
+  /// One tick: takes the drives' feedback, gives the next set-point of the shafts. `failed`: an axis has met a limit
   /// switch where the synchronisation switch should have closed or opened before, or found no zero pulse within
   /// kTurnsWithoutPulse revolutions.
   Status step(const HardwareInput& input, DesiredState& desired) noexcept;
 
-  /// What to add to every shaft position; after `done`.
+  /// The offset to add to every shaft position; after `done`.
   const JointVector& shift() const noexcept { return shift_; }
   /// The axis being synchronised, or the one that failed.
   int axis() const noexcept;

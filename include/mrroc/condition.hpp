@@ -9,10 +9,10 @@
 
 namespace mrroc {
 
-/// f_I or f_T: a named predicate over the states of robots and sensors. Derive, keep references to what you look at,
-/// and implement `holds()`. Conditions are values: they combine with `&&`, `||`, `!`, and are given to `Wait` or to a
-/// generator with `.until(...)`. Every part is evaluated exactly once per step (no short circuit), so that each sees
-/// every step. Task's thread only.
+/// f_I or f_T: a named predicate over the states of robots and sensors. Derive from it, keep references to the robots
+/// and sensors that it reads, and implement `holds()`. Conditions are values: they combine with `&&`, `||`, `!`, and
+/// are given to `Wait` or to a generator with `.until(...)`. Every part is evaluated exactly once per step (no short
+/// circuit). Task's thread only.
 class Condition {
  public:
   explicit Condition(std::string name) : name_(std::move(name)) {}
@@ -24,14 +24,14 @@ class Condition {
     renamed_ = true;
   }
 
-  /// Called once per instruction, when e^{i0}, v^{i0} are there and before the first evaluation. May allocate.
+  /// Called once per instruction, after e^{i0}, v^{i0} have arrived and before the first evaluation. May allocate.
   virtual void start() {}
-  /// Evaluates, remembers and returns the value. Once per step; must not allocate.
+  /// Evaluates, stores and returns the value. Once per step; must not allocate.
   bool evaluate() { return value_ = holds(); }
   /// The last evaluated value.
   bool value() const noexcept { return value_; }
 
-  /// Appends the parts that are no combination (leaves), left to right: a trace's columns.
+  /// Appends the leaves (the parts that are not combinations), left to right: the columns of a trace.
   virtual void append_leaves(std::vector<const Condition*>& leaves) const { leaves.push_back(this); }
   /// Appends the parts whose value made this one hold; called when `value()` is true.
   virtual void append_reasons(std::vector<const Condition*>& reasons) const { reasons.push_back(this); }
@@ -42,7 +42,8 @@ class Condition {
   Condition& operator=(const Condition&) = default;
   Condition& operator=(Condition&&) = default;
 
-  /// Whether the name was given by `named`, not composed: then a combination is a reason itself, beside its parts.
+  /// Whether the name was given by `named`, not composed: then a combination is also a reason, in addition to its
+  /// parts.
   bool renamed() const noexcept { return renamed_; }
   /// The predicate f(c^i, e^i, v^i).
   virtual bool holds() = 0;
@@ -69,7 +70,7 @@ class When : public Condition {
   std::function<bool()> predicate_;
 };
 
-/// Gives a condition a name of its own: named("left contact", ForceAbove{left, 10}). A named combination is found by
+/// Gives a condition its own name: named("left contact", ForceAbove{left, 10}). A named combination is found by
 /// `Outcome::by(name)` like any other.
 template <ConditionType C>
 C named(std::string name, C condition) {
@@ -107,7 +108,7 @@ class Either : public Condition {
   std::shared_ptr<Condition> a_, b_;
 };
 
-/// `!a`. It is its own reason: what ended an instruction is that `a` did not hold.
+/// `!a`. It is its own reason: the instruction ended because `a` did not hold.
 class Negated : public Condition {
  public:
   explicit Negated(std::shared_ptr<Condition> a);

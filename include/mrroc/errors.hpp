@@ -10,7 +10,7 @@
 
 namespace mrroc {
 
-/// The paper's three classes of f_E (section 5). The class says who reacts and what may follow.
+/// The paper's three classes of f_E (section 5). The class determines the reaction and how the task may continue.
 enum class ErrorClass : std::uint8_t {
   none = 0,       ///< no error
   non_fatal = 1,  ///< a programmer's or a computation's error: robots hold, the task may catch it and continue
@@ -18,7 +18,7 @@ enum class ErrorClass : std::uint8_t {
   system = 3      ///< a process, a link or the clock is lost: every robot stops, the deployment ends
 };
 
-/// What happened, one line each in `describe()`. The number travels in messages: append only.
+/// The cause of an error; `describe()` returns one line for each. Messages carry the number: append only.
 enum class ErrorCode : std::uint16_t {
   none = 0,
   invalid_argument = 1,
@@ -70,7 +70,7 @@ std::string_view describe(ErrorCode code) noexcept;
 /// "non-fatal error", "hardware error", "system error". Any thread; never throws.
 std::string_view describe(ErrorClass error_class) noexcept;
 
-/// Where an error arose. `process`, `device` (robot or sensor) may be empty, step and tick 0, when not known.
+/// Where an error occurred. When not known, `process` and `device` (robot or sensor) are empty, step and tick are 0.
 struct ErrorOrigin {
   std::string process;
   std::string device;
@@ -80,24 +80,24 @@ struct ErrorOrigin {
 
 class BlackBox;
 
-/// f_E as an exception: what `Move` and `Wait` throw. `what()` reads
-/// "<class> <code text>: <detail> [process arm, robot wrist, step 3, tick 120]".
+/// f_E as an exception, thrown by `Move` and `Wait`. `what()` returns "<class> <code text>: <detail> [process arm,
+/// robot wrist, step 3, tick 120]".
 class Error : public std::runtime_error {
  public:
   ErrorClass error_class() const noexcept { return class_; }
   ErrorCode code() const noexcept { return code_; }
-  /// What was wrong in this case: the value and what was expected.
+  /// Details of this case: the wrong value and what was expected.
   const std::string& detail() const noexcept { return detail_; }
   const ErrorOrigin& origin() const noexcept { return origin_; }
   const char* what() const noexcept override { return text_.c_str(); }
-  /// The last steps of the task until this error ended one of its Moves or Waits (`mrroc/black_box.hpp`); it stays as
-  /// it is while the task continues. Null: it has not passed through a Move or Wait of this process.
+  /// The last steps of the task until this error ended one of its Moves or Waits (`mrroc/black_box.hpp`); does not
+  /// change while the task continues. Null: the error has not passed through a Move or Wait of this process.
   const std::shared_ptr<const BlackBox>& black_box() const noexcept { return black_box_; }
 
-  /// Fills in what the origin does not say yet. Move and Wait do it for every error that passes through them, so that
-  /// one thrown by a generator, a condition or a link says where it arose, too.
+  /// Fills in the empty fields of the origin. Move and Wait do it for every error that passes through them, so that an
+  /// error thrown by a generator, a condition or a link also has an origin.
   void complete_origin(const ErrorOrigin& known);
-  /// Gives it the black box, unless it has one: that of the innermost instruction. Used by Move and Wait.
+  /// Attaches the black box unless the error already has one, of the innermost instruction. Used by Move and Wait.
   void attach(std::shared_ptr<const BlackBox> black_box) noexcept;
 
  protected:

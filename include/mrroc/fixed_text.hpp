@@ -7,8 +7,8 @@
 
 namespace mrroc {
 
-/// Text of at most `Capacity` characters stored inline: what messages and records carry instead of strings, so that
-/// copying one never allocates. Longer text is cut. Any thread; never throws.
+/// Text of at most `Capacity` characters stored inline. Messages and records use it instead of strings, so that copying
+/// never allocates. Longer text is cut. Any thread; never throws.
 template <std::size_t Capacity>
 class FixedText {
  public:

@@ -8,9 +8,9 @@
 
 namespace mrroc {
 
-/// f_e* and f_T of one motion: writes every robot's command from c^i, e^i, v^i, and says when the motion is over.
-/// Derive, keep references to the robots and sensors, implement `next_state()`; the same generator runs in an ECP and
-/// in the MP. Task's thread only.
+/// f_e* and f_T of one motion: writes every robot's command from c^i, e^i, v^i, and decides when the motion ends.
+/// Derive from it, keep references to the robots and sensors, and implement `next_state()`. The same generator runs in
+/// an ECP and in the MP. Task's thread only.
 class Generator {
  public:
   explicit Generator(std::string name) : name_(std::move(name)) {}
@@ -18,19 +18,19 @@ class Generator {
 
   const std::string& name() const noexcept { return name_; }
 
-  /// Called once per Move, when e^{i0}, v^{i0} are there, before the first step: plan from `state()`'s desired values.
-  /// May allocate; may throw NonFatalError.
+  /// Called once per Move, after e^{i0}, v^{i0} have arrived and before the first step: plan from `state()`'s desired
+  /// values. May allocate; may throw NonFatalError.
   virtual void start() {}
-  /// Called after every pause and after a late command, the robots at rest: plan the rest of the motion. By default it
-  /// is started again.
+  /// Called after every pause and after a late command, with the robots at rest: plan the rest of the motion. The
+  /// default starts the motion again.
   virtual void resume() { start(); }
-  /// The operator pauses while robots move. True: from now on `next_state()` leads them to rest along their way, until
-  /// `resume()`. False, the default: it cannot; every robot brakes on its own, as fast as its limits allow, and robots
-  /// that move together leave their common way. Called once per pause; must not allocate.
+  /// The operator pauses while robots move. True: from now on `next_state()` brings them to rest on their path, until
+  /// `resume()`. False, the default: the generator cannot do that. Every robot then brakes on its own, as fast as its
+  /// limits allow, and robots that move together leave their common path. Called once per pause; must not allocate.
   virtual bool brake() { return false; }
-  /// f_T: the motion is over on its own. Evaluated once per step, before `next_state()`.
+  /// f_T: the motion has ended on its own. Evaluated once per step, before `next_state()`.
   virtual bool terminal_condition() { return false; }
-  /// f_e*: writes `robot.command()` of every robot it moves; a robot it leaves alone holds. Must not allocate.
+  /// f_e*: writes `robot.command()` of every robot that it moves; the other robots hold. Must not allocate.
   virtual void next_state() = 0;
 
   /// Adds a terminal condition; several are alternatives (`||`).
@@ -39,7 +39,7 @@ class Generator {
     add_condition(std::make_shared<C>(std::move(condition)));
     return *this;
   }
-  /// The condition given with `until`, null when there is none.
+  /// The condition given with `until`; null without one.
   const std::shared_ptr<Condition>& condition() const noexcept { return condition_; }
 
  protected:

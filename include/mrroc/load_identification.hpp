@@ -6,19 +6,19 @@
 
 namespace mrroc {
 
-/// A load as measured, and how well.
+/// A measured load and its accuracy.
 struct LoadEstimate {
-  Load load;                       ///< centre: NaN where the mass cannot be told from 0
-  Wrench offset = Wrench::Zero();  ///< what the sensor reads without it, N and N m
+  Load load;                       ///< centre: NaN if the mass cannot be distinguished from 0
+  Wrench offset = Wrench::Zero();  ///< the sensor's reading without it, N and N m
   double mass_deviation = 0;       ///< standard deviation, kg
   double centre_deviation = 0;     ///< of the worst direction, m
-  double force_residual = 0;       ///< root mean square of what the fit leaves, N
-  double torque_residual = 0;      ///< likewise, N m
+  double force_residual = 0;       ///< root mean square residual of the fit, N
+  double torque_residual = 0;      ///< the same for the torque, N m
   double spread = 0;               ///< how much the orientations differ, see below
 };
 
-/// Finds the load from the wrenches that a sensor reads in several orientations at rest. Reading k is taken in a frame
-/// turned by R_k in the base frame; with u_k = R_k^T g the model is
+/// Identifies a load from the wrenches that a sensor measures in several orientations at rest. Reading k is taken in a
+/// frame rotated by R_k in the base frame; with u_k = R_k^T g the model is
 ///
 ///   f_k = m u_k + f_0            t_k = c x (m u_k) + t_0
 ///
@@ -27,12 +27,12 @@ struct LoadEstimate {
 ///   m = sum d_k . f_k / sum d_k . d_k
 ///   (sum |d_k|^2 I - d_k d_k^T) c = (1 / m) sum d_k x t_k
 ///
-/// The offset (f_0, t_0) is what the sensor's zero, and a zero taken in another posture, leave in the readings. So the
-/// zero does not matter, but gravity has to be seen from at least three different directions of the frame, else from
-/// two. `spread` is sqrt(lambda / n) / |g|, lambda being the smallest eigenvalue of the matrix above: 0.58 for three
-/// directions at right angles to one another, 0.15 for three on a cone of 15 degrees.
-///
-/// The task's thread.
+/// The offset (f_0, t_0) is the part of the readings that the sensor's zero, possibly taken in another posture, adds.
+/// With an unknown offset the zero does not matter, but the readings need at least three different directions of
+/// gravity in the frame; with a known offset, two. `spread` is sqrt(lambda / n) / |g|, where lambda is the smallest
+/// eigenvalue of the matrix above: 0.58 for three directions at right angles to one another, 0.15 for three on a cone
+/// of 15 degrees.
+/// Task's thread.
 class LoadIdentification {
  public:
   enum class Offset { unknown, zero };
@@ -44,7 +44,7 @@ class LoadIdentification {
   void reserve(std::size_t count) { readings_.reserve(count); }
   void clear() noexcept { readings_.clear(); }
   std::size_t size() const noexcept { return readings_.size(); }
-  /// One reading: the wrench in the axes and about the origin of a frame that is turned by `rotation` in the base
+  /// One reading: the wrench in the axes and about the origin of a frame that is rotated by `rotation` in the base
   /// frame. Throws NonFatalError(not_finite).
   void add(const Eigen::Matrix3d& rotation, const Wrench& wrench);
 

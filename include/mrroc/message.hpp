@@ -7,8 +7,8 @@
 #include "mrroc/message_field.hpp"
 #include "mrroc/parcel.hpp"
 
-/// Makes a struct a message: what an MP may start a behaviour of an ECP with, and what the two may tell each other.
-/// Stands below the struct, in its namespace, in a header that both programs include; names every field in order:
+/// Makes a struct a message: an MP may start a behaviour of an ECP with it, and the two may send it to each other.
+/// Place it below the struct, in its namespace, in a header that both programs include, and name every field in order:
 ///
 ///   struct Pick {
 ///     double x = 0, y = 0;  // m
@@ -24,9 +24,9 @@
     MRROC_DETAIL_EXPAND(__VA_OPT__(MRROC_DETAIL_FIELD(Type, __VA_ARGS__)))          \
     static_cast<void>(visit);                                                       \
   }                                                                                 \
-  static_assert(mrroc::MessageType<Type>, #Type " is no message: a field's type or the size is wrong");
+  static_assert(mrroc::MessageType<Type>, #Type " is not a message: a field's type or the size is wrong");
 
-// the preprocessor's way to say "for each"
+// "for each" in the preprocessor
 #define MRROC_DETAIL_PARENTHESES ()
 #define MRROC_DETAIL_EXPAND(...) MRROC_DETAIL_EXPAND_4(MRROC_DETAIL_EXPAND_4(__VA_ARGS__))
 #define MRROC_DETAIL_EXPAND_4(...) MRROC_DETAIL_EXPAND_2(MRROC_DETAIL_EXPAND_2(__VA_ARGS__))
@@ -40,7 +40,7 @@
 
 namespace mrroc {
 
-/// A field of a message type, as listings and files name it.
+/// A field of a message type, under its name in listings and files.
 struct MessageFieldEntry {
   std::string name;
   FieldKind kind = FieldKind::number;
@@ -59,7 +59,7 @@ struct MessageSchema {
 
 namespace detail {
 
-/// FNV-1a, 64 bit, of one field more.
+/// FNV-1a, 64 bit, extended by one field.
 constexpr std::uint64_t hash_field(std::uint64_t hash, std::string_view name, FieldKind kind, std::size_t size) {
   const auto add = [&hash](std::uint64_t byte) { hash = (hash ^ byte) * 0x100000001b3U; };
   for (const char c : name) add(static_cast<unsigned char>(c));
@@ -88,7 +88,7 @@ constexpr std::uint64_t fingerprint_of() {
   return hash;
 }
 
-/// Throws NonFatalError(invalid_argument): the parcel is of another type than the one wanted.
+/// Throws NonFatalError(invalid_argument): the parcel's type is not the expected one.
 [[noreturn]] void throw_wrong_parcel(const Parcel& parcel, const MessageSchema& wanted);
 
 }  // namespace detail
@@ -119,7 +119,7 @@ MessageSchema schema_of() {
   return schema;
 }
 
-/// The message as it travels. Does not allocate.
+/// The message as a parcel. Does not allocate.
 template <MessageType T>
 Parcel pack(const T& message) noexcept {
   Parcel parcel;
@@ -132,8 +132,8 @@ Parcel pack(const T& message) noexcept {
   return parcel;
 }
 
-/// The message that a parcel carries. Throws NonFatalError(invalid_argument) when it is of another type, or of this
-/// type as another version of the header declares it. Otherwise it does not allocate.
+/// The message that a parcel carries. Throws NonFatalError(invalid_argument) when the parcel is of another type, or was
+/// packed with another version of the header. Otherwise it does not allocate.
 template <MessageType T>
 T unpack(const Parcel& parcel) {
   if (parcel.fingerprint != detail::fingerprint_of<T>() || parcel.size != detail::size_of<T>())

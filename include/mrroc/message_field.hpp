@@ -9,10 +9,10 @@
 
 namespace mrroc {
 
-/// What a field of a message holds, whatever its C++ type.
+/// The kind of value in a field of a message, independent of its C++ type.
 enum class FieldKind : std::uint8_t {
   number,   ///< double, float
-  integer,  ///< any integer, 64 bit on its way
+  integer,  ///< any integer, sent as 64 bit
   truth,    ///< bool
   text,     ///< FixedText
   vector,   ///< an Eigen column of a fixed number of doubles
@@ -23,8 +23,8 @@ enum class FieldKind : std::uint8_t {
 /// "a number", "a text", ...: for errors and listings.
 const char* describe(FieldKind kind) noexcept;
 
-/// How a field of type T travels: its kind, the bytes it takes, `put` and `get`. Numbers keep their bits; both ends
-/// belong to machines of one byte order. Neither allocates.
+/// Serialisation of a field of type T: its kind, its size in bytes, `put` and `get`. Numbers keep their bits; both
+/// machines must have the same byte order. Neither function allocates.
 template <class T>
 struct FieldOf;
 
@@ -35,7 +35,7 @@ concept MessageField = requires {
 
 namespace detail {
 
-/// A field that travels as one value of type Carried.
+/// A field that is sent as one value of type Carried.
 template <class T, class Carried, FieldKind Kind>
 struct PlainField {
   static constexpr FieldKind kKind = Kind;

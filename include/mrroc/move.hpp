@@ -47,10 +47,10 @@ using SensorList = ListOf<Sensor>;
 ///       e^{i+1} = f_e*(c^i, e^i, v^i): generator.next_state() writes the commands
 ///       initiate the readings due at i+1; send all commands; await all replies; collect the readings due;  i = i+1
 ///
-/// A Move whose f_T holds at i0 commands nothing. The first command may depend on v^{i0}. Robots are commanded together
-/// and awaited together, and begin the step on the same tick. Without robots a step lasts 10 ticks. From the second
-/// step on nothing is allocated. Throws Error, Stopped; NonFatalError(invalid_argument) when both lists are empty, a
-/// robot or sensor stands twice, or they belong to different tasks. The task's thread.
+/// A Move whose f_T holds at i0 commands nothing. The first command may depend on v^{i0}. The robots are commanded
+/// together, awaited together, and begin the step on the same tick. Without robots a step lasts 10 ticks. Nothing is
+/// allocated from the second step on. Throws Error, Stopped; NonFatalError(invalid_argument) when both lists are empty,
+/// a robot or sensor is listed twice, or they belong to different tasks. Task's thread.
 Outcome Move(const RobotList& robots, const SensorList& sensors, Generator& generator);
 inline Outcome Move(const RobotList& robots, const SensorList& sensors, Generator&& generator) {
   return Move(robots, sensors, generator);

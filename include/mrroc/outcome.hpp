@@ -11,28 +11,28 @@
 
 namespace mrroc {
 
-/// What ended an instruction that did not throw.
+/// The reason why an instruction ended without an error.
 enum class Ending : std::uint8_t {
   condition,  ///< a condition given to `Wait`, or to the generator with `until`, held
   generator,  ///< the generator's own terminal condition held
   end_motion  ///< the operator or the superior process asked for the next instruction
 };
 
-/// What `Move` and `Wait` return.
+/// The result of `Move` and `Wait`.
 struct Outcome {
   Ending ending = Ending::condition;
   /// Steps executed: commands sent to each robot. 0 when the condition held at i0.
   std::uint64_t steps = 0;
-  /// First and last tick of the states that were seen.
+  /// First and last tick of the received states.
   Tick start_tick = 0;
   Tick end_tick = 0;
-  /// Worst skew of the robots: ticks between the first and the last start of a macrostep that was theirs together.
+  /// Worst skew of the robots: ticks between the first and the last start of a common macrostep.
   Tick skew = 0;
   double duration = 0;       ///< s, from the ticks
   double wall_duration = 0;  ///< s, measured
   /// The whole condition that held, for its lifetime; null unless `ending` is `condition`.
   std::shared_ptr<const Condition> condition;
-  /// The parts of it whose value made it hold.
+  /// The parts whose value made it hold.
   std::vector<const Condition*> reasons;
 
   /// Whether a condition of class C was (one of) the reason(s): `if (end.by<Travelled>()) ...`.
@@ -52,9 +52,9 @@ struct Outcome {
     if (!by<C>()) fail(otherwise);
     return *this;
   }
-  /// Likewise with the condition of this name.
+  /// The same with the condition of this name.
   const Outcome& require(std::string_view name, std::string_view otherwise) const;
-  /// Names of the reasons joined with " and "; "generator" or "end of motion" when it was no condition.
+  /// Names of the reasons joined with " and "; "generator" or "end of motion" when it was not a condition.
   std::string reason() const;
 
  private:

@@ -9,12 +9,12 @@
 
 namespace mrroc {
 
-/// A message between the programs of an MP and its ECPs, as it travels: `pack` makes it of a type declared with
-/// MRROC_MESSAGE, `unpack` gives the type back. Fixed size: copying it never allocates.
+/// A serialised message between the programs of an MP and its ECPs: `pack` makes it from a type declared with
+/// MRROC_MESSAGE, `unpack` restores the type. Fixed size: copying it never allocates.
 struct Parcel {
   static constexpr std::size_t kCapacity = 512;
 
-  FixedText<kNameLength> label;                   ///< the type's name; empty: no parcel
+  FixedText<kNameLength> label;                   ///< the type's name; empty without a message
   std::uint64_t fingerprint = 0;                  ///< of the label and of every field's name, kind and size
   std::uint16_t size = 0;                         ///< bytes of `content` in use
   std::array<std::uint8_t, kCapacity> content{};  ///< the fields in order

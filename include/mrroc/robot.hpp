@@ -11,17 +11,17 @@ namespace mrroc {
 
 class Task;
 
-/// One effector e_l as a task program sees it: its state e^i, the command e^{i+1} that a generator writes, its
-/// geometry. It knows how to exchange them (the paper's "each robot knows how to interact"), at ECP and MP level alike.
+/// One effector e_l in a task program: its state e^i, the command e^{i+1} that a generator writes, its geometry. It
+/// exchanges state and command in the same manner at ECP and MP level (the paper: "each robot knows how to interact").
 /// A robot of a given type is a class derived from this one (`Irb6`). Task's thread only.
 class Robot {
  public:
   /// `name`: as in the deployment; empty in an ECP: its own robot. `models`: at least one. A member of the task, or
   /// made in its constructor. Throws NonFatalError(invalid_argument) when the deployment has no such robot of the
-  /// model's type, or when the task runs already and no object of it has opened the link before.
+  /// model's type, or when the task is already running and has not opened the link before.
   Robot(Task& task, const std::string& name, RobotModels models);
   /// The same, with the models that `load` reads from the robot's parameter file: the one that the deployment names, or
-  /// with an empty path that of `type`. Throws also what `load` throws: ConfigurationError.
+  /// with an empty path that of `type`. Also throws the errors of `load`: ConfigurationError.
   Robot(Task& task, const std::string& name, const std::string& type,
         RobotModels (*load)(const std::filesystem::path& parameters));
   virtual ~Robot() = default;
@@ -32,12 +32,13 @@ class Robot {
   Task& task() const noexcept { return *task_; }
   const RobotModels& models() const noexcept { return models_; }
   const RobotParameters& parameters() const noexcept { return models_.front()->parameters(); }
-  /// The model and the tool that the robot uses, as its state tells; before the first state the first model's own tool.
+  /// The model and the tool in use according to the robot's state; before the first state the first model with its own
+  /// tool.
   ToolKinematics kinematics() const noexcept;
 
   /// e^i, as of the last step of a Move or Wait.
   const RobotState& state() const noexcept { return state_; }
-  /// The same, for a generator that plans from it. Throws NonFatalError(invalid_argument) when there is none: the robot
+  /// The same, for a generator that plans from it. Throws NonFatalError(invalid_argument) without a state: the robot
   /// has not been in the list of any Move or Wait.
   const RobotState& known_state() const;
   /// e^{i+1}. Before each `Generator::next_state()` it is reset to "hold" with this robot's macrostep.
@@ -52,30 +53,31 @@ class Robot {
   /// Seconds from one state to the next: N * servo period.
   double step_duration() const noexcept;
 
-  // ---- changes of the robot itself: one exchange each, outside any Move. They throw what the robot refuses them with:
-  // NonFatalError (invalid_argument, busy while it moves, not_synchronised), HardwareError (a fault that stays).
-  /// The tool frame, in the flange frame, that poses and twists mean from now on.
+  // ---- changes of the robot itself: one exchange each, outside any Move. They throw the robot's error when it
+  // refuses: NonFatalError (invalid_argument, busy while it moves, not_synchronised), HardwareError (a persistent
+  // fault).
+  /// Sets the tool frame, in the flange frame, to which poses and twists refer from now on.
   void set_tool(const Pose& tool);
-  /// The kinematic model from now on, by name. Throws NonFatalError(invalid_argument) with the names there are.
+  /// Selects the kinematic model by name. Throws NonFatalError(invalid_argument) that lists the valid names.
   void use_model(std::string_view name);
-  /// Finds the absolute positions of the motors: switch, zero pulse, axis by axis. Returns when that is done.
+  /// Finds the absolute positions of the motors: switch, zero pulse, axis by axis. Returns when done.
   void synchronise();
-  /// After a HardwareError: clears the fault and switches the drives on. The robot stands where it is measured to be.
+  /// After a HardwareError: clears the fault and switches the drives on. The robot holds its measured position.
   void recover();
-  /// Takes what the robot's force sensor reads now as zero, for the force law and the force limits.
+  /// Takes the present reading of the robot's force sensor as zero, for the force law and the force limits.
   void bias_force();
-  /// The servo regulators from now on, by the name of their set in the robot's parameter file; "standard" is its own.
-  /// Throws NonFatalError(invalid_argument) with the names there are.
+  /// Selects the servo regulators by the name of their set in the robot's parameter file; "standard" is its own. Throws
+  /// NonFatalError(invalid_argument) that lists the valid names.
   void use_regulators(std::string_view name);
-  /// The outputs of the robot's controller from the next servo tick on; also while it moves.
+  /// Sets the outputs of the robot's controller from the next servo tick on; also while it moves.
   void set_outputs(const Signals& outputs);
 
   // ---- the exchange, used by Move and Wait
   // -----------------------------------------------------------------------------
-  /// Makes the command a plain `kind` with this robot's macrostep.
+  /// Resets the command to a plain `kind` with this robot's macrostep.
   void reset_command(CommandKind kind) noexcept;
-  /// Takes the robot for one instruction, until `release`. Throws NonFatalError(busy) when another one has it: one of
-  /// another strand of the task.
+  /// Reserves the robot for one instruction, until `release`. Throws NonFatalError(busy) when an instruction of another
+  /// strand of the task has it.
   void acquire();
   void release() noexcept { in_use_ = false; }
   void send() { link_->send(command_); }

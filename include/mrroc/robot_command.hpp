@@ -6,22 +6,22 @@
 
 namespace mrroc {
 
-/// What a command asks of the effector.
+/// The action that a command requests.
 enum class CommandKind : std::uint8_t {
   query = 0,           ///< GET: report the state at once, change nothing
   hold = 1,            ///< e^{i+1} = e^i: come to rest (within the limits) and stay there
-  joint = 2,           ///< be at `joints`, moving with `joint_velocity`, at the end of the macrostep
-  pose = 3,            ///< be at `pose`, moving with `twist`, at the end of the macrostep
+  joint = 2,           ///< reach `joints` with `joint_velocity` at the end of the macrostep
+  pose = 3,            ///< reach `pose` with `twist` at the end of the macrostep
   motor = 4,           ///< as `joint`, but every value is of the motor shafts (rad)
   joint_velocity = 5,  ///< change to `joint_velocity` as fast as the limits allow and keep it
-  twist = 6,           ///< change to the joint velocities that give the tool `twist`, and keep them
+  twist = 6,           ///< change to the joint velocities that give the tool `twist` and keep them
   force = 7,  ///< follow `force` with the velocity `twist` in tool axes, tick by tick, until the macrostep ends
   // one exchange each, of a robot at rest (Robot::set_tool, use_model, ...); set_outputs at any time
   set_tool = 8,         ///< `pose` is the tool frame in the flange frame from now on
   use_model = 9,        ///< the kinematic model `choice` from now on
   synchronise = 10,     ///< find the absolute positions of the motors
   recover = 11,         ///< clear a fault and switch the drives on, at the measured position
-  bias_force = 12,      ///< take what the force sensor reads now as zero, for the force law and the force limits
+  bias_force = 12,      ///< take the force sensor's present reading as zero, for the force law and the force limits
   use_regulators = 13,  ///< the regulator set `choice` from now on
   set_outputs = 14      ///< `outputs` from the next tick on
 };
@@ -31,27 +31,27 @@ enum class CommandKind : std::uint8_t {
 enum class Interpolation : std::uint8_t {
   joints = 0,
   motors = 1,
-  task = 2  ///< of the tool's position and rotation vector: straight where the data are
+  task = 2  ///< of the tool's position and rotation vector: straight if the end states are
 };
 
 /// e^{i+1} for one effector: one macrostep of N servo ticks (the original's motion_steps and value_in_step_no).
 ///
 /// The macrostep begins where the previous one's desired state ends (or at the end of a stop), at tick
 /// max(start_tick, end of the previous macrostep, present tick), and ends N ticks later; its first new set-point is
-/// that of its tick 1, so a reply at v = N can still be followed without a gap. The reply leaves at its tick v; v = N +
-/// 1 is the first tick after the macrostep. A command whose end velocity is not zero expects a successor: if none
-/// arrives in time, the EDP brakes within the limits, holds, and counts a late command.
+/// that of its tick 1, so a command after a reply at v = N still continues without a gap. The EDP replies at tick v; v
+/// = N + 1 is the first tick after the macrostep. A command with a nonzero end velocity needs a successor: if it does
+/// not arrive in time, the EDP brakes within the limits, holds, and counts a late command.
 ///
-/// A `hold` in motion is a stop of which N ticks are made; the next `hold`, or no successor at all, continues with it,
-/// any other command takes over from there. With v = N + 1 it lasts as long as the stop.
+/// A `hold` in motion executes N ticks of a stop. The stop continues with the next `hold` or without a successor; any
+/// other command takes over from there. With v = N + 1 the `hold` lasts as long as the stop.
 ///
-/// Where a `force` motion leads is known only when it is there: another `force` command continues it, any other one is
-/// planned from the end of a stop after it, and takes longer instead of being refused. Joint velocities that the law
-/// asks for are scaled down together to what the limits allow; the robot stops, with a non-fatal error, where a stop
-/// would otherwise leave the position limits.
+/// The end of a `force` motion is not known in advance. Another `force` command continues it; any other command is
+/// planned from the end of a stop after it, and takes longer instead of being refused. The EDP scales the joint
+/// velocities of the law down together to the limits. It stops the robot, with a non-fatal error, before a stop would
+/// exceed the position limits.
 ///
-/// Position, velocity, acceleration and jerk of every joint keep the robot's limits at every tick of the path, or the
-/// command is refused.
+/// Position, velocity, acceleration and jerk of every joint must stay within the robot's limits at every tick of the
+/// path; otherwise the command is refused.
 struct RobotCommand {
   CommandKind kind = CommandKind::query;
   /// `joints` / `pose` are increments on the *desired* state at the macrostep's start; a pose increment is in tool
@@ -68,7 +68,7 @@ struct RobotCommand {
   Twist twist = Twist::Zero();                          ///< of the tool frame's origin at the end, in base axes
   JointVector twist_rate;                               ///< d twist / dt at the end, 6 values; empty: the mean
   ForceLaw force;                                       ///< of `force`
-  std::uint8_t choice = 0;                              ///< of `use_model`, `use_regulators`: place in the robot's list
+  std::uint8_t choice = 0;                              ///< of `use_model`, `use_regulators`: index in the robot's list
   bool with_outputs = false;                            ///< of a motion: `outputs` from the macrostep's tick 0 on
   Signals outputs;
 };

@@ -5,8 +5,9 @@
 
 namespace mrroc {
 
-/// The way from a `Robot` to what executes its commands: an ECP's link to its EDP, an MP's link to an ECP, a test's
-/// fake. One exchange is one `send` and one `receive`; at most one is under way. Called by the task's thread only.
+/// The connection from a `Robot` to the executor of its commands: an ECP's link to its EDP, an MP's link to an ECP, a
+/// test's fake. One exchange is one `send` and one `receive`; at most one is under way. Called by the task's thread
+/// only.
 class RobotLink {
  public:
   virtual ~RobotLink() = default;

@@ -12,7 +12,7 @@
 
 namespace mrroc {
 
-/// What a URDF, a tree, does not say of a machine with closed loops.
+/// The description of a machine's closed loops, which a URDF, a tree, cannot contain.
 struct ClosedLoops {
   struct Joint {
     std::string name;
@@ -25,10 +25,10 @@ struct ClosedLoops {
 /// Receives the branches of an inverse kinematics one after the other. Real-time safe.
 class BranchReceiver {
  public:
-  /// One posture; its limits and whole turns are the receiver's concern. `exact` false: its pose is the nearest that
-  /// the geometry allows, the receiver measures the distance.
+  /// Receives one posture; the receiver handles limits and whole turns. `exact` false: its pose is the nearest that the
+  /// geometry allows, and the receiver measures the distance.
   virtual void add(const JointVector& joints, bool exact) noexcept = 0;
-  /// Whether one of the postures received so far is within the robot's limits, itself or by whole turns.
+  /// Whether one of the postures received so far is within the robot's limits, directly or after whole turns.
   virtual bool found() noexcept = 0;
 
  protected:
@@ -36,13 +36,13 @@ class BranchReceiver {
 };
 
 /// One kinematic model of a robot: motor <-> joint <-> flange pose. Every method is const and may be called from
-/// any thread; but for `closed_loops` they allocate nothing and never throw, and the servo thread calls them. Poses are
+/// any thread; except `closed_loops` they allocate nothing and never throw, and the servo thread calls them. Poses are
 /// of the flange in the robot's base frame; `ToolKinematics` adds the tool.
 class RobotModel {
  public:
   virtual ~RobotModel() = default;
 
-  /// Among the models of its robot, e.g. "calibrated": what deployments and task programs call it.
+  /// The name that deployments and task programs use, unique among the models of its robot, e.g. "calibrated".
   virtual std::string_view name() const noexcept { return "nominal"; }
   /// Axes, limits, gains: the same for every model of a robot.
   virtual const RobotParameters& parameters() const noexcept = 0;
@@ -55,37 +55,39 @@ class RobotModel {
   /// G(q) = d motors / d joints, rad/rad or rad/m; motor velocities are G dq/dt, joint torques G^T (motor torques).
   virtual JointMatrix transmission(const JointVector& joints) const noexcept = 0;
 
-  /// The tool that the robot wears unless a task says otherwise: its frame in the flange frame.
+  /// The robot's default tool: its frame in the flange frame.
   virtual Pose default_tool() const noexcept { return Pose::Identity(); }
   /// Flange pose of `joints`.
   virtual Pose flange(const JointVector& joints) const noexcept = 0;
   /// Joints of a flange pose on the branch nearest to `near`; inverse(flange(q), q) is q. `none`, `out_of_workspace`,
   /// or `singular` (then `joints` still holds a solution, with the free angle kept from `near`). Joint limits are not
-  /// looked at.
+  /// checked.
   virtual ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept = 0;
-  /// Every branch of a flange pose, the branch of `inverse` first; the default: that one alone. A free joint (singular
-  /// pose, redundant robot) keeps its value of `near`; while no posture is `found()`, its other values follow.
+  /// Every branch of a flange pose, the branch of `inverse` first; the default returns only that one. A free joint
+  /// (singular pose, redundant robot) keeps its value of `near`; while no posture is `found()`, its other values
+  /// follow.
   virtual void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept {
     JointVector joints = near;
     const ErrorCode code = inverse(flange, near, joints);
     if (code == ErrorCode::none || code == ErrorCode::singular) receiver.add(joints, true);
   }
-  /// Name of the branch that `joints` are on, for messages, e.g. "elbow up, sin q5 >= 0"; the default: none.
+  /// Name of the branch of `joints`, for messages, e.g. "elbow up, sin q5 >= 0"; empty by default.
   virtual std::string_view branch_name(const JointVector& /*joints*/) const noexcept { return {}; }
-  /// The change of a joint that leaves the flange where it is: 2 pi of a revolute joint; the default, 0: none.
+  /// The change of a joint that leaves the flange pose unchanged: 2 pi for a revolute joint; the default 0: no such
+  /// change.
   virtual double joint_period(int /*joint*/) const noexcept { return 0; }
-  /// The joint that `inverse` keeps from `near` where a pose leaves one free; -1: none. A motion of the tool does not
-  /// move it: joint velocities that follow a twist are those of the Jacobian without its column.
+  /// The joint that `inverse` keeps from `near` where a pose leaves one free; -1: no such joint. A motion of the tool
+  /// does not move it: joint velocities that follow a twist are computed from the Jacobian without its column.
   virtual int kept_joint() const noexcept { return -1; }
   /// Geometric Jacobian, in base axes, of a point fixed to the flange: `offset` in flange axes, m.
   virtual Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept = 0;
 
-  /// How the robot's URDF has to be closed at `joints`; nothing when it has no loops. Configuration time only: the one
-  /// method that allocates.
+  /// The closure of the robot's URDF at `joints`; nothing without loops. Configuration time only: the one method that
+  /// allocates.
   virtual ClosedLoops closed_loops(const JointVector& /*joints*/) const { return {}; }
 };
 
-/// All models of one robot; the first is the one it starts with. Their parameters are the same.
+/// All models of one robot, with the same parameters; the robot starts with the first.
 using RobotModels = std::vector<std::shared_ptr<const RobotModel>>;
 
 }  // namespace mrroc

@@ -12,7 +12,7 @@ namespace mrroc {
 /// robots/TYPE/TYPE.toml. Units: rad or m at the joint, rad at the motor shaft.
 struct AxisParameters {
   std::string name;
-  // joint limits: hold at every tick, for every source of set-points; infinite positions: the axis turns without end
+  // joint limits: apply at every tick, to every source of set-points; infinite positions: the axis rotates endlessly
   double position_min = 0;
   double position_max = 0;
   double velocity_max = 0;
@@ -23,14 +23,14 @@ struct AxisParameters {
   double motor_max = 0;
   double motor_synchro = 0;          ///< shaft position at synchronisation, rad
   double synchro_coarse = 0;         ///< shaft speed onto the synchronisation switch, rad/s, with sign; 0: no switch
-  double synchro_fine = 0;           ///< back off the switch and to the zero pulse, rad/s, with the other sign
+  double synchro_fine = 0;           ///< off the switch and to the zero pulse, rad/s, with the opposite sign
   double encoder_increments = 4000;  ///< per shaft revolution
   double current_max = 0;            ///< A
   /// s for which a measured current may stay at current_max or beyond; the default: forever
   double current_max_time = std::numeric_limits<double>::infinity();
-  /// rad of the shaft: how far its set-point may continue while it reads the very same position.
+  /// rad of the shaft: how far its set-point may move while the measured position does not change at all.
   double stuck_max = std::numeric_limits<double>::infinity();
-  /// A: by how much the drive's current may change before a standing shaft moves, its static friction.
+  /// A: by how much the drive's current may change before a resting shaft moves (static friction).
   double stuck_current = std::numeric_limits<double>::infinity();
   double following_error_max = 0;  ///< rad of the shaft
   // servo regulator (original's algorithm 0, `mrrocpp` 4.1)
@@ -58,7 +58,7 @@ struct RobotParameters {
   std::vector<AxisParameters> axes;
   std::vector<RegulatorSet> regulators;  ///< the first is "standard": the axes as they are
   JointVector home;                      ///< joint position in which the simulated robot starts
-  std::vector<int> synchro_order;        ///< the axes in the order of their synchronisation; empty: as they are
+  std::vector<int> synchro_order;        ///< the axes in the order of their synchronisation; empty: ascending
 };
 
 }  // namespace mrroc

@@ -14,9 +14,9 @@ struct ErrorReport {
   FixedText<191> detail;
 };
 
-/// e^i of one effector as its EDP reports it. Measured values belong to `tick`; desired values to `desired_tick`, the
-/// end of the macrostep (or stop) that is under way, equal to `tick` when the robot rests. Generators plan from
-/// desired. Joint order and units are the robot's; poses are of the tool frame in the robot's base frame.
+/// e^i of one effector, reported by its EDP. Measured values belong to `tick`; desired values to `desired_tick`, the
+/// end of the macrostep (or stop) that is under way, equal to `tick` when the robot rests. Generators plan from the
+/// desired values. Joint order and units are the robot's; poses are of the tool frame in the robot's base frame.
 struct RobotState {
   Tick tick = 0;
   JointVector joints;            ///< measured, rad or m
@@ -24,28 +24,28 @@ struct RobotState {
   JointVector motors;            ///< measured shaft positions, rad
   JointVector current;           ///< drive current, A
   Pose pose = Pose::Identity();  ///< direct kinematics of `joints`
-  Tick macrostep_start = 0;      ///< tick 0 of the macrostep that this answers; of a query, the last one's
+  Tick macrostep_start = 0;      ///< tick 0 of the macrostep that this answers; for a query, of the last one
   Tick desired_tick = 0;
   JointVector desired_joints;
   JointVector desired_velocity;
   JointVector desired_acceleration;
   Pose desired_pose = Pose::Identity();
-  /// Kinematic model in use: its place in the robot's list; 255: none, the robot is not synchronised. Its joints are
-  /// then the motor shafts, counted from where the power came on, and poses mean nothing.
+  /// Kinematic model in use: its index in the robot's list; 255: the robot is not synchronised. Its joints are then the
+  /// motor shafts, counted from their position at power-on, and poses are meaningless.
   std::uint8_t model = 0;
   Pose tool = Pose::Identity();  ///< tool frame in use, in the flange frame
-  /// That the environment exerts on the tool, in tool axes about the tool frame's origin, N and N m; zero where the
-  /// deployment gives the robot no force sensor, or it has not measured.
+  /// The wrench of the environment on the tool, in tool axes about the tool frame's origin, N and N m; zero without a
+  /// force sensor in the deployment or before its first reading.
   Wrench wrench = Wrench::Zero();
-  /// Of the twist that the force law asks for at `tick`, the part that a force motion near a singularity does not
-  /// follow, 0..1 (docs/explanation/force.md); 0 elsewhere and in every other motion.
+  /// The fraction, 0..1, of the force law's twist at `tick` that a force motion near a singularity does not follow
+  /// (docs/explanation/force.md); 0 elsewhere and in every other motion.
   double lost = 0;
   Signals inputs;               ///< of the robot's controller, at `tick`
-  Signals outputs;              ///< as they are set
-  std::uint8_t regulators = 0;  ///< regulator set in use: its place in RobotParameters::regulators, 0 the robot's own
+  Signals outputs;              ///< as set
+  std::uint8_t regulators = 0;  ///< regulator set in use: its index in RobotParameters::regulators, 0: the robot's own
   bool synchronised = false;
   bool enabled = false;
-  std::uint32_t late_commands = 0;  ///< commands that came after the robot had begun to brake, since start
+  std::uint32_t late_commands = 0;  ///< commands that arrived after the robot had begun to brake, since start
   ErrorReport error;
 };
 

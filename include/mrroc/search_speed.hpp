@@ -6,10 +6,10 @@
 
 namespace mrroc {
 
-/// How fast a shaft turns at most while its robot does not know where its joints are, rad/s: as fast as the axis looks
-/// for its switch (`synchro_coarse`), or 20 where it has none. Any thread.
+/// Maximum speed of a shaft while its robot is not synchronised, rad/s: the speed at which the axis searches its switch
+/// (`synchro_coarse`), or 20 for an axis without a switch. Any thread.
 inline double search_speed(const AxisParameters& axis) noexcept {
-  constexpr double kWithoutSwitch = 20;  // as slow as the axes of our robots that look for theirs
+  constexpr double kWithoutSwitch = 20;  // as slow as the other axes search their switches
   return axis.synchro_coarse == 0 ? kWithoutSwitch : std::abs(axis.synchro_coarse);
 }
 

@@ -8,16 +8,16 @@ namespace mrroc {
 
 class Task;
 
-/// One virtual sensor v_p as a task program sees it. *Interactive*: `Move` requests a reading before the robots are
-/// commanded and collects it after their replies, so that measuring overlaps motion; *polled*: likewise, but a reading
-/// that has not come by then is not waited for: it is collected at the first step at which it is there, and requested
-/// again after that; *non-interactive*: the newest published reading is read from a local buffer, never waiting. Which
-/// of the three is the deployment's choice. A sensor of a given type is a class derived from this one that names the
-/// channels. Task's thread only.
+/// One virtual sensor v_p in a task program. *Interactive*: `Move` requests a reading before it commands the robots and
+/// collects it after their replies, so that measuring overlaps motion. *Polled*: the same, but `Move` does not wait for
+/// the reading: it collects it at the first step at which it has arrived, and then requests the next one.
+/// *Non-interactive*: `Move` reads the newest published reading from a local buffer and never waits. The deployment
+/// selects one of the three. A sensor of a given type is a class derived from this one that names the channels. Task's
+/// thread only.
 class Sensor {
  public:
   /// A member of the task, or made in its constructor. Throws NonFatalError(invalid_argument) when the deployment has
-  /// no sensor `name` of `type`, or when the task runs already and no object of it has opened the link before.
+  /// no sensor `name` of `type`, or when the task is already running and has not opened the link before.
   Sensor(Task& task, const std::string& name, const std::string& type);
   virtual ~Sensor() = default;
   Sensor(const Sensor&) = delete;
@@ -28,11 +28,11 @@ class Sensor {
   bool interactive() const noexcept { return interactive_; }
   /// v^i, as of the last step at which it was due.
   const SensorReading& reading() const noexcept { return reading_; }
-  /// Channel `channel` of the reading; NaN when it does not have it.
+  /// Channel `channel` of the reading; NaN when the reading does not contain it.
   double value(std::size_t channel) const noexcept;
-  /// Whether the last collection brought a reading that was not there before. Of a polled or non-interactive sensor it
-  /// may be false: not ready is a value there, no error, and `reading()` stays (of a polled sensor: empty, all values
-  /// NaN, before the first one).
+  /// Whether the last collection brought a new reading. It may be false for a polled or non-interactive sensor: not
+  /// ready is then not an error, and `reading()` does not change (before the first reading of a polled sensor it is
+  /// empty, all values NaN).
   bool fresh() const noexcept { return fresh_; }
   /// Time since the hardware was read for `reading()`, s; infinite before the first one.
   double age() const noexcept;
@@ -42,22 +42,22 @@ class Sensor {
   std::uint32_t period() const noexcept { return period_; }
 
   /// Takes the present reading as zero, for every client of the sensor, and waits for the new one, which `reading()`
-  /// then is. Throws NonFatalError (invalid_argument) when the sensor is non-interactive, the reading's error when it
-  /// has one, SystemError when the VSP died or is silent.
+  /// then returns. Throws NonFatalError (invalid_argument) when the sensor is non-interactive, the reading's error if
+  /// any, SystemError when the VSP died or is silent.
   void bias();
 
   // ---- the exchange, used by Move and Wait
   // -----------------------------------------------------------------------------
-  /// Takes an interactive sensor for one instruction, until `release`. Throws NonFatalError(busy) when another one has
-  /// it: one of another strand of the task. A non-interactive sensor serves any number.
+  /// Reserves an interactive sensor for one instruction, until `release`. Throws NonFatalError(busy) when an
+  /// instruction of another strand of the task has it. A non-interactive sensor serves any number of instructions.
   void acquire();
   void release() noexcept { in_use_ = false; }
-  /// Whether v^i is renewed at step i of an instruction: i is a multiple of the period.
+  /// Whether v^i is updated at step i of an instruction: i is a multiple of the period.
   bool due(std::uint64_t step) const noexcept { return step % period_ == 0; }
-  /// Requests a reading of the hardware at `measure_at`, of a polled sensor at once, unless one is under way; a
-  /// non-interactive sensor does nothing.
+  /// Requests a reading of the hardware at `measure_at` (polled: at once), unless one is under way. Does nothing for a
+  /// non-interactive sensor.
   void initiate_reading(Tick measure_at);
-  /// Stores the reading: awaits the reply to the request, looks whether it has come, or reads the buffer.
+  /// Stores the reading: awaits the reply to the request (interactive), checks for it (polled), or reads the buffer.
   void collect_reading();
 
  private:

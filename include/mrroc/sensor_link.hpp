@@ -6,7 +6,7 @@
 
 namespace mrroc {
 
-/// Most values that one reading carries.
+/// Maximum number of values in one reading.
 inline constexpr std::size_t kMaxChannels = 16;
 
 /// v^i of one virtual sensor: the header and the values of its declared channels (names and units: `VirtualSensor`).
@@ -19,7 +19,7 @@ struct SensorReading {
   ErrorReport error;
 };
 
-/// What a client asks of an interactive virtual sensor.
+/// A client's request to an interactive virtual sensor.
 enum class SensorRequestKind : std::uint8_t {
   reading = 0,  ///< aggregate at `measure_at` and reply
   bias = 1      ///< take the present reading as zero, then reply with the new reading
@@ -27,11 +27,11 @@ enum class SensorRequestKind : std::uint8_t {
 
 struct SensorRequest {
   SensorRequestKind kind = SensorRequestKind::reading;
-  /// The tick whose hardware reading is wanted; at once when it has passed.
+  /// The tick of the requested hardware reading; at once when it has passed.
   Tick measure_at = 0;
 };
 
-/// The way from a `Sensor` to its VSP, or to a test's fake. Called by the task's thread only.
+/// The connection from a `Sensor` to its VSP, or to a test's fake. Called by the task's thread only.
 class SensorLink {
  public:
   virtual ~SensorLink() = default;
@@ -39,12 +39,12 @@ class SensorLink {
   virtual void request(const SensorRequest& request) = 0;
   /// Waits for the reply to the last `request`. Throws SystemError when the VSP died or is silent.
   virtual void receive(SensorReading& reading) = 0;
-  /// Whether the deployment wants this sensor polled: asked for readings, but never waited for.
+  /// Whether the deployment has this sensor polled: readings are requested but never waited for.
   virtual bool polled() const noexcept { return false; }
-  /// The reply to the last `request` if it has come, else false and `reading` as it was. Never waits. Throws as
-  /// `receive`.
+  /// Stores the reply to the last `request` if it has arrived; otherwise returns false and leaves `reading` unchanged.
+  /// Never waits. Throws as `receive`.
   virtual bool poll(SensorReading& /*reading*/) { return false; }
-  /// The newest published reading (non-interactive); never waits. False when none has come yet.
+  /// The newest published reading (non-interactive); never waits. False before the first one.
   virtual bool latest(SensorReading& reading) = 0;
 };
 

@@ -5,14 +5,14 @@
 
 namespace mrroc {
 
-/// The terminals of one robot's controller, inputs or outputs alike: what grippers, valves, lamps and switches are
-/// wired to. As many as the original had.
+/// The terminals of one robot's controller, inputs or outputs: grippers, valves, lamps and switches are wired to them.
+/// The numbers are those of the original.
 struct Signals {
   static constexpr int kDigital = 16;
   static constexpr int kAnalog = 8;
 
   std::uint16_t digital = 0;             ///< bit i: terminal i
-  std::array<double, kAnalog> analog{};  ///< in the terminal's own unit, V as a rule
+  std::array<double, kAnalog> analog{};  ///< in the terminal's own unit, usually V
 
   /// Digital terminal `i` (0..15).
   constexpr bool on(int i) const noexcept { return ((digital >> i) & 1u) != 0; }

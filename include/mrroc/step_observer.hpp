@@ -4,9 +4,9 @@
 
 namespace mrroc {
 
-/// Is told every step of every Move and Wait of a task: traces, progress displays. Called when the commands have been
-/// sent and no reply is awaited yet, on the task's thread: it must neither allocate, block nor throw. The record is
-/// that of the task's black box: it is overwritten later.
+/// Receives every step of every Move and Wait of a task: traces, progress displays. Called on the task's thread after
+/// the commands have been sent and before the replies are awaited; it must neither allocate, block nor throw. The
+/// record belongs to the task's black box and is overwritten later.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;

@@ -12,7 +12,7 @@
 
 namespace mrroc {
 
-/// What ends an instruction at a step.
+/// The reason why an instruction ends at a step.
 enum class StepEnding : std::uint8_t {
   none,             ///< nothing: it continues, and every robot is commanded
   condition,        ///< the condition waited for, or given to the generator with `until`, holds: f_I, f_T
@@ -24,7 +24,7 @@ enum class StepEnding : std::uint8_t {
   system_error
 };
 
-/// What is the same at all steps of one Move or Wait.
+/// The data common to all steps of one Move or Wait.
 struct InstructionRecord {
   struct SensorEntry {
     std::string name;
@@ -35,27 +35,27 @@ struct InstructionRecord {
   std::uint64_t number = 0;  ///< counts the task's instructions, from 1, in the order of their first steps
   bool is_move = false;
   std::string name;                  ///< of the generator, or of the condition waited for
-  std::optional<std::string> until;  ///< of a Move: name of the condition that ends it; none: it has none
+  std::optional<std::string> until;  ///< of a Move: name of its condition, if any
   std::vector<std::string> robots;
   std::vector<SensorEntry> sensors;
   std::vector<std::string> conditions;  ///< leaves of the condition
 };
 
 /// One step of a Move or Wait, after f_T / f_I and the next command are known, or when an error ends it: copies of all
-/// that it has seen and commanded. The lists are in the order of the instruction's.
+/// states, readings and commands. The lists are in the order of the instruction's.
 struct StepRecord {
   std::shared_ptr<const InstructionRecord> instruction;
-  /// i - i0. When `Stopped` or a SystemError breaks an exchange off it is that of the command that got no answer.
+  /// i - i0. When `Stopped` or a SystemError aborts an exchange, it is that of the unanswered command.
   std::uint64_t step = 0;
-  /// Macrosteps in which the robots held between the command before and this step: a pause, a command that was late.
+  /// Macrosteps in which the robots held between the previous command and this step: a pause, a late command.
   std::uint64_t held = 0;
   Tick tick = 0;  ///< of the newest state or reading
   StepEnding ending = StepEnding::none;
   Tick skew = 0;                        ///< of the robots, worst so far in this instruction: Outcome::skew
   std::vector<RobotState> states;       ///< e^i
-  std::vector<RobotCommand> commands;   ///< e^{i+1}; none where the instruction ends
+  std::vector<RobotCommand> commands;   ///< e^{i+1}; empty where the instruction ends
   std::vector<SensorReading> readings;  ///< v^i
-  /// Of each leaf, whether it holds. None at an end at which they are not evaluated: end-motion, `Stopped`, errors.
+  /// Whether each leaf holds. Empty at an end without evaluation: end-motion, `Stopped`, errors.
   std::vector<std::uint8_t> conditions;
 
   /// The instruction ends here: no command is sent.

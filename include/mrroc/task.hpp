@@ -14,7 +14,7 @@ namespace mrroc {
 
 class StepObserver;
 
-/// What the operator, or the superior process, wants of the instruction under way.
+/// The request of the operator or the superior process for the current instruction.
 enum class OperatorRequest : std::uint8_t {
   none = 0,
   pause = 1,      ///< hold until resumed
@@ -22,9 +22,8 @@ enum class OperatorRequest : std::uint8_t {
   end_motion = 3  ///< end this Move or Wait as if its condition had held
 };
 
-/// The process that a task program runs in, as `Robot`, `Sensor`, `Move` and `Wait` see it: a source of links, the
-/// time, the operator. `ecp::Task` and `mp::Task` implement it over DDS, tests over fakes. All methods: the task's
-/// thread.
+/// The process of a task program, used by `Robot`, `Sensor`, `Move` and `Wait` for links, the time and the operator.
+/// `ecp::Task` and `mp::Task` implement it over DDS, tests over fakes. All methods: task's thread.
 class Task {
  public:
   virtual ~Task() = default;
@@ -34,19 +33,19 @@ class Task {
 
   /// Name of the process, for errors and traces.
   virtual const std::string& process_name() const noexcept = 0;
-  /// Name of the robot meant by `requested`: in an ECP, its own robot when empty. Throws NonFatalError when there is
-  /// none.
+  /// Name of the robot meant by `requested`: in an ECP, its own robot when empty. Throws NonFatalError when there is no
+  /// such robot.
   virtual std::string robot_name(const std::string& requested) const = 0;
-  /// The parameter file that the deployment names for robot `name` of type `type`. Empty: that of the type; also when
-  /// the deployment has no such robot, which `robot_link` reports.
+  /// The parameter file that the deployment names for robot `name` of type `type`. Empty: the file of the type. Also
+  /// empty when the deployment has no such robot, which `robot_link` reports.
   virtual std::filesystem::path robot_parameters(const std::string& /*name*/, const std::string& /*type*/) const {
     return {};
   }
   /// The link to robot `name` of type `type` (its EDP or ECP). Throws NonFatalError(invalid_argument) when the
-  /// deployment has no such robot, has it as another type, or the task runs already and has no link to it: links are
-  /// opened while the task object is built, and live as long as it. Later calls get the same link.
+  /// deployment has no such robot, has it as another type, or the task is already running and has no link to it: links
+  /// are opened while the task object is built, and live as long as the task. Later calls return the same link.
   virtual RobotLink& robot_link(const std::string& name, const std::string& type) = 0;
-  /// The link to sensor `name` of type `type`, likewise. `interactive` tells how it is deployed.
+  /// The link to sensor `name` of type `type`, in the same manner. `interactive`: how it is deployed.
   virtual SensorLink& sensor_link(const std::string& name, const std::string& type, bool& interactive) = 0;
 
   /// Length of a servo tick, s.
@@ -58,15 +57,15 @@ class Task {
   /// Waits until `tick`. Throws Stopped when the process is asked to end.
   virtual void sleep_until(Tick tick) = 0;
 
-  /// What is wanted of the instruction at this step; never waits. In an MP it throws the error of an ECP that the MP
-  /// has started and that has failed since.
+  /// The request for the instruction at this step; never waits. In an MP it throws the error of an ECP that the MP has
+  /// started and that has failed since.
   virtual OperatorRequest operator_request() = 0;
   /// True once for each trigger that the operator gave.
   virtual bool take_trigger() noexcept = 0;
-  /// Is told every step; null: no one. It must neither allocate nor block.
+  /// Receives every step; may be null. It must neither allocate nor block.
   virtual StepObserver* observer() noexcept = 0;
 
-  /// The last steps of this task's Moves and Waits; it continues as they do. Task's thread.
+  /// The last steps of this task's Moves and Waits, updated by every step. Task's thread.
   BlackBox& black_box() noexcept { return black_box_; }
   const BlackBox& black_box() const noexcept { return black_box_; }
 

@@ -4,14 +4,14 @@
 
 namespace mrroc {
 
-/// How far one pose is from another.
+/// The distance between two poses.
 struct PoseDeviation {
   double position = 0;  ///< m
   double rotation = 0;  ///< rad
 };
 
-/// A robot's geometry as it is used now: one of its models, wearing one tool. Poses are of the tool frame in the
-/// robot's base frame. Allocates nothing, never throws; any thread. Holds the model by reference.
+/// A robot's geometry in use: one of its models with one tool. Poses are of the tool frame in the robot's base frame.
+/// Allocates nothing, never throws; any thread. Holds the model by reference.
 class ToolKinematics {
  public:
   /// `tool`: the tool frame in the flange frame.
@@ -24,13 +24,13 @@ class ToolKinematics {
 
   /// flange(joints) * tool.
   Pose direct(const JointVector& joints) const noexcept { return model_->flange(joints) * tool_; }
-  /// Joints of a tool pose on the branch nearest to `near`, whatever the limits; codes as `RobotModel::inverse`. For
+  /// Joints of a tool pose on the branch nearest to `near`, ignoring the limits; codes as `RobotModel::inverse`. For
   /// paths of the tool, which keep their branch.
   ErrorCode follow(const Pose& pose, const JointVector& near, JointVector& joints) const noexcept {
     return model_->inverse(pose * inverse_tool_, near, joints);
   }
-  /// The same; where those joints pass a joint or motor limit, the nearest posture within the limits instead
-  /// (language/nearest_posture.hpp gives the distance), if there is one.
+  /// The same; where those joints exceed a joint or motor limit, the nearest posture within the limits instead, if one
+  /// exists (language/nearest_posture.hpp defines the distance).
   ErrorCode inverse(const Pose& pose, const JointVector& near, JointVector& joints) const noexcept;
   /// Every branch of a tool pose, as `RobotModel::branches`.
   void branches(const Pose& pose, const JointVector& near, BranchReceiver& receiver) const noexcept {

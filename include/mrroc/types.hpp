@@ -6,7 +6,7 @@
 
 namespace mrroc {
 
-/// Most axes that one robot may have (the original's largest effector drives eight servos).
+/// Maximum number of axes of a robot (the original's largest effector drives eight servos).
 inline constexpr int kMaxJoints = 8;
 
 /// One value per axis: rad or m, rad/s or m/s, by context. Its storage is inline: copying it never allocates.

@@ -14,7 +14,7 @@ constexpr double kOffLine = 1e-6;  // m, and rad
 
 double read_gear(const config::Table& geometry) {
   const double gear = geometry.number("gear");
-  if (gear == 0) geometry.fail("gear", "0 is no gear", "rad of the motor per m, its sign included");
+  if (gear == 0) geometry.fail("gear", "0 is not a gear ratio", "rad of the motor per m, its sign included");
   geometry.finish();
   return gear;
 }

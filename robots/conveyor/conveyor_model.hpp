@@ -11,9 +11,9 @@ namespace mrroc {
 ///
 /// The base frame is in the belt's surface, in the middle of its width above the axis of the first roller: x along the
 /// belt, z up. The flange frame is a mark on the belt that was at the base frame at q = 0: flange(q) is the base frame
-/// moved by q along x, also when the mark has long gone round the last roller. `inverse` knows the poses on this line,
-/// within 1e-6 m and rad; all others, and garbage, are `out_of_workspace`. Outputs of a failed call are left as they
-/// were.
+/// moved by q along x, even when the mark has passed the last roller. `inverse` accepts the poses on this line,
+/// within 1e-6 m and rad; all others, and NaN, are `out_of_workspace`. A failed call does not change its
+/// outputs.
 class ConveyorModel final : public RobotModel {
  public:
   /// `parameters` of one axis; `gear`: rad of the motor per m of belt, not 0.

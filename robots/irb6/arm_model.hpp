@@ -13,8 +13,8 @@ namespace mrroc::irb6 {
 
 /// One model of an arm of the IRb-6's family, all in closed form: its transmission, and as `ArmKinematics` the one of
 /// its wrist. The base frame is at shoulder height: z up, x forward at joint 1 = 0. `joints_to_motors` and
-/// `motors_to_joints` look at what the transmission can do, not at the limits of `parameters()`. Garbage gets an error,
-/// never a NaN: outputs of a failed call are left as they were.
+/// `motors_to_joints` check the range of the transmission, not the limits of `parameters()`. NaN causes an error,
+/// never a NaN result: a failed call does not change its outputs.
 template <typename ArmKinematics>
 class ArmModel final : public RobotModel {
  public:

@@ -12,7 +12,7 @@ namespace mrroc::irb6 {
 struct ArmAxes {
   ArmAxes(double column, double pitch) noexcept;
   Eigen::Vector3d along;   ///< forward and down
-  Eigen::Vector3d side;    ///< level, to the left: what lower arm, upper arm and wrist pitch turn about
+  Eigen::Vector3d side;    ///< level, to the left: the direction of the axes of lower arm, upper arm and wrist pitch
   Eigen::Vector3d normal;  ///< up and forward
 };
 
@@ -25,7 +25,7 @@ struct ArmAngles {
   double wrist;
 };
 
-/// What all arms of the family have in common: lower arm, upper arm and wrist move in the vertical plane of the column.
+/// The common part of all arms of the family: lower arm, upper arm and wrist move in the vertical plane of the column.
 /// The base frame is at the shoulder, z up, x forward at q1 = 0. Any thread; never allocates or throws.
 class ArmPlane {
  public:

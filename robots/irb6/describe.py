@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Writes <robot>.urdf and <robot>.xml (MJCF) of robots of the IRb-6's family from their <robot>.toml, so that a measured
-number is put in at one place.
+number is entered in one file.
 
     robots/irb6/describe.py robots/irb60               # writes both
-    robots/irb6/describe.py --check robots/irb6 ...    # says what is not up to date, exit code 1
+    robots/irb6/describe.py --check robots/irb6 ...    # lists outdated files, exit code 1
 """
 
 import argparse
@@ -30,7 +30,7 @@ def main():
             if file.exists() and file.read_text() == text:
                 continue
             if arguments.check:
-                print(f"{file} is not what {name}.toml says: run robots/irb6/describe.py {folder}")
+                print(f"{file} differs from {name}.toml: run robots/irb6/describe.py {folder}")
                 stale = True
             else:
                 file.write_text(text)

@@ -15,7 +15,7 @@ struct ScrewGeometry {
 };
 
 /// Geometry of an arm of the IRb-6's family: `[geometry]` of its file, or one of its `[models]`. Lengths in m, gears in
-/// rad of the motor per rad of what it drives. An arm has six axes, or five: then it has no tool roll.
+/// rad of the motor per rad of the driven link. An arm has six axes, or five: then it has no tool roll.
 struct Geometry {
   double lower_arm = 0;  ///< shoulder to elbow
   double upper_arm = 0;  ///< elbow to wrist pitch axis

@@ -14,7 +14,7 @@ constexpr config::Range kAngle{-2 * std::numbers::pi, 2 * std::numbers::pi};
 
 double gear(const config::Table& table, std::string_view key) {
   const double value = table.number(key);
-  if (value == 0) table.fail(key, "0 is no gear", "rad of the motor per rad or m, its sign included");
+  if (value == 0) table.fail(key, "0 is not a gear ratio", "rad of the motor per rad or m, its sign included");
   return value;
 }
 
@@ -118,7 +118,7 @@ std::vector<NamedGeometry> read_models(const config::Table& file, const RobotPar
   if (const auto variants = file.optional_table("models")) {
     for (const std::string& name : variants->table_names()) {
       if (name == "nominal" || name.size() > kNameLength) {
-        variants->fail(name, "\"" + name + "\" is no name for another model",
+        variants->fail(name, "\"" + name + "\" is not a valid name for another model",
                        "at most " + std::to_string(kNameLength) + " characters, not \"nominal\"");
       }
       models.push_back({name, read_variant(variants->table(name), nominal)});

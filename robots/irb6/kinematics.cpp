@@ -12,7 +12,7 @@ namespace mrroc::irb6 {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr double kBehind = 1e-3;  // m, beyond the limits: what a projected pose may need
+constexpr double kBehind = 1e-3;  // m, beyond the limits: margin for a projected pose
 
 Pose Kinematics::flange(const JointVector& joints) const noexcept {
   const ArmAngles angles(joints);

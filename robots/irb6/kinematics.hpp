@@ -20,15 +20,15 @@ class Kinematics {
 
   /// Joints of a flange pose. The arm reaches forward (q1 = atan2(y, x)) and its elbow points up: the other branches
   /// are beyond the screws. Of the two wrist branches (q5, t4, q6) and (-q5, t4 + pi, q6 + pi) the one with the smaller
-  /// sum of changes of q4, q5, q6 from `near`. q5 is the turn nearest to `near`, q1, t4 and q6 are within (-pi, pi].
-  /// `none`; `singular` when q5 is a multiple of pi (t4 is kept from `near`) or the flange is above the shoulder (q1 is
-  /// kept); `out_of_workspace` when no joints belong to the pose, it is not a rigid motion within 1e-6 or a value is
-  /// not finite (then `joints` is left as it was).
+  /// sum of changes of q4, q5, q6 from `near`. q5 is the revolution nearest to `near`, q1, t4 and q6 are within (-pi,
+  /// pi]. `none`; `singular` when q5 is a multiple of pi (t4 is kept from `near`) or the flange is above the shoulder
+  /// (q1 is kept); `out_of_workspace` when no joints belong to the pose, it is not a rigid motion within 1e-6 or a
+  /// value is not finite (then `joints` is unchanged).
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept;
 
   /// As `RobotModel::branches`: forward and backward reach, both wrist branches. With the roll axes aligned or the
-  /// flange above the shoulder the free angle goes round in `kFreeSteps` steps.
-  /// Behind the column the arm is looked for up to `behind` m (`ArmPlane::behind`).
+  /// flange above the shoulder the free angle covers a revolution in `kFreeSteps` steps.
+  /// Behind the column the search reaches up to `behind` m (`ArmPlane::behind`).
   void branches(const Pose& flange, const JointVector& near, double behind, BranchReceiver& receiver) const noexcept;
   static constexpr int kFreeSteps = 720;
   static std::string_view branch_name(const JointVector& joints) noexcept {

@@ -32,7 +32,7 @@ std::optional<double> Screw::angle(double motor) const noexcept {
   const double screw = (motor - zero_) / geometry_.gear + geometry_.synchro_length;
   const double c = screw * screw - geometry_.squares;  // = cosine cos t - sine sin t
   const double discriminant = geometry_.cosine * geometry_.cosine + geometry_.sine * geometry_.sine - c * c;
-  if (!(screw > 0 && discriminant >= 0)) return std::nullopt;  // also when `motor` is no number
+  if (!(screw > 0 && discriminant >= 0)) return std::nullopt;  // also when `motor` is NaN
   const double d = std::sqrt(discriminant);
   return std::atan2(-(geometry_.sine * c + geometry_.cosine * d), geometry_.cosine * c - geometry_.sine * d);
 }

@@ -9,7 +9,7 @@
 namespace mrroc::irb6 {
 
 /// Motor <-> arm angle through a ball screw: m(t) = gear (length(t) - synchro_length) + zero. The arm moves between
-/// the two dead centres of the linkage, where dm/dt = 0; outside them an angle has no motor position of its own.
+/// the two dead centres of the linkage, where dm/dt = 0; outside them an angle has no unique motor position.
 class Screw {
  public:
   /// `zero`: motor position at synchro_length, rad.
@@ -38,9 +38,9 @@ class Transmission {
  public:
   explicit Transmission(const Geometry& geometry) noexcept;
 
-  /// `none`, or `motor_limit` when no joints belong to `motors` (then `joints` is left as it was).
+  /// `none`, or `motor_limit` when no joints belong to `motors` (then `joints` is unchanged).
   ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept;
-  /// `none`, or `joint_limit` when a screw is past its dead centre or a value is not finite (`motors` as it was).
+  /// `none`, or `joint_limit` when a screw is past its dead centre or a value is not finite (`motors` unchanged).
   ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept;
   /// G(q) = d motors / d joints.
   JointMatrix matrix(const JointVector& joints) const noexcept;

@@ -3,7 +3,7 @@
 
 using namespace mrroc;
 
-/// A tour of the workspace: a square with the tool straight down, the tool forward, a pose that five axes cannot take,
+/// A tour of the workspace: a square with the tool straight down, the tool forward, a pose that five axes cannot reach,
 /// home.
 class Tour : public ecp::Task {
   Irb6FiveAxis arm{*this};

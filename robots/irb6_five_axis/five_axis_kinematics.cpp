@@ -11,11 +11,11 @@ namespace mrroc::irb6 {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr double kBehind = 1e-3;  // m, beyond the limits: what a projected pose may need
+constexpr double kBehind = 1e-3;  // m, beyond the limits: margin for a projected pose
 
 namespace {
 
-constexpr double kPlane = 1e-6;       // sine of an angle, what rounding leaves
+constexpr double kPlane = 1e-6;       // sine of an angle, rounding error
 constexpr double kNearColumn = 0.05;  // m: nearer to it a measured position determines the column's angle badly
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace mrroc::irb6 {
 /// axis is up, y to the right, z forward. Any thread; never allocates or throws.
 class FiveAxisKinematics {
  public:
-  /// How far (sine of the angle) a pose's z axis may be out of the arm's vertical plane: it is turned into the plane,
-  /// as measured poses need it.
+  /// Tolerance (sine of the angle) of a pose's z axis to the arm's vertical plane: it is turned into the plane,
+  /// as measured poses require.
   static constexpr double kPlaneTolerance = 5e-3;
 
   explicit FiveAxisKinematics(const Geometry& geometry) noexcept : plane_(geometry) {}
@@ -20,17 +20,17 @@ class FiveAxisKinematics {
   Pose flange(const JointVector& joints) const noexcept;
 
   /// Joints of a flange pose: the arm reaches forward (q1 = atan2(y, x)) with its elbow up, so there is one solution at
-  /// most. q5 is the turn nearest to `near`, q1 and t4 are within (-pi, pi]. Solutions are what the geometry says,
+  /// most. q5 is the revolution nearest to `near`, q1 and t4 are within (-pi, pi]. Solutions follow from the geometry,
   /// within the limits or not: nothing is clamped. `none`; `singular` when the flange is above the shoulder (then q1
   /// follows from the z axis, or from `near` when that is vertical); `out_of_workspace` when the z axis is out of the
   /// arm's vertical plane by more than kPlaneTolerance, when it is out of reach, the pose is not a rigid motion within
-  /// 1e-6 or a value is not finite (then `joints` is left as it was).
+  /// 1e-6 or a value is not finite (then `joints` is unchanged).
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept;
 
   /// As `RobotModel::branches`: forward and backward reach, the z axis turned into the arm's plane. Near the column's
-  /// axis also the column angle that the z axis asks for. Above the shoulder with a vertical z axis the column goes
-  /// round in `kFreeSteps` steps.
-  /// Behind the column the arm is looked for up to `behind` m (`ArmPlane::behind`).
+  /// axis also the column angle that the z axis requires. Above the shoulder with a vertical z axis the column
+  /// covers a revolution in `kFreeSteps` steps.
+  /// Behind the column the search reaches up to `behind` m (`ArmPlane::behind`).
   void branches(const Pose& flange, const JointVector& near, double behind, BranchReceiver& receiver) const noexcept;
   static constexpr int kFreeSteps = 720;
   static std::string_view branch_name(const JointVector&) noexcept { return "elbow up"; }

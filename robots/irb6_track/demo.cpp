@@ -17,7 +17,7 @@ class Tour : public ecp::Task {
         Move({arm}, {}, JointLine{arm, Irb6Track::tool_down(0.7, y, 0.0), 0.9});
       }
     }
-    arm.use_model("track_used");  // from now on the track reaches what the column reached
+    arm.use_model("track_used");  // from now on the track moves instead of the column
     Move({arm}, {}, JointLine{arm, Irb6Track::tool_down(0.7, 0.6, 0.0), 0.9});
     arm.use_model("track_still");
     Move({arm}, {}, JointLine{arm, arm.parameters().home, 0.9});

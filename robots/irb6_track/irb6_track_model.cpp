@@ -73,7 +73,7 @@ ErrorCode Irb6TrackModel::inverse(const Pose& flange, const JointVector& near, J
   const double cosine = std::cos(near[1]);
   const bool along_track = keeps_ == Keeps::column && std::abs(cosine) < kAlongTrack;
   if (keeps_ == Keeps::column && !along_track) {
-    const double reach = flange.translation().x() / cosine;  // from the column's axis, the way the arm faces
+    const double reach = flange.translation().x() / cosine;  // from the column's axis, in the direction of the arm
     if (reach < -kSingular) return ErrorCode::out_of_workspace;
     track = flange.translation().y() - reach * std::sin(near[1]);
   }
@@ -140,7 +140,7 @@ RobotModels load_irb6_track(const std::filesystem::path& file) {
   const auto parameters = irb6::read_parameters(table, 7);
   const auto track = table.table("track");
   const double gear = track.number("gear");
-  if (gear == 0) track.fail("gear", "0 is no gear", "rad of the motor per m, its sign included");
+  if (gear == 0) track.fail("gear", "0 is not a gear ratio", "rad of the motor per m, its sign included");
   track.finish();
   RobotModels models;
   const auto add = [&](const std::string& name, Keeps keeps, const irb6::Geometry& arm) {

@@ -12,15 +12,15 @@ namespace mrroc {
 
 /// One model of the IRb-6 on its track, in closed form: joint 0 is the track q0 (m, along the base's y axis), joints
 /// 1..6 are those of the arm. The base frame is at the shoulder of the arm at q0 = 0, z up, x forward. A pose has one
-/// free joint: the inverse keeps the one that `Keeps` says from `near` and solves for the six others. With both, codes
-/// and branches are those of the arm (robots/irb6/kinematics.hpp); garbage gets an error, never a NaN.
+/// free joint: the inverse keeps the joint that `Keeps` selects from `near` and solves for the six others. With both,
+/// codes and branches are those of the arm (robots/irb6/kinematics.hpp); NaN causes an error, never a NaN result.
 class Irb6TrackModel final : public RobotModel {
  public:
   enum class Keeps {
     track,
-    /// The arm keeps facing where it faces and the track brings it there: q0 = y - x tan q1. `out_of_workspace` when
-    /// the arm would have to reach behind itself. With the arm along the track (|cos q1| < 1e-6) nothing follows for
-    /// q0: then the track is kept and the code is `singular`.
+    /// The arm keeps its direction and the track moves it: q0 = y - x tan q1. `out_of_workspace` when the arm would
+    /// have to reach backwards. With the arm along the track (|cos q1| < 1e-6) nothing follows for q0: then the track
+    /// is kept and the code is `singular`.
     column,
   };
 
@@ -36,7 +36,7 @@ class Irb6TrackModel final : public RobotModel {
   Pose default_tool() const noexcept override { return tool_; }
   Pose flange(const JointVector& joints) const noexcept override;
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override;
-  /// The kept joint at its value of `near`; where that gives no posture within the limits, the track moves from there,
+  /// The kept joint at its value of `near`; when that gives no posture within the limits, the track moves from there,
   /// in steps of `kTrackStep`, to the nearest position that gives one.
   void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept override;
   static constexpr double kTrackStep = 0.005;  ///< m

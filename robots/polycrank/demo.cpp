@@ -4,8 +4,8 @@
 
 using namespace mrroc;
 
-/// From rest: the tool stands still while the arm swings along its redundancy: crank 1 is asked aside by `angle` (rad)
-/// and back in `duration` (s), and the joints nearest to that which hold the tool are taken.
+/// From rest: the tool stays at rest while the arm moves along its redundancy: crank 1 is commanded aside by `angle`
+/// (rad) and back in `duration` (s), and the nearest joints that hold the tool are used.
 class Swing : public Generator {
  public:
   Swing(Robot& robot, double angle, double duration)
@@ -61,7 +61,7 @@ class Demo : public ecp::Task {
     const JointVector turned = up + 2 * std::numbers::pi * (JointVector::Unit(7, 0) - JointVector::Unit(7, 2));
     Move({arm}, {}, JointLine{arm, up, 0.95});
     Move({arm}, {}, JointLine{arm, turned, 0.95});
-    Move({arm}, {}, JointLine{arm, arm.kinematics().direct(home), 0.95});  // a turn away from home
+    Move({arm}, {}, JointLine{arm, arm.kinematics().direct(home), 0.95});  // a revolution away from home
   }
 };
 

@@ -36,7 +36,7 @@ Geometry read_geometry(const config::Table& table) {
   geometry.elbow_cranks = read_cranks(table, "elbow_cranks");
   geometry.gears = read<kAxes>(table, "gears");
   if (std::ranges::find(geometry.gears, 0.0) != geometry.gears.end()) {
-    table.fail("gears", "0 is no gear", "rad of the motor per rad of the joint, its sign included");
+    table.fail("gears", "0 is not a gear ratio", "rad of the motor per rad of the joint, its sign included");
   }
   geometry.tool = config::read_tool(table);
   table.finish();

@@ -67,7 +67,7 @@ Pose Kinematics::flange(const JointVector& joints) const noexcept {
 
 ErrorCode Kinematics::inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept {
   if (!is_rigid(flange) || !near.allFinite()) return ErrorCode::out_of_workspace;
-  // reckoned within half a turn, so that many turns cost no digits
+  // computed within half a revolution, so that many revolutions cost no precision
   const JointVector within_turn = near.unaryExpr([](double angle) { return std::remainder(angle, 2 * pi); });
   JointVector q(kAxes);
   if (!closed_form(flange, within_turn, q)) return ErrorCode::out_of_workspace;
@@ -90,7 +90,7 @@ bool Kinematics::closed_form(const Pose& flange, const JointVector& near, JointV
     const double f = sine < kAligned ? near[0] + near[1] + near[2] : std::atan2(sign * axis.z(), sign * axis.y());
     const double g = std::atan2(sign * sine, -axis.x());
     const GroupAxes group(f);
-    // what both pairs reach together
+    // the common reach of both pairs
     const Vector3d reach = wrist - aside_ * group.side - forward_ * Vector3d::UnitX();
     const auto shoulder_chord = chord(shoulder_, reach.dot(group.radial), reach.dot(group.side));
     const auto elbow_chord = chord(elbow_, 0, reach.x());
@@ -115,7 +115,7 @@ Jacobian Kinematics::jacobian(const JointVector& joints, const Vector3d& offset)
   const GroupAxes group(joints[0] + joints[1] + joints[2]);
   const Pose pose = flange(joints);
   const Vector3d point = pose * offset;
-  // a point on each axis; where along the axis does not matter
+  // a point on each axis; its position along the axis does not matter
   const auto at_shoulder = [](const Vector2d& p) { return Vector3d(0, p.x(), p.y()); };
   const Vector3d group_start = at_shoulder(shoulder_.end(joints[0], joints[1])) + forward_ * Vector3d::UnitX();
   const auto at_elbow = [&](const Vector2d& p) -> Vector3d {

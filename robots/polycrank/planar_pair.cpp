@@ -22,7 +22,7 @@ Vector2d PlanarPair::angles(const Vector2d& point, double bend, double free_angl
   const double cosine = (point.squaredNorm() - first_ * first_ - second_ * second_) / (2 * first_ * second_);
   const double b = bend * std::acos(std::clamp(cosine, -1.0, 1.0));
   if (folds_onto(point)) return {free_angle, b};
-  // the end as the first crank sees it
+  // the end in the frame of the first crank
   const Vector2d seen(first_ + second_ * std::cos(b), second_ * std::sin(b));
   return {std::atan2(point.y(), point.x()) - std::atan2(seen.y(), seen.x()), b};
 }

@@ -8,10 +8,10 @@
 
 namespace mrroc {
 
-/// The Polycrank: seven axes without joint limits, closed form throughout; kinematics.hpp tells frames, branches and
-/// how the redundancy is resolved. The base frame is on the horizontal first axis; a deployment puts it 0.925 m above
-/// the floor. Transmission: m = gear q + synchro, one motor per axis. Garbage gets an error, never a NaN: outputs of a
-/// failed call are left as they were.
+/// The Polycrank: seven axes without joint limits, closed form throughout; kinematics.hpp describes frames, branches
+/// and how the redundancy is resolved. The base frame is on the horizontal first axis; a deployment puts it 0.925 m
+/// above the floor. Transmission: m = gear q + synchro, one motor per axis. NaN causes an error, never a NaN result; a
+/// failed call does not change its outputs.
 class PolycrankModel final : public RobotModel {
  public:
   /// `parameters` of seven axes; `geometry` valid as `polycrank::read_geometry` checks it.

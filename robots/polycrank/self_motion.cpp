@@ -42,7 +42,7 @@ Cranks SelfMotion::nearest(const Cranks& near) const noexcept {
     const Cranks curve = direction(q);
     const double norm = curve.norm();
     if (!(norm > kNoDirection)) break;
-    // to where the curve is at right angles to the way to `near`: the secant's zero, or straight on while it bends away
+    // to the point where the curve is at right angles to `near`: the secant's zero, or ahead while it bends away
     const double distance = curve.dot(near - q) / norm;
     if (std::abs(distance) < kAtRest) break;
     const double slope = (last_distance - distance) * last_step;
@@ -91,7 +91,7 @@ bool SelfMotion::come_back(Cranks& q) const noexcept {
     };
     Eigen::Matrix<double, 3, 6> slope;
     slope << about_x(shoulder), about_x(k), Vector3d::Zero(), about_side(elbow), about_side(m), Vector3d::Zero();
-    // what is left of a change of one joint when the other two of its sum take it back
+    // the rest of a change of one joint after the other two of its sum compensate it
     slope.leftCols<3>().colwise() -= Vector3d(slope.leftCols<3>().rowwise().mean());
     slope.rightCols<3>().colwise() -= Vector3d(slope.rightCols<3>().rowwise().mean());
     q += slope.transpose() * ((slope * slope.transpose()).inverse() * error);

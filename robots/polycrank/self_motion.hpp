@@ -8,7 +8,7 @@ namespace mrroc::polycrank {
 using Cranks = Eigen::Matrix<double, 6, 1>;
 
 /// The curve of crank postures that hold the flange still: both sums f = q1 + q2 + q3 and g = q4 + q5 + q6 are kept,
-/// and what one pair gives way along `radial` the other one reaches farther. With the shoulder pair's cranks j, k and
+/// and one pair extends along `radial` by as much as the other one retracts. With the shoulder pair's cranks j, k and
 /// the elbow pair's i, m as vectors in their planes, an index r for the component along `radial`, and the cross
 /// products v = j x k, w = i x m, the cranks turn along it as
 ///   (-w k_r, w (j + k)_r, -w j_r, v m_r, -v (i + m)_r, v i_r).

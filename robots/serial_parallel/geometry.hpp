@@ -4,7 +4,7 @@
 
 namespace mrroc::serial_parallel {
 
-/// Where the three legs are hinged, m. In the tripod frame (base) and in the platform frame legs A and C are on the y
+/// Hinge positions of the three legs, m. In the tripod frame (base) and in the platform frame legs A and C are on the y
 /// axis, leg B on the x axis.
 struct LegPoints {
   double a = 0;  ///< y
@@ -12,7 +12,7 @@ struct LegPoints {
   double c = 0;  ///< y
 };
 
-/// How far the legs may lean in their joints at the base, rad. Angles as in tripod.hpp.
+/// Limits of the legs' angles in their joints at the base, rad. Angles as in tripod.hpp.
 struct PassiveLimits {
   double ac_lean_max = 0;            ///< |lean| of legs A and C
   double b_lean_max = 0;             ///< |lean| of leg B
@@ -28,7 +28,7 @@ struct Geometry {
   double platform_to_wrist = 0;  ///< from the platform frame to the wrist's centre, along the platform's z axis
   double wrist_to_flange = 0;    ///< from the wrist's centre to the flange frame, along the flange's z axis
   PassiveLimits limits;
-  JointVector gears;             ///< rad of the motor per m of a leg, per rad of a wrist joint; none is 0
+  JointVector gears;             ///< rad of the motor per m of a leg, per rad of a wrist joint; never 0
   JointVector synchro;           ///< joints at synchronisation, m and rad
   Pose tool = Pose::Identity();  ///< tool frame in the flange frame
 };

@@ -50,7 +50,7 @@ Geometry read_geometry(const config::Table& table) {
   geometry.limits = read_limits(table.table("passive_limits"));
   geometry.gears = read_joints(table, "gears");
   if ((geometry.gears.array() == 0).any()) {
-    table.fail("gears", "0 is no gear", "rad of the motor per m or rad, its sign included");
+    table.fail("gears", "0 is not a gear ratio", "rad of the motor per m or rad, its sign included");
   }
   geometry.synchro = read_joints(table, "synchro");
   geometry.tool = config::read_tool(table);

@@ -22,16 +22,16 @@ class Kinematics {
 
   Pose flange(const JointVector& joints) const noexcept;
 
-  /// Where the legs put the platform; level when they do not close.
+  /// The platform's placement by the legs; level when they do not close.
   Placement placement(const JointVector& joints) const noexcept;
   PassiveAngles passive_angles(const Placement& placement) const noexcept { return tripod_.passive_angles(placement); }
 
-  /// `none`; `singular` as the wrist tells; `out_of_workspace` when a passive joint would pass its limit, the pose is
-  /// not a rigid motion within 1e-6 or a value is not finite (then `joints` is left as it was).
+  /// `none`; `singular` as for the wrist; `out_of_workspace` when a passive joint would pass its limit, the pose is
+  /// not a rigid motion within 1e-6 or a value is not finite (then `joints` is unchanged).
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept;
 
   /// As `RobotModel::branches`: both branches of the wrist, `allowance` (rad) granted to the passive joints. With the
-  /// wrist straight its turn goes round in `kFreeSteps` steps.
+  /// wrist straight its turn covers a revolution in `kFreeSteps` steps.
   void branches(const Pose& flange, const JointVector& near, double allowance, BranchReceiver& receiver) const noexcept;
   static constexpr int kFreeSteps = 720;
 

@@ -13,9 +13,8 @@ namespace mrroc {
 /// (kinematics.hpp). Each motor drives one joint: motor = gear (joint - synchro position) with the file's gears.
 ///
 /// Joints with a passive joint more than `kOvershoot` beyond its limit have no motors (`joint_limit`): so no path leads
-/// through them, while a robot that stands at a limit may swing over it. `inverse`, which paths of the tool follow,
-/// grants nothing; `branches` grants it, too. Garbage gets an
-/// error, never a NaN: outputs of a failed call are left as they were.
+/// through them, while a robot at a limit may overshoot it. `inverse`, which paths of the tool follow, grants no
+/// overshoot; `branches` grants it. NaN causes an error, never a NaN result: a failed call does not change its outputs.
 class SerialParallelModel final : public RobotModel {
  public:
   /// `parameters` of six axes; `geometry` valid as `serial_parallel::read_geometry` checks it.

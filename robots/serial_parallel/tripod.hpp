@@ -5,7 +5,7 @@
 
 namespace mrroc::serial_parallel {
 
-/// Place of the tripod's platform: what is left of its six freedoms.
+/// Placement of the tripod's platform: its remaining degrees of freedom.
 struct Placement {
   double swing = 0;   ///< rad, of the plane of legs A and C about the base's y axis
   double tilt = 0;    ///< rad, of the platform in that plane, about the platform's x axis
@@ -19,8 +19,8 @@ struct PassiveAngles {
   double pitch_b = 0;                         ///< of leg B about y
 };
 
-/// The parallel part, an Exechon tripod: legs A and C stand in universal joints with a common first axis (the base's y
-/// axis) and carry the platform in hinges along its x axis; leg B stands in a spherical joint and carries the platform
+/// The parallel part, an Exechon tripod: legs A and C are in universal joints with a common first axis (the base's y
+/// axis) and carry the platform in hinges along its x axis; leg B is in a spherical joint and carries the platform
 /// in a hinge along its y axis. Tripod frame: z towards the platform, x towards leg B. Kinematics after M. Zoppi, D.
 /// Zlatanov, R. Molfino, "Kinematics analysis of the Exechon tripod", DETC2010-28668, with the wrist's centre on the
 /// platform's z axis; angles counted from the upright platform.
@@ -45,7 +45,7 @@ class Tripod {
 
   /// The placement whose legs have these lengths, by Newton's method on their squares from the platform level at the
   /// mean height of legs A and C; `kIterations` steps at most. It converges in these to every placement within
-  /// the passive limits and up to ten degrees beyond (tests/robots/serial_parallel/tripod_test.cpp goes through them).
+  /// the passive limits and up to ten degrees beyond (tests/robots/serial_parallel/tripod_test.cpp checks them).
   /// False when the legs do not close with the platform upright: then `placement` is level, base.b high.
   bool assemble(const Eigen::Vector3d& legs, Placement& placement) const noexcept;
   static constexpr int kIterations = 8;
@@ -55,11 +55,11 @@ class Tripod {
 
   PassiveAngles passive_angles(const Placement& placement) const noexcept;
   /// Whether the platform is upright (both angles below a right one, above the base) and every passive angle is within
-  /// its limit, `allowance` rad granted. False for what is not finite.
+  /// its limit, `allowance` rad granted. False when a value is not finite.
   bool within_limits(const Placement& placement, double allowance) const noexcept;
 
  private:
-  /// Squares of the legs' lengths (m^2) and, where asked for, their derivatives with respect to swing, tilt and height.
+  /// Squares of the legs' lengths (m^2) and, on request, their derivatives with respect to swing, tilt and height.
   Eigen::Vector3d squared_legs(const Placement& placement, Eigen::Matrix3d* rates = nullptr) const noexcept;
 
   LegPoints base_;

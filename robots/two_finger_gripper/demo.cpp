@@ -3,7 +3,7 @@
 
 using namespace mrroc;
 
-/// Opens wide, closes on a cube until it feels it, holds it for a second and lets it go.
+/// Opens wide, closes on a cube until contact, holds it for a second and releases it.
 class TwoFingerGripperDemo : public ecp::Task {
   TwoFingerGripper gripper{*this};
 

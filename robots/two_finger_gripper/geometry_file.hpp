@@ -7,7 +7,7 @@
 namespace mrroc::two_finger_gripper {
 
 /// Reads `[geometry]` of two_finger_gripper.toml, given as its table. Throws ConfigurationError, also for a parabola
-/// whose dead centre is within the motor's limits: there the fingers would turn back.
+/// whose dead centre is within the motor's limits: there the fingers would reverse.
 Geometry read_geometry(const config::Table& table, const AxisParameters& axis);
 
 }  // namespace mrroc::two_finger_gripper

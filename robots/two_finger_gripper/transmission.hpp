@@ -31,7 +31,7 @@ class Transmission {
   std::optional<double> opening(double motor) const noexcept;
   /// rad; nothing when no motor position gives `opening`.
   std::optional<double> motor(double opening) const noexcept;
-  /// dm/dj, rad/m; finite: nearer than 1 rad to the dead centre, and where there is no motor position, that at 1 rad.
+  /// dm/dj, rad/m; finite: nearer than 1 rad to the dead centre, and without a motor position, the value at 1 rad.
   double ratio(double opening) const noexcept;
 
  private:

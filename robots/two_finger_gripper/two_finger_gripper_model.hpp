@@ -12,8 +12,8 @@ namespace mrroc {
 ///
 /// The base frame is in the mounting face: z towards the part, the fingers move along x. The flange frame is on the
 /// first finger's pad, in the middle of its gripping surface, its axes as the base's: flange(q) = (q / 2, 0, reach).
-/// `inverse` knows the poses on this line, within 1e-6 m and rad; all others, and garbage, are `out_of_workspace`.
-/// Outputs of a failed call are left as they were.
+/// `inverse` accepts the poses on this line, within 1e-6 m and rad; all others, and NaN, are `out_of_workspace`.
+/// A failed call does not change its outputs.
 class TwoFingerGripperModel final : public RobotModel {
  public:
   /// `parameters` of one axis; `geometry` valid as `two_finger_gripper::read_geometry` checks it.

@@ -84,7 +84,7 @@ CameraMount find_camera(const mjModel& model, const config::SensorEntry& entry) 
   found.body = model.cam_bodyid[*camera];
   found.field_of_view = model.cam_fovy[*camera] * std::numbers::pi / 180;
   found.in_body = pose_of(model.cam_pos + 3 * *camera, model.cam_quat + 4 * *camera);
-  found.in_body.linear() *= Eigen::Vector3d(1, -1, -1).asDiagonal();  // MuJoCo's camera looks along its -z, y is up
+  found.in_body.linear() *= Eigen::Vector3d(1, -1, -1).asDiagonal();  // MuJoCo's camera points along its -z, y is up
   const auto carrier = carrier_of(model, entry);
   if (!carrier) {
     if (text(entry, "frame") == "camera") return found;
@@ -93,7 +93,7 @@ CameraMount find_camera(const mjModel& model, const config::SensorEntry& entry) 
   if (model.body_weldid[found.body] != model.body_weldid[carrier->body]) {
     refuse(entry, "camera",
            "\"" + name + "\" is fixed to body \"" + std::string(model.names + model.name_bodyadr[found.body]) + "\"",
-           entry.robot.empty() ? "one that stands in the world, or the key 'robot' beside it"
+           entry.robot.empty() ? "one that is fixed in the world, or the key 'robot' beside it"
                                : "one fixed to the flange of robot " + entry.robot);
   }
   found.mount = (pose_of_body(model, carrier->body) * carrier->in_body).inverse() * pose_of_body(model, found.body) *

@@ -41,7 +41,7 @@ void fill(SensorReading& v, const Detection& found, const Pose& camera) {
 }  // namespace
 
 void CameraSensor::configure(const config::SensorEntry& entry, double /*servo_period*/) {
-  cv::setNumThreads(1);  // small pictures: threads cost more than they bring, and lockstep runs on one CPU
+  cv::setNumThreads(1);  // threads slow down small pictures, and lockstep runs on one CPU
   detector_ = make_detector(entry);
 }
 

@@ -12,7 +12,7 @@
 
 namespace mrroc::vsp {
 
-/// A camera that finds one thing, a blob of a colour on a known plane (`BlobDetector`) or an ArUco marker
+/// A camera that finds one object, a blob of a colour on a known plane (`BlobDetector`) or an ArUco marker
 /// (`MarkerDetector`). r is one picture; v, in the frame F of `ReadingFrame`, with C the camera's pose in F and (p, R,
 /// S) what was found in the camera frame, its covariance S:
 ///
@@ -26,8 +26,8 @@ namespace mrroc::vsp {
 ///     area                           m^2
 ///
 /// An eye-in-hand camera's C is flange * mount, with the flange from e_l at the picture's tick (pose * tool^-1).
-/// Errors: the robot's pose is not known, NonFatalError(sensor_not_ready); the eye has moved to where it cannot see the
-/// plane, NonFatalError(sensor_out_of_range). It has no zero to set.
+/// Errors: the robot's pose is unknown, NonFatalError(sensor_not_ready); the camera has moved to where it cannot see
+/// the plane, NonFatalError(sensor_out_of_range). It has no zero to set.
 ///
 /// Unlike other sensors it allocates while it aggregates, as OpenCV does, and with `debug` writes files.
 class CameraSensor final : public VirtualSensor {

@@ -11,18 +11,18 @@
 
 namespace mrroc::vsp {
 
-/// Pictures of what a camera has found, for people: `<folder>/<sensor>_<tick>.png` (the tick with eight digits) of
-/// every n-th reading, with the outline, the axes of the pose (x red, y green, z blue) and the reading's figures; and
-/// `<sensor>.toml` with the camera's intrinsics, which is claimed for as long as this object lives: no other run writes
-/// pictures of a sensor of this name into the folder meanwhile. A picture that cannot be written is reported once on
-/// stderr and costs no reading.
+/// Annotated pictures of the detections: `<folder>/<sensor>_<tick>.png` (the tick with eight digits) of every n-th
+/// reading, with the outline, the axes of the pose (x red, y green, z blue) and the reading's values; and
+/// `<sensor>.toml` with the camera's intrinsics. This object claims that file for its lifetime: no other run writes
+/// pictures of a sensor of this name into the folder. A picture that cannot be written is reported once on stderr and
+/// does not affect the reading.
 class DebugView {
  public:
   /// Makes the folder. Throws ConfigurationError when another process writes the pictures of such a sensor there,
   /// SystemError(resources) when it cannot be written.
   DebugView(const std::filesystem::path& folder, std::string sensor, int every, const Intrinsics& intrinsics);
 
-  /// `found`: null when nothing was. `v`: the reading that came of it, in `frame`.
+  /// `found`: null without a detection. `v`: the resulting reading, in `frame`.
   void show(const cv::Mat& picture, const Detection* found, const SensorReading& v);
 
  private:

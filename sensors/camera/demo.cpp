@@ -16,7 +16,7 @@ class Pointing : public ecp::Task {
     Move({arm}, {}, JointLine{arm, Irb6::tool_down(at.x(), at.y(), at.z() + 0.03), 0.9});
   }
 
-  /// The scene has them here, in the arm's base frame; a task of yours would not know.
+  /// The scene has them here, in the arm's base frame; a real task has no such values.
   static void check(const Camera& camera, const Eigen::Vector3d& where) {
     const double error = (camera.position() - where).norm();
     if (error > 0.002) throw NonFatalError{camera.name() + " is wrong by " + std::to_string(error) + " m"};

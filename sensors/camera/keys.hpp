@@ -8,19 +8,19 @@
 #include "config/deployment.hpp"
 #include "sensors/camera/detection/detection.hpp"
 
-/// What a deployment's keys of a camera mean (camera.toml declares them). All throw SystemError(configuration) naming
-/// the key, the value and what was expected.
+/// The meaning of a deployment's keys of a camera (camera.toml declares them). All functions throw
+/// SystemError(configuration) naming the key, the value and the expected value.
 namespace mrroc::vsp {
 
 const std::string& text(const config::SensorEntry& entry, const std::string& key);
 /// A whole number.
 int whole(const config::SensorEntry& entry, const std::string& key);
-/// None when the key is left out; else exactly `size` numbers.
+/// Nothing when the key is missing; else exactly `size` numbers.
 std::optional<std::vector<double>> optional_numbers(const config::SensorEntry& entry, const std::string& key,
                                                     std::size_t size);
-/// `position` and `rotation`; none when both are left out.
+/// `position` and `rotation`; nothing when both are missing.
 std::optional<Pose> mount_pose(const config::SensorEntry& entry);
-/// `detect` and the keys of its way of detecting.
+/// `detect` and the keys of that detector.
 std::unique_ptr<Detector> make_detector(const config::SensorEntry& entry);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& names);

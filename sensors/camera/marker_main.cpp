@@ -1,4 +1,4 @@
-// camera_marker: an ArUco marker as a PNG file, to print or to put into a scene.
+// camera_marker: an ArUco marker as a PNG file, to print or to use in a scene.
 #include <signal.h>
 
 #include <CLI/CLI.hpp>

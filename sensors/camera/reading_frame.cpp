@@ -17,7 +17,7 @@ Pose base_of(const config::Deployment& deployment, const config::SensorEntry& en
     if (robot.name != name) continue;
     if (!robot.mount.empty()) {
       refuse(entry, "frame", "robot " + name + " is carried by " + robot.mount + ": its base moves",
-             "a robot that stands in the world, or the camera's own");
+             "a robot that is fixed in the world, or the camera's own");
     }
     return robot.base;
   }

@@ -19,16 +19,16 @@ namespace mrroc::vsp {
 ///     frame = "camera"      identity
 class ReadingFrame {
  public:
-  /// The world's frame of a camera that stands in its origin.
+  /// The world's frame of a camera at its origin.
   ReadingFrame() = default;
-  /// `mount` may be identity where nothing depends on it. Throws SystemError(configuration): no such robot, or one that
-  /// another robot carries, whose base is not known.
+  /// `mount` may be identity when nothing depends on it. Throws SystemError(configuration): no such robot, or one that
+  /// another robot carries, whose base moves.
   ReadingFrame(const config::Deployment& deployment, const config::SensorEntry& entry, const Pose& mount);
 
   bool is_camera() const noexcept { return is_camera_; }
-  /// Whether the camera's pose depends on where its robot is.
+  /// Whether the camera's pose depends on its robot's pose.
   bool moves() const noexcept { return moves_; }
-  /// Pose of the camera in F; `flange`: in its robot's base frame, of no account unless it moves.
+  /// Pose of the camera in F; `flange`: in its robot's base frame, ignored unless the camera moves.
   Pose of_camera(const Pose& flange) const noexcept { return moves_ ? origin_ * flange * mount_ : origin_ * mount_; }
 
  private:

@@ -9,7 +9,7 @@ namespace mrroc::vsp {
 ///     position = resolution round(travel / resolution) - zero     m
 ///     velocity = speed                                            m/s
 ///
-/// `bias` makes the present position zero; until then zero is where the belt was at the start. With `resolution` 0
+/// `bias` makes the present position zero; until then zero is the belt's position at the start. With `resolution` 0
 /// nothing is rounded.
 class ConveyorEncoderSensor final : public VirtualSensor {
  public:

@@ -5,8 +5,8 @@
 
 using namespace mrroc;
 
-/// Watches a belt that another program drives, by an encoder as fine as the belt's own and by a coarse one: tells each
-/// 0.15 m, and when the belt has turned back.
+/// Watches a belt that another program drives, by an encoder as fine as the belt's own and by a coarse one: reports
+/// each 0.15 m, and the reversal of the belt.
 class ConveyorEncoderDemo : public mp::Task {
   ConveyorEncoder fine{*this, "fine"};
   ConveyorEncoder coarse{*this, "coarse"};

@@ -3,7 +3,7 @@
 
 using namespace mrroc;
 
-/// Drives the belt 0.6 m on and a little back, and tells no one.
+/// Drives the belt 0.6 m forward and a little back, without any message.
 class ConveyorEncoderDemoBelt : public ecp::Task {
   Conveyor belt{*this};
 

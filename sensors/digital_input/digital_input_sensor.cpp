@@ -8,7 +8,7 @@ namespace mrroc::vsp {
 
 namespace {
 
-/// Of a tick: what rounding may add to a whole number of them.
+/// Fraction of a tick: tolerance for rounding of a whole number of ticks.
 constexpr double kRounding = 1e-6;
 
 }  // namespace

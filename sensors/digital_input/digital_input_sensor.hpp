@@ -9,10 +9,10 @@ namespace mrroc::vsp {
 ///
 ///     on_k = s_k       when s_k-n = ... = s_k, else on_k-1
 ///     rises_k          how often `on` has gone from 0 to 1 since the start or the last `bias`
-///     level_k          as it is
+///     level_k          unchanged
 ///
-/// The first reading is taken as it is: a terminal that is on at the start has not risen. It looks at every tick, so
-/// that no rise is lost between readings; a tick without a usable reading counts as the one before it.
+/// The first reading is the initial state: a terminal that is on at the start has not risen. It evaluates every tick,
+/// so that no rise is lost between readings; a tick without a usable reading counts as the one before it.
 class DigitalInputSensor final : public VirtualSensor {
  public:
   void configure(const config::SensorEntry& entry, double servo_period) override;

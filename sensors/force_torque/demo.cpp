@@ -4,7 +4,7 @@
 
 using namespace mrroc;
 
-/// Turns the tool about, touching nothing: the compensated sensor feels no weight in any posture, the plain one does.
+/// Turns the tool about without contact: the compensated sensor measures no weight in any posture, the plain one does.
 class ForceTorqueDemo : public ecp::Task {
   Irb6 arm{*this};
   ForceTorque wrist{*this, "wrist"};
@@ -17,8 +17,8 @@ class ForceTorqueDemo : public ecp::Task {
       posture.tail<3>() = arm.parameters().home.tail<3>() + Eigen::Vector3d(pitch, roll, tool);
       Move({arm}, {wrist, plain}, JointLine{arm, posture});
       Move({arm}, {wrist, plain}, Hold{arm, 0.6});
-      if (wrist.force().norm() > 0.3 || wrist.torque().norm() > 0.03) throw NonFatalError{"the tool's weight is felt"};
-      if (plain.force().norm() < 5) throw NonFatalError{"the plain sensor feels no weight"};
+      if (wrist.force().norm() > 0.3 || wrist.torque().norm() > 0.03) throw NonFatalError{"the tool's weight remains"};
+      if (plain.force().norm() < 5) throw NonFatalError{"the plain sensor measures no weight"};
     }
   }
 };

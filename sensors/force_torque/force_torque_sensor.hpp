@@ -13,7 +13,7 @@ namespace mrroc::vsp {
 /// tool, in the axes of the sensor frame and about its origin (N, N m), after bias: a tool that points down, its z axis
 /// downward, and presses on a table reads a *negative* force_z.
 ///
-/// r is what the hardware measures. Without a `calibration` (and as MuJoCo's `force` and `torque` sensors give it) the
+/// r is the measurement of the hardware. Without a `calibration` (and from MuJoCo's `force` and `torque` sensors) the
 /// wrench s that the wrist exerts on the tool to support it; with one, the voltages of six strain gauges (gauges.hpp).
 /// The load on the sensor is l = -s, or M (gauges - zero). At rest the wrenches on the tool add up to zero, w + g + s =
 /// 0, g being its weight, so
@@ -22,11 +22,11 @@ namespace mrroc::vsp {
 ///     g = (f, c x f),  f = R^T (m a)
 ///
 /// with m `tool_mass`, c `tool_centre`, a `gravity`, R the orientation of the sensor frame in the robot's base frame:
-/// the flange's, from e_l (pose and tool frame in use), times that of the key `rotation`. With tool_mass 0, g is left
-/// in the reading and `bias` takes it out for the present orientation. Inertial forces of the tool are part of w.
+/// the flange's, from e_l (pose and tool frame in use), times that of the key `rotation`. With tool_mass 0, g remains
+/// in the reading and `bias` removes it for the present orientation. Inertial forces of the tool are part of w.
 ///
 /// A saturated gauge, or a component of l beyond its range, is NonFatalError(sensor_out_of_range) at that reading: no
-/// value of it or of another reading is given, and the filter does not see it. With a mass, before the pose of a
+/// value of it or of another reading is given, and the filter ignores it. With a mass, before the pose of a
 /// synchronised robot is known: NonFatalError(sensor_not_ready).
 class ForceTorqueSensor final : public VirtualSensor {
  public:
@@ -42,7 +42,7 @@ class ForceTorqueSensor final : public VirtualSensor {
   void aggregate(const RawReading& r, SensorReading& v) noexcept override;
   bool bias(const RawReading& r) noexcept override;
 
-  /// l of a complete and finite r, N and N m, whatever its ranges.
+  /// l of a complete and finite r, N and N m, even outside the ranges.
   Wrench load(const RawReading& r) const noexcept;
   /// Group delay of the low-pass for slow changes, s (`LowPass::delay`); 0 without.
   double delay() const noexcept { return filter_.delay(); }

@@ -16,7 +16,7 @@ using GaugeVoltages = Eigen::Matrix<double, 6, 1>;
 ///
 /// the wrench that the tool exerts on the transducer, in the sensor frame and about its origin. M (`calibration`) has
 /// the rows force x, y, z (N/V), torque x, y, z (N m/V), one column per gauge; zero (`gauge_zero`) are the voltages
-/// without load. A gauge at `gauge_limit` or beyond is saturated: the load cannot be known. Any thread; allocates
+/// without load. A gauge at `gauge_limit` or beyond is saturated: the load is unknown. Any thread; allocates
 /// nothing, never throws.
 class Gauges {
  public:
@@ -29,7 +29,7 @@ class Gauges {
   Wrench load(const GaugeVoltages& voltages) const noexcept { return matrix_ * (voltages - zero_); }
   /// Index of the first gauge that is saturated.
   std::optional<int> saturated(const GaugeVoltages& voltages) const noexcept;
-  /// What the gauges give under `load`: M^-1 load + zero, cut off at the limit.
+  /// The voltages of the gauges under `load`: M^-1 load + zero, cut off at the limit.
   GaugeVoltages voltages(const Wrench& load) const noexcept;
   double limit() const noexcept { return limit_; }  ///< V
 

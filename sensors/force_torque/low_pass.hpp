@@ -9,7 +9,7 @@ namespace mrroc::vsp {
 ///     y_k = y_j + (1 - exp(-2 pi f (k - j) T)) (u_k - y_j)
 ///
 /// f: cut-off (-3 dB), Hz; T: servo period, s; j: the tick of the update before. The first update gives y = u. f = 0:
-/// y = u always. It delays what changes slowly by `delay()`. Allocates nothing, never throws.
+/// y = u always. It delays slow changes by `delay()`. Allocates nothing, never throws.
 class LowPass {
  public:
   void configure(double cutoff, double servo_period) noexcept;

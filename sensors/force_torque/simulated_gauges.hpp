@@ -7,9 +7,9 @@
 
 namespace mrroc::vsp {
 
-/// The simulated world's wrist as a strain-gauge transducer: what `wrench_source` gives, the wrench s with which the
-/// wrist supports the tool (N, N m), becomes the voltages of the gauges under the load -s, saturated ones included.
-/// What is no complete wrench passes as it is.
+/// The simulated world's wrist as a strain-gauge transducer: converts the wrench s of `wrench_source`, with which the
+/// wrist supports the tool (N, N m), to the voltages of the gauges under the load -s, saturated ones included. An
+/// incomplete wrench passes unchanged.
 class SimulatedGauges final : public Source {
  public:
   SimulatedGauges(const Gauges& gauges, std::unique_ptr<Source> wrench_source)
@@ -19,7 +19,7 @@ class SimulatedGauges final : public Source {
     const SourceState state = wrench_source_->read(wanted, raw);
     if (state != SourceState::ready || raw.count != 6) return state;
     Eigen::Map<Wrench> values(raw.values.data());
-    if (values.allFinite()) values = gauges_.voltages(-values);  // a maximum would make a number of a nan
+    if (values.allFinite()) values = gauges_.voltages(-values);  // a maximum would turn NaN into a number
     return state;
   }
 

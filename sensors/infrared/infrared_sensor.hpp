@@ -24,7 +24,7 @@ namespace mrroc::vsp {
 ///     start
 ///
 /// n is normal with deviation 1. n and whether the spot is lost (probability `dropout`) depend on (name, tick) only.
-/// The presence has seen every tick, whoever asks for readings. It has no zero to set.
+/// The presence is updated at every tick, with or without requests for readings. It has no zero to set.
 class InfraredSensor final : public VirtualSensor {
  public:
   void configure(const config::SensorEntry& entry, double servo_period) override;

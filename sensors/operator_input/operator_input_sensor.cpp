@@ -12,7 +12,7 @@ void OperatorInputSensor::configure(const config::SensorEntry& entry, double /*s
 }
 
 std::unique_ptr<Source> OperatorInputSensor::open_source(const SourceContext& context) {
-  if (!config::asks_operator(context.entry)) return nullptr;  // the kit's
+  if (!config::asks_operator(context.entry)) return nullptr;  // the framework's
   auto source = std::make_unique<OperatorSource>(context.entry, *context.domain, *context.clock,
                                                  context.deployment.name + "/" + context.entry.name,
                                                  context.deployment.start_timeout);

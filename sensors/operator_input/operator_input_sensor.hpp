@@ -6,13 +6,13 @@ namespace mrroc::vsp {
 
 class OperatorSource;
 
-/// What the operator answers. r is `answers`, a count, and `value`, the last answer; v is
+/// The operator's answers. r is `answers`, a count, and `value`, the last answer; v is
 ///
 ///     answered = 1 when answers > zero, else 0
 ///     value    = the last answer when answered, else 0
 ///
-/// `bias` asks: it makes the present count zero, so that an earlier answer counts no more, and puts the question to the
-/// operator. Nothing is asked before the first `bias`. Played readings are the operator's answers likewise.
+/// `bias` asks: it makes the present count zero, so that an earlier answer no longer counts, and puts the question to
+/// the operator. Nothing is asked before the first `bias`. Played readings also count as the operator's answers.
 class OperatorInputSensor final : public VirtualSensor {
  public:
   void configure(const config::SensorEntry& entry, double servo_period) override;

@@ -8,9 +8,9 @@
 
 namespace mrroc::vsp {
 
-/// The operator as hardware: r is `answers`, how many questions have been answered so far, and `value`, the last
-/// answer (0 before the first). At most one question is open; an answer to none, to an earlier one, or one that the
-/// sensor does not take is left out.
+/// The operator as hardware: r is `answers`, the number of answered questions, and `value`, the last
+/// answer (0 before the first). At most one question is open; an answer without a question, to an earlier one, or one
+/// that the sensor does not accept is ignored.
 class OperatorSource final : public Source {
  public:
   /// `prefix`: "<deployment>/<sensor>"; `entry` outlives the source. Waits for the operator's end of the link, for
@@ -20,7 +20,7 @@ class OperatorSource final : public Source {
 
   /// `silent` when a question could not be sent.
   SourceState read(Tick wanted, RawReading& raw) noexcept override;
-  /// Puts the question at `tick`; one that is open is given up.
+  /// Puts the question at `tick`; an open one is cancelled.
   void ask(Tick tick) noexcept;
 
  private:

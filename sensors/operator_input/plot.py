@@ -1,4 +1,4 @@
-"""Reads the trace of this folder's demo and plots when which question was open, and its answer, with gnuplot.
+"""Reads the trace of this folder's demo and plots the time of each question and its answer with gnuplot.
 
 Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
 """

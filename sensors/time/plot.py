@@ -1,4 +1,4 @@
-"""Reads the trace of this folder's demo and plots what the stop watch showed over the deployment's time with gnuplot.
+"""Reads the trace of this folder's demo and plots the stop watch's time over the deployment's time with gnuplot.
 
 Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
 """

@@ -11,7 +11,7 @@ namespace mrroc {
 
 namespace {
 
-/// Of a servo period: what rounding may take from a whole number of ticks.
+/// Fraction of a servo period: tolerance for rounding of a whole number of ticks.
 constexpr double kRounding = 1e-6;
 
 std::string condition_name(const Time& clock, double seconds) {

@@ -7,7 +7,7 @@ namespace mrroc::vsp {
 void TimeSensor::configure(const config::SensorEntry& /*entry*/, double servo_period) { servo_period_ = servo_period; }
 
 std::unique_ptr<Source> TimeSensor::open_source(const SourceContext& context) {
-  if (context.entry.source == "replay") return nullptr;  // the kit's
+  if (context.entry.source == "replay") return nullptr;  // the framework's
   return std::make_unique<TimeSource>();
 }
 

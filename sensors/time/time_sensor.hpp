@@ -7,7 +7,7 @@ namespace mrroc::vsp {
 /// The deployment's time. r is `tick`, the number of a servo tick, exact below 2^53; v is
 ///
 ///     time = (tick - zero) servo_period     s
-///     tick                                  the same, never shifted
+///     tick                                  unchanged, never shifted
 ///
 /// `bias` makes the present tick zero; until then zero is the deployment's tick 0.
 class TimeSensor final : public VirtualSensor {

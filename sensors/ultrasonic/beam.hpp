@@ -4,7 +4,7 @@
 
 namespace mrroc::vsp {
 
-/// What a range finder gives when its ray hits nothing.
+/// The reading of a range finder whose ray hits nothing.
 inline constexpr double kNothingHit = -1;
 
 /// The beam of a transducer as a fan of rays in one plane, evenly spread over its full opening b: ray i of n points
@@ -15,7 +15,7 @@ struct Beam {
 };
 
 /// The nearest of the fan's ranges (m, kNothingHit where a ray meets nothing) that comes back as an echo; kNothingHit
-/// when there is none. Air-borne sound at 40 kHz has a wavelength of 8.6 mm: most walls are mirrors to it, and only
+/// without an echo. Air-borne sound at 40 kHz has a wavelength of 8.6 mm: most walls are mirrors to it, and only
 /// what faces the transducer, or an edge, sends it back (R. Kuc, M. W. Siegel, "Physically based simulation model for
 /// acoustic sensor robot navigation", IEEE Trans. PAMI 9(6), 1987). So a ray gives an echo where its range is a local
 /// minimum of the fan: a surface at right angles or an edge; but not at the outermost ray when the surface there is

@@ -14,7 +14,7 @@ class UltrasonicDemo : public mp::Task {
     const Outcome in_cone = Wait({}, {cone, ray, rough, smooth}, Closer{cone, 1.5});
     const Outcome before_it = Wait({}, {cone, ray, rough, smooth}, Closer{ray, 1.5} || ElapsedSteps{200});
     if (!before_it.by<Closer>()) throw NonFatalError{"the post has not come before the transducer"};
-    if (before_it.end_tick <= in_cone.end_tick) throw NonFatalError{"the cone is no wider than the ray"};
+    if (before_it.end_tick <= in_cone.end_tick) throw NonFatalError{"the cone is not wider than the ray"};
     Wait({}, {cone, ray, rough, smooth}, ElapsedSteps{300});
   }
 };

@@ -1,4 +1,4 @@
-"""Reads the trace of this folder's demo and draws what the four sensors see over time, with gnuplot.
+"""Reads the trace of this folder's demo and draws the readings of the four sensors over time, with gnuplot.
 
 Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
 """

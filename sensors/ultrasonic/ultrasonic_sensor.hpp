@@ -6,7 +6,7 @@
 
 namespace mrroc::vsp {
 
-/// Ultrasonic distance sensor: the distance from the sensor's origin to the nearest thing in its beam that sends the
+/// Ultrasonic distance sensor: the distance from the sensor's origin to the nearest object in its beam that sends the
 /// sound back. r is one range per ray of the beam, m, -1 when the ray hits nothing (MuJoCo's `rangefinder`): one ray on
 /// the axis, `range`, or the fan `range_0` ... of `rays` rays over `beam_angle`. With e = nearest_echo(r) (beam.hpp; of
 /// one ray its range), v is `distance` (m) and `detected` (0 or 1):
@@ -14,7 +14,7 @@ namespace mrroc::vsp {
 ///     no echo, beyond max_range, or the echo lost         max_range, 0
 ///     dead_zone <= e <= max_range                         e + noise, kept within these two, 1
 ///     0 <= e < dead_zone                                  NonFatalError(sensor_out_of_range)
-///     any range negative but -1                           HardwareError(sensor_hardware)
+///     any negative range except -1                         HardwareError(sensor_hardware)
 ///
 /// An echo is lost with probability `dropout`; whether it is, and the noise, depend on (name, tick) only. It has no
 /// zero to set.

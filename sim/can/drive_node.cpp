@@ -60,7 +60,7 @@ void DriveNode::reset_communication(std::int64_t now) {
   restart(now);
 }
 
-/// The communication begins again.
+/// Restarts the communication.
 void DriveNode::restart(std::int64_t now) {
   nmt_ = NmtState::pre_operational;
   store_.lock_mappings(false);
@@ -95,7 +95,7 @@ void DriveNode::nmt(NmtCommand command, std::int64_t now) {
   }
 }
 
-/// The values of one PDO as it is configured; nothing: it is not used.
+/// The values of one PDO as it is configured; nothing when it is not used.
 std::optional<PdoMapping> DriveNode::mapping(std::uint16_t parameters, std::uint16_t mapping_index,
                                              std::uint32_t& identifier, int& transmission) const {
   const auto raw = static_cast<std::uint32_t>(store_.number({parameters, 1}));
@@ -145,7 +145,7 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
   }
 }
 
-/// The statusword is that of now, and a controlword or a mode acts however it comes.
+/// Answers with the present statusword; a controlword or mode takes effect from SDOs, too.
 void DriveNode::take_request(const can::Frame& frame, std::int64_t now) {
   if (deaf_for_ > 0 && deaf_for_-- > 0) return;
   take_mode();

@@ -17,33 +17,33 @@ namespace mrroc::sim {
 
 /// A simulated servo drive on a CAN bus: a CANopen node (NMT, SDO, PDOs as they are configured, heartbeats both ways,
 /// EMCY) with the drive profile CiA 402 (state machine, cyclic synchronous position, velocity and torque, homing by
-/// methods 3, 5, 35 and 37, quick stop). It knows no bus and no motor: its owner hands it frames and measurements, and
-/// takes its current. Its time is given to it, ns. One thread.
+/// methods 3, 5, 35 and 37, quick stop). It is independent of bus and motor: its owner passes frames and measurements
+/// to it, takes its current, and gives the time, ns. One thread.
 class DriveNode {
  public:
   using Send = std::function<void(const can::Frame&)>;
 
-  /// `table` and the entry with the drive's number describe it as its master sees it; `period` in s.
+  /// `table` and the entry with the drive's number are those of its master; `period` in s.
   DriveNode(const config::DriveTable& table, const config::DriveEntry& entry, const AxisParameters& axis, double period,
             Send send);
 
-  /// The power comes on: boot-up message, all values as its maker has set them. Without an absolute encoder it counts
-  /// from where its shaft is.
+  /// Power-on: boot-up message, all values as the manufacturer has set them. Without an absolute encoder it counts from
+  /// its shaft's position.
   void boot(std::int64_t now);
-  /// Any frame of the bus but SYNC.
+  /// Takes any frame of the bus except SYNC.
   void take(const can::Frame& frame, std::int64_t now);
-  /// What is due by time alone: heartbeats.
+  /// Sends what is due by time alone: heartbeats.
   void look(std::int64_t now);
 
   // one cycle
-  /// The shaft in this cycle, rad and A as its encoder and current sensor tell.
+  /// The shaft in this cycle, rad and A as measured by its encoder and current sensor.
   void measure(double position, double current, const edp::AxisSwitches& switches);
-  /// A SYNC has come: set-points that wait for it are taken.
+  /// Takes a SYNC: waiting set-points take effect.
   void synchronise();
-  /// The PDOs of this SYNC: those of velocity and switches where they are due, then that of the position.
+  /// The PDOs of this SYNC: that of velocity and switches when it is due, then that of the position.
   void send_status();
   void send_feedback();
-  /// Whether a set-point is still to come before the motor can be driven.
+  /// Whether the motor still needs a set-point in this cycle.
   bool waits_for_command() const noexcept { return operational() && !commanded_; }
   /// The motor's current until the next cycle, A.
   double drive();
@@ -53,36 +53,36 @@ class DriveNode {
   canopen::DriveState state() const noexcept { return state_; }
   canopen::NodeId node() const noexcept { return node_; }
 
-  // what may go wrong
-  /// An error of its own: EMCY, and it stops and lets go.
+  // faults to inject
+  /// A drive error: it sends an EMCY, stops, and removes the motor's power.
   void fail(std::uint16_t code);
-  /// It sends and hears nothing: as if its wire were cut.
+  /// It sends and receives nothing, as with a cut wire.
   void cut(bool on) noexcept { cut_ = on; }
   /// It sends no heartbeats.
   void hush(bool on) noexcept { hushed_ = on; }
-  /// It does not come further than ready to switch on.
+  /// It does not get beyond ready to switch on.
   void hold_back(bool on) noexcept { held_back_ = on; }
-  /// Its answer to a SYNC comes only with its set-point: after whoever waits for it has given up.
+  /// Its answer to a SYNC comes only with its set-point: after the master's timeout.
   void lag(bool on) noexcept { lags_ = on; }
   /// It sends no PDO of velocity and switches.
   void withhold_status(bool on) noexcept { withholds_ = on; }
-  /// Its positive limit switch is pressed, wherever the axis is.
+  /// Its positive limit switch is pressed at every position of the axis.
   void press(bool on) noexcept { pressed_ = on; }
-  /// It continues to operational on its own when it has booted (1F80h).
+  /// It enters operational on its own after booting (1F80h).
   void start_itself(bool on) noexcept { starts_itself_ = on; }
-  /// It hears nothing of the next SDO requests, as when it boots just then.
+  /// It ignores the next SDO requests, like a drive that is booting.
   void lose_requests(int count) noexcept { deaf_for_ = count; }
   /// It boots after each SDO request that it has answered.
   void boot_at_requests(bool on) noexcept { restless_ = on; }
-  /// It is in this mode, whatever it is told; nothing: in the one that it is told.
+  /// It stays in this mode against all commands; nothing: it is in the commanded mode.
   void stay_in(std::optional<canopen::DriveMode> mode) noexcept { stays_in_ = mode; }
-  /// It says that its motor does not follow: bit 13 of the statusword in mode cyclic synchronous position.
+  /// It reports that its motor does not follow: bit 13 of the statusword in mode cyclic synchronous position.
   void stray(bool on) noexcept { strays_ = on; }
   /// The cause of its fault stays.
   void keep_fault(bool on) noexcept { broken_ = on; }
-  /// It says the same again and again, whatever it does.
+  /// It repeats the same feedback, regardless of its motion.
   void freeze(bool on) noexcept { frozen_ = on; }
-  /// Of each frame that it sends one byte is another.
+  /// One byte of each frame that it sends is wrong.
   void corrupt(bool on) noexcept { corrupts_ = on; }
 
  private:
@@ -122,11 +122,11 @@ class DriveNode {
   can::Frame pending_;  ///< a set-point that waits for the SYNC
   bool has_pending_ = false, commanded_ = false;
   std::uint16_t controlword_ = 0;
-  canopen::DriveMode mode_ = canopen::DriveMode::none;  ///< as its display shows it
-  std::int64_t raw_offset_ = 0;                         ///< units: since its home position is known
+  canopen::DriveMode mode_ = canopen::DriveMode::none;  ///< as displayed
+  std::int64_t raw_offset_ = 0;                         ///< units; set when its home position is known
   double position_ = 0;
   int syncs_ = 0;
-  std::int64_t sent_ = 0, heard_ = 0;  ///< heartbeats, ns; 0: none heard yet
+  std::int64_t sent_ = 0, heard_ = 0;  ///< heartbeats, ns; 0: none received yet
   edp::Synchroniser::Status homing_ = edp::Synchroniser::Status::done;
   bool homed_ = false, homing_failed_ = false;
   bool cut_ = false, hushed_ = false, frozen_ = false, held_back_ = false, broken_ = false, lags_ = false,

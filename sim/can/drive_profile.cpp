@@ -24,7 +24,7 @@ void DriveNode::take_mode() {
   store_.set(kModeDisplay, static_cast<std::int64_t>(mode_));
 }
 
-/// What the controlword and the mode ask for.
+/// Executes the controlword and the mode.
 void DriveNode::obey() {
   const auto before = controlword_;
   controlword_ = static_cast<std::uint16_t>(store_.number(kControlword));
@@ -135,7 +135,7 @@ void DriveNode::fail(std::uint16_t code) {
   state_ = powered() ? DriveState::fault_reaction_active : DriveState::fault;
 }
 
-/// What 6007h says; a fault where it has none.
+/// The reaction defined by 6007h; a fault when it defines none.
 void DriveNode::lose_master() {
   switch (store_.size(kAbortConnectionOption) == 0 ? 1 : store_.number(kAbortConnectionOption)) {
     case 1:

@@ -11,8 +11,8 @@ using namespace canopen;
 
 namespace {
 
-constexpr std::int64_t kGlance = 2'000'000;      // ns: between two looks at the time and at `stop`
-constexpr double kOldest = 10;                   // periods that a shaft continues as it was
+constexpr std::int64_t kGlance = 2'000'000;      // ns: between two checks of the time and of `stop`
+constexpr double kOldest = 10;                   // periods for which a shaft is extrapolated
 constexpr std::int64_t kPatience = 500'000'000;  // ns: lockstep, for set-points that belong to a cycle
 
 }  // namespace
@@ -59,7 +59,7 @@ void DriveRack::serve() {
     if (came) take(frame);
     for (DriveNode& node : nodes_) node.look(now());
     const std::int64_t since = clock::monotonic_ns() - synced_;
-    // set-points that are lost: a frame that the bus has eaten, a master that has died
+    // lost set-points: the bus has lost a frame, or the master has died
     if (open_ && since > (time_ == Time::wall ? period_ : kPatience)) drive();
     if (time_ == Time::wall && any_powered() && since > 2 * period_) begin_cycle(false);
   }
@@ -83,7 +83,7 @@ void DriveRack::begin_cycle(bool on_bus) {
   if (!on_bus) return drive();
   cycles_.fetch_add(1);
   for (DriveNode& node : nodes_) node.synchronise();
-  // those that no one waits for come first, so that they are there when the others are
+  // PDOs that the master does not wait for come first, so that they have arrived when the others have
   for (DriveNode& node : nodes_) node.send_status();
   for (DriveNode& node : nodes_) node.send_feedback();
   if (all_commanded()) drive();

@@ -12,37 +12,37 @@
 
 namespace mrroc::sim {
 
-/// The simulated drives of one robot on a bus, and the motors that they drive: those of the simulated world or of a
-/// plant model. In each cycle, that is at each SYNC, it reads the plant, lets every node answer, takes the nodes'
-/// set-points and writes the plant's currents. Real drives measure when the SYNC comes, the plant has ticks of its own:
-/// what a shaft has turned since is added, as fast as it was. The brakes of all axes hang on one relay: they let go
-/// while every drive has power. A SYNC that does not come while a motor has power is made up for after two periods:
-/// drives continue.
+/// The simulated drives of one robot on a bus, and their motors: those of the simulated world or of a plant model. In
+/// each cycle, that is at each SYNC, it reads the plant, lets every node answer, takes the nodes' set-points and writes
+/// the plant's currents. Real drives measure at the SYNC, but the plant has its own ticks: a shaft is extrapolated to
+/// the SYNC with its last velocity. One relay controls the brakes of all axes: they open while every drive has power.
+/// When a SYNC is missing while a motor has power, the cycle runs without it after two periods, because drives
+/// continue.
 ///
-/// One thread serves it; `stop` and the nodes' faults may come from any other, under `with`.
+/// One thread serves it; any other thread may call `stop` and inject faults with `with`.
 class DriveRack {
  public:
   struct Newest {
     Tick tick = 0;
-    double age = 0;  ///< periods that have gone by since `tick`
+    double age = 0;  ///< periods since `tick`
   };
-  /// The plant's newest tick; with `wait` it waits for one later than `last`, where that is worth it. `now`: when the
-  /// SYNC came, ns of the wall; the age is that of then.
+  /// The plant's newest tick. With `wait` it waits for one later than `last`, if that can still come. `now`: time of
+  /// the SYNC, ns of wall time; the age refers to it.
   using PlantTick = std::function<Newest(Tick last, bool wait, std::int64_t now)>;
-  /// Of the drives' own time: by the wall, or by the plant's ticks where that is simulated.
+  /// The drives' own time: wall time, or the plant's ticks in simulated time.
   enum class Time { wall, plant };
-  /// What is to happen to the nodes at tick `tick` of the plant, before they answer its SYNC; `now`: their time, ns.
+  /// Changes the nodes at tick `tick` of the plant, before they answer its SYNC; `now`: their time, ns.
   using AtCycle = std::function<void(Tick tick, std::int64_t now, std::vector<DriveNode>& nodes)>;
 
   /// `bus`, `plant` must outlive it. `period` in s.
   DriveRack(const config::DriveTable& table, const RobotParameters& robot, double period, can::Bus& bus,
             edp::Hardware& plant, PlantTick plant_tick, Time time, AtCycle at_cycle = {});
 
-  /// The power comes on, then serves until `stop`. Throws what the plant throws.
+  /// Powers the drives on, then serves until `stop`. Throws the exceptions of the plant.
   void serve();
   void stop() noexcept { stop_.store(true); }
 
-  /// Does something to the nodes between two frames. Any thread but the serving one.
+  /// Calls a function with the nodes between two frames. Any thread but the serving one.
   void with(const std::function<void(std::vector<DriveNode>&)>& action);
   /// Whether some motor has power. Any thread.
   bool powered() const noexcept { return powered_.load(); }
@@ -68,9 +68,9 @@ class DriveRack {
   edp::HardwareInput input_;
   JointVector per_period_;   ///< that the shafts have turned, rad
   Tick tick_ = 0;            ///< of the plant, in this cycle
-  bool let_go_ = false;      ///< the brakes
-  bool open_ = false;        ///< the cycle's currents are still to be written
-  std::int64_t synced_ = 0;  ///< when the last cycle began, ns of the wall
+  bool let_go_ = false;      ///< the brakes are open
+  bool open_ = false;        ///< the cycle's currents are not written yet
+  std::int64_t synced_ = 0;  ///< when the last cycle began, ns of wall time
   std::mutex mutex_;
   std::atomic<bool> stop_{false};
   std::atomic<bool> powered_{false};

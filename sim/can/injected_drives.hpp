@@ -7,13 +7,13 @@
 
 namespace mrroc::sim {
 
-/// The faults of single simulated drives that are injected into a run. One thread.
+/// Injects the faults of single simulated drives of a run. One thread.
 class InjectedDrives {
  public:
   /// Throws NonFatalError: an axis that the robot does not have.
   InjectedDrives(const std::vector<faults::FaultSwitch>& faults, const RobotParameters& robot);
 
-  /// At tick `tick` of the plant, before the nodes answer: what begins or ends then. `now`: the nodes' time, ns.
+  /// At tick `tick` of the plant, before the nodes answer: begins and ends faults. `now`: the nodes' time, ns.
   void apply(Tick tick, std::int64_t now, std::vector<DriveNode>& nodes);
 
  private:

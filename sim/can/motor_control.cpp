@@ -7,7 +7,7 @@ namespace mrroc::sim {
 
 namespace {
 
-// homing is slow: what the shaft of any of our motors can follow
+// homing is slow: the shafts of all our motors can follow this
 constexpr double kHomingAcceleration = 100;  // rad/s^2
 constexpr double kHomingJerk = 2500;         // rad/s^3
 

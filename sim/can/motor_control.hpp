@@ -11,14 +11,14 @@
 
 namespace mrroc::sim {
 
-/// What a simulated drive makes of its set-points: the motor current of one shaft, once per cycle, by the axis's own
+/// Computes a simulated drive's motor current of one shaft from its set-points, once per cycle, by the axis's own
 /// regulator (edp::Regulator). All angles are those of the plant's encoder, rad. Allocates in the constructor only.
 class MotorControl {
  public:
   /// `period` in s: between two cycles.
   MotorControl(const AxisParameters& axis, double period);
 
-  /// The shaft as it is in this cycle; first.
+  /// The shaft's state in this cycle; call it first.
   void measure(double position, const edp::AxisSwitches& switches) noexcept;
   double velocity() const noexcept { return (position_ - before_) / period_; }
 
@@ -31,11 +31,11 @@ class MotorControl {
   double slow_down(double deceleration) noexcept;
   bool stands() const noexcept { return commanded_velocity_ == 0; }
 
-  /// Looks for the zero pulse off the switch that is closed towards the positive (`direction` 1) or negative (-1) end.
+  /// Searches for the zero pulse off the switch closed towards the positive (`direction` 1) or negative (-1) end.
   void start_homing(double direction, double speed_switch, double speed_zero) noexcept;
   /// One cycle of it.
   double follow_homing(edp::Synchroniser::Status& status) noexcept;
-  /// Where the zero pulse was; after `done`.
+  /// Position of the zero pulse; after `done`.
   double found() const noexcept { return -homing_->shift()[0]; }
 
  private:

@@ -61,7 +61,7 @@ SdoAbort ObjectStore::pdo_refusal(Object object, std::uint32_t value) const {
   return mapping_refusal(object, value);
 }
 
-/// Objects are mapped while sub-index 0 is 0, then it says how many.
+/// Objects are mapped while sub-index 0 is 0, then it gives their number.
 SdoAbort ObjectStore::mapping_refusal(Object object, std::uint32_t value) const {
   if (object.sub == 0) {
     if (value > kMostBits) return SdoAbort::mapping_too_long;  // even of objects of a bit each

@@ -13,12 +13,12 @@
 namespace mrroc::sim {
 
 /// The values of a simulated node's object dictionary, as its EDS file describes it: types, access, default values
-/// ("$NODEID+0x180" with the node's number). PDOs are changed in CiA 301's order alone (7.5.2.36). One thread.
+/// ("$NODEID+0x180" with the node's number). PDOs can be changed only in CiA 301's order (7.5.2.36). One thread.
 class ObjectStore {
  public:
   ObjectStore(const canopen::EdsFile& eds, canopen::NodeId node);
 
-  /// All default values again: the power has been off.
+  /// Restores all default values, as after power-off.
   void reset();
   /// Those of the communication alone, 1000h to 1FFFh.
   void reset_communication();
@@ -26,11 +26,11 @@ class ObjectStore {
   /// Whether PDOs may not be mapped now: the node is operational.
   void lock_mappings(bool locked) noexcept { mappings_locked_ = locked; }
 
-  // as the bus does it
+  // access through the bus
   canopen::SdoAbort read(canopen::Object object, std::vector<std::uint8_t>& value) const;
   canopen::SdoAbort write(canopen::Object object, std::span<const std::uint8_t> value);
 
-  // as the device does it, whatever the access; of an object that there is not: 0, and nothing
+  // access by the device itself, regardless of access rights; a missing object reads as 0, writes are ignored
   std::int64_t number(canopen::Object object) const;
   void set(canopen::Object object, std::int64_t value);
   /// Bytes of the value.

@@ -73,7 +73,7 @@ can::Frame SdoServer::upload_segment(const can::Frame& request) {
 
 can::Frame SdoServer::download(const can::Frame& request) {
   const std::uint8_t command = request.data[0];
-  if ((command & 2) == 0) return abort(request, SdoAbort::unsupported_access);  // no value of ours is so long
+  if ((command & 2) == 0) return abort(request, SdoAbort::unsupported_access);  // our values are shorter
   const std::size_t size = (command & 1) != 0 ? 4u - ((command >> 2) & 3u) : store_.size(object_of(request));
   const SdoAbort why = store_.write(object_of(request), request.bytes().subspan(4, std::min<std::size_t>(4, size)));
   if (why != SdoAbort::none) return abort(request, why);

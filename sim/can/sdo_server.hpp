@@ -15,7 +15,7 @@ class SdoServer {
  public:
   SdoServer(canopen::NodeId node, ObjectStore& store) : node_(node), store_(store) {}
 
-  /// The answer to a frame; nothing: it is no request to this node, or an abort, which is not answered.
+  /// The answer to a frame; nothing when it is not a request to this node, or is an abort.
   std::optional<can::Frame> answer(const can::Frame& request);
 
  private:

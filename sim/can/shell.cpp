@@ -24,7 +24,7 @@ namespace mrroc::edp {
 namespace {
 
 constexpr std::string_view kHub = "unix:";
-constexpr Tick kGlanceTicks = 10;  // without a SYNC, and the master has gone
+constexpr Tick kGlanceTicks = 10;  // without a SYNC, after which the master counts as gone
 
 struct Place {
   std::size_t index;
@@ -38,7 +38,7 @@ Place place_of(const process::Process& process) {
   throw SystemError(ErrorCode::configuration, "the deployment has no robot for the process " + process.name());
 }
 
-/// The simulated drives of one robot: hardware to its EDP, reached by the bus alone.
+/// The simulated drives of one robot: the hardware of its EDP, which reaches them by the bus alone.
 class Drives {
  public:
   Drives(process::Process& process, const ModelFactory& factory)
@@ -57,8 +57,7 @@ class Drives {
             process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall,
             [this](Tick tick, std::int64_t now, auto& nodes) { faults_.apply(tick, now, nodes); }) {}
 
-  /// The bus is served by a thread of its own; this one waits for the end, which comes when no robot is driven any
-  /// more.
+  /// Its own thread serves the bus; this one waits for the end, which comes when no robot is driven any more.
   void serve() {
     await_world();
     std::exception_ptr failure;
@@ -82,7 +81,7 @@ class Drives {
       links::Counters counters;
       counters.ticks = now;
       process_.status().counters(counters);
-      // the master goes first: it awaits that its drives say they are off
+      // the master ends first: it waits until its drives report that they are off
       const bool alone = now == std::exchange(cycles, now);
       // in simulated time drives without a master stand still: its ticks are their time
       const bool done = alone && (process_.clock().simulated() || !rack_.powered());
@@ -98,11 +97,11 @@ class Drives {
     return std::make_unique<can::Hub>(interface.substr(kHub.size()));
   }
 
-  /// Before the world is there, there are no shafts to measure.
+  /// Waits for the world: without it there are no shafts to measure.
   void await_world() {
     world::JointMeasurement measurement;
     const auto there = [&] { return world_->measurements[place_.index].load(measurement); };
-    constexpr std::int64_t kSlice = clock::kSecond / 10;  // between two looks at whether all is over
+    constexpr std::int64_t kSlice = clock::kSecond / 10;  // between two checks for the end
     while (!process_.clock().stopping() && !world_->measured.wait(there, kSlice)) {
     }
   }
@@ -124,7 +123,7 @@ class Drives {
   RobotModels models_;
   world::MappedWorld world_;
   MujocoHardware plant_;
-  std::unique_ptr<can::Hub> hub_;  ///< null: the kernel has the bus
+  std::unique_ptr<can::Hub> hub_;  ///< null: the bus is the kernel's
   std::unique_ptr<can::Bus> bus_;
   sim::InjectedDrives faults_;
   sim::DriveRack rack_;

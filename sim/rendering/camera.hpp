@@ -11,7 +11,7 @@
 
 namespace mrroc::sim {
 
-/// What a picture costs: a frame of 640 x 480 takes some 30 ms of two cores with all of it, half of that without
+/// The quality of a picture: a frame of 640 x 480 takes some 30 ms of two cores with all options, half of that without
 /// shadows.
 struct PictureQuality {
   int samples = 4;  ///< per pixel
@@ -27,11 +27,11 @@ struct Viewpoint {
 /// Names of the cameras of `model`.
 std::vector<std::string> camera_names(const mjModel& model);
 
-/// Pictures of a world's states. For a process of its own, never for the one that steps the world. Construct, use and
+/// Pictures of a world's states. For a separate process, never for the one that steps the world. Construct, use and
 /// destroy in one thread.
 class Renderer {
  public:
-  /// `model` stays the caller's and must outlive this object; its off-screen size and quality are set. Throws
+  /// The caller owns `model`, which must outlive this object; its off-screen size and quality are set. Throws
   /// SystemError (resources) without OpenGL.
   Renderer(mjModel& model, int width, int height, PictureQuality quality = {});
   ~Renderer();
@@ -43,7 +43,7 @@ class Renderer {
   /// another world.
   Picture render(const std::vector<double>& positions, const std::string& camera);
 
-  /// The state that `body_pose` and `draw` are about; false, and nothing done, when it is another world's.
+  /// Sets the state for `body_pose` and `draw`; returns false and does nothing when it is another world's.
   bool place(const world::WorldSnapshot& snapshot);
   /// Of body `body` in the world.
   Pose body_pose(int body) const;

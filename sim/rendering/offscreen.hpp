@@ -2,8 +2,8 @@
 
 namespace mrroc::sim {
 
-/// An OpenGL context without display or window (EGL, surfaceless), current in the thread that made it: what MuJoCo's
-/// renderer draws with. Software rendering (llvmpipe) is enough; it uses every core it finds, so keep it out of the
+/// An OpenGL context without display or window (EGL, surfaceless), current in the thread that made it, for MuJoCo's
+/// renderer. Software rendering (llvmpipe) is enough; it uses every core it finds, so keep it out of the
 /// process that steps the world. Construct, use and destroy it in one thread.
 class OffscreenContext {
  public:

@@ -17,7 +17,7 @@ void write_png(const std::filesystem::path& file, const Picture& picture) {
   image.width = static_cast<png_uint_32>(picture.width);
   image.height = static_cast<png_uint_32>(picture.height);
   image.format = PNG_FORMAT_RGB;
-  // into memory: to a file libpng would remove what it cannot write, were it a device
+  // encode in memory: libpng would remove an unwritable output file, even a device
   png_alloc_size_t size = 0;
   std::vector<std::byte> bytes;
   for (bool measured = false;; measured = true) {

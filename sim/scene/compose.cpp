@@ -81,7 +81,7 @@ bool any_child(const std::vector<Element>& sections, std::string_view section, a
   });
 }
 
-/// What a picture needs and the scene does not say.
+/// Adds elements that a picture needs and the scene lacks.
 void add_scenery(const MjcfPart& scene, std::vector<Element>& sections, std::vector<Element>& world) {
   const Origin& at = scene.origin;
   if (std::none_of(world.begin(), world.end(), [](const Element& each) { return each.name == "light"; })) {

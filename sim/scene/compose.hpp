@@ -17,24 +17,24 @@ struct RobotPart {
   /// The robot carries a force/torque sensor: `<robot>/force_torque/force` and `.../torque` on site `<robot>/wrist`
   /// are added unless its MJCF declares them.
   bool force_torque = false;
-  std::string mount = {};  ///< robot that carries it; empty: it stands in the world
+  std::string mount = {};  ///< robot that carries it; empty: it is fixed in the world
 };
 
-/// A world's MJCF before MuJoCo has seen it.
+/// A world's MJCF before MuJoCo compiles it.
 struct Composition {
   std::filesystem::path scene;
   Element root;
   Text text;  ///< `root`, written
 };
 
-/// One MJCF out of a scene and robots, as text, because MuJoCo 2.2 cannot attach models.
+/// Composes one MJCF from a scene and robots, as text, because MuJoCo 2.2 cannot attach models.
 ///
 /// - The scene keeps its names. Every name of a robot, and every reference to one, gets the prefix "<robot>/".
-/// - What a robot's worldbody holds goes into a new body "<robot>" at its base pose, in the world or on the robot that
-///   carries it (`place_robots`).
+/// - A robot's worldbody becomes a new body "<robot>" at its base pose, in the world or on the robot that carries it
+///   (`place_robots`).
 /// - Defaults stay with their file: each file's main class becomes "<robot>/main" ("/main" for the scene).
-/// - `option`, `size`, `visual`, `statistic` are the scene's, the robots' are left out; so are all keyframes.
-/// - `compiler` settings that change what numbers mean (angle, eulerseq, ...) must agree in all files; folders of
+/// - `option`, `size`, `visual`, `statistic` are the scene's, the robots' are omitted; so are all keyframes.
+/// - `compiler` settings that change the meaning of numbers (angle, eulerseq, ...) must agree in all files; folders of
 ///   meshes and textures are each file's own.
 /// - A scene without light, sky or `visual` gets plain ones (they change pictures only).
 ///

@@ -10,7 +10,7 @@
 
 namespace mrroc::sim {
 
-/// The joints of one robot in the world, and what its drives do to them during one tick:
+/// The joints of one robot in the world, and the effect of its drives during one tick:
 ///
 ///   (M(q) + B) d2q/dt2 = tau - D dq/dt - c + all that MuJoCo computes,
 ///
@@ -19,7 +19,7 @@ namespace mrroc::sim {
 /// damping that the MJCF gives these joints only scale its constraints (they were used for invweight0): they are set to
 /// zero.
 ///
-/// With brakes on, the joints stand where they were when the brakes engaged, whatever pushes them: they get an inertia
+/// With brakes on, the joints stay where they were when the brakes engaged, under any load: they get an inertia
 /// of 1e10, so that contact forces and force sensors see a rigid robot, and their positions are restored after the
 /// step.
 ///
@@ -31,13 +31,13 @@ namespace mrroc::sim {
 class DrivenJoints {
  public:
   /// Joints "<robot>/<name>" of `model`, in the order of `names`. Throws config::ConfigurationError: one is
-  /// missing (the message lists what the robot has) or is neither hinge nor slide.
+  /// missing (the message lists the robot's joints) or is neither hinge nor slide.
   DrivenJoints(mjModel& model, const std::string& robot, const std::vector<std::string>& names);
 
   const std::string& robot() const noexcept { return robot_; }
   std::size_t count() const noexcept { return count_; }
-  /// Puts the joints at `position`, at rest; brakes on. Joints that an equality makes follow one of them are put where
-  /// it wants them.
+  /// Puts the joints at `position`, at rest; brakes on. Joints that follow one of them by an equality are put where it
+  /// requires.
   void place(const mjModel& model, mjData& data, const JointVector& position) noexcept;
 
   /// Index of the first joint that has a number in `drive` that is not finite; -1: none.
@@ -60,7 +60,7 @@ class DrivenJoints {
   void add_damping(mjData& data, double h) const noexcept;
   /// After the integration: holds braked joints, rolls endless ones back.
   void finish(mjData& data) noexcept;
-  /// After mj_sensorPos: what it has stored for endless joints becomes their travel.
+  /// After mj_sensorPos: replaces its values for endless joints by their travel.
   void add_travel(mjData& data) const noexcept;
 
   void measure(const mjData& data, world::JointMeasurement& measurement) const noexcept;

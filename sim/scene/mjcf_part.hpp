@@ -8,8 +8,7 @@
 
 namespace mrroc::sim {
 
-/// One MJCF file made ready to share a world with others: names prefixed, files absolute, defaults in a class of its
-/// own.
+/// One MJCF file prepared to share a world with others: names prefixed, files absolute, defaults in its own class.
 struct MjcfPart {
   Origin origin;                  ///< of the root element
   Element compiler;               ///< all its `compiler` sections in one, without folders
@@ -20,7 +19,7 @@ struct MjcfPart {
 };
 
 /// Reads `file` and puts `prefix` before every name and reference. Elements that take a default class and name none
-/// get the part's main class. Throws config::ConfigurationError as `compose` says.
+/// get the part's main class. Throws config::ConfigurationError as `compose`.
 MjcfPart read_part(const std::filesystem::path& file, const std::string& prefix);
 
 }  // namespace mrroc::sim

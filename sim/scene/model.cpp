@@ -12,7 +12,7 @@ namespace mrroc::sim {
 
 namespace {
 
-/// The n-th sensor of the world: MuJoCo names no line for sensors, but their number.
+/// The n-th sensor of the world: MuJoCo reports the number of a sensor instead of its line.
 Origin origin_of_sensor(const Composition& composition, std::size_t index) {
   for (const Element& section : composition.root.children) {
     if (section.name != "sensor") continue;
@@ -52,7 +52,7 @@ std::string object_name(const mjModel& model, const char* kind, mjtObj type, int
   return std::string(kind) + " " + (named ? name : std::to_string(id));
 }
 
-/// A free or ball joint is seldom named: then its body tells more.
+/// A free or ball joint rarely has a name: then its body's name is used.
 std::string joint_name(const mjModel& model, int joint) {
   const char* name = mj_id2name(&model, mjOBJ_JOINT, joint);
   if (name != nullptr && *name != '\0') return object_name(model, "joint", mjOBJ_JOINT, joint);

@@ -17,11 +17,11 @@ struct DeleteData {
 using Model = std::unique_ptr<mjModel, DeleteModel>;
 using Data = std::unique_ptr<mjData, DeleteData>;
 
-/// Compiles a composed world. Throws config::ConfigurationError with MuJoCo's own message and the place of the element
-/// it means: the file (scene or robot) and the line *there*.
+/// Compiles a composed world. Throws config::ConfigurationError with MuJoCo's own message and the position of the
+/// element it means: the file (scene or robot) and the line *there*.
 Model load_model(const Composition& composition);
 
-/// Memory for the state of `model`, at its initial configuration. Throws SystemError when there is none.
+/// Memory for the state of `model`, at its initial configuration. Throws SystemError without memory.
 Data make_data(const mjModel& model);
 
 /// "joint arm/axis1", "body box", ... of a degree of freedom; "" when out of range.

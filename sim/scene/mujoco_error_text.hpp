@@ -6,7 +6,7 @@
 
 namespace mrroc::sim {
 
-/// What one of MuJoCo's loading errors tells beside its text.
+/// The parts of one of MuJoCo's loading errors.
 struct MujocoErrorText {
   std::optional<std::size_t> line;  ///< "line 3", "line = 3", "Line number=3"
   std::optional<std::size_t> id;    ///< "id = 3": number of the object in its section

@@ -6,7 +6,7 @@
 
 namespace mrroc::sim {
 
-/// What MuJoCo reports through its error handler (its own would ask for a key on stdin and exit).
+/// An error from MuJoCo's error handler (the default one would wait for a key on stdin and exit).
 class MujocoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -48,7 +48,7 @@ class Names {
     return found == robots_.end() ? nullptr : &*found;
   }
 
-  /// A robot's file is in order on its own, so that the scene's element has to change.
+  /// A robot's file is valid on its own, so the scene's element must change.
   [[noreturn]] void refuse(const std::string& kind, const std::string& name, const Element& first,
                            const Element& second) const {
     const std::string* const robot = robot_of(name);

@@ -62,7 +62,7 @@ Element at_site(const Element& site, Element body) {
   return frame;
 }
 
-/// Robot `index` with all that it carries.
+/// Robot `index` with all robots that it carries.
 Element placed(std::size_t index, const std::vector<RobotPart>& robots, const std::vector<MjcfPart>& parts) {
   Element body = based(robots[index], parts[index]);
   for (std::size_t i = 0; i < robots.size(); ++i) {

@@ -7,11 +7,11 @@
 
 namespace mrroc::sim {
 
-/// The robots that stand in the world, as its bodies: what the worldbody of `parts[i]` holds is in a body named as
+/// The robots as bodies of the world: the content of the worldbody of `parts[i]` is in a body named as
 /// `robots[i]`, at its base pose. A robot that is carried is in the body that has its carrier's site "<carrier>/tool",
-/// at its base pose in the frame of that site (as the site's own attributes tell it). The bodies are rigidly joined, so
-/// MuJoCo lets neither of them, nor the next link of either, touch the other. Throws config::ConfigurationError when a
-/// carrier has no such site.
+/// at its base pose in the frame of that site (as given by the site's own attributes). The bodies are rigidly joined,
+/// so MuJoCo lets neither of them, nor the next link of either, touch the other. Throws config::ConfigurationError when
+/// a carrier has no such site.
 std::vector<Element> place_robots(const std::vector<RobotPart>& robots, const std::vector<MjcfPart>& parts);
 
 }  // namespace mrroc::sim

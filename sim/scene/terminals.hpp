@@ -16,7 +16,7 @@ namespace mrroc::sim {
 ///                                        on, the lower end else (1 and 0 without a range)
 ///   actuator  <robot>/analog_output_<i>  its control is analogue output i
 ///
-/// What is not there is not wired. The simulation's thread; allocates nothing, never throws.
+/// Missing elements are not wired. The simulation's thread; allocates nothing, never throws.
 class Terminals {
  public:
   Terminals(const mjModel& model, const std::string& robot);

@@ -39,7 +39,7 @@ WeldTorques::WeldTorques(const mjModel& model) {
       if (model.eq_type[weld] != mjEQ_WELD) continue;
       const bool first = in_subtree(model, model.eq_obj1id[weld], root);
       if (first == in_subtree(model, model.eq_obj2id[weld], root)) continue;  // both: seen as an inner torque
-      // the sensor tells what the parent does to the subtree: what holds it against everything else
+      // the sensor measures the parent's torque on the subtree, which balances all others
       sensed_.push_back({site, model.sensor_adr[sensor], weld, first ? -1.0 : 1.0});
     }
   }

@@ -6,15 +6,15 @@
 
 namespace mrroc::sim {
 
-/// Makes the world's torque sensors right where a weld joins bodies. MuJoCo (up to 3.3.0, its issue 2533) takes the
-/// constraint forces f of a weld's three rows of orientation for its torque, and what it tells is wrong by half and
+/// Corrects the world's torque sensors where a weld joins bodies. MuJoCo (up to 3.3.0, its issue 2533) takes the
+/// constraint forces f of a weld's three rows of orientation for its torque, and its values are wrong by half or
 /// more. The rows are those of the vector part of the error e = q1^-1 q0 q_rel, with
 ///   de/dt = 1/2 s (R1^T w) e,   so that the torque on the first body is   1/2 s R1 (e_0 f + e_v x f),
 /// s the weld's torquescale, w the first body's angular velocity relative to the second's, R1 the second's orientation.
-/// The motion itself is not touched: it never was wrong. The simulation's thread; only the constructor allocates.
+/// The motion itself is correct and stays unchanged. The simulation's thread; only the constructor allocates.
 class WeldTorques {
  public:
-  /// Finds the torque sensors whose body's subtree is joined by welds to what is not in it.
+  /// Finds the torque sensors whose body's subtree is welded to bodies outside it.
   explicit WeldTorques(const mjModel& model);
 
   /// After mj_sensorAcc.
@@ -25,7 +25,7 @@ class WeldTorques {
     int site;
     int address;  ///< in sensordata
     int weld;
-    double sign;  ///< of what the sensor sees of the torque on the weld's first body
+    double sign;  ///< of the sensor's share of the torque on the weld's first body
   };
   std::vector<Sensed> sensed_;
 };

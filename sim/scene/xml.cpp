@@ -46,7 +46,7 @@ class Reader {
  public:
   explicit Reader(const fs::path& file) : directory_(file.parent_path()) { included_.insert(file); }
 
-  /// The root element of `file`; `from` is the include that asks for it.
+  /// The root element of `file`; `from` is the include that names it.
   Element read(const fs::path& file, const Origin& from) {
     tinyxml2::XMLDocument document;
     if (from.file && !config::reading_problem(file).empty())

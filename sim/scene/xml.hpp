@@ -9,13 +9,13 @@
 
 namespace mrroc::sim {
 
-/// Where an element was written: file and line (from 1; 0: added by the framework).
+/// Position of an element: file and line (from 1; 0: added by the framework).
 struct Origin {
   std::shared_ptr<const std::filesystem::path> file;
   int line = 0;
 };
 
-/// One XML element with its attributes in file order. MJCF has no text between elements; comments are left out.
+/// One XML element with its attributes in file order. MJCF has no text between elements; comments are dropped.
 struct Element {
   std::string name;
   std::vector<std::pair<std::string, std::string>> attributes;

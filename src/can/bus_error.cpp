@@ -10,7 +10,7 @@ BusError bus_error_of(const Frame& frame) noexcept {
   const std::uint8_t controller = (classes & CAN_ERR_CRTL) != 0 ? frame.data[1] : std::uint8_t{0};
   if ((controller & (CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) != 0) return BusError::passive;
   if ((controller & (CAN_ERR_CRTL_RX_OVERFLOW | CAN_ERR_CRTL_TX_OVERFLOW)) != 0) return BusError::overflow;
-  // drivers tell a missing acknowledge in one way or the other
+  // drivers report a missing acknowledge in either form
   const bool at_acknowledge = (classes & CAN_ERR_PROT) != 0 && frame.data[3] == CAN_ERR_PROT_LOC_ACK;
   if ((classes & CAN_ERR_ACK) != 0 || at_acknowledge) return BusError::no_acknowledge;
   if ((classes & CAN_ERR_TRX) != 0) return BusError::transceiver;
@@ -37,15 +37,15 @@ const char* describe(BusError error) noexcept {
     case BusError::protocol:
       return "protocol error: a frame was broken on the wire";
     case BusError::transceiver:
-      return "transceiver error: look at the wires";
+      return "transceiver error: check the wires";
     case BusError::recovered:
       return "recovered: the controller is on the bus again";
     case BusError::queue_full:
-      return "transmit queue full: nobody acknowledges, or too much is sent";
+      return "transmit queue full: no node acknowledges, or too much is sent";
     case BusError::down:
       return "the interface is down";
     case BusError::foreign_master:
-      return "another master: another node sends SYNC, NMT or set-points, or has our number";
+      return "another master: another node sends SYNC, NMT or set-points, or uses our number";
     case BusError::other:
       break;
   }

@@ -6,21 +6,21 @@
 
 namespace mrroc::can {
 
-/// What is wrong with a bus: what its controller reports (linux/can/error.h), the most severe of what one error frame
-/// says, and what its user finds.
+/// Errors of a bus: those that its controller reports (linux/can/error.h), the most severe one of an error frame, and
+/// those that its user detects.
 enum class BusError : std::uint8_t {
   none,
   bus_off,         ///< the controller has left the bus: too many errors of its own
-  passive,         ///< more than 127 errors: it may no longer destroy what others send
+  passive,         ///< more than 127 errors: it may no longer destroy frames of others
   warning,         ///< more than 96 errors
   overflow,        ///< frames were lost: the controller's buffer was full
-  no_acknowledge,  ///< no one has received what was sent: a cable, the bit rate, no other node
+  no_acknowledge,  ///< no node has received the frame: a cable, the bit rate, no other node
   protocol,        ///< a frame was broken on the wire: form, stuffing, checksum
   transceiver,     ///< the wires: short circuit, no connection
   recovered,       ///< the controller is on the bus again
-  queue_full,      ///< what is sent is not taken any more
+  queue_full,      ///< frames to be sent are refused
   down,            ///< the interface has been switched off, or has gone
-  foreign_master,  ///< another node sends what only the master may
+  foreign_master,  ///< another node sends frames that only the master may send
   other
 };
 

@@ -8,17 +8,17 @@
 
 namespace mrroc::can {
 
-/// Most data bytes of a classical frame (ISO 11898-1), all that CANopen's classical profile (CiA 301) uses.
+/// Maximum data bytes of a classical frame (ISO 11898-1), as used by CANopen's classical profile (CiA 301).
 inline constexpr std::size_t kMaxClassicalData = 8;
-/// Most data bytes of a CAN FD frame.
+/// Maximum data bytes of a CAN FD frame.
 inline constexpr std::size_t kMaxData = 64;
 
-/// One frame of a CAN bus, base format: 11 bits of identifier, at most 8 bytes of data, or with `fd` 64. What a
-/// controller reports of the bus itself (`linux/can/error.h`) comes as a frame with `error`.
+/// One frame of a CAN bus, base format: 11 bits of identifier, at most 8 bytes of data, or with `fd` 64. A controller's
+/// reports about the bus (`linux/can/error.h`) are frames with `error`.
 struct Frame {
   std::uint32_t id = 0;          ///< 0..0x7ff; of an error frame its class bits
   std::uint8_t size = 0;         ///< bytes of data in use; with `fd` 0..8, 12, 16, 20, 24, 32, 48 or 64
-  bool remote = false;           ///< asks for the data of `id`
+  bool remote = false;           ///< requests the data of `id`
   bool error = false;            ///< from the controller, not from the bus
   bool fd = false;               ///< of CAN FD
   bool bit_rate_switch = false;  ///< CAN FD: the data at the higher bit rate
@@ -34,7 +34,7 @@ struct Frame {
   friend bool operator==(const Frame&, const Frame&) = default;
 };
 
-/// Little-endian numbers, CANopen's order (CiA 301, 7.1.4). `size` 1..8; what lies beyond the data is 0.
+/// Little-endian numbers, CANopen's order (CiA 301, 7.1.4). `size` 1..8; bytes beyond the data are 0.
 inline std::uint64_t get(std::span<const std::uint8_t> data, std::size_t offset, std::size_t size) noexcept {
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < size && offset + i < data.size(); ++i)

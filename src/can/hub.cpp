@@ -33,7 +33,7 @@ void Hub::serve() {
     for (const int client : clients_) entries.push_back({client, POLLIN, 0});
     if (::poll(entries.data(), entries.size(), -1) < 0) continue;
     if (entries[0].revents != 0) return;
-    accept();  // first: who has connected before a frame was sent gets it
+    accept();  // first, so that clients that have connected before a frame was sent get it
     for (std::size_t i = 2; i < entries.size(); ++i) {
       if (entries[i].revents == 0 || relay(entries[i].fd)) continue;
       ::close(entries[i].fd);
@@ -50,11 +50,11 @@ void Hub::accept() {
   }
 }
 
-/// Hands one frame on; false: its sender has gone.
+/// Forwards one frame; false: its sender has disconnected.
 bool Hub::relay(int from) {
   canfd_frame raw{};
   const ssize_t size = ::recv(from, &raw, sizeof raw, MSG_DONTWAIT);
-  // who leaves with frames unread is told as a reset before what he has sent
+  // a client that leaves with unread frames is reported as a reset before its last frames
   const bool goes_on = size > 0 || (size < 0 && (errno == EAGAIN || errno == EINTR || errno == ECONNRESET));
   if (!goes_on) return false;
   Frame frame;

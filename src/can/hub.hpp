@@ -12,26 +12,25 @@
 
 namespace mrroc::can {
 
-/// A CAN bus without a kernel that has one: a Unix socket (SOCK_SEQPACKET) whose clients exchange `struct can_frame`
-/// (16 bytes) and, of CAN FD, `struct canfd_frame` (72 bytes). What one sends, all get who have connected before, but
-/// itself, in the order in which the hub has read it. A client that does not read loses frames once its socket is full,
-/// as a controller's receive buffer overruns. It has a thread of its own.
+/// A CAN bus for kernels without CAN: a Unix socket (SOCK_SEQPACKET) whose clients exchange `struct can_frame` (16
+/// bytes) and, of CAN FD, `struct canfd_frame` (72 bytes). Each frame is sent to all other clients that have connected
+/// before, in the order in which the hub has read it. A client that does not read loses frames when its socket is full,
+/// like an overrun of a controller's receive buffer. The hub has its own thread.
 class Hub {
  public:
-  /// What becomes of a frame: passed on as it is or changed; false: lost. For tests of faults; the hub's thread.
+  /// Forwards a frame unchanged or changed; false: lost. For tests of faults; the hub's thread.
   using Disturbance = std::function<bool(Frame& frame)>;
 
-  /// Listens at `path`, where no other hub may be and nothing but what a killed one has left. Throws
-  /// std::runtime_error.
+  /// Listens at `path`, where only the socket of a killed hub may exist. Throws std::runtime_error.
   explicit Hub(std::filesystem::path path, Disturbance disturbance = {});
-  /// Ends the bus: its clients see it gone.
+  /// Ends the bus: its clients are disconnected.
   ~Hub();
   Hub(const Hub&) = delete;
   Hub& operator=(const Hub&) = delete;
 
-  /// "unix:PATH", as `open_bus` takes it.
+  /// "unix:PATH", for `open_bus`.
   std::string name() const { return "unix:" + listener_.path().string(); }
-  /// How many it has passed on. Any thread.
+  /// Number of forwarded frames. Any thread.
   std::uint64_t frames() const noexcept { return frames_.load(std::memory_order_relaxed); }
 
  private:

@@ -40,7 +40,7 @@ bool HubBus::receive(Frame& frame, std::int64_t deadline) noexcept {
   for (;;) {
     canfd_frame raw{};
     const ssize_t size = ::recv(socket_, &raw, sizeof raw, MSG_DONTWAIT);
-    if (size == 0) return false;  // the hub has gone
+    if (size == 0) return false;  // the hub has ended
     if (size > 0) {
       if (from_raw(raw, static_cast<std::size_t>(size), frame) && wanted(frame)) return true;
       continue;

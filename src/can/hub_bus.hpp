@@ -6,11 +6,11 @@
 
 namespace mrroc::can {
 
-/// A participant of a `Hub`: the frames as the kernel's CAN sockets carry them, over a Unix socket, for machines whose
+/// A participant of a `Hub`: frames in the format of the kernel's CAN sockets over a Unix socket, for machines whose
 /// kernel has no CAN.
 class HubBus : public Bus {
  public:
-  /// Throws std::runtime_error: no one listens at `path`.
+  /// Throws std::runtime_error: no hub listens at `path`.
   explicit HubBus(const std::string& path);
   ~HubBus() override;
   HubBus(const HubBus&) = delete;

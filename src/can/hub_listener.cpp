@@ -17,7 +17,8 @@ namespace mrroc::can {
 
 namespace {
 
-/// Of those who start a hub in one folder one at a time: none takes what another has just made for abandoned.
+/// Allows one process at a time to start a hub in a folder, so that none mistakes a new socket of another for an
+/// abandoned one.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder)
@@ -29,7 +30,7 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
-  /// False: the folder's file system, or its owner, grants none.
+  /// False: the folder's file system, or its owner, refuses the lock.
   bool held() const noexcept { return held_; }
 
  private:
@@ -37,10 +38,10 @@ class FolderLock {
   bool held_;
 };
 
-/// Whether a socket is there at which no one listens any more.
+/// Whether there is a socket at which no process listens any more.
 bool is_abandoned(const std::filesystem::path& path, const sockaddr_un& address) {
   struct stat status {};
-  // of a file that is no socket a connection is refused, too
+  // a connection to a file that is not a socket is also refused
   if (::lstat(path.c_str(), &status) != 0 || !S_ISSOCK(status.st_mode)) return false;
   const int probe = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (probe < 0) return false;
@@ -57,17 +58,17 @@ HubListener::HubListener(std::filesystem::path path) : path_(std::move(path)) {
   const FolderLock lock(path_.parent_path() / ".");
   if (lock.held() && is_abandoned(path_, address)) ::unlink(path_.c_str());
   fd_ = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  // before `bind`, which gives the file the socket's permissions: whoever may write to it commands drives
+  // before `bind`, which gives the file the socket's permissions: a process that may write to it can command drives
   if (fd_ >= 0 && ::fchmod(fd_, S_IRUSR | S_IWUSR) == 0 &&
       ::bind(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 && ::listen(fd_, 16) == 0)
     return;
   const std::string why = std::strerror(errno);
   if (fd_ >= 0) ::close(fd_);
-  throw std::runtime_error("CAN hub '" + path_.string() + "': " + why + ", expected a path where none is yet");
+  throw std::runtime_error("CAN hub '" + path_.string() + "': " + why + ", expected an unused path");
 }
 
 HubListener::~HubListener() {
-  // the file first: while this listens, no one takes the place of what is to be removed
+  // the file first: while this listens, no other hub can replace the file to be removed
   ::unlink(path_.c_str());
   ::close(fd_);
 }

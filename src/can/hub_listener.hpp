@@ -4,11 +4,11 @@
 
 namespace mrroc::can {
 
-/// The socket at which a hub awaits its clients, and its file. Open to the hub's user alone.
+/// The socket at which a hub awaits its clients, and its file. Only the hub's user has access.
 class HubListener {
  public:
-  /// Listens at `path`. A socket that a killed hub has left there is replaced; one of a living hub, or a file of
-  /// another kind, is not. Throws std::runtime_error.
+  /// Listens at `path`. The socket of a killed hub is replaced; that of a running hub, or a file of another kind, is
+  /// not. Throws std::runtime_error.
   explicit HubListener(std::filesystem::path path);
   /// Removes the file.
   ~HubListener();

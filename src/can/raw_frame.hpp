@@ -9,11 +9,11 @@
 
 namespace mrroc::can {
 
-// what a CAN FD frame's data begins with is a classical frame: one structure holds both, and its size tells which
+// a CAN FD frame begins with the layout of a classical frame: one structure holds both, and the size distinguishes them
 static_assert(offsetof(canfd_frame, len) == offsetof(can_frame, len));
 static_assert(offsetof(canfd_frame, data) == offsetof(can_frame, data));
 
-/// A frame as the kernel's sockets and hubs carry it. The result is its size: CAN_MTU, or CANFD_MTU.
+/// A frame in the format of the kernel's sockets and of hubs. Returns its size: CAN_MTU, or CANFD_MTU.
 inline std::size_t to_raw(const Frame& frame, canfd_frame& raw) noexcept {
   raw = {};
   raw.can_id = frame.error ? (frame.id & CAN_ERR_MASK) | CAN_ERR_FLAG
@@ -24,7 +24,7 @@ inline std::size_t to_raw(const Frame& frame, canfd_frame& raw) noexcept {
   return frame.fd ? CANFD_MTU : CAN_MTU;
 }
 
-/// False: it is of neither size, or of the extended format, which CANopen does not use.
+/// False: wrong size, or the extended format, which CANopen does not use.
 inline bool from_raw(const canfd_frame& raw, std::size_t size, Frame& frame) noexcept {
   const bool fd = size == CANFD_MTU;
   if ((!fd && size != CAN_MTU) || (raw.can_id & CAN_EFF_FLAG) != 0) return false;

@@ -59,7 +59,7 @@ SocketBus::SocketBus(const std::string& interface) {
     address.can_family = AF_CAN;
     address.can_ifindex = static_cast<int>(index);
     if (::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
-      fail(interface, errno == ENODEV ? "is no CAN interface" : std::strerror(errno));
+      fail(interface, errno == ENODEV ? "is not a CAN interface" : std::strerror(errno));
   } catch (...) {
     ::close(socket_);
     throw;
@@ -88,7 +88,7 @@ bool SocketBus::receive(Frame& frame, std::int64_t deadline) noexcept {
       continue;
     }
     if (size < 0 && errno == EINTR) continue;
-    // that the interface goes down is an error once, and `send` tells; frames come again when it is up
+    // an interface that goes down causes one error, and `send` reports it; frames arrive again when it is up
     if (!wait_readable(socket_, deadline)) return false;
   }
 }

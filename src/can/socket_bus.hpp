@@ -4,12 +4,13 @@
 
 namespace mrroc::can {
 
-/// A raw socket on a CAN interface of the kernel (Linux, Documentation/networking/can.rst). It hears what others on the
-/// same machine send, not itself, and every error that the controller reports. An interface that is set
-/// up for CAN FD (`ip link`: mtu 72) carries frames of both kinds.
+/// A raw socket on a CAN interface of the kernel (Linux, Documentation/networking/can.rst). It receives frames of other
+/// sockets on the same machine, not its own, and every error that the controller reports. An interface set up for CAN
+/// FD (`ip link`: mtu 72) carries frames of both kinds.
 class SocketBus : public Bus {
  public:
-  /// Throws std::runtime_error: the kernel knows no CAN, there is no such interface, it is down, it is no CAN.
+  /// Throws std::runtime_error: the kernel does not support CAN, the interface is missing, is down or is not a CAN
+  /// interface.
   explicit SocketBus(const std::string& interface);
   ~SocketBus() override;
   SocketBus(const SocketBus&) = delete;

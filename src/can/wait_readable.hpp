@@ -8,7 +8,7 @@
 
 namespace mrroc::can {
 
-/// Waits until `descriptor` is readable or `deadline` (CLOCK_MONOTONIC, ns) has come. True: it is. Never throws.
+/// Waits until `descriptor` is readable (true) or `deadline` (CLOCK_MONOTONIC, ns) has passed (false). Never throws.
 inline bool wait_readable(int descriptor, std::int64_t deadline) noexcept {
   pollfd entry{descriptor, POLLIN, 0};
   for (;;) {

@@ -21,7 +21,7 @@ struct Sum {
   std::uint64_t at(NodeId node) const { return constant + nodes * node; }
 };
 
-/// Nothing: it is not one.
+/// Nothing: not such a number.
 std::optional<Sum> to_sum(std::string_view text) {
   Sum sum;
   text = core::trimmed(text);
@@ -69,7 +69,7 @@ std::optional<std::uint64_t> whole_number(std::string_view text, DataType type, 
   return sum && fits(sum->at(node), type) ? std::optional(sum->at(node)) : std::nullopt;
 }
 
-/// As of a float; a zero may also be written as a whole number.
+/// The bits of a float; a zero may also be written as a whole number.
 std::optional<double> real_number(std::string_view text) {
   text = number_in(text);
   const auto value = core::to_finite(text);

@@ -54,7 +54,7 @@ std::uint16_t towards_operation(DriveState state) noexcept {
     case DriveState::switched_on:
     case DriveState::operation_enabled:
       return kEnableOperation;
-    case DriveState::quick_stop_active:  // by way of switch on disabled: a stop that was called for is not taken back
+    case DriveState::quick_stop_active:  // through switch on disabled: a requested stop is not cancelled
     case DriveState::not_ready_to_switch_on:
     case DriveState::fault_reaction_active:
     case DriveState::fault:
@@ -78,7 +78,7 @@ DriveState commanded_state(DriveState state, std::uint16_t controlword, std::uin
   }
   if (state == DriveState::quick_stop_active) return state;
   if ((command & 0x01) == 0) return DriveState::ready_to_switch_on;
-  if (state == DriveState::switch_on_disabled) return state;  // it takes a shutdown first
+  if (state == DriveState::switch_on_disabled) return state;  // it needs a shutdown first
   const bool enable = (command & 0x08) != 0;
   if (state == DriveState::ready_to_switch_on) return DriveState::switched_on;
   return enable ? DriveState::operation_enabled : DriveState::switched_on;

@@ -32,10 +32,10 @@ inline constexpr std::uint16_t kQuickStop = 0x02;
 inline constexpr std::uint16_t kShutdown = 0x06;
 inline constexpr std::uint16_t kSwitchOn = 0x07;
 inline constexpr std::uint16_t kEnableOperation = 0x0f;
-inline constexpr std::uint16_t kStartHoming = 0x10;  ///< beside kEnableOperation, in the homing mode
+inline constexpr std::uint16_t kStartHoming = 0x10;  ///< together with kEnableOperation, in the homing mode
 inline constexpr std::uint16_t kFaultReset = 0x80;   ///< at its rising edge
 
-// bits of the statusword (6041h) beside the state
+// bits of the statusword (6041h) other than the state
 inline constexpr std::uint16_t kTargetReached = 1u << 10;
 inline constexpr std::uint16_t kInternalLimit = 1u << 11;
 inline constexpr std::uint16_t kFollowsCommand = 1u << 12;  ///< cyclic modes
@@ -43,18 +43,18 @@ inline constexpr std::uint16_t kHomingAttained = 1u << 12;  ///< homing mode
 inline constexpr std::uint16_t kFollowingError = 1u << 13;  ///< cyclic synchronous position
 inline constexpr std::uint16_t kHomingError = 1u << 13;     ///< homing mode
 
-/// The state that a statusword tells: its bits 0..3, 5 and 6. Bits that make no state are `not_ready_to_switch_on`.
+/// The state in a statusword: its bits 0..3, 5 and 6. Invalid combinations are `not_ready_to_switch_on`.
 DriveState drive_state(std::uint16_t statusword) noexcept;
 
-/// A statusword's bits of a state, voltage enabled (bit 4) with it where there is power.
+/// A statusword's bits of a state, with voltage enabled (bit 4) in states with power.
 std::uint16_t status_bits(DriveState state) noexcept;
 
-/// The controlword that brings a drive from `state` one step nearer to operation enabled; 0 where it must not be: a
-/// fault has to be reset first, a reaction to it has to end.
+/// The controlword that brings a drive from `state` one step nearer to operation enabled; 0 where this is not allowed:
+/// a fault must be reset first, a fault reaction must end.
 std::uint16_t towards_operation(DriveState state) noexcept;
 
-/// What a controlword makes of a drive in `state`, `before` the one that it got last: the transitions of CiA 402-2 but
-/// those that the drive makes on its own. A quick stop is entered from operation enabled only.
+/// The state after a controlword in `state`, with `before` the previous controlword: the transitions of CiA 402-2
+/// except those that the drive makes on its own. A quick stop is entered from operation enabled only.
 DriveState commanded_state(DriveState state, std::uint16_t controlword, std::uint16_t before) noexcept;
 
 /// "operation enabled".

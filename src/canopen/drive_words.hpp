@@ -7,11 +7,11 @@
 
 namespace mrroc::canopen {
 
-/// What a controlword (6040h) commands in this mode: "enable operation", "enable operation, start homing". Any word
-/// whatsoever; not for the real-time path, as all of this file.
+/// The text of a controlword (6040h) in this mode: "enable operation", "enable operation, start homing". Any value is
+/// allowed; not for the real-time path, like this whole file.
 std::string controlword_text(std::uint16_t controlword, DriveMode mode);
 
-/// What a statusword (6041h) tells in this mode: "operation enabled, follows command".
+/// The text of a statusword (6041h) in this mode: "operation enabled, follows command".
 std::string statusword_text(std::uint16_t statusword, DriveMode mode);
 
 /// The switches that are closed in the digital inputs (60FDh): "positive limit switch, home switch"; "no switch".

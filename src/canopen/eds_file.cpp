@@ -26,7 +26,7 @@ std::optional<std::uint32_t> number_of(std::string_view text) {
   return static_cast<std::uint32_t>(*value);
 }
 
-/// "6040" or "1018sub1", digits hexadecimal; nothing: the section describes no value.
+/// "6040" or "1018sub1", digits hexadecimal; nothing: the section does not describe a value.
 std::optional<Object> object_of_section(const std::string& section) {
   if (section.size() < 4) return {};
   unsigned index = 0, sub = 0;
@@ -44,7 +44,7 @@ bool is_access(std::string_view text) {
   return text == "ro" || text == "wo" || text == "rw" || text == "rwr" || text == "rww" || text == "const";
 }
 
-/// Reads what the sections of objects say.
+/// Reads the sections of objects.
 class Parser {
  public:
   explicit Parser(const std::string& file) : file_(file) {}
@@ -68,7 +68,7 @@ class Parser {
     return name->value;
   }
 
-  /// Whether the section of an object stands for its parts.
+  /// Whether the section of an object represents its parts.
   bool has_parts(const EdsSection& section, bool sub_sections) const {
     const std::uint32_t type = number(section, "objecttype", "ObjectType", kVariable, kGreatestObjectType);
     const std::uint32_t parts = number(section, "subnumber", "SubNumber", 0, 0xff);
@@ -77,7 +77,7 @@ class Parser {
            section.find("objecttype") == nullptr;
   }
 
-  /// How many sub-values a section describes at once (CompactSubObj); 0: it is of one value, or each has its own.
+  /// Number of sub-values that a section describes at once (CompactSubObj); 0: one value, or each has its own section.
   std::uint32_t parts(const EdsSection& section) const {
     return number(section, "compactsubobj", "CompactSubObj", 0, 0xfe);
   }
@@ -103,7 +103,7 @@ class Parser {
     }
   }
 
-  /// A whole number that is 0 to `greatest`; `usual` when it is left out or blank.
+  /// A whole number that is 0 to `greatest`; `usual` when it is missing or blank.
   std::uint32_t number(const EdsSection& section, std::string_view key, const std::string& shown_key,
                        std::uint32_t usual, std::uint32_t greatest) const {
     const EdsLine* const line = section.find(key);
@@ -147,7 +147,7 @@ class Parser {
   const std::string& file_;
 };
 
-/// The lines of a section that say something of single sub-values, by their numbers; empty: there is no such section.
+/// The lines of a section about single sub-values, by their numbers; empty without such a section.
 std::map<std::uint32_t, const EdsLine*> listed(const EdsSection* section) {
   std::map<std::uint32_t, const EdsLine*> found;
   if (section == nullptr) return found;
@@ -222,7 +222,7 @@ void EdsFile::add(Object object, const std::string& parent, ObjectEntry entry) {
   entries_.emplace(object, std::move(entry));
 }
 
-/// CiA 306-1: they differ in nothing but their names and default values, if in those.
+/// CiA 306-1: they differ at most in their names and default values.
 void EdsFile::add_parts(const ObjectEntry& all, std::uint16_t index, std::uint32_t count,
                         const std::map<std::uint32_t, const EdsLine*>& names,
                         const std::map<std::uint32_t, const EdsLine*>& values) {
@@ -258,7 +258,8 @@ Object EdsFile::object(std::string_view text) const {
   for (const auto& [name, object] : names_)
     if (!wanted.empty() && (name.find(wanted) != std::string::npos || wanted.find(name) != std::string::npos))
       near += (near.empty() ? "" : ", ") + entries_.at(object).name;
-  throw std::invalid_argument(core::shown(in_quotes(text)) + " is no object of the EDS file, expected a name of it" +
+  throw std::invalid_argument(core::shown(in_quotes(text)) +
+                              " is not an object of the EDS file, expected a name of it" +
                               (near.empty() ? "" : " (" + near + ")") + " or an address like 0x6040 or 0x1018:1");
 }
 

@@ -13,12 +13,12 @@
 
 namespace mrroc::canopen {
 
-/// One value of a node's object dictionary, as its maker describes it.
+/// One value of a node's object dictionary, as described by its manufacturer.
 struct ObjectEntry {
   std::string name;
   DataType type = DataType::unsigned32;
   std::string access;           ///< ro | wo | rw | rwr | rww | const
-  std::string default_value;    ///< as the file has it, without comment and quotes; empty: none
+  std::string default_value;    ///< from the file, without comment and quotes; may be empty
   std::string parameter_value;  ///< the same, of a DCF
   bool mappable = false;        ///< into a PDO
 
@@ -28,29 +28,28 @@ struct ObjectEntry {
 
 /// A node's object dictionary from its electronic data sheet (CiA 306-1): values by address, and by name.
 ///
-/// A section of a record or array gives the name alone: its own AccessType and DataType, blank or not, mean nothing. Of
-/// a DCF, ParameterValue is read too.
+/// A section of a record or array gives only the name: its own AccessType and DataType are ignored. In a DCF,
+/// ParameterValue is read too.
 ///
-/// Names are those of the file, whatever the case of their letters; a sub-value is called "<object>/<value>", like
-/// "Identity object/Vendor-ID"; those that the file describes at once (CompactSubObj) and does not name are called
-/// "<object>/<object>1", "<object>/<object>2". Where two objects have one name, the name stands for the first.
-/// Configuration time.
+/// Names are those of the file, not case-sensitive. A sub-value is named "<object>/<value>", like "Identity
+/// object/Vendor-ID"; those that the file describes at once (CompactSubObj) without names are "<object>/<object>1",
+/// "<object>/<object>2". A name that two objects share denotes the first. Configuration time.
 class EdsFile {
  public:
-  /// Throws EdsError: unreadable, what `read_eds_sections` and `expected_value` refuse, a type or access that the
-  /// standard does not know or that is missing, an object or a part without a name or in two sections, a key twice with
-  /// two values, more than 254 parts.
+  /// Throws EdsError: unreadable, refused by `read_eds_sections` or `expected_value`, a missing type or access or one
+  /// that the standard does not define, an object or a part without a name or in two sections, a key twice with two
+  /// values, more than 254 parts.
   static EdsFile load(const std::filesystem::path& file);
   /// `name`: for messages.
   static EdsFile parse(std::string_view text, const std::string& name);
 
   const std::map<Object, ObjectEntry>& entries() const noexcept { return entries_; }
-  /// Null: it has no such object.
+  /// Null when it has no such object.
   const ObjectEntry* find(Object object) const noexcept;
-  /// The address that a person writes: a name, or "0x6040", "0x1018:1". Throws std::invalid_argument that says which
-  /// names come near.
+  /// The address from a person's text: a name, or "0x6040", "0x1018:1". Throws std::invalid_argument that lists similar
+  /// names.
   Object object(std::string_view text) const;
-  /// The name of the device; empty: the file does not say.
+  /// The name of the device; empty when it is not in the file.
   const std::string& product() const noexcept { return product_; }
 
  private:

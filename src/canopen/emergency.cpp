@@ -115,7 +115,7 @@ can::Frame to_frame(const Emergency& emergency) {
 
 std::string_view error_text(std::uint16_t code) noexcept {
   for (const unsigned mask : {0xffffu, 0xfff0u, 0xff00u, 0xf000u}) {
-    if ((code & mask) == 0 && code > 0xff) break;  // 00xxh alone is no error
+    if ((code & mask) == 0 && code > 0xff) break;  // 00xxh alone is not an error
     if (const std::string_view text = exact(static_cast<std::uint16_t>(code & mask)); !text.empty()) return text;
   }
   return "unknown error";

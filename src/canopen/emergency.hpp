@@ -10,7 +10,7 @@
 
 namespace mrroc::canopen {
 
-/// A node's emergency message (CiA 301, 7.2.7): the error code of 603Fh, 0 when all errors have gone.
+/// A node's emergency message (CiA 301, 7.2.7): the error code of 603Fh, 0 when all errors have cleared.
 struct Emergency {
   NodeId node = 0;
   std::uint16_t code = 0;
@@ -18,13 +18,13 @@ struct Emergency {
   std::array<std::uint8_t, 5> manufacturer{};
 };
 
-/// The emergency that a frame is; nothing: it is none. Never throws.
+/// The emergency in a frame; nothing: another kind of frame. Never throws.
 std::optional<Emergency> emergency_of(const can::Frame& frame) noexcept;
 
 can::Frame to_frame(const Emergency& emergency);
 
-/// What an error code means (CiA 301, table 26; CiA 402-2, 5.3): the text of the code itself, else that of its group,
-/// "a manufacturer's error" for FFxxh. Any thread; never throws.
+/// The meaning of an error code (CiA 301, table 26; CiA 402-2, 5.3): the text of the code itself, else that of its
+/// group, "a manufacturer's error" for FFxxh. Any thread; never throws.
 std::string_view error_text(std::uint16_t code) noexcept;
 
 }  // namespace mrroc::canopen

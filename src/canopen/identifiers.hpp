@@ -11,7 +11,8 @@ namespace mrroc::canopen {
 using NodeId = std::uint8_t;
 inline constexpr NodeId kMaxNode = 127;
 
-/// Identifiers of the predefined connection set (CiA 301, 7.3.5); with a node's number added but for the first three.
+/// Identifiers of the predefined connection set (CiA 301, 7.3.5); with a node's number added except for the first
+/// three.
 inline constexpr std::uint32_t kNmt = 0x000;
 inline constexpr std::uint32_t kSync = 0x080;
 inline constexpr std::uint32_t kTime = 0x100;
@@ -22,7 +23,7 @@ inline constexpr std::uint32_t kSdoResponse = 0x580;   ///< from the drive
 inline constexpr std::uint32_t kSdoRequest = 0x600;    ///< to the drive
 inline constexpr std::uint32_t kHeartbeat = 0x700;
 
-/// What the master tells a node to do (CiA 301, 7.2.8.3.1).
+/// A command of the master to a node (CiA 301, 7.2.8.3.1).
 enum class NmtCommand : std::uint8_t {
   start = 0x01,
   stop = 0x02,
@@ -31,7 +32,7 @@ enum class NmtCommand : std::uint8_t {
   reset_communication = 0x82
 };
 
-/// A node's state, as its heartbeat tells it.
+/// A node's state in its heartbeat.
 enum class NmtState : std::uint8_t { boot_up = 0x00, stopped = 0x04, operational = 0x05, pre_operational = 0x7f };
 
 inline can::Frame nmt_frame(NmtCommand command, NodeId node) {
@@ -42,7 +43,7 @@ inline can::Frame heartbeat_frame(NodeId node, NmtState state) {
   return {kHeartbeat + node, {static_cast<std::uint8_t>(state)}};
 }
 
-/// "pre-operational"; "unknown" for what is no state.
+/// "pre-operational"; "unknown" for other values.
 constexpr std::string_view describe(NmtState state) noexcept {
   switch (state) {
     case NmtState::boot_up:

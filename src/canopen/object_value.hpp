@@ -8,7 +8,7 @@
 
 namespace mrroc::canopen {
 
-/// Types of values by their number in the dictionary (CiA 301, 7.4.7.1); of the others only the number is known.
+/// Types of values by their number in the dictionary (CiA 301, 7.4.7.1); of the others only the number is defined here.
 enum class DataType : std::uint16_t {
   boolean = 0x01,
   integer8 = 0x02,
@@ -25,17 +25,17 @@ enum class DataType : std::uint16_t {
   unsigned64 = 0x1b
 };
 
-/// Bytes of a value of a type; 0: a string, or a type that we do not know.
+/// Bytes of a value of a type; 0: a string, or an unknown type.
 std::size_t size_of(DataType type) noexcept;
 bool is_signed(DataType type) noexcept;
-/// The least and the greatest whole number that a type holds; both 0 for a type that holds none.
+/// The smallest and the largest whole number of a type; both 0 for a type without whole numbers.
 std::int64_t least(DataType type) noexcept;
 std::int64_t greatest(DataType type) noexcept;
 
 /// "6041h:0".
 std::string to_text(Object object);
 
-/// A value as a person reads it: a number, or the string in quotes; bytes in hexadecimal where the type is not known.
+/// A value in readable form: a number, or the string in quotes; bytes in hexadecimal for an unknown type.
 std::string to_text(std::span<const std::uint8_t> value, DataType type);
 
 }  // namespace mrroc::canopen

@@ -55,7 +55,7 @@ inline constexpr Object kInterpolationExponent{0x60c2, 2};  ///< of ten: 60C2:1 
 inline constexpr Object kDigitalInputs{0x60fd};
 inline constexpr Object kDigitalOutputs{0x60fe, 1};
 inline constexpr Object kTargetVelocity{0x60ff};
-inline constexpr Object kSupportedModes{0x6502};  ///< bit n: it has mode n + 1
+inline constexpr Object kSupportedModes{0x6502};  ///< bit n: mode n + 1 is supported
 
 /// Bits of 60FDh.
 inline constexpr std::uint32_t kNegativeLimitSwitch = 1u << 0;

@@ -10,8 +10,8 @@
 
 namespace mrroc::canopen {
 
-/// Bits of a PDO's identifier object (sub-index 1 of 1400h.., 1800h..): it is not used; no one may ask for it by a
-/// remote frame (CiA 301, 7.5.2.35 and 37).
+/// Bits of a PDO's identifier object (sub-index 1 of 1400h.., 1800h..): the PDO is not used; remote frames for it are
+/// not allowed (CiA 301, 7.5.2.35 and 37).
 inline constexpr std::uint32_t kPdoNotUsed = 0x80000000;
 inline constexpr std::uint32_t kPdoNoRemote = 0x40000000;
 
@@ -21,15 +21,15 @@ struct MappedObject {
   std::uint8_t size = 0;
   friend bool operator==(const MappedObject&, const MappedObject&) = default;
 
-  /// As it stands in a mapping object (1600h.., 1A00h..): index, sub-index, bits.
+  /// The form in a mapping object (1600h.., 1A00h..): index, sub-index, bits.
   std::uint32_t entry() const noexcept {
     return static_cast<std::uint32_t>(object.index) << 16 | static_cast<std::uint32_t>(object.sub) << 8 | 8u * size;
   }
-  /// Bits that are no whole bytes give size 0.
+  /// Bits that are not whole bytes give size 0.
   static MappedObject of_entry(std::uint32_t entry) noexcept;
 };
 
-/// Which values a PDO carries, one after the other from its first byte (CiA 301, 7.4.4).
+/// The values in a PDO, one after the other from its first byte (CiA 301, 7.4.4).
 class PdoMapping {
  public:
   PdoMapping() = default;
@@ -43,7 +43,7 @@ class PdoMapping {
   /// The value of `object` in a PDO's data, with the sign of its highest bit where `with_sign`. False: it is not
   /// mapped, the frame is too short or of CAN FD. Never throws.
   bool read(const can::Frame& frame, Object object, bool with_sign, std::int64_t& value) const noexcept;
-  /// Puts a value in; nothing happens when it is not mapped. Never throws.
+  /// Writes a value; no effect when it is not mapped. Never throws.
   void write(can::Frame& frame, Object object, std::int64_t value) const noexcept;
 
  private:

@@ -85,7 +85,7 @@ can::Frame SdoTransfer::download(NodeId node, Object object, std::span<const std
   writes_ = true;
   size_ = std::min(value.size(), value_.size());
   std::copy_n(value.begin(), size_, value_.begin());
-  segmented_ = size_ == 0 || size_ > 4;  // an expedited one has at least a byte
+  segmented_ = size_ == 0 || size_ > 4;  // an expedited transfer has at least one byte
   if (segmented_) {
     can::Frame frame = request(kDownload | kSizeTold);
     can::put(frame.data, 4, 4, size_);
@@ -112,7 +112,7 @@ bool SdoTransfer::take(const can::Frame& frame, can::Frame& next) noexcept {
     return false;
   const std::uint8_t specifier = frame.data[0] & kSpecifier;
   const bool is_segment = specifier == kAnsweredUploadSegment || specifier == kAnsweredDownloadSegment;
-  // answers to an earlier request that was given up: another object's, or a segment before there can be one
+  // answers to an earlier, abandoned request: for another object, or a segment before segments are possible
   if (is_segment ? !begun_ : Object{static_cast<std::uint16_t>(can::get(frame.data, 1, 2)), frame.data[3]} != object_)
     return false;
   if (specifier == kAbort) {

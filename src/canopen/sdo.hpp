@@ -12,10 +12,10 @@
 
 namespace mrroc::canopen {
 
-/// Most bytes of one value: names and versions of devices are the longest that we read.
+/// Maximum bytes of one value: names and versions of devices are the longest values read.
 inline constexpr std::size_t kMaxValue = 128;
 
-/// Why a transfer was refused (CiA 301, table 22); `timeout` also where no answer came at all.
+/// The reason why a transfer was refused (CiA 301, table 22); `timeout` also when no answer arrived.
 enum class SdoAbort : std::uint32_t {
   none = 0,
   toggle_bit = 0x05030000,
@@ -34,28 +34,28 @@ enum class SdoAbort : std::uint32_t {
   wrong_state = 0x08000022
 };
 
-/// The standard's text of an abort code; "unknown abort code" else.
+/// The standard's text of an abort code; "unknown abort code" for other codes.
 std::string_view describe(SdoAbort abort) noexcept;
 
 /// The client's side of one transfer of a value (CiA 301, 7.2.4), expedited or in segments. It sends nothing itself and
-/// knows no time: its owner sends what it gives, hands it what comes, and calls a peer silent. Allocates nothing, never
-/// throws. One thread.
+/// has no clock: its owner sends its requests, passes the received frames to it, and detects timeouts. Allocates
+/// nothing, never throws. One thread.
 class SdoTransfer {
  public:
   enum class Status : std::uint8_t { idle, waiting, done, refused };
 
-  /// Begins to read `object` of `node`; gives the request.
+  /// Begins to read `object` of `node`; returns the request.
   can::Frame upload(NodeId node, Object object) noexcept;
-  /// Begins to write; at most kMaxValue bytes, the rest is cut.
+  /// Begins to write; at most kMaxValue bytes, longer values are cut.
   can::Frame download(NodeId node, Object object, std::span<const std::uint8_t> value) noexcept;
 
-  /// Looks at a frame of the bus. True: it was an answer of this transfer, and `next` is to be sent when it has an
-  /// identifier (else it is 0).
+  /// Processes a frame of the bus. True: it was an answer of this transfer, and `next` must be sent if its identifier
+  /// is not 0.
   bool take(const can::Frame& frame, can::Frame& next) noexcept;
 
   Status status() const noexcept { return status_; }
   SdoAbort abort() const noexcept { return abort_; }
-  /// What was read.
+  /// The value read.
   std::span<const std::uint8_t> value() const noexcept { return {value_.data(), size_}; }
   NodeId node() const noexcept { return node_; }
   Object object() const noexcept { return object_; }
@@ -78,7 +78,7 @@ class SdoTransfer {
   std::array<std::uint8_t, kMaxValue> value_{};
   std::size_t size_ = 0;  ///< of value_ in use
   std::size_t sent_ = 0;
-  std::size_t told_ = 0;  ///< the size that the server has announced; above kMaxValue: none
+  std::size_t told_ = 0;  ///< the size that the server has announced; above kMaxValue: not announced
 };
 
 }  // namespace mrroc::canopen

@@ -40,7 +40,7 @@ void SdoClient::finish(can::Frame request) {
     can::Frame next;
     if (!transfer_.take(frame, next)) {
       if (others_) others_(frame);
-      sent = sent && clock::monotonic_ns() < deadline;  // however much others send
+      sent = sent && clock::monotonic_ns() < deadline;  // also while other nodes send many frames
     } else if (next.id != 0) {
       sent = bus_.send(next) == can::Sent::yes;
       deadline = clock::monotonic_ns() + patience_;

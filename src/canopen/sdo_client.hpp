@@ -24,11 +24,11 @@ class SdoError : public std::runtime_error {
 /// Reads and writes values of nodes, one after the other, waiting for each answer. For start-up and tools; one thread.
 class SdoClient {
  public:
-  /// `patience`: how long an answer may take, ns. `others` is shown every frame that belongs to no transfer. `bus` must
-  /// outlive it.
+  /// `patience`: timeout of an answer, ns. `others` is called with every frame that does not belong to a transfer.
+  /// `bus` must outlive it.
   SdoClient(can::Bus& bus, std::int64_t patience, std::function<void(const can::Frame&)> others = {});
 
-  /// The value as the node gives it, at most kMaxValue bytes. Throws SdoError: refused, or no answer (`timeout`).
+  /// The value that the node returns, at most kMaxValue bytes. Throws SdoError: refused, or no answer (`timeout`).
   std::vector<std::uint8_t> upload(NodeId node, Object object);
   /// Throws SdoError.
   void download(NodeId node, Object object, std::span<const std::uint8_t> value);

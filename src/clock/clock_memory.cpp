@@ -199,7 +199,7 @@ void stop(ClockMemory& memory) noexcept {
     ParticipantSlot& slot = memory.participants[i];
     if (slot.part.load() == Part::task) {
       Membership alive = Membership::alive;
-      slot.membership.compare_exchange_strong(alive, Membership::dead);  // also one that never waits again
+      slot.membership.compare_exchange_strong(alive, Membership::dead);  // also for one that never waits again
       slot.gate.interrupt();
     } else if (memory.mode == Mode::real) {
       slot.gate.open();  // in simulated time the next tick wakes it

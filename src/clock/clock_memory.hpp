@@ -16,30 +16,30 @@
 
 namespace mrroc::clock {
 
-/// What the processes of one deployment know of each other's time: plain words in a memfd that the host creates and
-/// its children inherit. Nothing is left behind, whatever dies. There is no lock and hardly a word with two writers, so
-/// that a process can die between any two instructions and what it held can be told from its own words alone.
+/// The shared state of time of a deployment's processes: plain words in a memfd that the host creates and its children
+/// inherit. It leaves no file, whichever process dies. There is no lock and hardly a word with two writers, so that a
+/// process can die between any two instructions, and its own words suffice to determine its state.
 
 enum class Mode : std::uint32_t { real, paced, lockstep };
 enum class State : std::uint32_t { setting_up, running, failed, ended };
 
 enum class Membership : std::uint32_t {
   alive,
-  left,  ///< it went on its own: no one waits for it, what it has sent still arrives
-  dead   ///< it was lost: nothing from it or to it is waited for
+  left,  ///< it left on its own: no process waits for it, its messages still arrive
+  dead   ///< it was lost: no process waits for messages from it or to it
 };
 
 inline constexpr std::size_t kMaxParticipants = 64;
-/// Slot of the runner's own links: a sender and receiver that no one waits for.
+/// Slot of the runner's own links: no process waits for this sender and receiver.
 inline constexpr std::uint32_t kOperator = kMaxParticipants;
 inline constexpr std::uint32_t kMaxLinks = 2048;
 inline constexpr std::size_t kTopicLength = 95;
 inline constexpr std::size_t kMaxFaults = 32;
 
-/// One process. "Host" or "participant" says who writes.
+/// One process. "Host" or "participant" names the writer.
 struct alignas(64) ParticipantSlot {
   FixedText<kNameLength> name;            // host, when the memory is created
-  std::atomic<std::int32_t> pid{0};       // participant; 0: no one has attached
+  std::atomic<std::int32_t> pid{0};       // participant; 0: no process has attached
   std::atomic<std::uint32_t> ready{0};    // participant
   std::atomic<Part> part{Part::task};     // participant, before it is ready
   std::atomic<Membership> membership{};   // participant (left), host (dead)
@@ -50,7 +50,7 @@ struct alignas(64) ParticipantSlot {
   std::atomic<std::uint64_t> delta{0};    // the delta in which the participant runs
   std::atomic<Wake> reason{Wake::tick};   // why it runs
   std::atomic<std::uint64_t> waits{0};    // participant; real: odd while it waits, 0 before the start
-  std::atomic<bool> failed_with{false};   // who fails the clock: it took part then
+  std::atomic<bool> failed_with{false};   // the process that fails the clock: it took part then
   Gate gate;                              // the participant sleeps on it
 };
 
@@ -77,15 +77,15 @@ struct ClockMemory {
   std::int32_t host_pid = 0;
   std::uint32_t participant_count = 0;
   std::atomic<State> state{State::setting_up};
-  std::atomic<Tick> stop_tick{kNever};  // newest tick when the owner asked for the deployment's end; kNever: not yet
-  std::array<std::atomic<Tick>, kMaxFaults> fault_ticks;  // from which an injected fault is in force; kNever
-  std::atomic<std::uint32_t> failing{0};                  // claimed by whoever writes `error`
+  std::atomic<Tick> stop_tick{kNever};  // newest tick when the owner requested the shutdown; kNever: not yet
+  std::array<std::atomic<Tick>, kMaxFaults> fault_ticks;  // from which an injected fault is active; kNever
+  std::atomic<std::uint32_t> failing{0};                  // claimed by the writer of `error`
   FixedText<1023> error;                                  // valid when state is `failed`
   std::atomic<std::int64_t> epoch_ns{0};                  // CLOCK_MONOTONIC at tick 0
   std::atomic<std::uint32_t> host_was_stopped{0};         // participant: a signal had stopped the host, hence the end
   std::atomic<Tick> tick{0};                              // lockstep: the newest tick that participants may see
   std::atomic<std::uint64_t> delta{0};                    // lockstep: the delta that is open
-  EmergencyStop emergency_stop;                           // the operator presses, every servo looks
+  EmergencyStop emergency_stop;                           // pressed by the operator, checked by every servo
   Gate host;                                              // the host sleeps on it
   std::array<ParticipantSlot, kMaxParticipants + 1> participants;
   std::atomic<std::uint32_t> sender_count{0};
@@ -124,31 +124,31 @@ Tick wall_tick(const ClockMemory& memory) noexcept;
 
 /// Lockstep: true when no live participant runs and no message is in flight on a live link. Only running participants
 /// send and only the host sets one running, so the answer `true` stays true until the host (or the operator) acts. Any
-/// thread; whoever may have made it true asks, and opens the host's gate. Looks at the running words first: after that
-/// nothing more is sent.
+/// thread; each thread that may have made it true calls it and opens the host's gate. It reads the running words first:
+/// after that nothing more is sent.
 bool quiescent(const ClockMemory& memory) noexcept;
 
-/// Whether messages on the link are waited for: its receiver takes part and its sender has not been lost.
+/// Whether the host waits for messages on the link: its receiver takes part and its sender has not been lost.
 bool live(const ClockMemory& memory, const LinkEntry& link) noexcept;
 
 /// Enter a topic into the tables, before the start; return the index. Throw SystemError: the name is empty or too long,
 /// the table is full, the clock has started.
 int add_sender(ClockMemory& memory, std::uint32_t participant, std::string_view topic);
 int add_link(ClockMemory& memory, std::uint32_t participant, std::string_view topic);
-/// Host, at the start: tells every link its sender. Throws SystemError when a topic has two.
+/// Host, at the start: assigns every link its sender. Throws SystemError when a topic has two.
 void connect(ClockMemory& memory);
 /// Counts one message in flight to each receiver of the sender's topic. No allocation.
 void count_sent(ClockMemory& memory, int sender) noexcept;
 
-/// Sets injected fault `index` off from `tick` on, unless that has been done. Any thread.
+/// Triggers injected fault `index` from `tick` on, unless it has been triggered. Any thread.
 void set_off_fault(ClockMemory& memory, std::size_t index, Tick tick) noexcept;
 
-/// The beginning of the end: tasks are interrupted and not waited for any more, time continues for drives and world.
-/// Before the start: as `end`. Any thread.
+/// Begins the shutdown: tasks are interrupted and not waited for any more, time continues for drives and world. Before
+/// the start: as `end`. Any thread.
 void stop(ClockMemory& memory) noexcept;
 
-/// Ends the deployment's time, unless that has been done before (false): every wait of every process returns
-/// `interrupted`. Any thread.
+/// Ends the deployment's time, unless it has already ended (false): every wait of every process returns `interrupted`.
+/// Any thread.
 bool fail(ClockMemory& memory, std::string_view text) noexcept;
 bool end(ClockMemory& memory) noexcept;
 

@@ -57,7 +57,7 @@ bool DeltaCycle::open_delta(Who who) {
   const bool physics = who == Who::physics;
   const Tick tick = physics ? next_tick_ : memory_.tick.load();
   const Tick end = physics ? next_tick_ + 1 : next_tick_;  // wake ticks before it have come
-  // what is sent in the new delta must not be taken for seen: read all counts before anybody can stamp it
+  // messages sent in the new delta must not count as seen: read all counts before a process can stamp one
   std::array<std::uint64_t, kMaxParticipants> mail{};
   std::array<bool, kMaxParticipants> due{};
   bool any = false;
@@ -100,7 +100,7 @@ bool DeltaCycle::dead_end() {
     anybody = true;
   }
   if (events_.next() != kNever) return false;
-  if (live_operator_ && memory_.mode == Mode::paced) return false;  // time passes while the operator thinks
+  if (live_operator_ && memory_.mode == Mode::paced) return false;  // time passes while the operator decides
   if (anybody && !live_operator_)
     fail_dead_end();
   else
@@ -113,7 +113,7 @@ bool DeltaCycle::wait_for_next_tick() {
   const std::int64_t due = begin_of(memory_, next_tick_);
   if (first_look_ && next_tick_ > 0 && monotonic_ns() >= due) late_ticks_.fetch_add(1);
   first_look_ = false;
-  // an opened gate is mail from the operator, or the end: look at the table before the tick begins
+  // an opened gate means mail from the operator, or the end: check the table before the tick begins
   return !memory_.host.sleep(seen_, due);
 }
 
@@ -147,7 +147,7 @@ void DeltaCycle::fail_dead_end() {
     });
   };
   std::string text = "nothing can happen any more at tick " + std::to_string(memory_.tick.load()) + ": " +
-                     those(Membership::alive) + " waiting for mail that nobody is left to send";
+                     those(Membership::alive) + " waiting for mail that no process can send";
   const std::string left = those(Membership::left);
   const std::string dead = those(Membership::dead);
   if (!left.empty()) text += "; ended: " + left;
@@ -163,7 +163,7 @@ std::string describe(const ClockMemory& memory) {
   if (state == State::setting_up) {
     const std::string missing =
         names(memory, [](const ParticipantSlot& slot, std::uint32_t) { return slot.ready.load() == 0; });
-    return text + (missing.empty() ? ", everybody is ready" : ", not ready: " + missing);
+    return text + (missing.empty() ? ", all are ready" : ", not ready: " + missing);
   }
   if (memory.mode == Mode::real)
     text += " at tick " + std::to_string(wall_tick(memory));

@@ -5,14 +5,14 @@
 
 namespace mrroc::clock {
 
-/// The operator's emergency stop of one deployment, in the clock's memory: every servo looks at it in each tick, so
-/// that a stop needs no message and no other process. Two counters that only grow: a press is never missed, however
-/// short, and who looks can tell a reset that came after it. Any thread, any process, signal handlers too; never waits.
+/// The operator's emergency stop of one deployment, in the clock's memory: every servo checks it in each tick, so that
+/// a stop needs no message and no other process. Two counters that only grow: even a short press is never missed, and a
+/// reader can recognise a reset after it. Any thread, any process, signal handlers too; never waits.
 class EmergencyStop {
  public:
   /// Every robot of the deployment brakes, and stays stopped until it has been reset and recovered.
   void press() noexcept { presses_.fetch_add(1); }
-  /// Lets go what has been pressed; nothing moves because of it.
+  /// Releases the emergency stop; this does not move any robot.
   void reset() noexcept { resets_.fetch_add(1); }
 
   /// So far.

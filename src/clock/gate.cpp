@@ -22,7 +22,7 @@ bool Gate::sleep(std::uint32_t seen, std::int64_t deadline_ns) noexcept {
   const timespec deadline = to_timespec(deadline_ns);
   while (word() == seen) {
     if (deadline_ns != kForever && monotonic_ns() >= deadline_ns) return false;
-    // BITSET: the time-out is absolute, on CLOCK_MONOTONIC; a signal or a spurious wake-up loops
+    // BITSET: the timeout is absolute, on CLOCK_MONOTONIC; a signal or a spurious wake-up loops
     ::syscall(SYS_futex, &word_, FUTEX_WAIT_BITSET, seen, deadline_ns == kForever ? nullptr : &deadline, nullptr,
               FUTEX_BITSET_MATCH_ANY);
   }

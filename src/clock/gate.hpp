@@ -7,12 +7,12 @@
 
 namespace mrroc::clock {
 
-/// What threads sleep on and any thread or process opens: one futex word in shared memory. Bit 0 says
-/// "interrupted" and stays set for good; the other bits count openings. Because a sleeper compares the whole word, no
-/// opening and no interruption between its last look and its sleep is lost. Zeroed memory is a valid gate.
+/// Threads sleep on a gate, and any thread or process opens it: one futex word in shared memory. Bit 0 means
+/// "interrupted" and stays set; the other bits count openings. Because a sleeper compares the whole word, no opening or
+/// interruption between its last check and its sleep is lost. Zeroed memory is a valid gate.
 class Gate {
  public:
-  /// To be read before looking for work, and given to `sleep` when there is none. Any thread.
+  /// Read it before checking for work, and pass it to `sleep` when there is no work. Any thread.
   std::uint32_t word() const noexcept { return word_.load(); }
   /// Any thread.
   bool interrupted() const noexcept { return (word() & kInterrupted) != 0; }
@@ -25,7 +25,7 @@ class Gate {
   void interrupt() noexcept;
   /// Sleeps until the word differs from `seen` (true) or CLOCK_MONOTONIC reaches `deadline_ns` (false).
   bool sleep(std::uint32_t seen, std::int64_t deadline_ns) noexcept;
-  /// Sleeps until `ready()` holds, asked at once and after every opening (true), or `duration_ns` have gone by (false).
+  /// Sleeps until `ready()` holds, called at once and after every opening (true), or `duration_ns` have passed (false).
   /// Several threads or processes may wait at one gate.
   template <class Ready>
   bool wait(Ready ready, std::int64_t duration_ns) noexcept {

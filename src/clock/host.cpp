@@ -70,7 +70,7 @@ void ClockHost::open_time(std::int64_t epoch_ns) {
   const std::int64_t now = monotonic_ns();
   if (epoch_ns != 0 && epoch_ns < now)
     throw SystemError(ErrorCode::clock_lost,
-                      "clock: told to start " + std::to_string((now - epoch_ns) / 1000) + " us ago");
+                      "clock: asked to start " + std::to_string((now - epoch_ns) / 1000) + " us ago");
   if (memory_->mode != Mode::lockstep) memory_->epoch_ns.store(epoch_ns != 0 ? epoch_ns : now + lead);
   State expected = State::setting_up;
   if (!memory_->state.compare_exchange_strong(expected, State::running))
@@ -120,7 +120,7 @@ void ClockHost::participant_died(std::string_view name) {
     memory_->host.open();
     return;
   }
-  throw SystemError(ErrorCode::configuration, "clock: '" + std::string(name) + "' is no participant");
+  throw SystemError(ErrorCode::configuration, "clock: '" + std::string(name) + "' is not a participant");
 }
 
 bool ClockHost::has_left(std::string_view name) const noexcept {

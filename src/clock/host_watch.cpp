@@ -32,7 +32,7 @@ HostLife HostWatch::look() noexcept {
   return watches && state() == 'T' ? HostLife::stopped : HostLife::alive;  // 't': a debugger holds it
 }
 
-/// The letter of its first thread; 0: it is not told.
+/// The state letter of its first thread; 0: not available.
 char HostWatch::state() const noexcept {
   std::array<char, 64> text;  // a number, a name of 15 characters in brackets, the letter
   const ssize_t size = ::pread(stat_, text.data(), text.size(), 0);

@@ -4,15 +4,15 @@
 
 namespace mrroc::clock {
 
-/// How the process is that owns the deployment's clock and watches over its participants. Of one that is stopped they
-/// stop the robots, as whoever has started it may not be able to kill it, over ssh.
+/// The state of the process that owns the deployment's clock and monitors its participants. If it is stopped, they stop
+/// the robots, because its user may not be able to kill it over ssh.
 enum class HostLife {
   alive,    ///< or held by a debugger
   stopped,  ///< by a signal (SIGSTOP), under the real clock
   lost      ///< it has died
 };
 
-/// What a participant asks the kernel about its host. Its thread only.
+/// A participant's queries to the kernel about its host. Its thread only.
 class HostWatch {
  public:
   /// `memory` must outlive it. Throws SystemError when the host has died already.
@@ -29,7 +29,7 @@ class HostWatch {
 
   const ClockMemory& memory_;
   int process_;    // pidfd
-  int stat_ = -1;  // its `stat` of proc(5), which stays its own whoever gets its number
+  int stat_ = -1;  // its `stat` of proc(5), which remains valid when its number is reused
 };
 
 }  // namespace mrroc::clock

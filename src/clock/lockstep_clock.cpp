@@ -15,7 +15,7 @@ bool LockstepClock::start() {
 Wake LockstepClock::wait(Tick wake_tick) {
   const std::uint32_t seen = slot().gate.word();
   if (slot().gate.interrupted()) {
-    leave();  // while it runs: the delta does not close in between
+    leave();  // while it runs, so that the delta does not close in between
     return Wake::interrupted;
   }
   slot().wake_tick.store(wake_tick);

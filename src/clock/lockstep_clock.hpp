@@ -7,8 +7,8 @@
 namespace mrroc::clock {
 
 /// Simulated time by delta cycles, for lockstep and paced. The process runs only in the deltas that the host opens for
-/// it; what is sent in one delta may be seen in later ones only, so what a process sees cannot depend on how fast
-/// anybody runs. `wait`, `sent` and `arrived` allocate nothing and take no lock.
+/// it; messages sent in one delta are visible only in later ones, so the messages that a process sees do not depend on
+/// the speed of any process. `wait`, `sent` and `arrived` allocate nothing and take no lock.
 class LockstepClock : public ParticipantClock {
  public:
   using ParticipantClock::ParticipantClock;
@@ -17,7 +17,7 @@ class LockstepClock : public ParticipantClock {
   bool simulated() const noexcept override { return true; }
   bool start() override;
   Wake wait(Tick wake_tick) override;
-  /// Nothing: in lockstep only messages and ticks wake a process.
+  /// Does nothing: in lockstep only messages and ticks wake a process.
   void notify() noexcept override {}
 
   int register_sender(std::string_view topic) override;

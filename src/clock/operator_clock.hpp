@@ -6,10 +6,10 @@
 
 namespace mrroc::clock {
 
-/// The runner's own view of lockstep time. What it sends is counted and stamped with the delta that is open, so from a
-/// callback of `ClockHost::at_tick` it arrives at the same tick and delta on every run; sent at any other moment it
-/// arrives safely but at a tick that chance decides. No one waits for the operator: what it receives is not counted and
-/// visible at once. Any thread may send; one thread waits.
+/// The runner's own view of lockstep time. Its messages are counted and stamped with the open delta. Sent from a
+/// callback of `ClockHost::at_tick` they arrive at the same tick and delta on every run; sent at any other moment they
+/// arrive safely but at an arbitrary tick. No process waits for the operator: the messages it receives are not counted
+/// and are visible at once. Any thread may send; one thread waits.
 class OperatorClock final : public ParticipantClock {
  public:
   explicit OperatorClock(MappedClock memory) : ParticipantClock(std::move(memory), kOperator) {}
@@ -18,7 +18,7 @@ class OperatorClock final : public ParticipantClock {
   bool simulated() const noexcept override { return true; }
   /// Blocks until the host has started.
   bool start() override { return await_start(); }
-  /// Looks at the time every 10 ms of wall time: no one wakes the operator for a tick.
+  /// Checks the time every 10 ms of wall time: ticks do not wake the operator.
   Wake wait(Tick wake_tick) override;
   void notify() noexcept override { slot().gate.open(); }
 

@@ -9,7 +9,7 @@ namespace mrroc::clock {
 
 namespace {
 
-/// Between two looks for the host. Where simulated time stands still without it, there is no hurry.
+/// Between two checks of the host. Under simulated time, which stands still without it, they may be rare.
 std::int64_t look_interval(Mode mode) { return mode == Mode::real ? kSecond / 50 : kSecond; }
 
 }  // namespace

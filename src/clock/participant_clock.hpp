@@ -8,12 +8,12 @@
 
 namespace mrroc::clock {
 
-/// What every process's clock has in common: its slot of the clock's memory, on whose gate its thread sleeps.
+/// Common part of the processes' clocks: the slot of the clock's memory, on whose gate the process's thread sleeps.
 class ParticipantClock : public Clock {
  public:
   /// Takes part as slot `index` of `memory`. Throws SystemError when the host has died already.
   ParticipantClock(MappedClock memory, std::uint32_t index);
-  /// Leaves: from now on no one waits for this process.
+  /// Leaves: from now on no process waits for this one.
   ~ParticipantClock() override;
 
   double period() const noexcept override;
@@ -30,16 +30,17 @@ class ParticipantClock : public Clock {
   ParticipantSlot& slot() const noexcept { return memory_->participants[index_]; }
   std::uint32_t index() const noexcept { return index_; }
 
-  /// Says "ready" to the host.
+  /// Reports ready to the host.
   void announce_ready() noexcept;
   /// Sleeps until the host has started the clock. False: interrupted; the process has left.
   bool await_start() noexcept;
-  /// Sleeps until the slot's gate differs from `seen` or the deadline comes, and looks for the host meanwhile. False:
-  /// interrupted, failed, ended, or the host is lost; the process has left.
+  /// Sleeps until the slot's gate differs from `seen` or the deadline comes, and checks the host during this time.
+  /// False: interrupted, failed, ended, or the host is lost; the process has left.
   bool sleep(std::uint32_t seen, std::int64_t deadline_ns) noexcept;
   void leave() noexcept;
-  /// At every wait under the real clock, for messages that flow on keep `sleep` from asking: 20 ms after the last look
-  /// the next. Of a host that is lost it interrupts this process; one that is stopped brings the end of all (`stop`).
+  /// Checks the host at every wait under the real clock, 20 ms after the last check, because `sleep` does not check it
+  /// while messages arrive. If the host is lost it interrupts this process; if the host is stopped it begins the
+  /// shutdown (`stop`).
   void look_for_host() noexcept;
 
  private:

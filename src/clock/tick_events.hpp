@@ -9,7 +9,7 @@
 
 namespace mrroc::clock {
 
-/// What is to happen at given ticks: the operator's commands and injected faults of a script. Any thread.
+/// Events at given ticks: the operator's commands and injected faults of a script. Any thread.
 class TickEvents {
  public:
   using Callback = std::function<void()>;
@@ -23,7 +23,7 @@ class TickEvents {
     const std::scoped_lock lock(mutex_);
     return events_.empty() ? kNever : events_.begin()->first;
   }
-  /// Takes out and runs all events up to and including `tick`: by tick, then in the order in which they were added.
+  /// Removes and runs all events up to and including `tick`: by tick, then in the order in which they were added.
   void run(Tick tick) {
     std::vector<Callback> due;
     {

@@ -10,7 +10,7 @@
 
 namespace mrroc::command {
 
-/// What is wrong with `text` as a number from `min` to `max`, with what was expected; empty: nothing. Decimal digits,
+/// The error of `text` as a number from `min` to `max`, with what was expected; empty when it is valid. Decimal digits,
 /// for a real number with a point and an exponent; finite.
 template <class Number>
 std::string number_problem(std::string text, Number min, Number max) {

@@ -15,14 +15,14 @@ namespace {
 
 constexpr int kUsage = 2;
 
-/// The option `--name` of `app`; null: it has none.
+/// The option `--name` of `app`, or null.
 const CLI::Option* option_of(const CLI::App& app, const std::string& name) {
   for (const CLI::Option* option : app.get_options())
     if (option->check_name(name)) return option;
   return nullptr;
 }
 
-/// The verb `name` of `app`; null: it has none.
+/// The verb `name` of `app`, or null.
 const CLI::App* verb_of(const CLI::App& app, const std::string& name) {
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     if (verb->get_name() == name) return verb;

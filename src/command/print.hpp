@@ -9,8 +9,7 @@ namespace mrroc::command {
 /// pipe.
 void print(std::string_view text);
 
-/// Writes what std::printf and the like still keep for the standard output. Throws as print() when any of it could not
-/// be written.
+/// Flushes the standard output of std::printf and the like. Throws as print() when any of it could not be written.
 void finish_output();
 
 }  // namespace mrroc::command

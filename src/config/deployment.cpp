@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kMostRobots = 16;
 constexpr std::size_t kMostSensors = 32;
-constexpr std::size_t kMostProcesses = 60;  // `mrroc` and they have the 61 participants that DDS finds on one machine
+constexpr std::size_t kMostProcesses = 60;  // with `mrroc` itself, DDS finds 61 participants on one machine
 
 ClockMode read_clock(const Table& table) {
   if (!table.has("clock")) return ClockMode::lockstep;
@@ -49,7 +49,7 @@ void read_general(const Table& table, Deployment& deployment) {
   deployment.delta_limit = static_cast<std::size_t>(table.integer_or("delta_limit", deltas, 2, 1'000'000));
 }
 
-/// The MP is the runner's: elsewhere its program need not be there.
+/// The MP runs on the runner's machine: its program may be missing on other hosts.
 void read_mp(const Table& root, bool here, MpEntry& mp) {
   const auto table = root.optional_table("mp");
   if (!table) {
@@ -98,11 +98,12 @@ void read_devices(const Table& root, const std::string& kind, std::size_t most, 
 
 void refuse_name_of_robot(const Table& sensor, const std::string& name, const Deployment& deployment) {
   for (const auto& robot : deployment.robots) {
-    if (robot.name == name) sensor.fail("", in_quotes(name) + " is the name of a robot", "a name of its own");
+    if (robot.name == name) sensor.fail("", in_quotes(name) + " is the name of a robot", "a unique name");
   }
 }
 
-/// The EDP of robot `arm` is the process `arm_edp`, its simulated drives are `arm_drives`: no device may be called so.
+/// The EDP of robot `arm` is the process `arm_edp`, its simulated drives are `arm_drives`: no device may have such a
+/// name.
 void refuse_names_of_robots_processes(const Table& root, const Deployment& deployment) {
   const auto check = [&](const std::string& kind, const std::string& name) {
     for (const auto& robot : deployment.robots) {
@@ -110,7 +111,7 @@ void refuse_names_of_robots_processes(const Table& root, const Deployment& deplo
       if (edp || (robot.can && robot.can->simulated && robot.name + "_drives" == name)) {
         root.table(kind).table(name).fail(
             "", in_quotes(name) + (edp ? " is the EDP of robot " : " are the drives of robot ") + in_quotes(robot.name),
-            "a name of its own");
+            "a unique name");
       }
     }
   };

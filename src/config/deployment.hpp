@@ -17,24 +17,24 @@ enum class ClockMode { real, paced, lockstep };
 
 /// Another machine on which processes of the deployment run.
 struct HostEntry {
-  std::string name;                  ///< by which robots, sensors and [sim] call it
+  std::string name;                  ///< used by robots, sensors and [sim]
   std::string address;               ///< name or IPv4 address under which the machines reach it
-  std::vector<std::string> command;  ///< starts a program there, given as further words; empty: ssh to the address
+  std::vector<std::string> command;  ///< starts a program there, whose words follow; empty: ssh to the address
   std::string mrroc;                 ///< path of the `mrroc` command there; empty: as here
-  std::filesystem::path folder;      ///< where the deployment's folder is there; empty: as here
+  std::filesystem::path folder;      ///< the deployment's folder there; empty: as here
 };
 
 struct MpEntry {
   std::string program = "mrroc_mp";  ///< the stock MP when left out; absolute path after loading
-  std::filesystem::path states;      ///< the state machine that the stock MP runs, absolute; empty: none
+  std::filesystem::path states;      ///< the state machine that the stock MP runs, absolute; may be empty
 };
 
 /// The drives of a robot on a CAN bus: docs/how-to/can.md.
 struct CanEntry {
   std::string interface;         ///< of the kernel ("can0"), or "unix:PATH" with an absolute path
   std::filesystem::path drives;  ///< the table of its drives, absolute
-  bool simulated = false;        ///< the drives are simulated ones, whose motors are joints of the simulated world
-  std::string program;           ///< that plays them, absolute path; empty: real drives
+  bool simulated = false;        ///< the drives are simulated; their motors are joints of the simulated world
+  std::string program;           ///< simulates them, absolute path; empty: real drives
 };
 
 struct RobotEntry {
@@ -45,13 +45,13 @@ struct RobotEntry {
   std::string program = "mrroc_ecp";
   std::string hardware;               ///< socketcan | mujoco | loopback
   std::optional<CanEntry> can;        ///< socketcan only
-  bool synchronised = true;           ///< the drives know their absolute positions from the start
-  std::optional<int> emergency_stop;  ///< digital input 0..15 that presses its emergency stop while it is off
-  std::string force_sensor;           ///< the sensor whose raw readings its EDP takes; empty: none
-  /// Beyond which the robot stops, in the axes of that sensor: 3 forces (N), 3 torques (N m). The original's.
+  bool synchronised = true;           ///< the absolute positions are known from the start
+  std::optional<int> emergency_stop;  ///< digital input 0..15: off means that the emergency stop is pressed
+  std::string force_sensor;           ///< the sensor whose raw readings its EDP uses; may be empty
+  /// Limits beyond which the robot stops, in the axes of that sensor: 3 forces (N), 3 torques (N m). The original's.
   Wrench force_limits = (Wrench() << 65, 65, 130, 5, 5, 5).finished();
   std::string host;   ///< name of a [hosts] table; empty: the runner's machine
-  std::string mount;  ///< robot that carries it; empty: it stands in the world
+  std::string mount;  ///< robot that carries it; empty: fixed in the world
   /// In the world, or in the frame of the carrier's site `tool`: `position = [x, y, z]` (m), `rotation = [r, p, y]`
   /// (rad, fixed axes x y z).
   Pose base = Pose::Identity();
@@ -72,39 +72,38 @@ struct SensorEntry {
   std::string name;
   std::string type;   ///< folder sensors/<type>
   std::string robot;  ///< the effector it is mounted on; empty: fixed in the world
-  std::string host;   ///< as of a robot; left out: that of its robot, of a simulated one that of the simulator
+  std::string host;   ///< as of a robot; default: the host of its robot; if simulated, of the simulator
   bool interactive = true;
-  bool polled = false;               ///< interactive, but its readings are not waited for
+  bool polled = false;               ///< interactive, but Move does not wait for its readings
   double rate = 0;                   ///< Hz, non-interactive only; 1 / rate is a whole number of servo periods
   std::string source = "simulated";  ///< simulated | replay | hardware
   std::filesystem::path replay;      ///< played file, absolute
-  double frozen_after = 0;           ///< s after which hardware that always reads the same is broken; 0: never
-  std::vector<double> noise_max;     ///< largest standard deviation of each raw channel; empty, or 0: any
+  double frozen_after = 0;           ///< s after which hardware with a constant reading counts as broken; 0: never
+  std::vector<double> noise_max;     ///< largest standard deviation of each raw channel; empty or 0: unlimited
   /// The type's own keys, checked against `[parameters]` of sensors/<type>/<type>.toml; defaults filled in.
   std::map<std::string, std::vector<double>> numbers;
   std::map<std::string, std::string> texts;
-  // what sensors/<type>/<type>.toml declares of the type
+  // declared by sensors/<type>/<type>.toml
   std::vector<Channel> channels, raw_channels;              ///< of v and of r
-  std::vector<std::string> sources{"simulated", "replay"};  ///< that it has
-  bool wants_effector_state = false;                        ///< e_l of `robot` goes to its VSP at every tick
+  std::vector<std::string> sources{"simulated", "replay"};  ///< supported sources
+  bool wants_effector_state = false;                        ///< e_l of `robot` is sent to its VSP at every tick
   std::string vsp_program;                                  ///< the type's `<type>_vsp`, absolute path
 };
 
-/// Puts parts into the simulated world one after the other, as a feeder or a person would:
-/// docs/reference/simulation.md.
+/// Puts parts into the simulated world one after the other, like a feeder or a person: docs/reference/simulation.md.
 struct FeederEntry {
   std::string name;
-  std::vector<std::string> parts;    ///< free bodies of the scene, in the order in which they come
-  std::array<double, 3> position{};  ///< m, in the world: where a part's frame is put
-  std::array<double, 3> spread{};    ///< m: each coordinate is off by up to so much, uniformly
-  double turn = 0;                   ///< rad, about the world's z: likewise
-  double first = 0;                  ///< s: when the first part comes
-  std::array<double, 2> interval{};  ///< s: least and longest time between two parts, uniformly
-  std::uint32_t seed = 1;            ///< of its random numbers; with the same one the same places and times
+  std::vector<std::string> parts;    ///< free bodies of the scene, in the order of their arrival
+  std::array<double, 3> position{};  ///< m, in the world, of a part's frame
+  std::array<double, 3> spread{};    ///< m: maximum random offset of each coordinate, uniform
+  double turn = 0;                   ///< rad, the same about the world's z
+  double first = 0;                  ///< s: arrival of the first part
+  std::array<double, 2> interval{};  ///< s: shortest and longest time between two parts, uniform
+  std::uint32_t seed = 1;            ///< of its random numbers; the same seed gives the same poses and times
 };
 
 struct SimEntry {
-  std::string host;                  ///< as of a robot; left out: that of the robots that it simulates
+  std::string host;                  ///< as of a robot; default: the host of the robots that it simulates
   std::filesystem::path scene;       ///< MJCF of the task's scene, absolute
   double timestep = 0.001;           ///< s; the servo period is a whole number of these
   std::string program;               ///< `mrroc_sim`, absolute path
@@ -114,30 +113,30 @@ struct SimEntry {
 /// How the processes of the deployment reach each other: docs/how-to/security.md.
 struct NetworkEntry {
   std::string interface;       ///< network device or own address; empty: loopback, this machine only
-  bool security = false;       ///< DDS Security: only who has the keys is believed
+  bool security = false;       ///< DDS Security: only participants with the keys are accepted
   std::filesystem::path keys;  ///< folder of the keys, absolute; empty only without security
 };
 
-/// An operator command at a given tick: lockstep's way to press a button.
+/// An operator command at a given tick: presses a button under lockstep.
 struct Event {
   Tick tick = 0;
   std::string command;  ///< pause | resume | trigger | stop | estop | reset | answer
-  std::string sensor;   ///< that is answered; empty for the other commands
+  std::string sensor;   ///< target of an answer; empty for the other commands
   double value = 0;     ///< the answer
 };
 
-/// What the operator answers to a question of a task program, so that no one need be there: the text that he would
+/// A prepared answer to a question of a task program, for runs without an operator: the text that the operator would
 /// type.
 struct Answer {
   std::string question;  ///< its whole text
-  std::string process;   ///< that asks; empty: any
+  std::string process;   ///< the asking process; empty: any
   std::string answer;
   int line = 0;  ///< of the deployment file, for errors
 };
 
 /// A deployment file, validated as a whole: names are unique and at most 31 characters of letters, digits and `_`,
-/// every type is installed, every program of this host exists, every file named exists, what is mounted is carried by a
-/// robot.
+/// every type is installed, every program of this host exists, every named file exists, every carrier of a mounted
+/// robot is a robot.
 struct Deployment {
   std::filesystem::path file;  ///< absolute
   std::string name;
@@ -145,9 +144,9 @@ struct Deployment {
   double servo_period = 0.002;   ///< s
   int domain = -1;               ///< DDS domain; -1: the runner takes a free one
   double start_timeout = 30;     ///< s of wall time for the start-up barrier
-  double heartbeat_timeout = 5;  ///< s of wall time without a sign of life before a process counts as silent
+  double heartbeat_timeout = 5;  ///< s of wall time without a heartbeat after which a process counts as silent
   double link_timeout = 0.04;    ///< s of silence between two hosts after which each stops its robots
-  double clock_error = 0.001;    ///< s: most that the ticks of two hosts may be apart; left out: half a servo period
+  double clock_error = 0.001;    ///< s: maximum offset between the ticks of two hosts; default: half a servo period
   std::size_t delta_limit = 1000;
   std::string here;              ///< the host on which this was loaded; empty: the runner's machine
   std::vector<HostEntry> hosts;  ///< in file order
@@ -162,15 +161,15 @@ struct Deployment {
   /// The entry of this name; throws ConfigurationError that lists the known ones.
   const RobotEntry& robot(const std::string& name) const;
   const SensorEntry& sensor(const std::string& name) const;
-  /// The other machines that have something to run, in file order.
+  /// The other machines on which processes run, in file order.
   std::vector<const HostEntry*> hosts_used() const;
 };
 
 /// Reads and validates; throws ConfigurationError with file, line, key, value and what was expected. Configuration time
-/// only: reads the files named, and asks the resolver for every `host` that is no [hosts] table. Programs are looked
-/// for on the host that this machine is in the deployment: `this_host()`.
+/// only: reads the named files, and asks the resolver for every `host` that is not a [hosts] table. Programs are
+/// searched only for this machine's host in the deployment: `this_host()`.
 Deployment load_deployment(const std::filesystem::path& file);
-/// The same of a text that was read before (deployment_text.hpp).
+/// The same for a text that was read before (deployment_text.hpp).
 Deployment load_deployment(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace mrroc::config

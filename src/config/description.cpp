@@ -9,7 +9,7 @@ namespace mrroc::config {
 
 namespace {
 
-using Lines = std::vector<std::pair<std::string, std::string>>;  // process or device, what it is
+using Lines = std::vector<std::pair<std::string, std::string>>;  // process or device, description
 
 std::string clock_name(ClockMode clock) {
   switch (clock) {

@@ -14,7 +14,7 @@ namespace mrroc::config {
 ///       arm    irb6 on mujoco: ECP /cell/press_ecp, EDP /opt/mrroc/bin/irb6_edp
 ///       wrist  force_torque on arm, interactive, simulated: VSP /opt/mrroc/bin/force_torque_vsp
 ///
-/// Lines end with a newline. Not meant to be parsed.
+/// Lines end with a newline. The format is not for parsing.
 std::string describe(const Deployment& deployment);
 
 }  // namespace mrroc::config

@@ -46,7 +46,7 @@ fs::path prefix() {
   return folder == above.parent_path() / kInstalledPrograms ? above.parent_path() : above;
 }
 
-/// A type is there if its folder holds its parameter file.
+/// A type is installed if its folder holds its parameter file.
 bool holds_type(const fs::path& folder) {
   std::error_code none;
   return fs::is_regular_file(folder / (folder.filename().string() + ".toml"), none);

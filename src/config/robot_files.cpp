@@ -21,7 +21,7 @@ RobotFiles robot_files(const std::string& type, const fs::path& parameters) {
   const auto beside_or_own = [&](const std::string& ending) {
     return fs::exists(stem + ending) ? fs::path(stem + ending) : fs::path(own.string() + ending);
   };
-  // the type's URDF has the limits of the type's own parameters
+  // the type's URDF contains the limits of the type's own parameters
   return {parameters, beside_or_own(".xml"), stem + ".urdf", beside_or_own("_drives.toml")};
 }
 

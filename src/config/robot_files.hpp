@@ -11,7 +11,7 @@ class Table;
 struct RobotFiles {
   std::filesystem::path parameters;  ///< TOML: its axes and its geometry
   std::filesystem::path mjcf;        ///< its body in the simulated world
-  std::filesystem::path urdf;        ///< its geometry for generic tools; need not be there
+  std::filesystem::path urdf;        ///< its geometry for generic tools; optional
   std::filesystem::path drives;      ///< the table of its drives on a CAN bus
 };
 

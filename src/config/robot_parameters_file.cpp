@@ -12,7 +12,7 @@ namespace mrroc::config {
 
 namespace {
 
-constexpr double kUsualStuck = 0.08;  // of the greatest following error; without contact or with, 0.022 has been seen
+constexpr double kUsualStuck = 0.08;  // of the maximum following error; up to 0.022 occurs, with or without contact
 
 double positive(const Table& table, std::string_view key) {
   const double value = table.number(key);
@@ -43,7 +43,8 @@ AxisParameters read_axis(const Table& table) {
   AxisParameters axis;
   axis.name = table.text("name");
   if (axis.name.empty() || axis.name.size() > kNameLength) {
-    table.fail("name", in_quotes(axis.name) + " is no name", "1 to " + std::to_string(kNameLength) + " characters");
+    table.fail("name", in_quotes(axis.name) + " is not a valid name",
+               "1 to " + std::to_string(kNameLength) + " characters");
   }
   axis.position_min = table.limit("position_min");
   axis.position_max = above(table, "position_max", axis.position_min, "position_min");
@@ -56,7 +57,7 @@ AxisParameters read_axis(const Table& table) {
   axis.synchro_coarse = table.number_or("synchro_coarse", 0);
   axis.synchro_fine = table.number_or("synchro_fine", 0);
   if (axis.synchro_coarse * axis.synchro_fine > 0 || (axis.synchro_coarse == 0) != (axis.synchro_fine == 0)) {
-    table.fail("synchro_fine", number_text(axis.synchro_fine) + " does not go back from where synchro_coarse goes",
+    table.fail("synchro_fine", number_text(axis.synchro_fine) + " does not have the opposite sign of synchro_coarse",
                axis.synchro_coarse == 0  ? "0"
                : axis.synchro_coarse > 0 ? "a number below 0"
                                          : "a number above 0");
@@ -80,16 +81,16 @@ AxisParameters read_axis(const Table& table) {
   return axis;
 }
 
-/// Refuses a second axis of the name that the last one has.
+/// Refuses a second axis with the name of the last one.
 void check_name_is_new(const std::vector<AxisParameters>& axes, const Table& table) {
   const auto& name = axes.back().name;
   const auto same_name = [&name](const AxisParameters& axis) { return axis.name == name; };
   if (std::any_of(axes.begin(), axes.end() - 1, same_name)) {
-    table.fail("name", in_quotes(name) + " is the name of an earlier axis", "a name of its own");
+    table.fail("name", in_quotes(name) + " is the name of an earlier axis", "a unique name");
   }
 }
 
-/// Every axis once, by name; empty when the key is left out.
+/// Every axis once, by name; empty without the key.
 std::vector<int> read_synchro_order(const Table& file, const std::vector<AxisParameters>& axes) {
   std::vector<int> order;
   if (!file.has("synchro_order")) return order;
@@ -98,7 +99,8 @@ std::vector<int> read_synchro_order(const Table& file, const std::vector<AxisPar
     const auto axis = std::find_if(axes.begin(), axes.end(), [&name](const auto& a) { return a.name == name; });
     const auto index = static_cast<int>(axis - axes.begin());
     if (axis == axes.end() || std::find(order.begin(), order.end(), index) != order.end()) {
-      file.fail("synchro_order", in_quotes(name) + (axis == axes.end() ? " is no axis" : " comes twice"), expected);
+      file.fail("synchro_order", in_quotes(name) + (axis == axes.end() ? " is not an axis" : " is listed twice"),
+                expected);
     }
     order.push_back(index);
   }
@@ -113,7 +115,7 @@ RegulatorSet read_regulators(const Table& table, const std::string& name, const 
     const Table gains = table.table(axis_name);
     const auto axis =
         std::find_if(set.axes.begin(), set.axes.end(), [&](const auto& a) { return a.name == axis_name; });
-    if (axis == set.axes.end()) gains.fail("", in_quotes(axis_name) + " is no axis", "the name of one");
+    if (axis == set.axes.end()) gains.fail("", in_quotes(axis_name) + " is not an axis", "the name of one");
     axis->regulator_a = gains.number_or("a", axis->regulator_a);
     axis->regulator_b0 = gains.number_or("b0", axis->regulator_b0);
     axis->regulator_b1 = gains.number_or("b1", axis->regulator_b1);

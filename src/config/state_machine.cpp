@@ -18,7 +18,7 @@ struct Reader {
   std::vector<std::string> targets;  ///< every state, and the end
   ProgramBehaviours none{};
 
-  /// A program that says nothing has no behaviours.
+  /// A program without output has no behaviours.
   const ProgramBehaviours& of(const std::string& robot) const {
     const auto found = programs.find(robot);
     return found != programs.end() ? found->second : none;
@@ -63,7 +63,7 @@ void Reader::transitions(const Table& table, State& state) const {
   }
   for (const std::string& label : on->keys()) {
     if (std::find(told.begin(), told.end(), label) == told.end())
-      on->fail(label, "no robot that this state starts tells it", alternatives(told));
+      on->fail(label, "no robot that this state starts sends it", alternatives(told));
     state.on.emplace_back(label, target(*on, label));
   }
 }
@@ -118,9 +118,10 @@ void check_ways(const Table& states, const StateMachine& machine) {
   const std::set<std::string> reached = reached_from(machine, machine.first);
   for (const State& state : machine.states) {
     if (!reached.contains(state.name))
-      states.fail(state.name, "no transition leads to this state", "a way from the first, " + in_quotes(machine.first));
+      states.fail(state.name, "no transition leads to this state",
+                  "a path from the first, " + in_quotes(machine.first));
     if (!reached_from(machine, state.name).contains(kEndState))
-      states.fail(state.name, "the task can never end from this state", "a way to 'end'");
+      states.fail(state.name, "the task can never end from this state", "a path to 'end'");
   }
 }
 

@@ -24,17 +24,17 @@ struct State {
   std::string name;
   std::vector<Start> starts;  ///< in file order
   bool any = false;           ///< continues when the first has ended, not all; the others are stopped
-  std::string question;       ///< to answer by yes or no; empty: none
+  std::string question;       ///< to answer by yes or no; may be empty
   std::string next, yes, no;  ///< states to continue to
   std::string on_error;       ///< after a non-fatal error of a started robot; empty: the task fails with it
-  /// States to continue to when a started robot tells a message with this label; what runs is stopped.
+  /// States to continue to when a started robot sends a message with this label; the running behaviours are stopped.
   std::vector<std::pair<std::string, std::string>> on;
-  std::int64_t at_most = 0;  ///< how often it is entered; 0: as often as it comes
-  std::string afterwards;    ///< state to continue to instead, when it has been entered so often
+  std::int64_t at_most = 0;  ///< maximum number of entries; 0: unlimited
+  std::string afterwards;    ///< state to continue to after that number of entries
 };
 
-/// A task as states and transitions, read from a file (docs/reference/state-machines.md): what the stock MP runs when
-/// the deployment names one.
+/// A task as states and transitions, read from a file (docs/reference/state-machines.md). The stock MP runs it when the
+/// deployment names one.
 struct StateMachine {
   std::filesystem::path file;
   std::string first;
@@ -42,9 +42,9 @@ struct StateMachine {
   const State& state(const std::string& name) const;
 };
 
-/// Reads and validates: every robot, behaviour, argument, message and state that is named exists and has the type
-/// expected, every state can be reached, and from each the end. `programs`: what each robot's ECP has. Throws
-/// ConfigurationError with file, line, key, value and what was expected. Configuration time only.
+/// Reads and validates: every named robot, behaviour, argument, message and state exists and has the expected type,
+/// every state can be reached, and the end can be reached from each. `programs`: the behaviours of each robot's ECP.
+/// Throws ConfigurationError with file, line, key, value and what was expected. Configuration time only.
 StateMachine load_state_machine(const std::filesystem::path& file, const Deployment& deployment,
                                 const ProgramsByRobot& programs);
 

@@ -27,15 +27,15 @@ struct Range {
   double max = std::numeric_limits<double>::infinity();
 };
 
-/// Read-only view of one TOML table that knows its place in the file. Every getter throws ConfigurationError naming
-/// file, line, full key (`robots.arm.type`), the value found and what was expected: missing key, wrong type, not
-/// finite, out of range. `finish()` refuses keys that no one asked for, naming the nearest known one. Copies share the
-/// record of used keys. Configuration time only; any thread, one at a time.
+/// Read-only view of one TOML table with its position in the file. Every getter throws ConfigurationError naming file,
+/// line, full key (`robots.arm.type`), the value found and what was expected: missing key, wrong type, not finite, out
+/// of range. `finish()` refuses unused keys and names the nearest known one. Copies share the record of used keys.
+/// Configuration time only; any thread, one at a time.
 class Table {
  public:
   /// Parses a TOML file; a syntax error or an unreadable file is a ConfigurationError.
   static Table load(const std::filesystem::path& file);
-  /// The same of a text that was read before; `file` is its name in messages.
+  /// The same for a text that was read before; `file` is its name in messages.
   static Table parse(const std::filesystem::path& file, const std::string& text);
 
   bool has(std::string_view key) const;
@@ -45,7 +45,7 @@ class Table {
   std::string choice(std::string_view key, const std::vector<std::string>& choices) const;
   double number(std::string_view key, Range range = {}) const;
   double number_or(std::string_view key, double fallback, Range range = {}) const;
-  /// A number, or TOML's `inf` or `-inf`: a limit that says that there is none.
+  /// A number, or TOML's `inf` or `-inf` for no limit.
   double limit(std::string_view key) const;
   std::int64_t integer(std::string_view key, std::int64_t min, std::int64_t max) const;
   std::int64_t integer_or(std::string_view key, std::int64_t fallback, std::int64_t min, std::int64_t max) const;
@@ -62,19 +62,19 @@ class Table {
   std::optional<Table> optional_table(std::string_view key) const;
   /// Array of tables `[[key]]`; empty when missing.
   std::vector<Table> tables(std::string_view key) const;
-  /// Names of all sub-tables, in file order; a key that is no table is an error.
+  /// Names of all sub-tables, in file order; a key that is not a table is an error.
   std::vector<std::string> table_names() const;
   /// Keys of this table in file order.
   std::vector<std::string> keys() const;
 
-  /// Counts `keys` as asked for, then `finish()`: called before the values are read, it makes a slip in a key the first
-  /// mistake to be reported, before what follows from it.
+  /// Marks `keys` as used, then calls `finish()`. Called before the values are read, it reports a misspelt key before
+  /// the consequences of it.
   void only(std::initializer_list<std::string_view> keys) const;
 
-  /// Throws if a key of this table (not of its sub-tables) was never asked for.
+  /// Throws if a key of this table (not of its sub-tables) was never used.
   void finish() const;
 
-  /// An error at `key` of this table (or at the table itself when empty), for checks of the caller's own.
+  /// An error at `key` of this table (or at the table itself when empty), for the caller's own checks.
   [[noreturn]] void fail(std::string_view key, const std::string& problem, const std::string& expected) const;
   const std::filesystem::path& file() const;
   int line(std::string_view key = {}) const;

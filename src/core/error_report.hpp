@@ -4,8 +4,8 @@
 
 namespace mrroc {
 
-/// An error report with a text in printf's manner, cut to what a report holds. Any thread; allocates nothing, never
-/// throws.
+/// An error report with a text formatted as by printf, cut to the capacity of a report. Any thread; allocates nothing,
+/// never throws.
 [[gnu::format(printf, 3, 4)]] ErrorReport make_report(ErrorClass error_class, ErrorCode code, const char* format,
                                                       ...) noexcept;
 

@@ -6,13 +6,12 @@
 #include <string>
 #include <string_view>
 
-/// Numbers as people write them in files and on the command line, the same in every locale. Pure functions; any
-/// thread.
+/// Numbers written by people in files and on the command line, the same in every locale. Pure functions; any thread.
 namespace mrroc::core {
 
 /// The double that is nearest to a decimal number: an optional sign `+` or `-`, digits with at most one point
 /// (`1.`, `.5`), an optional exponent (`1e-3`, `1.E+3`); also `inf`, `infinity` and `nan` in any case. A number whose
-/// magnitude is too small for a double gives 0. Nothing: anything else is in the text, blanks included, or the
+/// magnitude is too small for a double gives 0. Nothing: the text contains anything else, blanks included, or the
 /// magnitude is too large.
 std::optional<double> to_double(std::string_view text) noexcept;
 
@@ -40,7 +39,7 @@ std::optional<Whole> to_whole(std::string_view text) noexcept {
 std::optional<std::uint64_t> to_literal(std::string_view text) noexcept;
 
 /// Why `text` is not the number that was expected: "is empty", "has a decimal comma", "has U+00A0 at character 3", or
-/// "is not a number". Only for texts that a function above refused.
+/// "is not a number". Only for texts that one of the functions above refused.
 std::string number_problem(std::string_view text);
 
 }  // namespace mrroc::core

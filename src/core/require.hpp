@@ -5,8 +5,8 @@
 
 #include "mrroc/errors.hpp"
 
-/// Checks of arguments: each throws NonFatalError(invalid_argument) that says who refuses what, its value, and what was
-/// expected.
+/// Checks of arguments: each throws NonFatalError(invalid_argument) with the refusing class, the argument, its value
+/// and what was expected.
 namespace mrroc {
 
 inline void require(bool good, const char* who, const char* what, double value, const char* expected) {

@@ -14,8 +14,8 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"sv;
 constexpr std::string_view kBlanks = " \t"sv;
 constexpr char kDosEnd = '\x1A';
 
-/// "UTF-16" or "UTF-32" when the first line of a file is in it, by its mark, or by every other byte of its first two
-/// characters being 0.
+/// "UTF-16" or "UTF-32" when the first line of a file has that encoding: it has its mark, or every other byte of its
+/// first two characters is 0.
 std::string wide_encoding(std::string_view raw) {
   if (raw.starts_with("\xFF\xFE\0\0"sv) || raw.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
   if (raw.starts_with("\xFF\xFE"sv) || raw.starts_with("\xFE\xFF"sv)) return "UTF-16";

@@ -13,7 +13,7 @@ namespace mrroc::faults {
 
 namespace {
 
-// whom a fault strikes
+// the targets of a fault
 constexpr unsigned kMp = 1, kSim = 2, kEcp = 4, kEdp = 8, kDrives = 16, kVsp = 32;
 constexpr unsigned kTask = kMp | kEcp, kAny = kMp | kSim | kEcp | kEdp | kDrives | kVsp;
 
@@ -30,7 +30,7 @@ constexpr std::array<Role, 6> kRoles{{{kMp, "mp", ""},
                                       {kDrives, "drives", "ROBOT"},
                                       {kVsp, "vsp", "SENSOR"}}};
 
-/// A kind of fault as it is written.
+/// The text form of a kind of fault.
 struct Row {
   std::string_view word;
   Kind kind;

@@ -4,7 +4,7 @@
 
 namespace mrroc {
 
-/// Where the set-point is and how it moves: joints, their velocities and accelerations (rad or m, per s, per s^2).
+/// The set-point and its motion: joints, their velocities and accelerations (rad or m, per s, per s^2).
 struct DesiredState {
   JointVector position;
   JointVector velocity;

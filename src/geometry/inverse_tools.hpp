@@ -4,7 +4,7 @@
 
 #include "mrroc/types.hpp"
 
-/// What the inverse kinematics of several robots need. Any thread; never allocates or throws.
+/// Tools for the inverse kinematics of several robots. Any thread; never allocates or throws.
 namespace mrroc {
 
 /// Below this a sine of an angle or a distance (m) from an axis is a singularity: what it divides is undetermined.

@@ -5,13 +5,13 @@
 /// Motions of frames to second order. Any thread; never allocates or throws.
 namespace mrroc {
 
-/// A frame that moves: where it is, its twist and the twist's rate, all in base axes.
+/// A moving frame: its pose, its twist and the twist's rate, all in base axes.
 struct MovingPose {
   Pose pose = Pose::Identity();
   Twist twist = Twist::Zero();
   Twist rate = Twist::Zero();
 
-  /// Where it is `t` seconds later at this rate, to second order: p + v t + a t^2/2, exp(w t + alpha t^2/2) R.
+  /// The pose `t` seconds later at this rate, to second order: p + v t + a t^2/2, exp(w t + alpha t^2/2) R.
   Pose after(double t) const noexcept;
 };
 

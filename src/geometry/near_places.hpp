@@ -5,13 +5,13 @@
 
 namespace mrroc {
 
-/// m, rad: positions, orientations and joints that differ by less are one place of a path. It is above what a robot
-/// repeats and a person measures; a spline through both would have a corner there.
+/// m, rad: positions, orientations and joints that differ by less count as one point of a path. It is above the
+/// repeatability of a robot and of manual measurements; a spline through both points would have a corner there.
 inline constexpr double kSamePlace = 1e-4;
 
-/// Which of the places 0 (the start), 1, ..., `last` a path is to pass: a place that is near to the one kept before it
-/// is left out; the last one is always kept, and then what is near to it is left out. `near(i, j)`: whether they are
-/// one place. Task's thread; allocates.
+/// Selects the points of 0 (the start), 1, ..., `last` that a path passes: a point near the previously kept one is
+/// dropped; the last one is always kept, and points near it are dropped. `near(i, j)`: whether they count as one point.
+/// Task's thread; allocates.
 template <class Near>
 std::vector<std::size_t> distinct_places(std::size_t last, Near near) {
   std::vector<std::size_t> kept{0};

@@ -6,8 +6,8 @@ namespace mrroc {
 
 /// An arc of a circle at a constant pace:
 ///   p(s) = c + exp([angle s / length] axis) (p0 - c),
-/// while the tool turns by the rotation vector `turn` s / length, in base axes. One piece. KDL's Path_Circle is the
-/// same curve (the tests hold it against this one), but cannot turn the tool by more than half a turn.
+/// while the tool rotates by the rotation vector `turn` s / length, in base axes. One piece. KDL's Path_Circle is the
+/// same curve (the tests hold it against this one), but cannot rotate the tool by more than half a turn.
 class PoseArc : public PosePath {
  public:
   /// `axis` of length 1. `end`: the pose that the numbers lead to but for rounding: where the path ends exactly.

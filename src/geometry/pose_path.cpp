@@ -46,7 +46,7 @@ void PiecedPath::add(const PathPose& from, const PathPose& to, double length) {
 }
 
 PathPose PiecedPath::at(std::size_t piece, double s) const noexcept {
-  // the end itself, not what rounding makes of the difference
+  // the end itself, without rounding errors of the difference
   return s >= breaks_[piece + 1] ? pieces_[piece].at(breaks_[piece + 1]) : pieces_[piece].at(s - breaks_[piece]);
 }
 

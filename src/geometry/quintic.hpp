@@ -15,7 +15,7 @@ class Quintic {
     c0_ = from.position;
     c1_ = from.velocity * duration;
     c2_ = from.acceleration * (0.5 * duration * duration);
-    // what the end state asks for beyond the continuation of the start state
+    // the difference of the end state from the continuation of the start state
     const JointVector p = to.position - c0_ - c1_ - c2_;
     const JointVector v = to.velocity * duration - c1_ - 2.0 * c2_;
     const JointVector a = to.acceleration * (duration * duration) - 2.0 * c2_;
@@ -34,7 +34,7 @@ class Quintic {
     return state;
   }
 
-  /// The largest |p - p0|, |v|, |a| and |jerk| that can be, per joint.
+  /// The largest |p - p0|, |v|, |a| and |jerk| that are possible, per joint.
   struct Bounds {
     JointVector position, velocity, acceleration, jerk;
   };

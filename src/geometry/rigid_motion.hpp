@@ -12,23 +12,23 @@ bool is_rigid(const Pose& pose) noexcept;
 /// within 5e-3. False: the pose is not a rigid transform (scaled, reflected, not finite); it stays as it is.
 bool make_rigid(Pose& pose) noexcept;
 
-/// The frame at `position` (m), turned by `turns` (rad): roll, pitch, yaw about the fixed axes x, y, z in this order,
+/// The frame at `position` (m), rotated by `turns` (rad): roll, pitch, yaw about the fixed axes x, y, z in this order,
 /// R = Rz(yaw) Ry(pitch) Rx(roll), as in URDF.
 Pose frame_at(const Eigen::Vector3d& position, const Eigen::Vector3d& turns) noexcept;
 
-/// The same twist of the same point in axes turned by `rotation`: (R v, R w).
+/// The same twist of the same point in axes rotated by `rotation`: (R v, R w).
 Twist turned(const Eigen::Matrix3d& rotation, const Twist& twist) noexcept;
 
 /// exp of a twist (times seconds) in body axes: the displacement of a constant screw motion (Lynch and Park, Modern
 /// Robotics, eq. 3.88).
 Pose exponential(const Twist& displacement) noexcept;
 
-/// The turn by the norm of `vector` (rad) about its direction.
+/// The rotation by the norm of `vector` (rad) about its direction.
 Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept;
 /// Its inverse: the rotation vector of `rotation`, of norm 0..pi.
 Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept;
 
-/// The rotation next to a product of rotations: products drift off the orthonormal matrices.
+/// The rotation nearest to a product of rotations: products drift away from orthonormality.
 Eigen::Matrix3d orthonormal(const Eigen::Matrix3d& rotation) noexcept;
 
 }  // namespace mrroc

@@ -4,8 +4,8 @@
 
 namespace mrroc {
 
-/// The turning that belongs to a rotation vector that changes: for R = exp([phi]) R0, angular velocity w and its rate,
-/// in the axes in which phi is given,
+/// The angular motion of a changing rotation vector: for R = exp([phi]) R0, angular velocity w and its rate, in the
+/// axes in which phi is given,
 ///   w  = J(phi) phi',   w' = J(phi) phi'' + (d/dt J(phi)) phi',
 ///   J  = I + A [phi] + B [phi]^2,   A = (1 - cos t) / t^2,   B = (t - sin t) / t^3,   t = |phi|,
 /// the left Jacobian of SO(3) (Sola, Deray and Atchuthan, A micro Lie theory, 2018, appendix B). Any thread; never

@@ -28,7 +28,7 @@ bool ends_in_motion(const RobotCommand& command) {
   }
 }
 
-/// The robot is to continue moving and says that it comes to rest: no command has come in time for it.
+/// The robot should continue to move but reports that it comes to rest: its command was late.
 bool has_braked(const Robot& robot) { return ends_in_motion(robot.command()) && rests(robot.state()); }
 
 StepEnding ending_of(ErrorClass error_class) {
@@ -130,7 +130,7 @@ bool Instruction::operator_ends_it() {
   OperatorRequest request = task_->operator_request();
   const bool pause = request == OperatorRequest::pause;
   if (pause && !braking_ && generator_ != nullptr && moving()) braking_ = generator_->brake();
-  // a pause that ends early leads to rest all the same: the generator continues from there
+  // a pause that ends early still leads to rest: the generator continues from there
   if (braking_ && (pause || request == OperatorRequest::none) && moving()) return false;
   if (pause || braking_) request = hold_until_resumed(request);
   if (request == OperatorRequest::stop) throw Stopped{};
@@ -157,7 +157,7 @@ OperatorRequest Instruction::hold_until_resumed(OperatorRequest request) {
 void Instruction::hold() {
   for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
   ++held_;
-  send(0);  // step 0: every reading is due, so that the motion resumes on fresh ones
+  send(0);  // step 0: every reading is due, so that the motion resumes with new ones
   receive(0);
   throw_reported_errors();
 }

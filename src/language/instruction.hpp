@@ -24,23 +24,23 @@ class Instruction {
   void throw_reported_errors() const;
   /// Handles pause (holding), stop (throws) and end-motion (true).
   bool operator_ends_it();
-  /// Some robot does not rest.
+  /// Whether a robot does not rest.
   bool moving() const noexcept;
-  /// What came after the pause; `request` is what is asked now.
+  /// Handles the request after the pause; `request` is the present one.
   OperatorRequest hold_until_resumed(OperatorRequest request);
   /// Holds until every robot rests.
   void come_to_rest();
-  /// A robot has braked, or started after the others, because its command came late: what the generator planned is no
-  /// more. All come to rest, then it plans the rest of the motion.
+  /// A robot has braked, or started after the others, because its command was late, so the generator's plan is no
+  /// longer valid. All robots come to rest, then it plans the rest of the motion.
   void resume_after_late_command();
   std::uint64_t late_commands() const noexcept;
   /// One macrostep in which every robot holds.
   void hold();
   std::optional<Ending> evaluate_end();
   void write_next_state();
-  /// What does not change from step to step, for the records of the steps.
+  /// The constant data of the instruction, for the records of the steps.
   void begin_record();
-  /// Records the step in the task's black box and shows it to the task's observer.
+  /// Records the step in the task's black box and passes it to the task's observer.
   void observe(StepEnding ending);
   /// Requests the readings due at `next_step`, then sends e^{i+1}.
   void send(std::uint64_t next_step);
@@ -60,7 +60,7 @@ class Instruction {
   Task* task_ = nullptr;
   std::shared_ptr<InstructionRecord> record_;  // numbered when its first step is recorded
   std::uint64_t step_ = 0;                     // i - i0
-  bool braking_ = false;                       // the generator leads the robots to rest, for a pause
+  bool braking_ = false;                       // the generator brings the robots to rest, for a pause
   std::uint64_t held_ = 0;                     // macrosteps of hold since the last command that was observed
   Tick start_tick_ = 0;
   double start_wall_ = 0;

@@ -11,7 +11,7 @@ void refuse_duplicates(const std::vector<Element*>& elements, const Task& task) 
   for (std::size_t i = 0; i < elements.size(); ++i) {
     for (std::size_t j = i + 1; j < elements.size(); ++j) {
       if (elements[i]->name() == elements[j]->name()) {
-        throw NonFatalError(ErrorCode::invalid_argument, "'" + elements[i]->name() + "' stands twice in the list",
+        throw NonFatalError(ErrorCode::invalid_argument, "'" + elements[i]->name() + "' is listed twice",
                             {task.process_name(), elements[i]->name(), 0, 0});
       }
     }

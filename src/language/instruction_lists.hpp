@@ -9,13 +9,13 @@
 namespace mrroc {
 
 /// The task to which the robots and sensors of one instruction belong. Throws NonFatalError(invalid_argument) when both
-/// lists are empty, an element is a null pointer or stands twice, or they belong to different tasks. The task's thread.
+/// lists are empty, an element is a null pointer or is listed twice, or they belong to different tasks. Task's thread.
 Task& task_of(const std::vector<Robot*>& robots, const std::vector<Sensor*>& sensors);
 
-/// While it lives, the robots and interactive sensors belong to one instruction alone. The lists outlive it.
+/// Reserves the robots and interactive sensors for one instruction during its lifetime. The lists must outlive it.
 class ExclusiveUse {
  public:
-  /// Throws NonFatalError(busy) when another instruction has one of them: one of another strand.
+  /// Throws NonFatalError(busy) when an instruction of another strand has one of them.
   ExclusiveUse(const std::vector<Robot*>& robots, const std::vector<Sensor*>& sensors);
   ~ExclusiveUse() { release(); }
   ExclusiveUse(const ExclusiveUse&) = delete;

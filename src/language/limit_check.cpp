@@ -38,7 +38,7 @@ void LimitCheck::widen(const DesiredState& from) noexcept {
     const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];
     const double joint = position_tolerance(axis.position_min, axis.position_max);
     const double motor = position_tolerance(axis.motor_min, axis.motor_max);
-    // where the robot is outside already, so much less than the tolerance that steps outwards add up to nothing
+    // for a robot that is already outside: so much smaller than the tolerance that outward steps do not accumulate
     position_min_[i] = std::min(axis.position_min - joint, from.position[i] - kOutside * joint);
     position_max_[i] = std::max(axis.position_max + joint, from.position[i] + kOutside * joint);
     motor_min_[i] = axis.motor_min - motor, motor_max_[i] = axis.motor_max + motor;

@@ -14,16 +14,16 @@ namespace mrroc {
 /// The limits of a robot, for the path of a macrostep: the EDP accepts it, and a generator plans it, only if this check
 /// passes. At every servo tick: position, velocity and acceleration of the joints, position of the motors; the means of
 /// velocity, acceleration and jerk from tick to tick. The joints are checked at least eight times per macrostep, so
-/// that a short one hides nothing between its ticks, unless bounds of the path show that it cannot. From every tick a
-/// stop must be possible: it passes neither position nor velocity limit and rests inside the motor limits; from the
-/// last tick the motor limits are checked at every tick of the stop, unless a bound shows that no motor comes near one.
-/// The tolerances are those of language/limits.hpp.
+/// that violations between the ticks of a short one are found, unless bounds of the path show that it cannot. From
+/// every tick a stop must be possible: it passes neither position nor velocity limit and rests inside the motor limits;
+/// from the last tick the motor limits are checked at every tick of the stop, unless a bound shows that no motor comes
+/// near one. The tolerances are those of language/limits.hpp.
 ///
 /// A robot that starts outside a position limit (brakes off, moved by hand) may move, but no farther out; nor may an
-/// axis that stands on a limit switch move farther onto it.
+/// axis on a limit switch move farther onto it.
 ///
-/// Set-points that no macrostep foresees are looked at one by one (`begin`, `check_next`): for each the state itself
-/// and the stop from it.
+/// Set-points that are not part of a planned macrostep are checked one by one (`begin`, `check_next`): for each the
+/// state itself and the stop from it.
 ///
 /// Allocates nothing but in its constructor, never throws; one thread.
 class LimitCheck {
@@ -31,13 +31,14 @@ class LimitCheck {
   LimitCheck(const RobotModel& model, double period);
   /// From now on of this model of the same robot; it must outlive this object.
   void use(const RobotModel& model) noexcept;
-  /// The switches on which the axes stand.
+  /// The limit switches that are on.
   void stand_on(const LimitSwitches& switches) noexcept { switches_ = switches; }
 
   /// Class `none`, or the first violation: joint_limit, motor_limit, limit_switch, velocity_limit, acceleration_limit
-  /// or jerk_limit, with axis, tick, value and limit; or why no joints belong to a point of the path, which leads from
-  /// `from` to `to` in `steps` ticks. `at(t, near, state)` gives the state t seconds after the start, `near` being the
-  /// joints of the sample before, or the error code. `quintic`: the path, where it is one of the joints; else null.
+  /// or jerk_limit, with axis, tick, value and limit; or the reason why a point of the path has no joints. The path
+  /// leads from `from` to `to` in `steps` ticks. `at(t, near, state)` gives the state t seconds after the start, `near`
+  /// being the joints of the sample before, or the error code. `quintic`: the path, where it is one of the joints; else
+  /// null.
   template <class At>
   ErrorReport check(const DesiredState& from, const DesiredState& to, std::uint32_t steps, const Quintic* quintic,
                     At at) noexcept {
@@ -63,7 +64,7 @@ class LimitCheck {
     return {};
   }
 
-  /// The end state alone, seen from `from`: no longer duration can heal what is wrong with it.
+  /// Checks only the end state, relative to `from`: a longer duration cannot repair its violations.
   ErrorReport check_end(const DesiredState& from, const DesiredState& to, double tick) noexcept {
     widen(from);
     return check_with_stop(to, tick);
@@ -71,7 +72,7 @@ class LimitCheck {
 
   /// A motion whose set-points are not known beforehand begins at `from`.
   void begin(const DesiredState& from) noexcept { widen(from); }
-  /// Its next one. The step to it is the caller's care: velocity, acceleration and jerk as means over the tick.
+  /// Its next set-point. The caller checks the step to it: velocity, acceleration and jerk as means over the tick.
   ErrorReport check_next(const DesiredState& state) noexcept { return check_with_stop(state, 0); }
 
  private:
@@ -86,7 +87,7 @@ class LimitCheck {
   ErrorReport check_motors(const JointVector& joints, double tick, const char* where) noexcept;
   /// Leaves the stop from `state` in `stop_` and the motor positions of its end in `motors_`.
   ErrorReport check_stop(const DesiredState& state, double tick) noexcept;
-  /// Of the stop that `check_stop` has left; false: it has to be looked at.
+  /// Of the stop that `check_stop` has left; false: it must be checked in detail.
   bool motors_stay_clear() const noexcept;
   ErrorReport check_motors_of_stop(double tick) noexcept;
   void widen(const DesiredState& from) noexcept;

@@ -4,7 +4,7 @@
 
 namespace mrroc {
 
-/// The limit switches on which the axes of a robot stand: bit i is axis i.
+/// The limit switches of a robot's axes that are on: bit i is axis i.
 struct LimitSwitches {
   std::uint16_t lower = 0;
   std::uint16_t upper = 0;

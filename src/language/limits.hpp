@@ -2,8 +2,8 @@
 
 #include <string>
 
-/// The comparison of numbers with a robot's limits, for everything that judges them: generators, the EDP's planner and
-/// its servo. Any thread; never throws.
+/// The comparison of numbers with a robot's limits, for all that check them: generators, the EDP's planner and its
+/// servo. Any thread; never throws.
 namespace mrroc {
 
 /// Tolerance of every limit but jerk, for the rounding of polynomials, transmissions and inverse kinematics: relative

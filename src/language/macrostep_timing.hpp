@@ -9,9 +9,9 @@ namespace mrroc {
 /// The robot's desired state is at rest.
 bool rests(const RobotState& state) noexcept;
 
-/// When the robots of one Move or Wait begin their macrosteps, together, and when they reply, so that the next commands
-/// come in time. Both with a margin of ticks, twice as many after each command that came late: a slow machine would
-/// else make the robots brake and start over and over. Task's thread; allocates nothing.
+/// Start ticks of the common macrosteps of one Move or Wait, and reply ticks early enough for the next commands. Both
+/// have a margin of ticks that doubles after each late command: otherwise the robots would brake and start repeatedly
+/// on a slow machine. Task's thread; allocates nothing.
 class MacrostepTiming {
  public:
   /// Writes start ticks into the commands that have none; `now` is the present tick. While all rest: the tick at which
@@ -20,9 +20,9 @@ class MacrostepTiming {
   /// brake. Once a command has come late, a robot replies at least the margin before its macrostep's end (the first
   /// tick at the earliest) unless it is to reply after that.
   void plan(const std::vector<Robot*>& robots, Tick now);
-  /// The robot was to start from rest with the others and started after them.
+  /// Whether the robot should have started from rest with the others but started after them.
   bool missed_by(const Robot& robot) const noexcept;
-  /// A command came late.
+  /// Call after a late command.
   void allow_more_time() noexcept;
 
  private:

@@ -10,11 +10,11 @@ namespace mrroc {
 namespace {
 
 constexpr double kStepSumRounding = 1e-9;  // s: sums of step durations are not exact
-constexpr double kIntervalGrowth = 4;  // a transmission ratio grows less than that in an interval that is passed over
+constexpr double kIntervalGrowth = 4;      // a transmission ratio grows less than that in a skipped interval
 
 /// m or rad that a stop takes at most from a velocity `v` and an acceleration `a`, both magnitudes.
 double longest_stop(const AxisParameters& axis, double v, double a) noexcept {
-  const double jerk = axis.jerk_max, highest = v + a * a / (2 * jerk);  // when the acceleration has gone
+  const double jerk = axis.jerk_max, highest = v + a * a / (2 * jerk);  // when the acceleration has become 0
   const double ramps = std::min(axis.acceleration_max / jerk, 2 * std::sqrt(highest / jerk));
   return highest * a / jerk + 0.5 * highest * (highest / axis.acceleration_max + ramps);
 }

@@ -7,12 +7,12 @@
 
 namespace mrroc {
 
-/// A motion that is refused is planned again in a whole number of macrosteps, because a last macrostep that is longer
-/// than the rest of the motion overshoots its end, and then slower: stops on the way, each axis on its own, stay nearer
-/// to the path. So many times as long, at least:
+/// A refused motion is planned again in a whole number of macrosteps, because a last macrostep that is longer than the
+/// rest of the motion overshoots its end. Then it is planned slower: stops of each axis on its own then stay closer to
+/// the path. Minimum factors of the duration:
 inline constexpr double kSlower[] = {1, 1.02, 1.1, 1.25, 1.5, 2.25, 3.4, 5.1, 7.7, 11.5, 17};
 
-/// How slow a motion is: from `from` s on, no joint passes `speed` times its velocity limit or speed^2 times its
+/// Pace of a motion: from `from` s on, no joint exceeds `speed` times its velocity limit or speed^2 times its
 /// acceleration limit.
 struct MotionPace {
   double from = 0;
@@ -22,11 +22,11 @@ struct MotionPace {
 /// Whether the EDP would accept a motion that is planned but has not begun: the macrosteps that it consists of are
 /// checked by the EDP's own LimitCheck, as polynomials of degree five between the planned states at their ends.
 ///
-/// Where no macrostep of an interval can come near a position or motor limit, stops included, the interval is passed
-/// over. With the limits V, A, J of a joint and its pace p, an interval of T s from q0, v0 to q1, v1 holds
-/// |v| <= v = min(p V, max(|v0|, |v1|) + p^2 A T / 2), stays within min(v T / 2, |q1 - q0| / 2 + p^2 A T^2 / 8) of
-/// (q0 + q1) / 2, and a stop from it takes at most u p^2 A / J + u / 2 (u / A + min(A / J, 2 sqrt(u / J))) more, with
-/// u = v + p^4 A^2 / 2 J. So a motion far from all limits costs a few checks, one of hours no more than a short one.
+/// An interval is skipped if no macrostep of it can come near a position or motor limit, stops included. With the
+/// limits V, A, J of a joint and its pace p, an interval of T s from q0, v0 to q1, v1 holds |v| <= v = min(p V,
+/// max(|v0|, |v1|) + p^2 A T / 2), stays within min(v T / 2, |q1 - q0| / 2 + p^2 A T^2 / 8) of (q0 + q1) / 2, and a
+/// stop from it takes at most u p^2 A / J + u / 2 (u / A + min(A / J, 2 sqrt(u / J))) more, with u = v + p^4 A^2 / 2 J.
+/// So a motion far from all limits costs a few checks, independent of its duration.
 ///
 /// Task's thread; allocates nothing but in the constructor.
 class MotionCheck {

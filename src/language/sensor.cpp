@@ -26,7 +26,7 @@ void Sensor::bias() {
     throw NonFatalError(ErrorCode::invalid_argument, "bias needs a sensor in interactive mode",
                         {task_->process_name(), name_, 0, 0});
   }
-  asked_ = false;  // the reply to a request that is overtaken is not waited for
+  asked_ = false;  // the reply to an overtaken request is not awaited
   link_->request({SensorRequestKind::bias, 0});
   link_->receive(reading_);
   const ErrorReport& error = reading_.error;

@@ -53,7 +53,7 @@ std::string expected_answer(const links::OperatorQuestion& question) {
 std::optional<double> read_answer(const links::OperatorQuestion& question, const std::string& line,
                                   std::string& refusal) {
   const std::string text = trimmed(line);
-  std::string fault = " is no answer";
+  std::string fault = " is not an answer";
   if (question.kind == links::QuestionKind::number) {
     const auto value = as_number(text);
     if (value && *value >= question.minimum && *value <= question.maximum) return value;

@@ -7,12 +7,12 @@
 
 namespace mrroc::process {
 
-/// "a number from 0 to 10", "yes or no", "'left' or 'right'": what is taken for an answer to `question`.
+/// "a number from 0 to 10", "yes or no", "'left' or 'right'": the answers that `question` accepts.
 std::string expected_answer(const links::OperatorQuestion& question);
 
 /// A line that the operator has typed as an answer to `question`, blanks around it allowed: one number in decimal or
 /// scientific notation; yes or no, or y or n; one of the choices, or its number from 1. Otherwise null, and `refusal`
-/// says why and what was expected.
+/// contains the reason and what was expected.
 std::optional<double> read_answer(const links::OperatorQuestion& question, const std::string& line,
                                   std::string& refusal);
 

@@ -8,29 +8,29 @@
 
 namespace mrroc::process {
 
-/// How the runner tells a process who it is: written by `to_command_line`, read by `parse_arguments`.
+/// The command line with which the runner starts a process: written by `to_command_line`, read by `parse_arguments`.
 struct Arguments {
   std::filesystem::path deployment;
-  int deployment_fd = -1;           ///< its text, as the runner has read it (memfd, handed down); -1: in the file
+  int deployment_fd = -1;           ///< its text, read by the runner (memfd, inherited); -1: in the file
   std::string name;                 ///< of the process, e.g. `arm` (ECP), `arm_edp`, `wrist`
-  int clock_fd = -1;                ///< memory of the clock (memfd, handed down)
-  int world_fd = -1;                ///< memory of the simulated world; -1: there is none
+  int clock_fd = -1;                ///< memory of the clock (memfd, inherited)
+  int world_fd = -1;                ///< memory of the simulated world; -1: no simulator
   int domain = 0;                   ///< DDS domain
   std::filesystem::path trace;      ///< name of the trace in messages; empty: no trace
-  int trace_fd = -1;                ///< the file for this process's part of it (handed down)
+  int trace_fd = -1;                ///< the file for this process's part of it (inherited)
   std::string behaviours;           ///< of every ECP program, for the MP of a state machine (config::ProgramsByRobot)
-  std::filesystem::path black_box;  ///< folder for the black box of a task that fails; empty: none is written
-  int black_box_fd = -1;            ///< memory of its last steps (SharedBlackBox, handed down); -1: there is none
-  std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); empty: none
-  std::filesystem::path motion;     ///< file for the motion of the world's robots (sim only); empty: none
-  int motion_fd = -1;               ///< the same, open (handed down)
+  std::filesystem::path black_box;  ///< folder for the black box of a task that fails; empty: not written
+  int black_box_fd = -1;            ///< memory of its last steps (SharedBlackBox, inherited); -1: not kept
+  std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); may be empty
+  std::filesystem::path motion;     ///< file for the motion of the world's robots (sim only); may be empty
+  int motion_fd = -1;               ///< the same, open (inherited)
   std::vector<std::string> faults;  ///< to be injected into the run, see faults::parse_fault
-  // as links::DomainOptions has them
+  // as in links::DomainOptions
   std::string interface;           ///< device or own address by which the peers are reached; empty: loopback
   std::vector<std::string> peers;  ///< names or addresses of the machines that take part; empty: this one
   std::filesystem::path keys;      ///< folder of the deployment's keys; empty: no DDS Security
 
-  /// Those that are not -1: the process gets them, and no other process.
+  /// The descriptors that are not -1; only this process inherits them.
   std::vector<int> descriptors() const;
 };
 

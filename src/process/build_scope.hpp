@@ -4,8 +4,8 @@ namespace mrroc::process {
 
 class Process;
 
-/// While it lives, task objects that are built belong to `process`: so a task class needs no constructor of its own
-/// (`Irb6 arm{*this};` is all it writes). Main thread.
+/// Task objects that are built during its lifetime belong to `process`, so a task class needs no constructor (`Irb6
+/// arm{*this};` is sufficient). Main thread.
 class BuildScope {
  public:
   explicit BuildScope(Process& process) noexcept;

@@ -9,9 +9,9 @@
 
 namespace mrroc::process {
 
-/// What a task program says to the operator and asks him. A question for which the deployment has an answer
-/// ([[answers]]) is answered by it, at once: the first answer to that question first, then the second, the last one for
-/// ever. Without one it waits for the operator. The task's thread.
+/// Messages and questions of a task program to the operator. The answers of the deployment ([[answers]]) to a question
+/// are used at once, in order: the first, then the second; the last one is repeated. Without one the dialogue waits for
+/// the operator. Task's thread.
 class Dialogue {
  public:
   explicit Dialogue(Process& process);
@@ -23,9 +23,9 @@ class Dialogue {
   void tell(const std::string& text);
 
   /// Asks, and waits for the answer: a number, 1 or 0 for yes or no, the index of the choice. `go_on` is called
-  /// whenever something has come: false keeps the dialogue waiting though it is answered (the task is paused); it
+  /// whenever something has arrived: false keeps the dialogue waiting even after the answer (the task is paused); it
   /// throws to end it. Throws NonFatalError(invalid_argument) for a text of more than 127 characters, no choice or more
-  /// than 8, or choices of more than 31; for an answer of the deployment that is none to this question: with its file
+  /// than 8, or choices of more than 31; for an answer of the deployment that does not fit this question: with its file
   /// and line.
   double ask(links::OperatorQuestion question, const std::string& text, const std::function<bool()>& go_on);
 

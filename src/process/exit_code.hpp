@@ -4,7 +4,7 @@
 
 namespace mrroc::process {
 
-/// What a process of a deployment, and `mrroc run` itself, exits with.
+/// The exit code of a process of a deployment, and of `mrroc run`.
 enum class ExitCode : int {
   success = 0,      ///< the task succeeded
   task_failed = 1,  ///< a NonFatalError was not caught by the task

@@ -8,17 +8,17 @@
 
 namespace mrroc::process {
 
-/// A robot's link with injected faults: commands that are lost, late or wrong, as long as a fault is in force. The
-/// task's thread.
+/// A robot's link with injected faults: commands that are lost, late or wrong, as long as a fault is active. Task's
+/// thread.
 class FaultyRobotLink final : public RobotLink {
  public:
-  /// `link` and `clock` must outlive it. `patience`: ticks for which the reply to a lost command is waited for.
+  /// `link` and `clock` must outlive it. `patience`: timeout for the reply to a lost command, ticks.
   FaultyRobotLink(RobotLink& link, std::vector<faults::FaultSwitch> faults, clock::Clock& clock, Tick patience)
       : link_(link), faults_(std::move(faults)), clock_(clock), patience_(patience) {}
 
   /// Waits while commands are delayed; throws Stopped.
   void send(const RobotCommand& command) override;
-  /// Of a lost command: throws SystemError(process_silent) when its reply is missed.
+  /// After a lost command: throws SystemError(process_silent) when its reply is missed.
   void receive(RobotState& state) override;
 
  private:

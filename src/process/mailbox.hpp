@@ -7,18 +7,18 @@
 
 namespace mrroc::process {
 
-/// The messages that a program has been sent and has not taken, oldest first. Neither allocates after construction nor
-/// waits. The task's thread.
+/// The messages that a program has received and not taken yet, oldest first. Neither allocates after construction nor
+/// waits. Task's thread.
 class Mailbox {
  public:
-  /// More than a program can mean to leave lying about.
+  /// More than a correct program leaves untaken.
   static constexpr std::size_t kCapacity = 32;
 
   Mailbox() { parcels_.reserve(kCapacity); }
 
   /// Throws NonFatalError(busy) when it is full: the program does not take its messages.
   void put(const Parcel& parcel);
-  /// The oldest message with this label; false when there is none.
+  /// The oldest message with this label; false when there is no such message.
   bool take(std::string_view label, Parcel& parcel) noexcept;
   bool has(std::string_view label) const noexcept;
   void clear() noexcept { parcels_.clear(); }

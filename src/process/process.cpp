@@ -19,7 +19,7 @@ namespace mrroc::process {
 
 namespace {
 
-// the one thing that a signal handler can reach
+// the only object that a signal handler can reach
 std::atomic<clock::Clock*> interruptible{nullptr};
 std::atomic<bool> asked_to_end{false};
 std::atomic<bool> setting_up{true};
@@ -27,10 +27,10 @@ std::atomic<bool> setting_up{true};
 constexpr unsigned kPatienceToEnd = 5;  // s; longer than the runner's timeout after a failure or a stop
 
 void on_signal(int) {
-  // before the barrier nothing moves and nothing is to be put away: the process may just go, whatever it waits for
+  // before the barrier nothing moves and nothing needs cleaning up: the process may end at once
   if (setting_up) _exit(static_cast<int>(ExitCode::stopped));
   asked_to_end = true;
-  alarm(kPatienceToEnd);  // a task that never comes to its next wait must not outlive the run
+  alarm(kPatienceToEnd);  // a task that never reaches its next wait must not outlive the run
   if (clock::Clock* clock = interruptible.load()) clock->interrupt();
 }
 
@@ -39,7 +39,7 @@ void install_signal_handlers() {
   action.sa_handler = on_signal;
   sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGINT, &action, nullptr);
-  // a closed pipe to the runner is no reason to die in the middle of a motion, nor is a file size limit
+  // neither a closed pipe to the runner nor a file size limit may end the process in the middle of a motion
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
@@ -53,7 +53,7 @@ links::ProcessStatus first_status(const Arguments& arguments, links::ProcessRole
   return status;
 }
 
-/// The original's order: what is nearer to the drives goes first.
+/// The original's order: processes closer to the drives first.
 int priority_of(links::ProcessRole role) {
   switch (role) {
     case links::ProcessRole::edp:
@@ -70,7 +70,7 @@ int priority_of(links::ProcessRole role) {
   return 50;
 }
 
-/// Under simulated time the runner watches the processes: a busy machine must not look like a death.
+/// Under simulated time the runner watches the processes: a busy machine must not count as a death.
 links::DomainOptions domain_options(const Arguments& arguments, bool simulated, double heartbeat_timeout) {
   links::DomainOptions options;
   options.id = arguments.domain;
@@ -81,7 +81,7 @@ links::DomainOptions domain_options(const Arguments& arguments, bool simulated, 
   return options;
 }
 
-/// An exception that is no `Error`: the system's, or one that a task throws on its own.
+/// An exception that is not an `Error`: the system's, or one that a task throws.
 ErrorCode code_of_foreign(const std::exception& error) noexcept {
   if (dynamic_cast<const config::ConfigurationError*>(&error) != nullptr) return ErrorCode::configuration;
   const bool system = dynamic_cast<const std::system_error*>(&error) != nullptr ||
@@ -94,10 +94,10 @@ clock::Part part_of(links::ProcessRole role) {
   return role == links::ProcessRole::edp ? clock::Part::drives : clock::Part::task;
 }
 
-/// What the runner has handed down is for this process: what a task starts shall hold neither clock nor world.
+/// Only this process uses the inherited descriptors: programs that a task starts must hold neither clock nor world.
 void keep_from_children(int fd) { fcntl(fd, F_SETFD, FD_CLOEXEC); }
 
-/// From the text that the runner hands down: the file may have changed since, or be the runner's alone.
+/// From the text that the runner passes: the file may have changed since, or be readable only for the runner.
 config::Deployment load(const Arguments& arguments) {
   if (arguments.deployment_fd < 0) return config::load_deployment(arguments.deployment);
   return config::load_deployment(arguments.deployment, read_text(arguments.deployment_fd));
@@ -167,7 +167,7 @@ ExitCode exit_code(const std::exception& error) noexcept {
 
 namespace {
 
-/// The end of a body that has ended well; the exit code of the process. Null: it was not set up.
+/// The end of a successful body; returns the exit code of the process. Null: it was not set up.
 int end(Process* process, ExitCode code, bool report = true) {
   if (process == nullptr) return static_cast<int>(code);
   if (report) process->status().state(links::ProcessState::ended);
@@ -181,7 +181,7 @@ int end(Process* process, ExitCode code, bool report = true) {
 int run_process(int argc, char** argv, links::ProcessRole role, const std::function<void(Process&)>& body) {
   std::unique_ptr<Process> process;
   install_signal_handlers();
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a pipe's buffer would keep what a task prints until it ends
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a pipe's buffer would hold a task's output until it ends
   try {
     const std::optional<Arguments> arguments = parse_arguments(argc, argv);
     if (!arguments) return static_cast<int>(ExitCode::success);
@@ -191,7 +191,7 @@ int run_process(int argc, char** argv, links::ProcessRole role, const std::funct
   } catch (const Stopped&) {
     return end(process.get(), serves(role) ? ExitCode::success : ExitCode::stopped);
   } catch (const std::exception& error) {
-    // when all are asked to end, some find their peers gone: that is no failure of their own
+    // when all processes should end, some lose their peers: that is not their own failure
     if (asked_to_end) return end(process.get(), ExitCode::stopped, false);
     std::fprintf(stderr, "%s\n", error.what());
     if (process) process->status().failed(report_of(error));

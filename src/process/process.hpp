@@ -15,7 +15,7 @@
 
 namespace mrroc::process {
 
-/// What every process of a deployment has: the deployment file, its clock, its DDS domain, its status. Built by
+/// Common parts of every process of a deployment: the deployment file, its clock, its DDS domain, its status. Built by
 /// `run_process`. Main thread.
 class Process {
  public:
@@ -28,22 +28,22 @@ class Process {
   const Arguments& arguments() const noexcept { return arguments_; }
   const config::Deployment& deployment() const noexcept { return deployment_; }
   clock::Clock& clock() noexcept { return *clock_; }
-  /// The same, where the task may run strands: of an MP. Null: of all others.
+  /// The same, where the task may run strands: in an MP. Null in all others.
   StrandClock* strands() noexcept { return strands_; }
   links::Domain& domain() noexcept { return *domain_; }
   StatusBoard& status() noexcept { return *status_; }
-  /// What is to be injected into this run; mostly nothing.
+  /// The faults to be injected into this run; usually empty.
   const faults::FaultPlan& faults() const noexcept { return faults_; }
   /// "<deployment>/<path>", the common beginning of topic names.
   std::string topic(const std::string& path) const { return deployment_.name + "/" + path; }
 
-  /// What keeps this process from a success although its body ends well: an output that is not complete. The first
-  /// reason counts; it is reported when the body has ended.
+  /// Sets a failure of this process although its body succeeds: an incomplete output. The first reason counts; it is
+  /// reported when the body has ended.
   void fail_at_end(std::string reason);
   const std::string& failure_at_end() const noexcept { return failure_at_end_; }
 
-  /// The start-up barrier: says "ready" and waits until every process of the deployment is. Throws Stopped when asked
-  /// to end.
+  /// The start-up barrier: reports ready and waits until every process of the deployment is ready. Throws Stopped when
+  /// the process should end.
   void start();
 
  private:
@@ -59,16 +59,16 @@ class Process {
 };
 
 /// main() of every process: reads the arguments, installs signal handlers (SIGTERM, SIGINT: the clock is interrupted),
-/// builds the Process, runs `body`, reports what it throws to the operator and on stderr, and gives the exit code.
+/// builds the Process, runs `body`, reports its exception to the operator and on stderr, and returns the exit code.
 /// `Stopped` is success for processes that serve (edp, vsp, sim) and ExitCode::stopped for tasks.
 int run_process(int argc, char** argv, links::ProcessRole role, const std::function<void(Process&)>& body);
 
-/// An exception as it travels in messages. Not `Error`: class system, code configuration, resources (of the operating
+/// An exception as an error for messages. Not `Error`: class system, code configuration, resources (of the operating
 /// system) or task_failed, with its `what()`.
 ErrorReport report_of(const std::exception& error) noexcept;
 
-/// What a process says when this ends it: usage for a ConfigurationError, a file that its user can repair, else by
-/// class.
+/// The exit code for an exception that ends a process: usage for a ConfigurationError, in a file that the user can
+/// repair, else by class.
 ExitCode exit_code(const std::exception& error) noexcept;
 
 }  // namespace mrroc::process

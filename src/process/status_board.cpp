@@ -57,7 +57,7 @@ void StatusBoard::publish() noexcept try {
   ++status_.beat;
   publisher_.publish(status_);
 } catch (const std::exception&) {
-  // no reason to end a process whose robot moves: the runner notices a beat that is missing
+  // do not end a process whose robot moves: the runner detects a missing heartbeat
 }
 
 void StatusBoard::run() {

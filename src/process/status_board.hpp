@@ -11,9 +11,9 @@
 
 namespace mrroc::process {
 
-/// What a process tells the operator about itself, ten times a second of wall time: its heartbeat, its activity, its
-/// counters. Publishing is the business of a thread of its own, so that the task's thread only stores values. Nothing
-/// that a process does depends on it: it may read the wall clock.
+/// The status of a process for the operator, ten times a second of wall time: its heartbeat, its activity, its
+/// counters. A separate thread publishes it, so that the task's thread only stores values. The process's behaviour does
+/// not depend on it, so it may read the wall clock.
 class StatusBoard {
  public:
   /// `publisher` must outlive the board.
@@ -22,7 +22,7 @@ class StatusBoard {
   StatusBoard(const StatusBoard&) = delete;
   StatusBoard& operator=(const StatusBoard&) = delete;
 
-  /// The task's thread: a step of an instruction. Does not allocate, lock or publish.
+  /// Task's thread: a step of an instruction. Does not allocate, lock or publish.
   void step(std::uint64_t instruction, std::string_view activity, std::uint64_t step) noexcept;
   /// The participant's thread: new counters. Does not allocate, lock or publish.
   void counters(const links::Counters& counters) noexcept;

@@ -24,10 +24,10 @@ bool is_stop(const std::exception_ptr& error) {
 
 }  // namespace
 
-/// The turn is handed to the strand by `go` and back by `done`: what one thread has written the next one sees.
+/// `go` passes the turn to the strand and `done` passes it back: each thread sees the writes of the previous one.
 struct StrandClock::Strand {
   std::binary_semaphore go{0}, done{0};
-  clock::Wake wake = clock::Wake::mail;  // why its wait ends
+  clock::Wake wake = clock::Wake::mail;  // the reason why its wait ends
   Tick wake_tick = kNever;               // of its wait
   bool ended = false;
   std::exception_ptr error;

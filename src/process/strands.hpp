@@ -11,23 +11,22 @@
 namespace mrroc::process {
 
 /// The clock of a process whose task may run several strands: lines of control that take turns in the task's thread of
-/// control. One strand runs at a time, each on a thread of its own; it gives way when it waits on this clock, so that
-/// the others continue meanwhile. Turns follow the order of the strands, which makes lockstep deterministic; whenever
-/// something has come they go round until no one has anything left to do. Outside of `run` it is the clock that it
-/// wraps.
+/// control. One strand runs at a time, each on a thread of its own; it yields when it waits on this clock, so that the
+/// others can continue. Turns follow the order of the strands, which makes lockstep deterministic; whenever something
+/// has arrived they are repeated until no strand has work. Outside of `run` it is the clock that it wraps.
 class StrandClock final : public clock::Clock {
  public:
   explicit StrandClock(std::unique_ptr<clock::Clock> clock) : clock_(std::move(clock)) {}
   ~StrandClock() override;
 
-  /// Runs the strands until all have ended. When one throws, the others are instructed to stop (`cancelled`), and when
-  /// they have ended the first error is thrown; `Stopped` only when there is no other. Throws
-  /// NonFatalError(invalid_argument) when called by a strand. The task's thread.
+  /// Runs the strands until all have ended. When one throws, the others are instructed to stop (`cancelled`), and after
+  /// their end the first error is thrown; `Stopped` only without another error. Throws NonFatalError(invalid_argument)
+  /// when called by a strand. Task's thread.
   void run(const std::vector<std::function<void()>>& strands);
-  /// Whether the running strand is to end because another has failed. The task's threads.
+  /// Whether the running strand should end because another has failed. The task's threads.
   bool cancelled() const noexcept { return cancelled_; }
-  /// Says that the running strand begins to wait for something new, or need not wait any more: what it has done since
-  /// may be what another one waits for, so all get another turn. The task's threads.
+  /// Call when the running strand begins to wait for something new, or need not wait any more: another strand may wait
+  /// for its results, so all get another turn. The task's threads.
   void note_progress() noexcept { progress_ = true; }
 
   // ---- Clock
@@ -61,7 +60,7 @@ class StrandClock final : public clock::Clock {
 
   std::unique_ptr<clock::Clock> clock_;
   Strand* running_ = nullptr;
-  std::exception_ptr error_;  // the first; one that is no stop goes before one that is
+  std::exception_ptr error_;  // the first; errors take precedence over stops
   bool cancelled_ = false;
   std::atomic<bool> progress_ = false;  // since the round of turns began
 };

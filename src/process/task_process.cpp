@@ -114,7 +114,7 @@ bool TaskProcess::read_superior() {
       case links::TaskCommandKind::start:
         started = true;
         started_ = command.parcel;
-        running_ = true;  // the messages that follow are for what begins now
+        running_ = true;  // the messages that follow are for the starting program
         mailbox_.clear();
         request_ = OperatorRequest::none;
         break;
@@ -202,7 +202,7 @@ bool TaskProcess::may_go_on() {
 void TaskProcess::wait_until(const std::function<bool()>& holds) {
   StrandClock* const strands = process_.strands();
   if (strands != nullptr) strands->note_progress();
-  for (;;) {  // looks before it waits: what has come already wakes no one
+  for (;;) {  // check before waiting: earlier messages do not wake the thread
     if (may_go_on() && holds()) {
       if (strands != nullptr) strands->note_progress();
       return;

@@ -18,11 +18,11 @@
 
 namespace mrroc::process {
 
-/// The language's `Task` over a Process: what ECP and MP tasks have in common. Opens links when robots and sensors are
-/// built, listens to its superior (the MP, or the operator) at every step. The task's thread.
+/// The language's `Task` over a Process: common part of ECP and MP tasks. Opens links when robots and sensors are
+/// built, and processes the commands of its superior (the MP, or the operator) at every step. Task's thread.
 class TaskProcess : public Task {
  public:
-  /// `superior_topic`: where this process is started, paused, stopped.
+  /// `superior_topic`: topic on which this process is started, paused, stopped.
   TaskProcess(Process& process, const std::string& superior_topic);
   ~TaskProcess() override;
 
@@ -33,26 +33,26 @@ class TaskProcess : public Task {
   /// SystemError naming the peer that does not answer.
   void connect_links();
 
-  /// Waits, for a second of ticks at most, until every sensor that publishes has been heard once: before a task begins,
-  /// so that its first instruction does not meet a sensor without a reading. One that stays silent is met by the
-  /// instruction that uses it. Throws Stopped.
+  /// Waits, for a second of ticks at most, until every publishing sensor has sent a reading. Called before a task
+  /// begins, so that its first instruction finds readings. A silent sensor is reported by the instruction that uses it.
+  /// Throws Stopped.
   void await_published_sensors();
 
-  /// Takes the commands of the superior that have come; returns true when one of them is `start`.
+  /// Takes the superior's commands that have arrived; returns true when one of them is `start`.
   bool read_superior();
-  /// The behaviour that the last `start` asked for; without label: the program itself.
+  /// The behaviour of the last `start`; without label: the program itself.
   const Parcel& started() const noexcept { return started_; }
-  /// Tells the superior how the task stands.
+  /// Reports the task's state to the superior.
   void report(links::TaskState state);
-  /// Tells it that the task has failed, why, and where that arose: in this process unless `error` names another. The
-  /// error is told on stderr, too, with the file into which the black box has been written.
+  /// Reports to it the failure of the task, its reason and its origin: this process unless `error` names another. Also
+  /// reports the error on stderr, with the file of the black box.
   void report_failure(const std::exception& error);
 
   // ---- the operator's dialogue, for the program; any of them may throw NonFatalError(invalid_argument), see Dialogue
-  /// Shows him a message of at most 127 characters; does not wait.
+  /// Shows the operator a message of at most 127 characters; does not wait.
   void tell_operator(const std::string& text) { dialogue_.tell(text); }
-  /// Asks him, and waits for the answer: robots hold meanwhile, pause and stop act. Throws Stopped. In CI the
-  /// deployment's [[answers]] answer.
+  /// Asks the operator, and waits for the answer: the robots hold, pause and stop take effect. Throws Stopped. In CI
+  /// the deployment's [[answers]] answer.
   bool ask_yes_no(const std::string& question);
   /// The index of one of at most 8 choices of at most 31 characters each.
   std::size_t ask_choice(const std::string& question, const std::vector<std::string>& choices);
@@ -74,25 +74,26 @@ class TaskProcess : public Task {
   StepObserver* observer() noexcept override { return reporter_.get(); }
 
  protected:
-  /// The superior's messages to the program under way.
+  /// The superior's messages to the running program.
   Mailbox& mailbox() noexcept { return mailbox_; }
-  /// Waits until `holds`, looking whenever something has come, and the task is not paused. Throws Stopped when it is to
-  /// end.
+  /// Waits until `holds`, checked whenever something has arrived, and the task is not paused. Throws Stopped when the
+  /// task should end.
   void wait_until(const std::function<bool()>& holds);
-  /// False while the task is paused; throws Stopped when it is to end.
+  /// False while the task is paused; throws Stopped when it should end.
   bool may_go_on();
 
   /// Topic prefix of the link to robot `name` at this level.
   virtual std::string robot_topic(const std::string& name) const = 0;
   /// Name of the process at the other end, for errors.
   virtual std::string robot_peer(const std::string& name) const = 0;
-  /// Called at every step: the level's own mail (an MP's ECPs, an ECP's MP).
+  /// Called at every step: takes the level's own messages (an MP's ECPs, an ECP's MP).
   virtual void poll_others() {}
   /// Called for each command of the superior, after the task has taken note of it.
   virtual void on_superior_command(const links::TaskCommand& /*command*/) {}
 
  private:
-  /// Writes the error's black box, or else the task's, as it is now. What to tell of it; nothing when there is none.
+  /// Writes the error's black box, or else the task's present one. Returns the text about it for the report; may be
+  /// empty.
   std::string save_black_box(const Error* error) const;
   double put_question(links::OperatorQuestion question, const std::string& text);
   /// Throws NonFatalError(invalid_argument) once the links are connected.
@@ -107,8 +108,8 @@ class TaskProcess : public Task {
   Parcel started_;
   bool running_ = false;  // since `start` came, until the end is reported
   std::unique_ptr<StepReporter> reporter_;
-  /// Links cannot be opened any more: the other side waits for its clients before the start only. From then on the
-  /// maps below stay as they are.
+  /// Links cannot be opened any more: the other side waits for its clients before the start only. From then on the maps
+  /// below do not change.
   bool connected_ = false;
   std::map<std::string, std::unique_ptr<links::RobotRequester>> robots_;
   std::map<std::string, FaultyRobotLink> faulty_;

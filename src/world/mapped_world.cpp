@@ -40,7 +40,7 @@ MappedWorld MappedWorld::create() {
 MappedWorld MappedWorld::attach(int fd) {
   struct stat status {};
   if (fstat(fd, &status) != 0 || status.st_size != static_cast<off_t>(sizeof(WorldMemory))) {
-    refuse("descriptor " + std::to_string(fd) + " is none");
+    refuse("descriptor " + std::to_string(fd) + " is not such a memory");
   }
   WorldMemory* memory = map(fd);
   if (memory == nullptr) refuse(std::strerror(errno));

@@ -5,12 +5,12 @@
 namespace mrroc::world {
 
 /// The simulated hardware's memory mapped into this process. The runner creates it, its children attach through the
-/// inherited descriptor; it is anonymous (memfd), so nothing is left behind.
+/// inherited descriptor; it is anonymous (memfd), so it leaves no files.
 class MappedWorld {
  public:
   /// Throws SystemError when there is no memory.
   static MappedWorld create();
-  /// Throws SystemError when `fd` is no world's memory. The descriptor stays the caller's.
+  /// Throws SystemError when `fd` is not the memory of a world. The descriptor stays the caller's.
   static MappedWorld attach(int fd);
   ~MappedWorld();
   MappedWorld(MappedWorld&& other) noexcept;

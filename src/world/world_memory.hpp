@@ -14,17 +14,17 @@ namespace mrroc::world {
 /// The simulated hardware's "bus": plain values in memory shared by the sim process, the EDPs' mujoco driver and the
 /// VSPs' simulated source. Each value has one writer; `SharedSlot` makes reads untorn and wait-free for the writer, so
 /// the same layout serves lockstep (where phases never overlap) and real time, where drives and measurements wait for
-/// one another at the gates. The runner creates the memory (memfd, zeroed, inherited by its children): nothing is left
-/// behind whatever dies.
+/// one another at the gates. The runner creates the memory (memfd, zeroed, inherited by its children), so no process
+/// that dies leaves a file.
 
 inline constexpr std::size_t kMaxRobots = 16;
 inline constexpr std::size_t kMaxSensors = 32;
 inline constexpr std::size_t kMaxHardwareValues = 16;
-/// Positions and mocap poses of the largest world that a camera may look at: robots' joints and some 100 free objects.
+/// Positions and mocap poses of the largest world that a camera may show: robots' joints and some 100 free objects.
 inline constexpr std::size_t kMaxSnapshotValues = 1024;
 
 /// Real time: how long the simulator waits for an EDP's drive, then how long an EDP waits for the simulator, which may
-/// just be waiting for other EDPs; s of wall time.
+/// itself be waiting for other EDPs; s of wall time.
 inline constexpr double kPatienceWithDrives = 0.5;
 inline constexpr double kPatienceWithWorld = 2.0;
 
@@ -32,10 +32,10 @@ inline constexpr double kPatienceWithWorld = 2.0;
 struct JointDrive {
   Tick tick = 0;  ///< tick in which it was computed; 0: never attached
   std::uint32_t joint_count = 0;
-  std::uint32_t enabled = 0;                                    ///< 0: brakes on
-  Signals outputs;                                              ///< of the robot's controller, whatever the brakes do
-  std::array<double, kMaxJoints> torque{};                      ///< tau = G^T (torque constant * current), N m or N
-  std::array<double, kMaxJoints> bias{};                        ///< c = G^T J dG/dt dq/dt
+  std::uint32_t enabled = 0;                ///< 0: brakes on
+  Signals outputs;                          ///< of the robot's controller, independent of the brakes
+  std::array<double, kMaxJoints> torque{};  ///< tau = G^T (torque constant * current), N m or N
+  std::array<double, kMaxJoints> bias{};    ///< c = G^T J dG/dt dq/dt
   std::array<double, kMaxJoints * kMaxJoints> rotor_inertia{};  ///< B = G^T J G, row major
   std::array<double, kMaxJoints * kMaxJoints> damping{};        ///< D = G^T b G, row major
 };
@@ -56,9 +56,9 @@ struct HardwareReading {
   std::array<double, kMaxHardwareValues> values{};
 };
 
-/// sim -> VSPs that look at the world (cameras), every tick if there is one: all that a picture of it depends on. The
-/// poses of bodies follow from it and the model, which every process composes from the deployment. An endless belt
-/// stands at its origin here, whatever its travel.
+/// sim -> VSPs that render the world (cameras), every tick if there is one: the state from which a picture is drawn.
+/// The poses of bodies follow from it and the model, which every process composes from the deployment. An endless belt
+/// is always at its origin here, independent of its travel.
 struct WorldSnapshot {
   Tick tick = 0;
   std::uint32_t position_count = 0;

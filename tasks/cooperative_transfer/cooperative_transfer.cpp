@@ -3,7 +3,7 @@
 using namespace mrroc;
 using namespace mrroc::transfer;
 
-/// Two arms grip a bar that lies on two stands, carry it together along a path in space, turning it on the way, and put
+/// Two arms grip a bar that lies on two stands, carry it together along a path in space, turning it, and put
 /// it down on two others.
 class CooperativeTransfer : public Transfer {
   void run() override {
@@ -11,7 +11,7 @@ class CooperativeTransfer : public Transfer {
     take_up();
     for (const auto& [path, limits] : {std::pair{way::carry(), kFree}, std::pair{way::lower(), kNear}}) {
       const Outcome way = carry_along(path, limits);
-      std::printf("on the way for %.2f s, skew %llu ticks\n", way.duration, static_cast<unsigned long long>(way.skew));
+      std::printf("travelled for %.2f s, skew %llu ticks\n", way.duration, static_cast<unsigned long long>(way.skew));
     }
     put_down(way::put_down());
   }

@@ -1,4 +1,4 @@
-# What cooperative_transfer_report has written: gnuplot -e "data='...'; picture='...'" plot.gp
+# Plots the data of cooperative_transfer_report: gnuplot -e "data='...'; picture='...'" plot.gp
 set terminal pngcairo size 1300,820 font 'sans,12'
 set output picture
 set multiplot layout 2,1

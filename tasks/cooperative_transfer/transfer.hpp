@@ -14,11 +14,11 @@
 
 namespace mrroc::transfer {
 
-/// Two arms that carry a bar together, and the parts of such a task. What they do against each other is controlled by
-/// the wrenches in their wrists.
+/// Two arms that carry a bar together, and the parts of such a task. The wrenches in their wrists control the internal
+/// force.
 class Transfer : public mp::Task {
  protected:
-  /// The arms' tools are the grips from now on. Once, before the bar is taken up.
+  /// Sets the grips as the arms' tools. Once, before the bar is taken up.
   void set_tools() {
     for (Irb6* arm : {&left, &right}) arm->set_tool(arm->kinematics().tool() * left_gripper.grip_centre());
   }
@@ -30,7 +30,7 @@ class Transfer : public mp::Task {
          grippers_to(kClosed).until(Gripped{left_gripper} && Gripped{right_gripper}))
         .require<Gripped>("no bar between the fingers");
 
-    // let go of what the grippers have forced upon each other
+    // release the internal force of the grippers
     Move({left, right}, sensors, carry({way::lift()[0]}, kFree).until(ElapsedSteps{50}));
     Move({left, right}, sensors, carry(way::lift(), kNear));
     borne = weight();
@@ -42,7 +42,7 @@ class Transfer : public mp::Task {
     if (way.by<When>()) throw NonFatalError{"the bar has been lost"};
     return way;
   }
-  /// Lowers the bar along a path, until it stands, lets it go, and goes home.
+  /// Lowers the bar along a path onto the stands, releases it, and moves home.
   void put_down(const std::vector<Pose>& path) {
     Move({left, right}, sensors,
          carry(path, kTouch).until(When{"it stands", [this] { return weight() < 0.5 * borne; }}));
@@ -56,7 +56,7 @@ class Transfer : public mp::Task {
   Irb6 left{*this, "left"}, right{*this, "right"};
   TwoFingerGripper left_gripper{*this, "left_gripper"}, right_gripper{*this, "right_gripper"};
   ForceTorque left_wrist{*this, "left_wrist"}, right_wrist{*this, "right_wrist"};
-  Tracker tracker{*this, "tracker"};  // of the bar, for the record: nothing here looks at it
+  Tracker tracker{*this, "tracker"};  // of the bar, for the trace only
 
   const SensorList sensors{left_wrist, right_wrist, tracker};
   static constexpr double kOpen = 0.072, kClosed = 0.057;     // m, between the pads; the bar is 0.060 wide
@@ -66,7 +66,7 @@ class Transfer : public mp::Task {
 
   Pose base(const Robot& robot) const { return process().deployment().robot(robot.name()).base; }
 
-  /// That the bar exerts on the arm's grip: what the wrist feels without the weight of the tool.
+  /// The wrench of the bar on the arm's grip: the wrist's reading without the weight of the tool.
   Wrench of_bar(const Irb6& arm, const ForceTorque& wrist) const {
     const Eigen::Vector3d weight = arm.state().pose.linear().transpose() * Eigen::Vector3d(0, 0, -9.81 * kToolMass);
     Wrench wrench = wrist.in(grip_in_wrist);
@@ -74,14 +74,14 @@ class Transfer : public mp::Task {
     wrench.tail<3>() -= (tool_centre - grip_in_wrist.translation()).cross(weight);
     return wrench;
   }
-  /// N, that both arms bear of the bar.
+  /// Weight of the bar on both arms, N.
   double weight() const {
     return -(left.state().pose.linear() * of_bar(left, left_wrist).head<3>() +
              right.state().pose.linear() * of_bar(right, right_wrist).head<3>())
                 .z();
   }
 
-  /// To the arms' places at a bar at `bar`, `above` m over them.
+  /// Moves both arms to their grips of a bar at `bar`, `above` m over them.
   Together reach(const Pose& bar, double above) {
     const auto at = [&](Irb6& arm, double y) {
       const Pose grip = bar * Eigen::Translation3d(0, y, above) * Irb6::tool_down(0, 0, 0);
@@ -99,7 +99,7 @@ class Transfer : public mp::Task {
             path,
             limits};
   }
-  double borne = 0;  // N, of the bar when it had been lifted
+  double borne = 0;  // N, weight of the bar after the lift
 };
 
 }  // namespace mrroc::transfer

@@ -3,7 +3,7 @@
 #include <mrroc/generators/cooperative_motion.hpp>
 #include <vector>
 
-/// The way of the bar in the world: m, rad. Its frame is in its middle, y along it, z up.
+/// The path of the bar in the world: m, rad. Its frame is in its middle, y along it, z up.
 namespace mrroc::transfer {
 
 inline Pose bar_at(double x, double y, double z, double roll = 0, double pitch = 0, double yaw = 0) {

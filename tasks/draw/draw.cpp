@@ -10,7 +10,7 @@
 using namespace mrroc;
 
 /// Draws a sailing boat into the air in front of the arm: hull, mast, sail, sun, waves and a pennant, each with another
-/// generator of a path. Between them the tool goes back from the picture and over to the next stroke.
+/// generator of a path. Between them the tool moves back from the picture and over to the next stroke.
 class Draw : public ecp::Task {
   Irb6 arm{*this};
   PathLimits limits{.speed = 0.08, .acceleration = 0.4};
@@ -64,7 +64,7 @@ class Draw : public ecp::Task {
   }
 
   void run() override {
-    Wait({arm}, {}, ElapsedSteps{0});  // where is it?
+    Wait({arm}, {}, ElapsedSteps{0});  // read the arm's state
     hull();
     mast_and_sail();
     sun();

@@ -1,4 +1,4 @@
-"""Reads the trace of the task draw, prints how near the strokes are to their paths, and plots them with gnuplot.
+"""Reads the trace of the task draw, prints the distances of the strokes from their paths, and plots them with gnuplot.
 
 Usage: plot.py TRACE OUT    writes OUT_<stroke>.dat and OUT.png
 """
@@ -18,7 +18,7 @@ def place_of(line, field):
 
 
 def read_strokes(path):
-    """Per stroke (name, tick of each step, measured places, commanded places)."""
+    """Per stroke (name, tick of each step, measured positions, commanded positions)."""
     strokes, last = [], None
     with open(path, encoding="ascii") as trace:
         for line in trace:
@@ -38,7 +38,7 @@ def read_strokes(path):
 
 
 def beside(place, chain):
-    """Distance of a place from a chain of places."""
+    """Distance of a position from a chain of positions."""
     least = math.inf
     for start, end in zip(chain, chain[1:]):
         way = [e - s for s, e in zip(start, end)]
@@ -50,7 +50,7 @@ def beside(place, chain):
 
 
 def speeds(places, interval):
-    """mm/s from place to place."""
+    """mm/s from position to position."""
     return [math.dist(a, b) / interval for a, b in zip(places, places[1:])]
 
 

@@ -1,8 +1,8 @@
 """Writes the height field of the board that the task engraving carves: board.hfield, for MuJoCo.
 
 The board is 200 mm wide (u, to the reader's right) and 100 mm deep (v, away from the reader), both from its centre. Its
-surface is a wave with a trough across and a twist; `height` is what tests/tasks/engraving/board.hpp says, too. Neither is known to
-the task program.
+surface is a wave with a trough across and a twist; `height` equals that of tests/tasks/engraving/board.hpp. The task program
+uses neither.
 
 Usage: board.py OUT
 """

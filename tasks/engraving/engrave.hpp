@@ -2,7 +2,7 @@
 
 #include <mrroc/message.hpp>
 
-/// The behaviour of the machine's program: touch the board at columns x rows places, then carve the inscription.
+/// The behaviour of the machine's program: touch the board at columns x rows points, then carve the inscription.
 struct Engrave {
   mrroc::FixedText<31> inscription;
   double height = 0.026;       // m, of a capital

@@ -13,17 +13,17 @@
 using namespace mrroc;
 using engraving::Lettering, engraving::Points, engraving::Stroke, engraving::Surface;
 
-/// Engraves a board whose shape no one has told it: touches it at a grid of places, fits a surface through them, and
-/// goes along the strokes of the letters a constant depth below, the spindle at right angles to the surface.
+/// Engraves a board of unknown shape: touches it at a grid of points, fits a surface through them, and
+/// follows the strokes of the letters at a constant depth below, the spindle at right angles to the surface.
 class Engraving : public ecp::Task {
   SerialParallel machine{*this};
 
   static constexpr double kClearance = 0.004, kBall = 0.001;  // m: above the board on the way; the radius of the stylus
-  static inline const Eigen::Vector2d kProbed{0.18, 0.045};   // m: right and away, of the part that is touched
+  static inline const Eigen::Vector2d kProbed{0.18, 0.045};   // m: right and away, of the probed part
   static constexpr PathLimits kTravel{.speed = 0.08, .acceleration = 0.6};
   static constexpr PathLimits kPlunge{.speed = 0.01, .acceleration = 0.1}, kFeed{.speed = 0.02, .acceleration = 0.2};
 
-  /// A place of the board (m from its middle: right, away from the reader) in the machine's base frame.
+  /// A point of the board (m from its middle: right, away from the reader) in the machine's base frame.
   static Eigen::Vector2d at(const Eigen::Vector2d& place) { return {0.05 + place.y(), -place.x()}; }
   static Pose upright(const Eigen::Vector2d& xy, double z) { return SerialParallel::tool_down(xy.x(), xy.y(), z); }
   Eigen::Vector3d tip() const { return machine.state().pose.translation(); }
@@ -34,19 +34,19 @@ class Engraving : public ecp::Task {
     if (end.by<Travelled>()) throw NonFatalError{"no board under the probe"};
   }
 
-  /// Comes down until the board is felt, fast and then, from 1 mm above, slowly.
+  /// Moves down until contact with the board, fast and then, from 1 mm above, slowly.
   void touch() {
     approach(0.01);
     Move({machine}, {}, CartesianLine{machine, upright(tip().head<2>(), tip().z() + 0.001), kTravel});
-    machine.set_macrostep(5, 3);  // looks at the force every 10 ms
+    machine.set_macrostep(5, 3);  // checks the force every 10 ms
     approach(0.002);
     machine.set_macrostep(10, 8);
   }
 
-  /// The places of the ball's centre where it touches the board.
+  /// Positions of the ball's centre where it touches the board.
   std::vector<Eigen::Vector3d> probe(int columns, int rows) {
     const Pose cutter = machine.state().tool;
-    machine.set_outputs({.digital = 1});                              // put the stylus out
+    machine.set_outputs({.digital = 1});                              // extend the stylus
     machine.set_tool(cutter * Eigen::Translation3d(0.03, 0, 0.004));  // the centre of its ball
     std::vector<Eigen::Vector3d> touched;
     for (const Eigen::Vector2d& place : engraving::grid(kProbed, columns, rows)) {

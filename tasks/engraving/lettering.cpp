@@ -22,7 +22,7 @@ constexpr double kCorner = 20 * std::numbers::pi / 180;  // a turn by more is a 
 
 using Words = std::vector<std::string_view>;
 
-/// All of these words as numbers; nothing: one of them is not a number.
+/// All of these words as numbers; nothing when one of them is not a number.
 std::optional<std::vector<double>> numbers_of(const Words& words, std::size_t from, std::size_t count) {
   std::vector<double> numbers;
   if (from + count > words.size()) return {};
@@ -34,7 +34,7 @@ std::optional<std::vector<double>> numbers_of(const Words& words, std::size_t fr
   return numbers;
 }
 
-/// The points of a `stroke` line; none when it is malformed.
+/// The points of a `stroke` line; empty when it is malformed.
 Points read_stroke(const Words& words) {
   Points points;
   for (std::size_t i = 1; i < words.size();) {
@@ -56,7 +56,7 @@ Points read_stroke(const Words& words) {
   return points;
 }
 
-/// Enlarged, shifted, with points on its longer lines, and cut at its corners.
+/// Scales and shifts a stroke, adds points to its longer lines, and cuts it at its corners.
 Stroke prepare(const Points& drawn, double height, const Eigen::Vector2d& origin, double spacing) {
   Stroke stroke{{origin + height * drawn.front()}};
   for (std::size_t i = 1; i < drawn.size(); ++i) {

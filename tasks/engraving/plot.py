@@ -1,7 +1,7 @@
-"""Reads the trace of the task engraving, prints how deep it carved, and draws the engraved board with gnuplot.
+"""Reads the trace of the task engraving, prints the carved depth, and draws the engraved board with gnuplot.
 
-The board's true surface is the formula of board.py, which the task does not know. The picture is what a ball-nose cutter of
-3 mm leaves of it along the measured path of its tip.
+The board's true surface is the formula of board.py, which the task does not use. The picture is the surface after a ball-nose cutter of
+3 mm along the measured path of its tip.
 
 Usage: plot.py TRACE OUT    writes OUT.rgb, OUT.dat, OUT.txt (a tick while it carves) and OUT.png
 """
@@ -28,7 +28,7 @@ def slopes(u, v):
 
 
 def read(path):
-    """Per step with the tip in the wood (tick, u, v, depth, whether a stroke is carved, thrust, drag); how often it touched;
+    """Per step with the tip in the wood (tick, u, v, depth, whether a stroke is carved, thrust, drag); the number of touches;
     the last tick."""
     way, touches, last, tick = [], 0, None, 0
     with open(path, encoding="ascii") as trace:

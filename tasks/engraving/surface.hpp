@@ -7,22 +7,22 @@
 
 namespace engraving {
 
-/// The places of a grid over `size` (m), its middle at the origin: column by column, to and fro. `columns` go along x,
+/// The points of a grid over `size` (m), its middle at the origin: column by column, to and fro. `columns` go along x,
 /// `rows` along y; a single one is in the middle. Throws NonFatalError(invalid_argument) unless both are at least 1.
 std::vector<Eigen::Vector2d> grid(const Eigen::Vector2d& size, int columns, int rows);
 
-/// A surface z = h(x, y) through points that a ball has touched. With s and t the coordinates scaled to -1..1 over the
+/// A surface z = h(x, y) through points probed with a ball. With s and t the coordinates scaled to -1..1 over the
 /// box of the points, and Chebyshev polynomials T,
 ///
 ///   h(x, y) = sum c_ij T_i(s) T_j(t),   i of 0..a, j of 0..b,
 ///
-/// with the c of least squares. A grid of n places along x has a = min(n - 1, 2 n / 3), so that noise is evened out and
-/// the fit does not swing between the places; b likewise. A ball that touches a slope does not touch it below its
+/// with the c of least squares. A grid of n points along x has a = min(n - 1, 2 n / 3), so that noise is evened out and
+/// the fit does not oscillate between the points; b is defined in the same way. A ball touches a slope not below its
 /// centre: its centre p is at the radius r along the normal n from the point, so the fit is of p - r n, with the
 /// normals of the fit before (four rounds; each leaves some r times the curvature of the error before).
 class Surface {
  public:
-  /// `centres` of the touching ball and its `radius`, m, at `along_x` x `along_y` places. Throws
+  /// `centres` of the touching ball and its `radius`, m, at `along_x` x `along_y` points. Throws
   /// NonFatalError(invalid_argument): the points do not determine the polynomial.
   Surface(const std::vector<Eigen::Vector3d>& centres, double radius, int along_x, int along_y);
 
@@ -31,7 +31,7 @@ class Surface {
   /// A tool at right angles to the surface at `xy`, its tip `depth` (m) inside: z against the normal, x level with
   /// the frame's.
   mrroc::Pose tool_at(const Eigen::Vector2d& xy, double depth) const;
-  /// Of the points from the surface along z, m RMS.
+  /// Distance of the points from the surface along z, m RMS.
   double residual() const noexcept { return rms_; }
 
  private:

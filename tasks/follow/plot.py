@@ -1,6 +1,6 @@
 """Reads the trace of the task follow, prints force, error and speed along the workpiece, and plots them with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT.dat, OUT.txt (the tick in the middle of the way) and OUT.png
+Usage: plot.py TRACE OUT    writes OUT.dat, OUT.txt (the tick in the middle of the path) and OUT.png
 """
 
 import math

@@ -4,7 +4,7 @@
 #include "hand_over.hpp"
 using namespace mrroc;
 
-/// What either arm can do.
+/// The behaviours of both arms.
 struct Arm : ecp::Task {
   Irb6 arm{*this};
 
@@ -21,7 +21,7 @@ struct Arm : ecp::Task {
     on<Give>([this](const Give&) {
       const When pulled{"pulled",
                         [this] { return -arm.state().wrench[1] > 6; }};  // N, along the bar, away from the hand
-      Wait({arm}, {}, pulled || ElapsedSteps{1000}).require("pulled", "nobody pulls at the bar");
+      Wait({arm}, {}, pulled || ElapsedSteps{1000}).require("pulled", "the bar was not pulled");
     });
     on<Take>([this](const Take&) {
       ForceLaw law = ForceLaw{}.guarded(0).guarded(1).guarded(2).guarded(3).guarded(4).guarded(5);

@@ -6,7 +6,7 @@
 #include "hand_over.hpp"
 using namespace mrroc;
 
-/// What the belt can do.
+/// The behaviours of the belt.
 struct Belt : ecp::Task {
   Conveyor belt{*this};
   Camera eye{*this, "eye"};

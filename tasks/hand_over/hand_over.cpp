@@ -5,8 +5,8 @@
 #include <mrroc/robots/two_finger_gripper.hpp>
 using namespace mrroc;
 
-/// Bars come along on a belt. One arm picks each and holds it out, the other grips it in the air and pulls, the first
-/// feels that and lets go. While the second lays the bar on a table, the first fetches the next.
+/// Bars come along on a belt. One arm picks each and holds it out; the other grips it in the air and pulls; the first
+/// detects the pull and releases the bar. While the second lays the bar on a table, the first fetches the next.
 class HandOver : public mp::Task {
   TwoFingerGripper giver_hand{*this, "giver_hand"}, receiver_hand{*this, "receiver_hand"};
 
@@ -25,7 +25,7 @@ class HandOver : public mp::Task {
   void lay_down(int place) {
     if (place > 0) perform("receiver", Reach{0.6 + 0.1 * place, -0.1, -0.14});  // the table is 10 mm higher
     open(receiver_hand);
-    perform("receiver", Reach{0.8, 0.0, 0.2});  // where it waits
+    perform("receiver", Reach{0.8, 0.0, 0.2});  // its waiting position
   }
 
   void run() override {
@@ -35,9 +35,9 @@ class HandOver : public mp::Task {
       perform("receiver", Reach{0.8, 0.25, 0.15});
       start("receiver", Take{});
       grip(receiver_hand);
-      end_motion("receiver");  // of giving way: now it pulls
+      end_motion("receiver");  // ends its compliance: now it pulls
       wait_for_all({"giver"});
-      std::printf("bar %d: the giver feels the pull and lets go\n", bar);
+      std::printf("bar %d: the giver detects the pull and lets go\n", bar);
       open(giver_hand);
       end_motion("receiver");
       perform("giver", Reach{0.8, -0.25, 0.0});

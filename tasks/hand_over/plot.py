@@ -1,4 +1,4 @@
-"""Reads the trace and the snapshots of the task hand_over, prints how each bar was handed over, and plots it with gnuplot.
+"""Reads the trace and the snapshots of the task hand_over, prints the figures of each hand-over, and plots them with gnuplot.
 
 Usage: plot.py TRACE SNAPSHOTS OUT
 writes OUT_giver.dat, OUT_receiver.dat, OUT_height.dat, OUT.txt (the tick at which the second bar is pulled) and OUT.png
@@ -16,7 +16,7 @@ SHOWN = 1  # the bar whose forces are drawn
 
 
 def read_forces(path):
-    """Per arm the (tick, pull in N) of its steps, and the ticks at which the giver has felt a pull."""
+    """Per arm the (tick, pull in N) of its steps, and the ticks at which the giver detected a pull."""
     forces, pulls = {"giver": [], "receiver": []}, []
     with open(path, encoding="ascii") as trace:
         for line in trace:

@@ -6,8 +6,8 @@
 
 using namespace mrroc;
 
-/// Puts a peg of 20 mm into a hole of 20.5 mm, ten times, each time beginning somewhere up to 2 mm beside it: down
-/// until it touches, search in a spiral while pressing, go in giving way to the walls, come back.
+/// Puts a peg of 20 mm into a hole of 20.5 mm, ten times, each time from a random start up to 2 mm beside it: down
+/// until it touches, search in a spiral while pressing, insert it compliantly between the walls, move back.
 class Insert : public ecp::Task {
   Irb6 arm{*this};
 
@@ -15,7 +15,7 @@ class Insert : public ecp::Task {
 
   double height() const { return arm.state().pose.translation().z(); }
 
-  /// Presses with `force` N along the tool's z; x and y give way, and so do the turns, when `soft`.
+  /// Presses with `force` N along the tool's z; x and y yield, and so do the rotations, when `soft`.
   static ForceLaw press(double force, bool soft) {
     ForceLaw law;
     law.inertia << 5, 5, 1, 0.5, 0.5, 0.5;
@@ -38,7 +38,7 @@ class Insert : public ecp::Task {
     Move({arm}, {}, ForceControl{arm, press(10, true)}.until(When{"in", lower_by(kDepth)} || ElapsedSteps{250}))
         .require("in", "the peg is stuck");
     ForceLaw out = press(0, false);
-    out.guarded(0).guarded(1);  // the axes stay: a peg that turns as it gives way swings from wall to wall
+    out.guarded(0).guarded(1);  // the axes stay: a peg that rotates as it yields swings from wall to wall
     out.behaviour[2] = AxisBehaviour::unguarded;
     Move({arm}, {}, ForceControl{arm, out, {0, 0, -0.03}}.until(Travelled{arm, 0.05}));
   }

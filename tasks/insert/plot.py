@@ -1,4 +1,4 @@
-"""Reads the trace of the task insert, prints how the insertions went, and plots them with gnuplot.
+"""Reads the trace of the task insert, prints the figures of the insertions, and plots them with gnuplot.
 
 Usage: plot.py TRACE OUT    writes OUT_search.dat, OUT_depth.dat, OUT.txt (a tick with the peg in the hole) and OUT.png
 """

@@ -9,7 +9,7 @@
 
 using namespace mrroc;
 
-/// Brings a gauge square before a plate that stands anyhow, 150 mm from a spot beside the plate's marker: by the
+/// Brings a gauge square before a plate of unknown pose, 150 mm from a spot beside the plate's marker: by the
 /// marker's pose until it is near, by its corners in the picture until it is exact, then along the gauge's own beam.
 class Inspect : public ecp::Task {
   Irb6 arm{*this};
@@ -20,7 +20,7 @@ class Inspect : public ecp::Task {
   const Pose camera =
       Eigen::Translation3d(0.08, 0, 0.06 - kGauge) * Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitZ());
 
-  /// The marker as the tool is to have it: 60 mm beside the beam, `distance` m ahead, facing the tool.
+  /// The goal pose of the marker relative to the tool: 60 mm beside the beam, `distance` m ahead, facing the tool.
   static Pose marker_at(double distance) {
     return Eigen::Translation3d(0.06, 0, distance) * Pose(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()));
   }
@@ -56,7 +56,7 @@ class Inspect : public ecp::Task {
                     3e-4});
     Move({arm}, {gauge}, GuardedApproach{arm, [this] { return range(); }, {0, 0, 1}, 0.03, 0.15});
     Wait({arm}, {gauge}, ElapsedSteps{10});
-    std::printf("the gauge stands %.2f mm before the plate\n", 1000 * gauge.distance());
+    std::printf("the gauge is %.2f mm before the plate\n", 1000 * gauge.distance());
     Move({arm}, {}, ToolVelocity{arm, {0, 0, -0.1}}.until(Travelled{arm, 0.1}));
     Move({arm}, {}, JointLine{arm, arm.parameters().home});
   }

@@ -1,4 +1,4 @@
-"""Reads the trace of the task inspect, prints how square and how near the gauge stands, and plots the approach with gnuplot.
+"""Reads the trace of the task inspect, prints the final distance and angle of the gauge, and plots the approach with gnuplot.
 
 Usage: plot.py TRACE OUT    writes OUT_*.dat, OUT.txt (a tick of the end) and OUT.png
 """
@@ -17,7 +17,7 @@ PHASES = ("PositionServo", "ImageServo", "GuardedApproach")
 
 
 def axes_of_plate():
-    """Columns x, y, z of Rx Ry Rz, as MuJoCo's euler makes it."""
+    """Columns x, y, z of Rx Ry Rz, as for MuJoCo's euler."""
     a, b, c = TURN
     x = (math.cos(b) * math.cos(c), math.cos(a) * math.sin(c) + math.sin(a) * math.sin(b) * math.cos(c),
          math.sin(a) * math.sin(c) - math.cos(a) * math.sin(b) * math.cos(c))

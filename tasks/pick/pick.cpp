@@ -9,7 +9,7 @@ class Pick : public mp::Task {
   Irb6 arm{*this, "arm"};
   TwoFingerGripper gripper{*this, "gripper"};
 
-  /// The arm's tool pose that has the pads around (x, y, z) m in the arm's base frame, fingers down.
+  /// The arm's tool pose with the pads around (x, y, z) m in the arm's base frame, fingers down.
   Pose around(double x, double y, double z) const { return Irb6::tool_down(x, y, z) * gripper.grip_centre().inverse(); }
 
   void run() override {

@@ -1,4 +1,4 @@
-"""Reads the trace of the task polish, prints how well it presses and turns, and plots the ways and the force with gnuplot.
+"""Reads the trace of the task polish, prints the force and angle errors, and plots the paths and the force with gnuplot.
 
 Usage: plot.py TRACE OUT    writes OUT_*.dat, OUT.txt (a tick of the lines) and OUT.png
 """
@@ -12,7 +12,7 @@ SERVO_PERIOD = 0.002  # s, the deployment's
 FORCE = 8.0  # N, of the lines
 CENTRE, RADIUS = (790.0, 10.0, -580.0), 460.0  # mm in the arm's base frame: of the ball, with the pad
 REACH = 60.0  # mm, of the lines from the middle, and from line to line
-SETTLED = 2.0  # s until the force and the turning have come to what they are to be
+SETTLED = 2.0  # s until force and orientation have settled
 
 
 def read_moves(path):
@@ -36,14 +36,14 @@ def read_moves(path):
 
 
 def lean(step):
-    """Of the tool's z axis from the surface's normal, degrees."""
+    """Angle of the tool's z axis to the surface's normal, degrees."""
     normal = [(step[1 + i] - CENTRE[i]) for i in range(3)]
     length = math.hypot(*normal)
     return math.degrees(math.acos(min(1.0, -sum(a * b for a, b in zip(step[4], normal)) / length)))
 
 
 def beside(step):
-    """Of a step from the nearest line, in x and y, mm: three lines along x, joined at their ends."""
+    """Distance of a step from the nearest line, in x and y, mm: three lines along x, joined at their ends."""
     x, y = step[1] - 800, step[2]
     legs = [((-REACH, i * REACH), (REACH, i * REACH)) for i in (-1, 0, 1)]
     legs += [((REACH, 0), (REACH, REACH)), ((-REACH, -REACH), (-REACH, 0))]

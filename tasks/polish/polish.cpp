@@ -10,12 +10,12 @@
 
 using namespace mrroc;
 
-/// Polishes a curved workpiece that no one has measured: touches it, probes it at a grid, goes over it from place to
-/// place with the tool turned to its normal, and rubs a spot in circles on a spring.
+/// Polishes a curved workpiece of unknown shape: touches it, probes it at a grid, moves over it from point to
+/// point with the tool turned to its normal, and rubs a spot in circles on a spring.
 class Polish : public ecp::Task {
   Irb6 arm{*this};
 
-  /// The middle of the workpiece, and how far the grid reaches from it.
+  /// The middle of the workpiece, and the extent of the grid from it.
   static constexpr double kX = 0.80, kY = 0, kReach = 0.06;
 
   void lift(double height) {

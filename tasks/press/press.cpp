@@ -5,7 +5,7 @@
 
 using namespace mrroc;
 
-/// A part slides under the arm: wait for it, come down until the wrist feels 10 N, hold for half a second, go back.
+/// A part slides under the arm: wait for it, move down until the wrist measures 10 N, hold for 0.5 s, move back.
 class Press : public ecp::Task {
   Irb6 arm{*this};
   ForceTorque wrist{*this, "wrist"};

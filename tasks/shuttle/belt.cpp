@@ -5,7 +5,7 @@
 
 using namespace mrroc;
 
-/// What a belt of the shuttle can do. When, and in which order, states.toml says.
+/// The behaviours of a belt of the shuttle. states.toml defines their order.
 class Belt : public ecp::Task {
   Conveyor belt{*this};
 

@@ -2,20 +2,20 @@
 
 #include <mrroc/message.hpp>
 
-/// A behaviour: the belt goes to `position` m at a part (0..1) of its greatest speed.
+/// A behaviour: the belt moves to `position` m at a part (0..1) of its greatest speed.
 struct Go {
   double position = 0;
   double speed = 0.9;
 };
 MRROC_MESSAGE(Go, position, speed)
 
-/// A behaviour: the belt runs until `position` m, and tells when it is half-way.
+/// A behaviour: the belt runs until `position` m, and reports when it is half-way.
 struct Bring {
   double position = 0;
 };
 MRROC_MESSAGE(Bring, position)
 
-/// What a belt tells the MP.
+/// The message of a belt to the MP.
 struct HalfWay {
   double position = 0;  // m
 };

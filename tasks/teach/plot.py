@@ -1,4 +1,4 @@
-"""Reads the trace of the task teach, prints how well the replay follows what was taught, and plots both with gnuplot.
+"""Reads the trace of the task teach, prints the distance of the replay from the taught path, and plots both with gnuplot.
 
 Usage: plot.py TRACE OUT    writes OUT_taught.dat, OUT_replay.dat, OUT_distance.dat, OUT.txt (a tick of the leading) and OUT.png
 """
@@ -30,7 +30,7 @@ def read_moves(path):
 
 
 def distance(point, way):
-    """Of a point from the line through the points of `way`."""
+    """Distance of a point from the line through the points of `way`."""
     nearest = math.inf
     for a, b in zip(way, way[1:]):
         leg = [b[i] - a[i] for i in (1, 2, 3)]
@@ -50,11 +50,11 @@ def main():
     replay = replay[first:]
     distances = [(step[0], distance(step, taught)) for step in replay]
     length = sum(math.dist(a[1:], b[1:]) for a, b in zip(taught, taught[1:]))
-    back = max(distance(step, replay) for step in taught)  # the other way round: nothing is left out
+    back = max(distance(step, replay) for step in taught)  # the reverse check: no part is missing
     rms = math.sqrt(sum(d * d for _, d in distances) / len(distances))
     print(f"taught {length:.0f} mm in {(taught[-1][0] - taught[0][0]) * SERVO_PERIOD:.1f} s; replayed in "
           f"{(replay[-1][0] - replay[0][0]) * SERVO_PERIOD:.1f} s, beside it by {rms:.2f} mm RMS, {max(d for _, d in distances):.2f} mm "
-          f"at most; no taught place is farther than {back:.2f} mm from it")
+          f"at most; no taught position is farther than {back:.2f} mm from it")
     for name, steps in (("taught", taught), ("replay", replay)):
         with open(f"{out}_{name}.dat", "w", encoding="ascii") as file:
             file.writelines(f"{x} {y} {z}\n" for _, x, y, z in steps)

@@ -14,7 +14,7 @@
 
 using namespace mrroc;
 
-/// A folder of this run alone, whoever else teaches on this machine; removed at its end.
+/// A folder of this run alone, also with other teaching runs on this machine; removed at its end.
 struct OwnFolder {
   OwnFolder() {
     if (::mkdtemp(path.data()) == nullptr) throw SystemError(ErrorCode::resources, path + ": cannot be created");
@@ -26,8 +26,8 @@ struct OwnFolder {
   std::string path = std::filesystem::temp_directory_path() / "mrroc_teach_XXXXXX";
 };
 
-/// Teaches an arm twice: places by jog, the operator says how far; a way by leading the tool by its handle. Both are
-/// saved, loaded and replayed.
+/// Teaches an arm twice: positions by jog, with distances from the operator; a path by leading the tool by its handle.
+/// Both are saved, loaded and replayed.
 class Teach : public ecp::Task {
   Irb6 arm{*this};
   OperatorInput axis{*this, "axis"};      // 1, 2, 3: along x, y, z of the tool; 4: turn about z; 0: store; -1: done
@@ -36,7 +36,7 @@ class Teach : public ecp::Task {
   static constexpr int kLamp = 0, kButton = 0;  // terminals of the arm's controller
   const OwnFolder folder;
 
-  /// What the operator asks for, until he is done.
+  /// Executes the operator's requests until the operator is done.
   TaughtPath jog() {
     TaughtPath places;
     for (int number = 1; number >= 0;) {
@@ -54,7 +54,7 @@ class Teach : public ecp::Task {
     return places;
   }
 
-  /// The handle and what hangs on it: its weight is not to lead the tool.
+  /// Weighs the handle and its load, so that their weight does not lead the tool.
   Load weigh() {
     std::vector<JointVector> postures;
     for (const auto& [pitch, roll] : {std::pair{0.0, 0.0}, {0.5, 0.0}, {0.0, 0.6}, {-0.4, -0.5}}) {
@@ -75,7 +75,7 @@ class Teach : public ecp::Task {
     arm.set_outputs(outputs);
   }
 
-  /// Where the hand leads, from the lamp to the button.
+  /// Records the led motion, from the lamp to the button.
   TaughtPath lead(const Guidance& guidance) {
     TaughtPath way;
     set_lamp(true);

@@ -1,4 +1,4 @@
-"""Reads the trace of the task track_and_pick, prints how each part was picked, and plots it with gnuplot.
+"""Reads the trace of the task track_and_pick, prints the figures of each pick, and plots them with gnuplot.
 
 Usage: plot.py TRACE OUT    writes OUT_track.dat, OUT.txt (a tick at which a part is gripped) and OUT.png
 """
@@ -50,7 +50,7 @@ def main():
                 if -1 <= (tick - at[0]) * SERVO_PERIOD <= 0:
                     worst = max(worst, math.hypot(along, 1000 * (x - at[1])))
             track.write("\n\n")
-    print(f"{len(parts)} parts picked; in the second before the grip the tool kept its place on the belt within {worst:.2f} mm")
+    print(f"{len(parts)} parts picked; in the second before the grip the tool kept its position on the belt within {worst:.2f} mm")
     with open(out + ".txt", "w", encoding="ascii") as figures:
         figures.write(f"{parts[len(parts) // 2]['gripped']}\n")
     script = f"""

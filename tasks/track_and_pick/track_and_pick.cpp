@@ -12,8 +12,8 @@
 using namespace mrroc;
 using std::numbers::pi;
 
-/// Twenty parts come along on a belt, anyhow. A camera finds each, the arm follows it and picks it up while the belt
-/// runs, and stacks it on a table.
+/// Twenty parts come along on a belt in random poses. A camera finds each, the arm follows it and picks it up while the
+/// belt runs, and stacks it on a table.
 class TrackAndPick : public mp::Task {
   Irb6 arm{*this, "arm"};
   TwoFingerGripper gripper{*this, "gripper"};
@@ -22,14 +22,14 @@ class TrackAndPick : public mp::Task {
 
   static constexpr int kParts = 20;
   static constexpr double kOpen = 0.064, kPart = 0.060;  // m, between the pads
-  static constexpr double kWaiting = -0.40;              // m, y where the arm waits for a part
+  static constexpr double kWaiting = -0.40;              // m, y at which the arm waits for a part
   static constexpr double kAbove = 0.05;                 // m
   const Eigen::Vector3d along{0, 1, 0};                  // the belt's direction
 
   Pose at_zero = Pose::Identity();  // of the part at zero of the encoder: z down, x across the belt
   Pose turn = Pose::Identity();     // of the grip in that frame
 
-  /// The arm's tool pose that has the pads around (x, y, z) m in the arm's base frame, fingers down.
+  /// The arm's tool pose with the pads around (x, y, z) m in the arm's base frame, fingers down.
   Pose around(double x, double y, double z) const { return Irb6::tool_down(x, y, z) * gripper.grip_centre().inverse(); }
   /// The tool in the part's frame, `above` m over the grip.
   Pose grip(double above) const { return Eigen::Translation3d(0, 0, -above) * turn * gripper.grip_centre().inverse(); }
@@ -37,7 +37,7 @@ class TrackAndPick : public mp::Task {
   MovingFrame part() const {
     return sliding_frame(at_zero, along, encoder.position(), encoder.velocity(), encoder.reading().tick);
   }
-  /// To `above` m over the grip, for `dwell` s. The speed is that of the way in the part's frame, m/s.
+  /// Moves to `above` m over the grip, for `dwell` s. The speed is that of the path in the part's frame, m/s.
   TrackFrame track(double above, double dwell = 0, double speed = 0.05, double acceleration = 0.2) {
     const FrameLimits limits{.speed = speed, .acceleration = acceleration};
     return {arm, [this] { return std::optional<MovingFrame>(part()); }, {{grip(above), dwell}}, limits};
@@ -70,7 +70,7 @@ class TrackAndPick : public mp::Task {
     Move({arm, gripper}, {encoder}, track(0.03));
   }
 
-  /// The place of part `index` on the table: rows of five, two deep, two high.
+  /// The position of part `index` on the table: rows of five, two deep, two high.
   void place(int index) {
     const double x = 0.46 + 0.08 * (index % 5), y = 0.61 - 0.09 * (index / 5 % 2), z = -0.127 + 0.0455 * (index / 10);
     for (const double height : {0.06, 0.0}) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds with_can to its word in a guest: frames between processes, statuses, files, environment, time limit, no leftovers."""
+"""Tests with_can in a guest: frames between processes, statuses, files, environment, time limit, no remaining processes."""
 
 import os
 import pathlib
@@ -13,7 +13,7 @@ import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 FRAME = struct.Struct("=IB3x8s")
-ECHO = 0x100  # is added to the identifier
+ECHO = 0x100  # added to the identifier
 
 
 def can_socket(interface):
@@ -23,7 +23,7 @@ def can_socket(interface):
 
 
 def echo():
-    """Two processes: the child sends back what comes on can1."""
+    """Two processes: the child sends back the frames of can1."""
     ready, child = os.pipe(), os.fork()
     bus = can_socket("can1")
     if child == 0:

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""CiA 402 drives of another hand: nodes of python-canopen with the object dictionary of an EDS, for a master to drive.
+"""Independent CiA 402 drives: nodes of python-canopen with the object dictionary of an EDS, for tests of a master.
 
 Prints `ready` when they are on the bus. Obeys lines of its standard input, for every node or after `node N` for one:
   emcy CODE               a fault with that error code
   limit positive|negative on|off
   jam on|off              the shaft does not turn
-  silence, speak          deaf and dumb as with its plug pulled, and back
+  silence, speak          no frames in or out, as with its plug pulled, and back
   reboot                  power off and on
-  die                     the program ends without a word
+  die                     the program ends without output
 """
 
 import argparse
@@ -22,7 +22,7 @@ from peer_motor import NEGATIVE_LIMIT, POSITIVE_LIMIT
 from peer_node import PeerNode
 from unix_bus import open_bus
 
-TICK = 0.005  # s between looks at the timers and the motor
+TICK = 0.005  # s between updates of the timers and the motor
 
 
 def obey(peer, words):
@@ -66,7 +66,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bus", required=True, help="a network interface, or unix:PATH of a hub")
     parser.add_argument("--eds", required=True)
-    parser.add_argument("--cycle", type=float, metavar="S", help="motors turn by S at each SYNC; in real time unless told")
+    parser.add_argument("--cycle", type=float, metavar="S", help="motors turn by S at each SYNC; default: real time")
     parser.add_argument("nodes", type=int, nargs="+", help="node numbers")
     asked = parser.parse_args()
 

@@ -8,17 +8,17 @@ NO_MODE, HOMING, POSITION, VELOCITY, TORQUE = 0, 6, 8, 9, 10
 MODES = (NO_MODE, HOMING, POSITION, VELOCITY, TORQUE)
 NEGATIVE_LIMIT, POSITIVE_LIMIT = 0x1, 0x2
 LAGS = {POSITION: 0.005, VELOCITY: 0.02, TORQUE: 0.1}  # s
-SPEED_OF_TORQUE = 1000.0  # increments per second that friction leaves of a thousandth of the rated torque
+SPEED_OF_TORQUE = 1000.0  # increments per second that remain with friction, for a thousandth of the rated torque
 FOLLOWING_ERROR = 0x8611
 
 
 class Motor:
-    """`objects(index, subindex)` reads what the master has written; `fault(code)` is called for a fault of the motion."""
+    """`objects(index, subindex)` reads a value that the master has written; `fault(code)` reports a fault of the motion."""
 
     def __init__(self, objects, fault):
         self.objects, self.fault = objects, fault
         self.state, self.word, self.mode = State.SWITCH_ON_DISABLED, 0, NO_MODE
-        self.position = self.velocity = self.demand = self.shaft = 0.0  # the shaft's own position, whatever homing calls it
+        self.position = self.velocity = self.demand = self.shaft = 0.0  # the shaft's own position, without the homing offset
         self.torque = self.inputs = 0
         self.homing = self.homed = self.homing_failed = self.limited = self.jammed = False
         self.beyond = 0.0  # s outside the following error window
@@ -89,7 +89,7 @@ class Motor:
         self.velocity = 0.0
 
     def home(self, seconds):
-        """The home switch is where the shaft was when the drive came up; methods 35 and 37 take the present position."""
+        """The home switch is at the position of the shaft at power-on; methods 35 and 37 use the present position."""
         if not self.homing or self.homed or self.homing_failed:
             self.velocity = 0.0
             return

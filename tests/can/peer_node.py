@@ -16,17 +16,17 @@ RESET_NODE, RESET_COMMUNICATION = 129, 130
 
 
 def wrapped(value):
-    """As an object of 32 bits has it."""
+    """As the value of a 32-bit object."""
     return (round(value) + 0x80000000) % 0x100000000 - 0x80000000
 
 
 class PeerNode:
     def __init__(self, network, number, eds, cycle=None):
-        """`cycle`: s that pass for an operational drive's motor at each SYNC; None: it turns in real time."""
+        """`cycle`: s by which each SYNC advances an operational drive's motor; None: the motor runs in real time."""
         self.network, self.lock, self.silent, self.cycle = network, threading.RLock(), False, cycle
         self.node = network.create_node(number, canopen.import_od(eds, number))
         for identifier, handler in ((0, self.node.nmt.on_command), (self.node.sdo.rx_cobid, self.node.sdo.on_request)):
-            network.unsubscribe(identifier, handler)  # they come through on_frame, which knows when there is no answer
+            network.unsubscribe(identifier, handler)  # on_frame handles them, because it can suppress an answer
         self.node.add_read_callback(self.read)
         self.node.add_write_callback(self.written)
         self.data = ProcessData(self.node, self.send)
@@ -99,7 +99,7 @@ class PeerNode:
             if limit and now - self.heard.get(producer, now) > limit:
                 del self.heard[producer]  # watched again from its next heartbeat on
                 if self.node.nmt._state == OPERATIONAL:
-                    self.node.nmt.state = "PRE-OPERATIONAL"  # as 1029h says where there is none
+                    self.node.nmt.state = "PRE-OPERATIONAL"  # the default of 1029h
                 self.fault(HEARTBEAT_LOST)
 
     # --- what comes in

@@ -1,4 +1,4 @@
-"""The process data of a node, as the objects 1400h to 1BFFh say at the moment: python-canopen leaves this to its user."""
+"""The process data of a node, as the objects 1400h to 1BFFh define it at the moment; python-canopen does not implement it."""
 
 import time
 
@@ -22,7 +22,7 @@ class ProcessData:
         return int.from_bytes(self.node.get_data(index, subindex), "little")
 
     def check(self, index, subindex, data, **_):
-        """Refuses what a drive refuses: a change of a mapping in use, an object that no frame may carry, too long frames."""
+        """Refuses, as a drive does, a change of a mapping in use, an object that cannot be mapped, and frames that are too long."""
         if not 0x1400 <= index < 0x1C00:
             return
         self.changed = True
@@ -41,7 +41,7 @@ class ProcessData:
             raise SdoAbortedError(MAPPING_LENGTH)
 
     def read(self, communication):
-        """One frame as its objects tell it, nothing when it is switched off."""
+        """One frame as its objects define it; nothing when it is switched off."""
         identifier = self.number(communication, 1)
         if identifier & INVALID:
             return []
@@ -75,7 +75,7 @@ class ProcessData:
             try:
                 self.node.set_data(index, subindex, bytes(data[:size]))
             except SdoAbortedError:
-                pass  # a value out of range is not taken
+                pass  # a value out of range is ignored
             data = data[size:]
 
     def sync_in(self):
@@ -92,7 +92,7 @@ class ProcessData:
                 self.send(frame["identifier"], data)
 
     def events(self):
-        """Event-driven frames that have changed or whose event timer is over."""
+        """Event-driven frames that have changed or whose event timer has expired."""
         self.refresh()
         now = time.monotonic()
         for frame in self.transmit:

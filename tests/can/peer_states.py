@@ -1,10 +1,10 @@
-"""The states of a drive after CiA 402-2: what the controlword asks for, what the statusword tells."""
+"""The states of a drive after CiA 402-2: commands of the controlword, states in the statusword."""
 
 import enum
 
 
 class State(enum.Enum):
-    """By the bits of the statusword that tell the state."""
+    """The state bits of the statusword."""
 
     SWITCH_ON_DISABLED = 0x40
     READY_TO_SWITCH_ON = 0x21
@@ -18,7 +18,7 @@ class State(enum.Enum):
 ENABLED = (State.OPERATION_ENABLED, State.QUICK_STOP_ACTIVE)
 POWERED = (State.SWITCHED_ON, *ENABLED)
 
-# (mask, value) of the controlword: {state: next state}, as the table of device control commands has them
+# (mask, value) of the controlword: {state: next state}, as in the table of device control commands
 COMMANDS = [
     ((0x82, 0x00), {state: State.SWITCH_ON_DISABLED for state in (State.READY_TO_SWITCH_ON, *POWERED)}),  # disable voltage
     ((0x86, 0x02), {State.READY_TO_SWITCH_ON: State.SWITCH_ON_DISABLED, State.SWITCHED_ON: State.SWITCH_ON_DISABLED,
@@ -33,7 +33,7 @@ FAULT_RESET = 0x80
 
 
 def next_state(state, word, before):
-    """The state after the controlword `word`, which was `before` until now."""
+    """The state after the controlword `word`; `before` is the previous controlword."""
     if state is State.FAULT:
         return State.SWITCH_ON_DISABLED if word & FAULT_RESET and not before & FAULT_RESET else state
     if word & FAULT_RESET:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Holds peer_drive.py to CiA 301 and CiA 402 with a master of python-canopen.
+"""Tests peer_drive.py against CiA 301 and CiA 402 with a master of python-canopen.
 
-Usage: peer_test.py [BUS]; without a bus it makes a hub of its own.
+Usage: peer_test.py [BUS]; without a bus it makes its own hub.
 """
 
 import sys
@@ -162,7 +162,7 @@ class DriveTest(PeerCase):
 
 
 class ProfileTest(PeerCase):
-    """The master that python-canopen brings for CiA 402, over event-driven frames."""
+    """python-canopen's own CiA 402 master, over event-driven frames."""
 
     node_class = BaseNode402
 

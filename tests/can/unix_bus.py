@@ -39,13 +39,13 @@ class UnixBus(can.BusABC):
         self.socket.send(FRAME.pack(identifier, msg.dlc, bytes(msg.data)))
 
     def _recv_internal(self, timeout):
-        with selectors.DefaultSelector() as selector:  # a time limit of the socket would be the sender's as well
+        with selectors.DefaultSelector() as selector:  # a time limit of the socket would also apply to sending
             selector.register(self.socket, selectors.EVENT_READ)
             if not selector.select(timeout):
                 return None, False
         packet = self.socket.recv(FRAME.size)
         if len(packet) != FRAME.size:
-            raise can.CanOperationError("the hub has gone")
+            raise can.CanOperationError("the hub has ended")
         identifier, length, data = FRAME.unpack(packet)
         extended = bool(identifier & EXTENDED)
         return can.Message(
@@ -99,7 +99,7 @@ class Hub(threading.Thread):
                 try:
                     client.send(packet, socket.MSG_DONTWAIT | socket.MSG_NOSIGNAL)
                 except OSError:
-                    pass  # a client that does not read loses frames, as a controller with a full buffer does
+                    pass  # a client that does not read loses frames, like a controller with a full buffer
         return bool(packet)
 
 

@@ -80,7 +80,7 @@ TEST_F(HubTest, AllButTheSenderGetAllInOrder) {
   }));
 }
 
-TEST_F(HubTest, CountsAndMayLoseOrSpoilFrames) {
+TEST_F(HubTest, CountsFramesAndCanLoseOrCorruptThem) {
   Hub hub(path_, [](Frame& frame) {
     if (frame.id == 2) frame.data[0] = 99;
     return frame.id != 1;
@@ -123,7 +123,7 @@ TEST_F(HubTest, CarriesFramesOfCanFd) {
   sender->send(frame);
   sender->send({0x123, {1, 2}});
   EXPECT_EQ(next_frame(*receiver), frame);
-  EXPECT_EQ(next_frame(*receiver), (Frame{0x123, {1, 2}})) << "classical frames stay so";
+  EXPECT_EQ(next_frame(*receiver), (Frame{0x123, {1, 2}})) << "classical frames stay classical";
 }
 
 TEST_F(HubTest, TakesNoMoreThanItsQueueHolds) {
@@ -141,7 +141,7 @@ TEST_F(HubTest, TakesNoMoreThanItsQueueHolds) {
   EXPECT_EQ(sent, Sent::yes);
 }
 
-TEST_F(HubTest, WhenItHasGoneTheBusIsDown) {
+TEST_F(HubTest, BusIsDownWhenHubEnds) {
   auto hub = std::make_unique<Hub>(path_);
   const auto bus = open_bus(hub->name());
   hub.reset();
@@ -150,36 +150,36 @@ TEST_F(HubTest, WhenItHasGoneTheBusIsDown) {
   EXPECT_EQ(bus->send({1, {}}), Sent::down);
 }
 
-TEST_F(HubTest, WhoLeavesDisturbsNobody) {
+TEST_F(HubTest, LeavingClientDoesNotDisturbOthers) {
   Hub hub(path_);
   const auto stays = open_bus(hub.name()), receiver = open_bus(hub.name());
   for (int i = 0; i < 20; ++i) {
     auto leaves = open_bus(hub.name());
     leaves->send({1, {}});
     leaves.reset();
-    EXPECT_EQ(next_frame(*stays), (Frame{1, {}})) << "what it has sent is not lost";
+    EXPECT_EQ(next_frame(*stays), (Frame{1, {}})) << "its frames are not lost";
     EXPECT_EQ(next_frame(*receiver), (Frame{1, {}}));
     stays->send({2, {}});
     EXPECT_EQ(next_frame(*receiver), (Frame{2, {}}));
   }
 }
 
-/// Its end of the socket is reset then, which is told before what it has sent.
-TEST_F(HubTest, WhatItHasSentArrivesAlsoOfOneThatLeavesFramesUnread) {
+/// The leaving client's end of the socket is reset; the kernel reports this before its frames.
+TEST_F(HubTest, FramesOfALeavingClientWithUnreadFramesArrive) {
   Hub hub(path_);
   const auto stays = open_bus(hub.name());
   for (std::uint32_t i = 1; i <= 20; ++i) {
     auto leaves = open_bus(hub.name());
     const auto later = open_bus(hub.name());
     stays->send({i, {}});
-    ASSERT_EQ(next_frame(*later), (Frame{i, {}})) << "then the one that leaves has it, too";
+    ASSERT_EQ(next_frame(*later), (Frame{i, {}})) << "then the leaving client has it, too";
     for (std::uint32_t k = 1; k <= 10; ++k) leaves->send({0x100 + k, {}});
     leaves.reset();
     for (std::uint32_t k = 1; k <= 10; ++k) ASSERT_EQ(next_frame(*stays), (Frame{0x100 + k, {}})) << i;
   }
 }
 
-TEST_F(HubTest, NothingIsReceivedWithoutFrames) {
+TEST_F(HubTest, ReceivesNothingWithoutFrames) {
   Hub hub(path_);
   const auto bus = open_bus(hub.name());
   Frame frame;
@@ -187,19 +187,19 @@ TEST_F(HubTest, NothingIsReceivedWithoutFrames) {
   EXPECT_FALSE(bus->receive(frame, clock::monotonic_ns() + 1'000'000));
 }
 
-TEST_F(HubTest, SaysWhatIsWrongWithItsPath) {
+TEST_F(HubTest, ReportsInvalidPath) {
   EXPECT_EQ(refusal([&] { open_bus("unix:" + path_.string()); }),
             "CAN hub '" + path_.string() + "': No such file or directory, expected the socket of a running hub");
   const Hub hub(path_);
   EXPECT_EQ(refusal([&] { const Hub second(path_); }),
-            "CAN hub '" + path_.string() + "': Address already in use, expected a path where none is yet");
+            "CAN hub '" + path_.string() + "': Address already in use, expected an unused path");
   const std::string too_long(200, 'x');
   EXPECT_EQ(refusal([&] { open_bus("unix:" + too_long); }),
             "CAN hub '" + too_long + "': 200 characters of path, expected 1 to 107");
   EXPECT_EQ(refusal([] { open_bus("unix:"); }), "CAN hub '': 0 characters of path, expected 1 to 107");
 }
 
-/// What a hub leaves that is killed: its socket's file.
+/// The remains of a killed hub: the file of its socket.
 void leave_behind(const std::filesystem::path& path) {
   const sockaddr_un address = hub_address(path.string());
   const int socket = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0);
@@ -207,7 +207,7 @@ void leave_behind(const std::filesystem::path& path) {
   ::close(socket);
 }
 
-TEST_F(HubTest, TakesThePlaceOfOneThatWasKilled) {
+TEST_F(HubTest, ReplacesAKilledHub) {
   leave_behind(path_);
   Hub hub(path_);
   EXPECT_EQ(std::filesystem::status(path_).permissions(),
@@ -217,18 +217,18 @@ TEST_F(HubTest, TakesThePlaceOfOneThatWasKilled) {
   EXPECT_EQ(next_frame(*receiver), (Frame{1, {2}}));
 }
 
-TEST_F(HubTest, ALivingOneKeepsItsPlaceAndItsClients) {
+TEST_F(HubTest, LivingHubKeepsItsPathAndItsClients) {
   Hub hub(path_);
   const auto sender = open_bus(hub.name()), receiver = open_bus(hub.name());
   for (int i = 0; i < 20; ++i)
     EXPECT_EQ(refusal([&] { const Hub second(path_); }),
-              "CAN hub '" + path_.string() + "': Address already in use, expected a path where none is yet");
+              "CAN hub '" + path_.string() + "': Address already in use, expected an unused path");
   sender->send({1, {2}});
   EXPECT_EQ(next_frame(*receiver), (Frame{1, {2}}));
-  EXPECT_NO_THROW(open_bus(hub.name())) << "its file is there";
+  EXPECT_NO_THROW(open_bus(hub.name())) << "its file exists";
 }
 
-TEST_F(HubTest, OfManyThatStartAtOnceOneLives) {
+TEST_F(HubTest, OneOfManySimultaneousHubsSurvives) {
   for (int i = 0; i < 50; ++i) {
     leave_behind(path_);
     std::array<std::unique_ptr<Hub>, 8> hubs;
@@ -246,7 +246,7 @@ TEST_F(HubTest, OfManyThatStartAtOnceOneLives) {
   }
 }
 
-TEST_F(HubTest, RemovesNothingButASocketThatNobodyListensAt) {
+TEST_F(HubTest, RemovesOnlyASocketWithoutListener) {
   const auto refused = [this] { return !refusal([this] { const Hub hub(path_); }).empty(); };
   std::ofstream(path_) << "a file";
   EXPECT_TRUE(refused());
@@ -263,8 +263,8 @@ TEST_F(HubTest, RemovesNothingButASocketThatNobodyListensAt) {
   EXPECT_TRUE(std::filesystem::is_socket(folder_ / "other"));
 }
 
-TEST(OpenBus, SaysWhichInterfaceItCannotHave) {
-  // the words depend on whether this kernel has CAN; socket_bus_test.cpp holds those that has to the letter
+TEST(OpenBus, ReportsAnUnusableInterface) {
+  // the text depends on whether this kernel has CAN; socket_bus_test.cpp checks the full text
   for (const std::string name : {"nosuchcan", "", "a_name_that_is_longer_than_any"})
     EXPECT_TRUE(refusal([&] { open_bus(name); }).starts_with("CAN interface '" + name + "': ")) << name;
 }

@@ -9,7 +9,7 @@
 namespace mrroc::can {
 namespace {
 
-TEST(RawFrame, ComesBackAsItWas) {
+TEST(RawFrame, RoundTripsToTheSameFrame) {
   EXPECT_TRUE(rc::check("classical and CAN FD", [](Frame frame, bool fast) {
     frame.bit_rate_switch = frame.fd && fast;
     if (frame.error) frame.remote = frame.fd = frame.bit_rate_switch = false;
@@ -24,7 +24,7 @@ TEST(RawFrame, ComesBackAsItWas) {
   }));
 }
 
-TEST(RawFrame, NothingElseIsAFrame) {
+TEST(RawFrame, RejectsEverythingElse) {
   canfd_frame raw{};
   Frame frame;
   for (const std::size_t size : {0u, 8u, 15u, 17u, 71u, 100u}) EXPECT_FALSE(from_raw(raw, size, frame)) << size;
@@ -38,7 +38,7 @@ TEST(RawFrame, NothingElseIsAFrame) {
   EXPECT_EQ(frame.size, 64);
 }
 
-TEST(BusErrors, TheGravestIsTold) {
+TEST(BusErrors, ReportsTheMostSevere) {
   const auto told = [](std::uint32_t id, std::uint8_t controller) {
     Frame frame{id, {0, controller, 0, 0, 0, 0, 0, 0}};
     frame.error = true;

@@ -8,9 +8,9 @@
 
 namespace mrroc::test {
 
-inline constexpr std::int64_t kLong = 20 * clock::kSecond;  ///< only what fails takes so long
+inline constexpr std::int64_t kLong = 20 * clock::kSecond;  ///< only failing tests take this long
 
-/// The next frame, waited for; nothing: none comes.
+/// Waits for the next frame; nothing: there is none in time.
 inline std::optional<can::Frame> next_frame(can::Bus& bus, std::int64_t patience = kLong) {
   can::Frame frame;
   if (!bus.receive(frame, clock::monotonic_ns() + patience)) return {};

@@ -1,5 +1,5 @@
-// What a kernel's own CAN driver says of its controller: that of adapters on a serial line (slcan), whose line the test
-// holds. tests/can/with_can runs it where that driver is.
+// Reports of a kernel CAN driver about its controller: the driver of serial line adapters (slcan); the test holds the
+// line. tests/can/with_can runs it where that driver exists.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <linux/tty.h>
@@ -19,7 +19,7 @@
 namespace mrroc::can {
 namespace {
 
-/// The kernel's interface of an adapter that says what it is instructed to.
+/// The kernel's interface of an adapter that sends the test's reports.
 class SerialAdapter {
  public:
   SerialAdapter() : line_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)) {
@@ -53,15 +53,15 @@ class SerialAdapter {
   std::string name_;
 };
 
-TEST(SerialAdapter, TheKernelTellsItsStatesUpToBusOff) {
+TEST(SerialAdapter, KernelReportsItsStatesUpToBusOff) {
   const SerialAdapter adapter;
-  ASSERT_FALSE(adapter.interface().empty()) << "this kernel has no slcan, which tests/can/with_can gives";
+  ASSERT_FALSE(adapter.interface().empty()) << "this kernel has no slcan; tests/can/with_can provides it";
   adapter.set("up");
   SocketBus bus(adapter.interface());
   bus.filter(std::vector<Filter>{{0x183, 0x7ff}});
   adapter.say("t1832AABB");
   EXPECT_EQ(test::next_frame(bus), (Frame{0x183, {0xaa, 0xbb}}));
-  // with its counters of errors in what it has received and sent
+  // with its receive and transmit error counters
   for (const auto& [state, error] : {std::pair{"sw000100", BusError::warning},
                                      {"sp000130", BusError::passive},
                                      {"sa000090", BusError::recovered},
@@ -72,7 +72,7 @@ TEST(SerialAdapter, TheKernelTellsItsStatesUpToBusOff) {
     EXPECT_TRUE(frame->error) << state;
     EXPECT_EQ(bus_error_of(*frame), error) << state << ": " << describe(bus_error_of(*frame));
   }
-  EXPECT_FALSE(adapter.has_carrier()) << "the kernel has taken it off";
+  EXPECT_FALSE(adapter.has_carrier()) << "the kernel has switched it off";
   adapter.set("down");
   EXPECT_EQ(bus.send({0x203, {}}), Sent::down);
   adapter.set("up");

@@ -51,7 +51,7 @@ std::string refusal(const std::string& interface) {
   }
 }
 
-TEST(SocketBus, CarriesFramesBothWays) {
+TEST(SocketBus, CarriesFramesInBothDirections) {
   SocketBus one("can0"), two("can0"), elsewhere("can1");
   Frame remote{0x703, {}};
   remote.remote = true;
@@ -59,7 +59,7 @@ TEST(SocketBus, CarriesFramesBothWays) {
     ASSERT_EQ(one.send(frame), Sent::yes);
     EXPECT_EQ(next_frame(two), frame);
     ASSERT_EQ(two.send(frame), Sent::yes);
-    EXPECT_EQ(next_frame(one), frame) << "and nothing of its own";
+    EXPECT_EQ(next_frame(one), frame) << "and none of its own frames";
   }
   Frame none;
   EXPECT_FALSE(elsewhere.receive(none, 0)) << "another bus";
@@ -84,7 +84,7 @@ TEST(SocketBus, FiltersLetErrorFramesThrough) {
   EXPECT_EQ(next_frame(receiver), error) << "no filter: nothing else";
 }
 
-TEST(SocketBus, IsDownWhenItsInterfaceIsAndComesBackWithIt) {
+TEST(SocketBus, IsDownWithItsInterfaceAndComesBackWithIt) {
   SocketBus sender("can1"), receiver("can1");
   set_up("can1", false);
   EXPECT_EQ(sender.send({1, {}}), Sent::down);
@@ -110,16 +110,16 @@ TEST(SocketBus, CarriesFramesOfCanFdWhereTheInterfaceDoes) {
   EXPECT_EQ(sender.send(frame), Sent::yes);
   EXPECT_EQ(sender.send({0x124, {1, 2}}), Sent::yes);
   EXPECT_EQ(next_frame(receiver), frame);
-  EXPECT_EQ(next_frame(receiver), (Frame{0x124, {1, 2}})) << "classical frames stay so";
-  EXPECT_EQ(classical.send(frame), Sent::down) << "its socket was opened for classical frames";
-  EXPECT_EQ(next_frame(classical), (Frame{0x124, {1, 2}})) << "and gets those alone";
+  EXPECT_EQ(next_frame(receiver), (Frame{0x124, {1, 2}})) << "classical frames stay classical";
+  EXPECT_EQ(classical.send(frame), Sent::down) << "its socket is open for classical frames";
+  EXPECT_EQ(next_frame(classical), (Frame{0x124, {1, 2}})) << "and receives only those";
 }
 
-TEST(SocketBus, SaysWhatIsWrongWithAnInterface) {
+TEST(SocketBus, ReportsInvalidInterfaces) {
   const std::string not_there = "is not there, expected the name of a CAN interface (ip -brief link show type can)";
   for (const std::string name : {"can9", "", "a_name_that_is_longer_than_any"})
     EXPECT_EQ(refusal(name), "CAN interface '" + name + "': " + not_there);
-  EXPECT_EQ(refusal("lo"), "CAN interface 'lo': is no CAN interface");
+  EXPECT_EQ(refusal("lo"), "CAN interface 'lo': is not a CAN interface");
   set_up("can1", false);
   EXPECT_EQ(refusal("can1"),
             "CAN interface 'can1': is down, expected it up: ip link set can1 up type can bitrate 1000000");

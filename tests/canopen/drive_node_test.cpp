@@ -58,7 +58,7 @@ class DriveNodeTest : public testing::Test {
       one_drive(), one_drive().drives[0], {}, 0.002, [this](const can::Frame& frame) { sent.push_back(frame); }};
 };
 
-TEST_F(DriveNodeTest, AResetOfTheCommunicationLeavesTheDriveAsItIs) {
+TEST_F(DriveNodeTest, CommunicationResetKeepsTheDriveState) {
   write(kProducerHeartbeat, 50, 2);
   write(kQuickStopOption, 6, 2);
   node.fail(0x7305);
@@ -75,7 +75,7 @@ TEST_F(DriveNodeTest, AResetOfTheCommunicationLeavesTheDriveAsItIs) {
   EXPECT_EQ(read(kErrorCode), 0u);
 }
 
-TEST_F(DriveNodeTest, AResetOfTheNodeIsAsIfItsPowerHadBeenOff) {
+TEST_F(DriveNodeTest, NodeResetEqualsPowerCycle) {
   write(kQuickStopOption, 6, 2);
   node.fail(0x7305);
   nmt(NmtCommand::reset_node);
@@ -84,7 +84,7 @@ TEST_F(DriveNodeTest, AResetOfTheNodeIsAsIfItsPowerHadBeenOff) {
   EXPECT_EQ(read(kErrorCode), 0u);
 }
 
-TEST_F(DriveNodeTest, WhoHasPowerWhenItsCommunicationIsResetDoesWhat6007hSays) {
+TEST_F(DriveNodeTest, CommunicationResetUnderPowerFollowsObject6007h) {
   const std::pair<std::uint16_t, DriveState> reactions[] = {{0, DriveState::operation_enabled},
                                                             {1, DriveState::fault_reaction_active},
                                                             {2, DriveState::switch_on_disabled},

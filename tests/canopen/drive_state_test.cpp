@@ -14,8 +14,8 @@ using S = DriveState;
 constexpr std::array kStates{S::not_ready_to_switch_on, S::switch_on_disabled, S::ready_to_switch_on,    S::switched_on,
                              S::operation_enabled,      S::quick_stop_active,  S::fault_reaction_active, S::fault};
 
-TEST(DriveState, IsTheStatuswordsPattern) {
-  // CiA 402-2, "state coding": xxxx xxxx x0xx 0000 and so on; what is x may be anything
+TEST(DriveState, MatchesThePatternOfTheStatusword) {
+  // CiA 402-2, "state coding": xxxx xxxx x0xx 0000 and so on; x is any value
   const std::array<std::pair<std::uint16_t, S>, 8> patterns{{{0x00, S::not_ready_to_switch_on},
                                                              {0x40, S::switch_on_disabled},
                                                              {0x21, S::ready_to_switch_on},
@@ -26,19 +26,19 @@ TEST(DriveState, IsTheStatuswordsPattern) {
                                                              {0x08, S::fault}}};
   for (const auto& [bits, state] : patterns) {
     EXPECT_EQ(drive_state(bits), state);
-    EXPECT_EQ(drive_state(static_cast<std::uint16_t>(bits | 0xff90)), state) << "the other bits say nothing";
+    EXPECT_EQ(drive_state(static_cast<std::uint16_t>(bits | 0xff90)), state) << "the other bits have no effect";
   }
-  EXPECT_EQ(drive_state(0x6f), S::not_ready_to_switch_on) << "bits that make no state";
+  EXPECT_EQ(drive_state(0x6f), S::not_ready_to_switch_on) << "bits of no state";
 }
 
-TEST(DriveState, ItsBitsTellIt) {
+TEST(DriveState, GivesItsBits) {
   for (const S state : kStates) EXPECT_EQ(drive_state(status_bits(state)), state) << describe(state);
   for (const S state : {S::switched_on, S::operation_enabled, S::quick_stop_active, S::fault_reaction_active})
     EXPECT_NE(status_bits(state) & 0x10, 0) << describe(state) << ": voltage enabled";
   EXPECT_EQ(status_bits(S::switch_on_disabled) & 0x10, 0);
 }
 
-TEST(DriveState, EveryTransitionOfTheStandard) {
+TEST(DriveState, FollowsEveryTransitionOfTheStandard) {
   struct Transition {
     int number;
     S from;
@@ -63,7 +63,7 @@ TEST(DriveState, EveryTransitionOfTheStandard) {
     EXPECT_EQ(commanded_state(each.from, each.controlword, 0), each.to) << "transition " << each.number;
 }
 
-TEST(DriveState, NoCommandMovesItElsewhere) {
+TEST(DriveState, OtherCommandsDoNotChangeIt) {
   EXPECT_EQ(commanded_state(S::switch_on_disabled, kSwitchOn, 0), S::switch_on_disabled);
   EXPECT_EQ(commanded_state(S::switch_on_disabled, kEnableOperation, 0), S::switch_on_disabled);
   EXPECT_EQ(commanded_state(S::fault, kFaultReset, kFaultReset), S::fault) << "only at the rising edge";
@@ -81,7 +81,7 @@ TEST(DriveState, NoCommandMovesItElsewhere) {
   }));
 }
 
-TEST(DriveState, IsLedToOperationFromEverywhereButFaults) {
+TEST(DriveState, ReachesOperationFromEveryStateButFaults) {
   for (S state :
        {S::switch_on_disabled, S::ready_to_switch_on, S::switched_on, S::operation_enabled, S::quick_stop_active}) {
     std::uint16_t before = 0;
@@ -96,7 +96,7 @@ TEST(DriveState, IsLedToOperationFromEverywhereButFaults) {
     EXPECT_EQ(towards_operation(state), kDisableVoltage) << describe(state);
 }
 
-TEST(DriveState, HasWords) {
+TEST(DriveState, HasNames) {
   EXPECT_EQ(describe(S::operation_enabled), "operation enabled");
   EXPECT_EQ(describe(static_cast<S>(99)), "unknown");
   EXPECT_EQ(describe(DriveMode::cyclic_torque), "cyclic synchronous torque");

@@ -5,7 +5,7 @@
 namespace mrroc::canopen {
 namespace {
 
-TEST(DriveWords, OfControlwords) {
+TEST(DriveWords, DescribesControlwords) {
   const auto position = DriveMode::cyclic_position;
   EXPECT_EQ(controlword_text(kDisableVoltage, position), "disable voltage");
   EXPECT_EQ(controlword_text(kQuickStop, position), "quick stop");
@@ -18,7 +18,7 @@ TEST(DriveWords, OfControlwords) {
   EXPECT_EQ(controlword_text(0x10f, position), "enable operation, halt");
 }
 
-TEST(DriveWords, OfStatuswords) {
+TEST(DriveWords, DescribesStatuswords) {
   EXPECT_EQ(statusword_text(0x0040, DriveMode::none), "switch on disabled");
   EXPECT_EQ(statusword_text(0x1637, DriveMode::cyclic_position), "operation enabled, target reached, follows command");
   EXPECT_EQ(statusword_text(0x1637, DriveMode::homing), "operation enabled, target reached, homing attained");
@@ -28,7 +28,7 @@ TEST(DriveWords, OfStatuswords) {
   EXPECT_EQ(statusword_text(0x0888, DriveMode::none), "fault, warning, internal limit");
 }
 
-TEST(DriveWords, OfSwitches) {
+TEST(DriveWords, DescribesSwitches) {
   EXPECT_EQ(switches_text(0), "no switch");
   EXPECT_EQ(switches_text(0xffff0000), "no switch");
   EXPECT_EQ(switches_text(7), "negative limit switch, positive limit switch, home switch");

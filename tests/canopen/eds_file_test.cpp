@@ -15,14 +15,14 @@ std::string no_object(const EdsFile& file, const std::string& name) {
   }
 }
 
-TEST(EdsFile, AByteOrderMarkIsNoPartOfIt) {
+TEST(EdsFile, IgnoresAByteOrderMark) {
   const EdsFile file = parse(std::string("\xEF\xBB\xBF") + kSmall);
   EXPECT_EQ(file.product(), "Servo");
   EXPECT_NE(file.find(kControlword), nullptr);
   EXPECT_EQ(parse(std::string("\xEF\xBB\xBF") + (kSmall + 12)).product(), "Servo") << "before a section";
 }
 
-TEST(EdsFile, BearsWhatMakersAndEditorsAdd) {
+TEST(EdsFile, AcceptsAdditionsOfMakersAndEditors) {
   for (const char* const text :
        {"[6040] ; a comment\nParameterName=Controlword\nDataType=0x6\nAccessType=rww\nPDOMapping=0x1\n",
         "\xEF\xBB\xBF[6040]\r\nPARAMETERNAME = \"Controlword\"\r\ndatatype = 6 ; unsigned16\r\n"
@@ -46,7 +46,7 @@ TEST(EdsFile, BearsWhatMakersAndEditorsAdd) {
   EXPECT_EQ(parse("[2000]\nParameterName=Firmware\nObjectType=0x2\n").find({0x2000, 0})->type, DataType::domain);
 }
 
-TEST(EdsFile, TheFrameworksOwnIsRead) {
+TEST(EdsFile, ReadsTheFilesOfTheFramework) {
   const EdsFile file = EdsFile::load(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia402.eds");
   EXPECT_EQ(file.product(), "CiA 402 servo drive");
   for (const Object object : {kDeviceType, kControlword, kStatusword, kMode, kTargetPosition, kPositionActual, kVendor,
@@ -61,7 +61,7 @@ TEST(EdsFile, TheFrameworksOwnIsRead) {
   EXPECT_FALSE(file.find(kStatusword)->writable());
 }
 
-TEST(EdsFile, PartsThatAreDescribedAtOnce) {
+TEST(EdsFile, ReadsPartsThatAreDescribedTogether) {
   const EdsFile file = parse(R"([1003]
 ParameterName=Errors
 ObjectType=0x8
@@ -91,7 +91,7 @@ NrOfEntries=1
             std::string::npos);
 }
 
-TEST(EdsFile, ObjectsByNameAndByAddress) {
+TEST(EdsFile, FindsObjectsByNameAndByAddress) {
   const EdsFile file = parse(kSmall);
   EXPECT_EQ(file.product(), "Servo");
   EXPECT_EQ(file.entries().size(), 2u) << "an object that has only parts has no value";
@@ -106,23 +106,24 @@ TEST(EdsFile, ObjectsByNameAndByAddress) {
   EXPECT_EQ(file.find({0x1018, 0}), nullptr);
 }
 
-TEST(EdsFile, AnUnknownNameIsAnsweredWithThoseThatComeNear) {
+TEST(EdsFile, SuggestsSimilarNamesForAnUnknownName) {
   const EdsFile file = parse(kSmall);
-  EXPECT_EQ(no_object(file, "control"),
-            "'control' is no object of the EDS file, expected a name of it (Controlword) or an address like 0x6040 or "
-            "0x1018:1");
+  EXPECT_EQ(
+      no_object(file, "control"),
+      "'control' is not an object of the EDS file, expected a name of it (Controlword) or an address like 0x6040 or "
+      "0x1018:1");
   EXPECT_EQ(no_object(file, "0x1018:2"), "object 1018h:2 is not in the EDS file");
   for (const char* const bad : {"", "0x", "0x10000", "0x6040:256", "0x6040:", "0x6040:1:2", "6040"})
     EXPECT_NE(no_object(file, bad), "") << bad;
 }
 
-TEST(EdsFile, OfTwoObjectsWithOneNameItStandsForTheFirst) {
+TEST(EdsFile, NameOfTwoObjectsIsThatOfTheFirst) {
   const std::string both =
       "[6060]\nParameterName=Mode\nDataType=2\nAccessType=rw\n[6061]\nParameterName=mode\nDataType=2\nAccessType=ro\n";
   EXPECT_EQ(parse(both).object("mode"), kMode);
 }
 
-TEST(EdsFile, EveryMistakeHasItsLine) {
+TEST(EdsFile, ReportsEveryMistakeWithItsLine) {
   EXPECT_EQ(mistake("[6040\n"), "drive.eds:1: '[6040' has no end, expected [NAME]");
   EXPECT_EQ(mistake("\n[6040]\nParameterName\n"), "drive.eds:3: 'ParameterName', expected KEY=VALUE");
   EXPECT_EQ(mistake("a=b\n"), "drive.eds:1: 'a=b', expected a section [NAME] first");
@@ -137,7 +138,7 @@ TEST(EdsFile, EveryMistakeHasItsLine) {
   EXPECT_THROW(EdsFile::load(MRROC_SOURCE_DIR), EdsError) << "a folder";
 }
 
-TEST(EdsFile, SectionsThatDescribeNoValueAreLeftOut) {
+TEST(EdsFile, IgnoresSectionsWithoutAValue) {
   EXPECT_TRUE(parse("[Comments]\nLines=0\n[604]\na=b\n[60400]\na=b\n[6040su1]\na=b\n[6040sub]\na=b\n[6040sub100]\n"
                     "a=b\n[6040subx]\na=b\n")
                   .entries()
@@ -145,7 +146,7 @@ TEST(EdsFile, SectionsThatDescribeNoValueAreLeftOut) {
   EXPECT_TRUE(parse("").entries().empty());
 }
 
-TEST(EdsFile, AnyTextIsReadOrRefused) {
+TEST(EdsFile, ReadsOrRefusesAnyText) {
   EXPECT_TRUE(rc::check("lines of pieces", [] {
     const auto pieces = *rc::gen::container<std::vector<std::string>>(
         rc::gen::element<std::string>("[", "]", "6040", "sub", "1", "=", "\n", "\r", ";", " ", "ParameterName",

@@ -8,7 +8,7 @@ namespace mrroc::canopen {
 
 inline EdsFile parse(const std::string& text) { return EdsFile::parse(text, "drive.eds"); }
 
-/// What is wrong with the text; empty: nothing.
+/// The error in the text; empty: it is valid.
 inline std::string mistake(const std::string& text) {
   try {
     parse(text);

@@ -1,4 +1,4 @@
-// Values of an EDS or DCF as CiA 306 allows them and makers write them.
+// Values of an EDS or DCF in the forms that CiA 306 allows and manufacturers write.
 #include <gtest/gtest.h>
 
 #include "canopen/default_value.hpp"
@@ -7,7 +7,7 @@
 namespace mrroc::canopen {
 namespace {
 
-TEST(EdsValues, ADefaultMayCountFromTheNodesNumber) {
+TEST(EdsValues, DefaultMayContainTheNodeNumber) {
   const auto number = [](const std::string& text) {
     ObjectEntry entry;
     entry.default_value = text;
@@ -30,12 +30,12 @@ TEST(EdsValues, ADefaultMayCountFromTheNodesNumber) {
     EXPECT_THROW(number(wrong), std::invalid_argument) << wrong;
 }
 
-/// The object 2000h of this type with a line, and how it is read.
+/// The object 2000h of this type with a line, and its value as it is read.
 ObjectEntry with_default(const std::string& type, const std::string& line) {
   return *parse("[2000]\nParameterName=Value\nDataType=" + type + "\nAccessType=rw\n" + line + "\n").find({0x2000, 0});
 }
 
-TEST(EdsValues, ValuesOfEveryTypeAreReadAsMakersWriteThem) {
+TEST(EdsValues, ReadsValuesOfEveryType) {
   const auto number = [](const std::string& type, const std::string& value) {
     return default_number(with_default(type, "DefaultValue=" + value), 5);
   };
@@ -67,7 +67,7 @@ TEST(EdsValues, ValuesOfEveryTypeAreReadAsMakersWriteThem) {
   EXPECT_EQ(bytes("0x000f", "01 02"), Bytes{});
 }
 
-TEST(EdsValues, AValueThatIsNotUnderstoodIsNeverNoValue) {
+TEST(EdsValues, RefusesAnUnreadableValue) {
   const auto of = [](const std::string& type, const std::string& line) {
     return mistake("[2000]\nParameterName=Value\nDataType=" + type + "\nAccessType=rw\n" + line + "\n");
   };
@@ -80,7 +80,7 @@ TEST(EdsValues, AValueThatIsNotUnderstoodIsNeverNoValue) {
   EXPECT_EQ(of("2", "DefaultValue=-129"), "drive.eds:5: 2000: DefaultValue: '-129', expected a number of 8" + number);
   EXPECT_EQ(of("2", "DefaultValue=$NODEID+129"),
             "drive.eds:5: 2000: DefaultValue: '$NODEID+129', expected a number of 8" + number)
-      << "of node 127 it would not fit";
+      << "too large for node 127";
   EXPECT_EQ(of("7", "DefaultValue=0180"), "drive.eds:5: 2000: DefaultValue: '0180', expected a number of 32" + number);
   EXPECT_EQ(of("7", "DefaultValue=1\xA0"),
             "drive.eds:5: 2000: DefaultValue: '1\\xA0', expected a number of 32" + number);
@@ -108,7 +108,7 @@ TEST(EdsValues, AValueThatIsNotUnderstoodIsNeverNoValue) {
       "drive.eds:8: 1003: 2: '300', expected a number of 8" + number);
 }
 
-TEST(EdsValues, ARecordsOwnTypeAndAccessMeanNothing) {
+TEST(EdsValues, IgnoresTypeAndAccessOfARecord) {
   const std::string part =
       "\n[1018sub1]\nParameterName=Vendor-ID\nObjectType=0x7\nDataType=7\nAccessType=ro\nDefaultValue=5\n";
   for (const char* const own :

@@ -7,7 +7,7 @@
 namespace mrroc::canopen {
 namespace {
 
-TEST(Emergency, ComesBackFromItsFrame) {
+TEST(Emergency, RoundTripsThroughItsFrame) {
   EXPECT_TRUE(rc::check("any", [](std::uint16_t code, std::uint8_t error_register, std::array<std::uint8_t, 5> own) {
     const Emergency sent{*rc::gen::inRange<NodeId>(1, kMaxNode + 1), code, error_register, own};
     const auto got = emergency_of(to_frame(sent));
@@ -17,7 +17,7 @@ TEST(Emergency, ComesBackFromItsFrame) {
   }));
 }
 
-TEST(Emergency, OtherFramesAreNone) {
+TEST(Emergency, RejectsOtherFrames) {
   const can::Frame frame = to_frame({3, 0x7305, 1, {}});
   EXPECT_TRUE(emergency_of(frame));
   can::Frame other = frame;
@@ -39,7 +39,7 @@ TEST(Emergency, OtherFramesAreNone) {
   }
 }
 
-TEST(Emergency, ACodeHasItsTextOrItsGroups) {
+TEST(Emergency, CodeHasItsTextOrThatOfItsGroup) {
   EXPECT_EQ(error_text(0x0000), "no error");
   EXPECT_EQ(error_text(0x7305), "incremental sensor 1 fault");
   EXPECT_EQ(error_text(0x2311), "continuous over-current");

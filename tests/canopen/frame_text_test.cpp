@@ -13,7 +13,7 @@ namespace {
 
 using can::Frame;
 
-TEST(FrameText, OfTheNetwork) {
+TEST(FrameText, DescribesNetworkManagement) {
   EXPECT_EQ(to_text(sync_frame()), "SYNC");
   EXPECT_EQ(to_text(nmt_frame(NmtCommand::start, 0)), "NMT all nodes: start");
   EXPECT_EQ(to_text(nmt_frame(NmtCommand::enter_pre_operational, 3)), "NMT node 3: enter pre-operational");
@@ -28,19 +28,19 @@ TEST(FrameText, OfTheNetwork) {
   EXPECT_EQ(to_text(Frame{0x101, {1}}), "101h: 01");
   Frame fd{0x183, {1, 2}};
   fd.fd = true;
-  EXPECT_EQ(to_text(fd), "CAN FD 183h: 01 02") << "no part of the classical profile";
+  EXPECT_EQ(to_text(fd), "CAN FD 183h: 01 02") << "not part of the classical profile";
   Frame remote{0x703, {}};
   remote.remote = true;
   EXPECT_EQ(to_text(remote), "request for 703h");
 }
 
-TEST(FrameText, OfEmergencies) {
+TEST(FrameText, DescribesEmergencies) {
   EXPECT_EQ(to_text(Frame{0x083, {0x05, 0x73, 0x21, 1, 2, 3, 4, 5}}),
             "node 3 emergency 7305h: incremental sensor 1 fault, register 21, maker's 01 02 03 04 05");
   EXPECT_EQ(to_text(Frame{0x083, {0x05, 0x73}}), "node 3 emergency of 2 bytes: 05 73");
 }
 
-TEST(FrameText, OfTransfers) {
+TEST(FrameText, DescribesTransfers) {
   EXPECT_EQ(to_text(Frame{0x603, {0x40, 0x41, 0x60, 0, 0, 0, 0, 0}}), "node 3 SDO read 6041h:0");
   EXPECT_EQ(to_text(Frame{0x583, {0x4b, 0x41, 0x60, 0, 0x37, 0x12, 0, 0}}), "node 3 SDO value 6041h:0 = 37 12");
   EXPECT_EQ(to_text(Frame{0x583, {0x41, 0x08, 0x10, 0, 19, 0, 0, 0}}), "node 3 SDO value 1008h:0, 19 bytes");
@@ -53,15 +53,15 @@ TEST(FrameText, OfTransfers) {
   EXPECT_EQ(to_text(Frame{0x603, {0x40, 0x41}}), "node 3 SDO request of 2 bytes: 40 41");
 }
 
-TEST(FrameText, OfProcessData) {
+TEST(FrameText, DescribesProcessData) {
   EXPECT_EQ(to_text(Frame{0x183, {0x37, 0x16}}), "node 3 TPDO 1: 37 16");
   EXPECT_EQ(to_text(Frame{0x203, {0x0f, 0}}), "node 3 RPDO 1: 0f 00");
   EXPECT_EQ(to_text(Frame{0x483, {}}), "node 3 TPDO 4");
   EXPECT_EQ(to_text(Frame{0x57f, {1}}), "node 127 RPDO 4: 01");
-  EXPECT_EQ(to_text(Frame{0x180, {1}}), "180h: 01") << "there is no node 0";
+  EXPECT_EQ(to_text(Frame{0x180, {1}}), "180h: 01") << "node 0 does not exist";
 }
 
-TEST(FrameText, OfTheBusItself) {
+TEST(FrameText, DescribesBusErrors) {
   Frame error;
   error.error = true;
   error.size = 8;
@@ -72,7 +72,7 @@ TEST(FrameText, OfTheBusItself) {
   EXPECT_EQ(to_text(error), "bus: error passive: the controller has counted more than 127 errors");
 }
 
-TEST(FrameText, IsOnePrintableLineWhateverTheFrame) {
+TEST(FrameText, IsOnePrintableLineForAnyFrame) {
   EXPECT_TRUE(rc::check("any frame", [](const Frame& frame) {
     const std::string text = to_text(frame);
     RC_ASSERT(!text.empty());

@@ -23,8 +23,8 @@ class ObjectStoreTest : public testing::Test {
   ObjectStore store{EdsFile::load(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia402.eds"), 3};
 };
 
-TEST_F(ObjectStoreTest, APdoInUseIsNotChanged) {
-  ASSERT_EQ(write(kIdentifier, 0x203), SdoAbort::none) << "as it is";
+TEST_F(ObjectStoreTest, PdoInUseCannotBeChanged) {
+  ASSERT_EQ(write(kIdentifier, 0x203), SdoAbort::none) << "unchanged";
   EXPECT_EQ(write(kIdentifier, 0x333), SdoAbort::invalid_value);
   EXPECT_EQ(write({0x1600, 0}, 0), SdoAbort::wrong_state);
   EXPECT_EQ(write({0x1600, 1}, 0x60400010), SdoAbort::wrong_state);
@@ -34,7 +34,7 @@ TEST_F(ObjectStoreTest, APdoInUseIsNotChanged) {
   EXPECT_EQ(write(kIdentifier, 0x203), SdoAbort::none);
 }
 
-TEST_F(ObjectStoreTest, ObjectsAreMappedWhileNoneAreCounted) {
+TEST_F(ObjectStoreTest, ObjectsAreMappedWhileTheirNumberIsZero) {
   ASSERT_EQ(write(kIdentifier, 0x80000203), SdoAbort::none);
   ASSERT_NE(store.number({0x1600, 0}), 0);
   EXPECT_EQ(write({0x1600, 1}, 0x60400010), SdoAbort::unsupported_access);
@@ -47,13 +47,13 @@ TEST_F(ObjectStoreTest, ObjectsAreMappedWhileNoneAreCounted) {
   EXPECT_EQ(write({0x1600, 0}, 2), SdoAbort::none);
 }
 
-TEST_F(ObjectStoreTest, OnlyWhatAPdoMayCarryIsMapped) {
+TEST_F(ObjectStoreTest, MapsOnlyObjectsThatAPdoMayCarry) {
   for (const std::uint16_t parameters : {kReceivePdoParameters, kTransmitPdoParameters}) {
     ASSERT_EQ(write({parameters, 1}, 0x80000000 | static_cast<std::uint64_t>(store.number({parameters, 1}))),
               SdoAbort::none);
     ASSERT_EQ(write({static_cast<std::uint16_t>(parameters + 0x200), 0}, 0), SdoAbort::none);
   }
-  EXPECT_EQ(write({0x1600, 1}, 0x70000010), SdoAbort::not_mappable) << "there is none";
+  EXPECT_EQ(write({0x1600, 1}, 0x70000010), SdoAbort::not_mappable) << "the object does not exist";
   EXPECT_EQ(write({0x1600, 1}, 0x60400020), SdoAbort::not_mappable) << "it has 16 bits";
   EXPECT_EQ(write({0x1600, 1}, 0x60410010), SdoAbort::not_mappable) << "it may only be read";
   EXPECT_EQ(write({0x1a00, 1}, 0x60410010), SdoAbort::none);

@@ -31,8 +31,8 @@ std::string refusal(std::vector<MappedObject> objects) {
   }
 }
 
-TEST(PdoMapping, WhatIsWrittenIsRead) {
-  EXPECT_TRUE(rc::check("every value at its place, with its sign", [] {
+TEST(PdoMapping, ReadsWhatItWrites) {
+  EXPECT_TRUE(rc::check("every value at its position, with its sign", [] {
     const PdoMapping mapping(random_objects());
     can::Frame frame{0x200, {}};
     std::map<Object, std::int64_t> written;
@@ -52,7 +52,7 @@ TEST(PdoMapping, WhatIsWrittenIsRead) {
   }));
 }
 
-TEST(PdoMapping, AFrameThatIsTooShortHasNoValue) {
+TEST(PdoMapping, ShortFrameHasNoValue) {
   EXPECT_TRUE(rc::check("any size", [](can::Frame frame) {
     const PdoMapping mapping(random_objects());
     std::size_t end = 0;
@@ -64,7 +64,7 @@ TEST(PdoMapping, AFrameThatIsTooShortHasNoValue) {
   }));
 }
 
-TEST(PdoMapping, ItsEntriesComeBack) {
+TEST(PdoMapping, RoundTripsItsEntries) {
   EXPECT_TRUE(rc::check("1600h..", [](Object object) {
     const MappedObject mapped{object, *rc::gen::inRange<std::uint8_t>(1, 9)};
     RC_ASSERT(MappedObject::of_entry(mapped.entry()) == mapped);
@@ -73,7 +73,7 @@ TEST(PdoMapping, ItsEntriesComeBack) {
   EXPECT_EQ(MappedObject::of_entry(0x60fd0001).size, 0) << "a single bit";
 }
 
-TEST(PdoMapping, RefusesWhatNoPdoCarries) {
+TEST(PdoMapping, RefusesUnmappableObjects) {
   EXPECT_EQ(refusal({{{0x6040, 0}, 0}}), "object 6040h:0: 0 bytes in a PDO, expected 1 to 8");
   EXPECT_EQ(refusal({{{0x6040, 0}, 9}}), "object 6040h:0: 9 bytes in a PDO, expected 1 to 8");
   EXPECT_EQ(refusal({{{0x6064, 0}, 4}, {{0x606c, 0}, 4}, {{0x6077, 0}, 2}}), "10 bytes in a PDO, expected at most 8");

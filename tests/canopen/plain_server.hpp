@@ -11,8 +11,8 @@
 
 namespace mrroc::test {
 
-/// An SDO server written from CiA 301, 7.2.4.3, alone: every transfer of a value, expedited or in segments, both ways.
-/// What it does not have is refused; it holds its client to the toggle bit.
+/// An SDO server written from CiA 301, 7.2.4.3, alone: transfers one value, expedited or in segments, in both
+/// directions. It refuses other requests and checks its client's toggle bit.
 class PlainServer {
  public:
   explicit PlainServer(std::uint8_t node) : node_(node) {}

@@ -17,7 +17,7 @@ struct Arbitrary<mrroc::canopen::Object> {
   }
 };
 
-/// Any frame that a bus may carry, of CAN FD one in four.
+/// Any frame of a bus; one in four is of CAN FD.
 template <>
 struct Arbitrary<mrroc::can::Frame> {
   static Gen<mrroc::can::Frame> arbitrary() {
@@ -40,7 +40,7 @@ struct Arbitrary<mrroc::can::Frame> {
 
 namespace mrroc::test {
 
-/// A value of up to `most` bytes, of every length alike.
+/// A value of up to `most` bytes; all lengths are equally likely.
 inline std::vector<std::uint8_t> random_value(std::size_t least, std::size_t most) {
   const auto size = *rc::gen::inRange(least, most + 1);
   return *rc::gen::container<std::vector<std::uint8_t>>(size, rc::gen::arbitrary<std::uint8_t>());

@@ -10,11 +10,11 @@
 namespace mrroc::canopen {
 namespace {
 
-/// A bus with one node on it that answers at once.
+/// A bus with one node that answers at once.
 class AnsweringBus : public can::Bus {
  public:
   explicit AnsweringBus(test::PlainServer& server) : server_(server) {}
-  bool babbles = false;  ///< there is always one more frame of someone
+  bool babbles = false;  ///< another node always sends one more frame
   bool takes = true;
 
   can::Sent send(const can::Frame& frame) noexcept override {
@@ -52,7 +52,7 @@ std::string refusal(Action&& action, SdoAbort& abort) {
   return "";
 }
 
-TEST(SdoClient, ReadsWritesAndHandsOnTheRest) {
+TEST(SdoClient, ReadsAndWritesAndPassesOtherFramesOn) {
   test::PlainServer server(kNode);
   server.values[kMode] = {0};
   server.values[kDeviceName] = {'s', 'e', 'r', 'v', 'o'};
@@ -66,7 +66,7 @@ TEST(SdoClient, ReadsWritesAndHandsOnTheRest) {
   EXPECT_EQ(others, std::vector<std::uint32_t>{0x707});
 }
 
-TEST(SdoClient, SaysWhichValueOfWhichNodeFails) {
+TEST(SdoClient, ReportsNodeAndObjectOfAFailure) {
   test::PlainServer server(kNode);
   AnsweringBus bus(server);
   SdoClient client(bus, kPatience);
@@ -80,7 +80,7 @@ TEST(SdoClient, SaysWhichValueOfWhichNodeFails) {
   EXPECT_EQ(abort, SdoAbort::timeout);
 }
 
-TEST(SdoClient, ABabblingNodeDoesNotHoldItForEver) {
+TEST(SdoClient, BabblingNodeDoesNotBlockIt) {
   test::PlainServer server(kNode);
   AnsweringBus bus(server);
   bus.babbles = true;

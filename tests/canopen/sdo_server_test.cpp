@@ -39,14 +39,14 @@ struct Node {
   }
 };
 
-TEST(SdoServer, GivesItsNameInSegments) {
+TEST(SdoServer, SendsItsNameInSegments) {
   Node node;
   const SdoTransfer transfer = node.upload(kDeviceName);
   ASSERT_EQ(transfer.status(), Status::done);
   EXPECT_EQ(std::string(transfer.value().begin(), transfer.value().end()), "CiA 402 servo drive");
 }
 
-TEST(SdoServer, KnowsEveryObjectOfItsFile) {
+TEST(SdoServer, HasEveryObjectOfItsFile) {
   Node node;
   for (const auto& [object, entry] : standard_eds().entries()) {
     const SdoTransfer transfer = node.upload(object);
@@ -57,7 +57,7 @@ TEST(SdoServer, KnowsEveryObjectOfItsFile) {
   }
 }
 
-TEST(SdoServer, WhatIsWrittenIsRead) {
+TEST(SdoServer, ReadsWhatWasWritten) {
   std::vector<Object> writable;
   const auto is_of_pdo = [](Object object) { return object.index >= 0x1400 && object.index < 0x1c00; };
   for (const auto& [object, entry] : standard_eds().entries())
@@ -73,7 +73,7 @@ TEST(SdoServer, WhatIsWrittenIsRead) {
   }));
 }
 
-TEST(SdoServer, RefusesByTheStandardsCodes) {
+TEST(SdoServer, RefusesWithTheCodesOfTheStandard) {
   Node node;
   const std::vector<std::uint8_t> four(4), two(2);
   EXPECT_EQ(node.upload({0x2345, 0}).abort(), SdoAbort::no_such_object);
@@ -83,7 +83,7 @@ TEST(SdoServer, RefusesByTheStandardsCodes) {
   EXPECT_EQ(node.download(kControlword, std::vector<std::uint8_t>(9)).status(), Status::refused);
 }
 
-TEST(SdoServer, AnswersNoFramesButRequestsToItself) {
+TEST(SdoServer, AnswersOnlyRequestsToItself) {
   Node node;
   EXPECT_TRUE(rc::check("any frames", [&](can::Frame frame) {
     if (*rc::gen::arbitrary<bool>()) frame.id = kSdoRequest + kNode;

@@ -14,7 +14,7 @@ using Status = SdoTransfer::Status;
 constexpr NodeId kServedNode = 5;
 constexpr Object kThing{0x2001, 3};
 
-/// Carries frames to and fro until the transfer is over, or no one answers.
+/// Passes frames between client and server until the transfer is complete, or no answer comes.
 void carry(SdoTransfer& transfer, PlainServer& server, can::Frame frame) {
   for (int i = 0; i < 1000 && transfer.status() == Status::waiting; ++i) {
     const auto answer = server.answer(frame);
@@ -27,8 +27,8 @@ std::vector<std::uint8_t> value_of(const SdoTransfer& transfer) {
   return {transfer.value().begin(), transfer.value().end()};
 }
 
-TEST(Sdo, WhatIsWrittenIsRead) {
-  EXPECT_TRUE(rc::check("any value, whether the server tells its size or not", [](bool tells_size, Object object) {
+TEST(Sdo, ReadsWhatWasWritten) {
+  EXPECT_TRUE(rc::check("any value, with or without its size in the answer", [](bool tells_size, Object object) {
     PlainServer server(kServedNode);
     server.tells_size = tells_size;
     server.values[object] = {1};
@@ -43,7 +43,7 @@ TEST(Sdo, WhatIsWrittenIsRead) {
   }));
 }
 
-TEST(Sdo, AValueThatIsTooLongToReadIsRefused) {
+TEST(Sdo, RefusesAValueThatIsTooLong) {
   for (const bool tells_size : {true, false}) {
     PlainServer server(kServedNode);
     server.tells_size = tells_size;
@@ -55,7 +55,7 @@ TEST(Sdo, AValueThatIsTooLongToReadIsRefused) {
   }
 }
 
-TEST(Sdo, AWrongToggleBitEndsIt) {
+TEST(Sdo, WrongToggleBitEndsTransfer) {
   PlainServer server(kServedNode);
   server.spoils_toggle = true;
   server.values[kThing].resize(20);
@@ -67,7 +67,7 @@ TEST(Sdo, AWrongToggleBitEndsIt) {
   EXPECT_EQ(transfer.abort(), SdoAbort::toggle_bit);
 }
 
-TEST(Sdo, FewerBytesThanAnnouncedAreNoValue) {
+TEST(Sdo, RejectsFewerBytesThanAnnounced) {
   SdoTransfer transfer;
   transfer.upload(kServedNode, kThing);
   can::Frame next;
@@ -78,7 +78,7 @@ TEST(Sdo, FewerBytesThanAnnouncedAreNoValue) {
   EXPECT_EQ(next, (can::Frame{0x605, {0x80, 0x01, 0x20, 3, 0x10, 0, 0x07, 0x06}}));
 }
 
-TEST(Sdo, TheServersRefusalHasItsText) {
+TEST(Sdo, RefusalOfTheServerHasItsText) {
   PlainServer server(kServedNode);
   SdoTransfer transfer;
   carry(transfer, server, transfer.upload(kServedNode, kThing));
@@ -90,11 +90,11 @@ TEST(Sdo, TheServersRefusalHasItsText) {
   EXPECT_EQ(describe(static_cast<SdoAbort>(0x12345678)), "unknown abort code");
 }
 
-TEST(Sdo, FramesOfOthersAreNotItsOwn) {
+TEST(Sdo, IgnoresFramesOfOthers) {
   SdoTransfer transfer;
   can::Frame next;
   const can::Frame answer{0x585, {0x43, 0x01, 0x20, 3, 1, 2, 3, 4}};
-  EXPECT_FALSE(transfer.take(answer, next)) << "nothing was asked";
+  EXPECT_FALSE(transfer.take(answer, next)) << "no request is open";
   transfer.upload(kServedNode, kThing);
   can::Frame other = answer;
   other.id = 0x586;
@@ -106,7 +106,7 @@ TEST(Sdo, FramesOfOthersAreNotItsOwn) {
   EXPECT_FALSE(transfer.take(other, next)) << "too long";
   other = answer;
   other.fd = true;
-  EXPECT_FALSE(transfer.take(other, next)) << "no classical frame";
+  EXPECT_FALSE(transfer.take(other, next)) << "not a classical frame";
   other = answer;
   other.remote = true;
   EXPECT_FALSE(transfer.take(other, next));
@@ -118,7 +118,7 @@ TEST(Sdo, FramesOfOthersAreNotItsOwn) {
   EXPECT_FALSE(transfer.take(answer, next)) << "it has been answered";
 }
 
-TEST(Sdo, ALateAnswerDoesNotDisturbSegments) {
+TEST(Sdo, LateAnswerDoesNotDisturbSegments) {
   PlainServer server(kServedNode);
   server.values[kThing] = std::vector<std::uint8_t>(30, 9);
   SdoTransfer transfer;
@@ -130,7 +130,7 @@ TEST(Sdo, ALateAnswerDoesNotDisturbSegments) {
   EXPECT_EQ(value_of(transfer), server.values[kThing]);
 }
 
-TEST(Sdo, NoFramesWhateverConfuseIt) {
+TEST(Sdo, SurvivesAnyFrames) {
   EXPECT_TRUE(rc::check("a random sequence", [](bool writes, Object object) {
     const auto value = test::random_value(0, kMaxValue);
     SdoTransfer transfer;
@@ -139,7 +139,7 @@ TEST(Sdo, NoFramesWhateverConfuseIt) {
     RC_ASSERT(request.id == kSdoRequest + kServedNode);
     const auto frames = *rc::gen::container<std::vector<can::Frame>>(60, rc::gen::arbitrary<can::Frame>());
     for (can::Frame frame : frames) {
-      // most of them nearly right
+      // most of them almost valid
       const int kind = *rc::gen::inRange(0, 8);
       if (kind > 0) {
         frame.id = kSdoResponse + kServedNode;

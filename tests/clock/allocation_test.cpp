@@ -13,7 +13,7 @@ std::uint64_t allocations_of(const std::function<void()>& action) {
   return test::thread_allocations() - before;
 }
 
-TEST(Allocation, TheCounterCounts) {
+TEST(Allocation, CounterCounts) {
   EXPECT_EQ(allocations_of([] { ::operator delete(::operator new(8)); }), 1U);
 }
 

@@ -10,7 +10,7 @@
 
 namespace mrroc::clock {
 
-/// A forked process that runs `body` and exits; killed with this object when it is still there.
+/// A forked process that runs `body` and exits; killed with this object when it still exists.
 class Child {
  public:
   explicit Child(const std::function<void()>& body) : pid_(::fork()) {
@@ -29,12 +29,12 @@ class Child {
     pid_ = -1;
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
-  /// Stops it wherever it is; afterwards it stands still.
+  /// Stops it at any point; afterwards it stands still.
   void stop() {
     ::kill(pid_, SIGSTOP);
     ::waitpid(pid_, nullptr, WUNTRACED);
   }
-  /// Holds it as a debugger does at a breakpoint, for so many seconds.
+  /// Stops it as a debugger does at a breakpoint, for so many seconds.
   void hold(unsigned seconds) {
     ::ptrace(PTRACE_SEIZE, pid_, nullptr, nullptr);
     ::ptrace(PTRACE_INTERRUPT, pid_, nullptr, nullptr);
@@ -43,7 +43,7 @@ class Child {
     ::ptrace(PTRACE_DETACH, pid_, nullptr, nullptr);
   }
   void go_on() { ::kill(pid_, SIGCONT); }
-  /// SIGKILL; afterwards it is gone.
+  /// Sends SIGKILL; afterwards the process no longer exists.
   void kill() {
     if (pid_ <= 0) return;
     ::kill(pid_, SIGKILL);

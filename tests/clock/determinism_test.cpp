@@ -43,7 +43,7 @@ struct Result {
   std::atomic<std::uint64_t> received{0};
 };
 
-/// One process's life: what it sends depends on its name, the tick, and everything that it has received, in order.
+/// One process: its messages depend on its name, the tick, and everything that it has received, in order.
 void live(Clock& clock, const ToyNetwork& network, std::uint32_t node, Result& result) {
   ToyNode toy(network, node, clock);
   if (!clock.start()) return;
@@ -83,7 +83,7 @@ class Determinism : public ::testing::Test {
     for (std::atomic<unsigned> turns{0};;) turns.fetch_add(1, std::memory_order_relaxed);
   }
 
-  /// Runs eight processes to the last tick; one hash over all their logs.
+  /// Runs eight processes to the last tick; returns one hash over all their logs.
   std::uint64_t run(bool delta_rule) {
     Results& results = *new (shared_) Results;
     HostOptions options;
@@ -128,7 +128,7 @@ constexpr int kRuns = 20;
 constexpr int kRuns = 200;
 #endif
 
-TEST_F(Determinism, EightProcessesSeeTheSameInEveryRunUnderLoad) {
+TEST_F(Determinism, EightProcessesReceiveTheSameInEveryRunUnderLoad) {
   const std::uint64_t first = run(true);
   EXPECT_GT(received_, 100U);
   for (int i = 1; i < kRuns; ++i) {

@@ -21,7 +21,7 @@ std::string message(const std::function<void()>& action) {
   return "no SystemError";
 }
 
-TEST(ClockFailure, AZeroTimeLoopNamesItsParticipants) {
+TEST(ClockFailure, ZeroTimeLoopNamesItsParticipants) {
   HostOptions options;
   options.delta_limit = 100;
   ThreadDeployment deployment({"a", "bystander", "b"}, options);
@@ -54,7 +54,7 @@ TEST(ClockFailure, AZeroTimeLoopNamesItsParticipants) {
   deployment.join();
 }
 
-TEST(ClockFailure, ADeadEndNamesWhoWaits) {
+TEST(ClockFailure, DeadEndNamesTheWaitingProcesses) {
   ThreadDeployment deployment({"arm", "press", "belt"});
   deployment.add("arm", [](Clock& clock) {
     EXPECT_EQ(clock.wait(12), Wake::tick);
@@ -65,7 +65,7 @@ TEST(ClockFailure, ADeadEndNamesWhoWaits) {
   deployment.start();
   deployment.join();
   EXPECT_EQ(deployment.host.error(),
-            "nothing can happen any more at tick 12: arm, belt waiting for mail that nobody is left to send; "
+            "nothing can happen any more at tick 12: arm, belt waiting for mail that no process can send; "
             "ended: press");
   EXPECT_TRUE(deployment.host.failed_with("arm"));
   EXPECT_TRUE(deployment.host.failed_with("belt"));
@@ -90,7 +90,7 @@ TEST(ClockFailure, FailEndsEveryWaitAndTheFirstCauseStays) {
   EXPECT_EQ(deployment.host.describe(), "failed: the wrist is on fire");
 }
 
-TEST(ClockFailure, AnEventThatThrowsFailsTheClock) {
+TEST(ClockFailure, EventThatThrowsFailsTheClock) {
   ThreadDeployment deployment({"a"});
   deployment.add("a", [](Clock& clock) { EXPECT_EQ(clock.wait(kNever), Wake::interrupted); });
   deployment.host.at_tick(3, [] { throw std::runtime_error("no such button"); });
@@ -99,7 +99,7 @@ TEST(ClockFailure, AnEventThatThrowsFailsTheClock) {
   EXPECT_EQ(deployment.host.error(), "event at tick 3: no such button");
 }
 
-TEST(ClockFailure, AnArrivalThatWasNotCountedIsAnError) {
+TEST(ClockFailure, UncountedArrivalIsAnError) {
   ThreadDeployment deployment({"a", "b"});
   deployment.attach("a").register_sender("a/b");
   deployment.body([](Clock& clock) { EXPECT_EQ(clock.wait(kNever), Wake::interrupted); });
@@ -117,7 +117,7 @@ TEST(ClockFailure, AnArrivalThatWasNotCountedIsAnError) {
             "topic a/b: 1 messages arrived, 0 were sent: one was not counted, or arrived twice");
 }
 
-TEST(ClockFailure, WhatAKilledProcessHeldIsRevoked) {
+TEST(ClockFailure, RevokesWhatAKilledProcessHeld) {
   HostOptions options;
   options.participants = {"survivor", "victim"};
   ClockHost host(options);
@@ -170,7 +170,7 @@ TEST(ClockFailure, ASignalHandlerMayInterrupt) {
   EXPECT_TRUE(participant.join());
 }
 
-TEST(ClockFailure, TheStartNamesWhoIsMissing) {
+TEST(ClockFailure, StartNamesMissingParticipants) {
   HostOptions options;
   options.participants = {"a", "b", "c"};
   ClockHost host(options);
@@ -184,7 +184,7 @@ TEST(ClockFailure, TheStartNamesWhoIsMissing) {
   EXPECT_TRUE(b.join());
 }
 
-TEST(ClockFailure, ATopicHasOneSender) {
+TEST(ClockFailure, TopicHasOneSender) {
   HostOptions options;
   options.participants = {"a", "b"};
   ClockHost host(options);
@@ -203,7 +203,7 @@ TEST(ClockFailure, ATopicHasOneSender) {
   host.end();
 }
 
-TEST(ClockFailure, BadOptionsAndNamesAreRefused) {
+TEST(ClockFailure, RefusesInvalidOptionsAndNames) {
   const auto host_of = [](std::vector<std::string> names, double period, std::uint64_t limit) {
     HostOptions options;
     options.participants = std::move(names);
@@ -234,7 +234,7 @@ TEST(ClockFailure, BadOptionsAndNamesAreRefused) {
             "clock: topic 't': the table of 2048 links is full");
   EXPECT_NE(message([] { attach_clock(0, "a"); }).find("descriptor 0 is not this version's clock memory"),
             std::string::npos);
-  EXPECT_EQ(message([&] { host.participant_died("x"); }), "clock: 'x' is no participant");
+  EXPECT_EQ(message([&] { host.participant_died("x"); }), "clock: 'x' is not a participant");
   const auto panel = host.operator_clock();
   EXPECT_EQ(message([&] { host.operator_clock(); }), "clock: the host has given out its operator clock already");
 }

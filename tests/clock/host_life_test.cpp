@@ -1,4 +1,4 @@
-// What a participant does when the process that keeps its clock is killed, stopped or held.
+// Reaction of a participant when the process that keeps its clock is killed, stopped or held.
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 namespace mrroc::clock {
 namespace {
 
-/// The owner of a clock and its one participant, which writes 'r' when it runs, does `body` and then writes 'y'.
+/// The owner of a clock and its one participant, which writes 'r' when it runs, executes `body` and then writes 'y'.
 class Owned {
  public:
   Owned(Mode mode, Part part, void (*body)(Clock&)) : owner_([=, this] { own(mode, part, body); }) {
@@ -54,7 +54,7 @@ class Owned {
       (void)!::write(pipe_.ends[1], "y", 1);
     });
     if (!host.wait_ready(60).empty()) ::_exit(1);
-    host.at_tick(kNever - 1, [] {});  // so that waiting for mail is no dead end
+    host.at_tick(kNever - 1, [] {});  // so that waiting for mail is not a dead end
     host.run();
   }
 
@@ -72,27 +72,27 @@ void get_mail_all_the_time(Clock& clock) {
   while (clock.wait(kNever) == Wake::mail);
 }
 
-/// As an EDP does, which has a robot to stop then.
+/// Like an EDP, which has a robot to stop then.
 void wait_for_the_end(Clock& clock) {
   while (!clock.stopping())
     if (clock.wait(kNever) == Wake::interrupted) ::_exit(3);
 }
 
-TEST(HostLife, AParticipantDoesNotOutwaitAKilledHost) {
+TEST(HostLife, ParticipantEndsAfterAKilledHost) {
   Owned owned(Mode::lockstep, Part::task, wait_for_mail);
   owned.owner().kill();
   EXPECT_EQ(owned.answer(), 'y');
 }
 
-TEST(HostLife, NorDoesOneThatGetsMailAllTheTime) {
+TEST(HostLife, ParticipantWithConstantMailEndsAfterAKilledHost) {
   Owned owned(Mode::real, Part::task, get_mail_all_the_time);
   owned.owner().kill();
   EXPECT_EQ(owned.answer(), 'y');
 }
 
-/// Whoever started it may be unable to kill it: an agent behind ssh. Robots must not continue without anybody who
-/// watches.
-TEST(HostLife, NorAStoppedHostUnderTheRealClock) {
+/// The process that started it may be unable to kill it: an agent behind ssh. Robots must not continue without
+/// supervision.
+TEST(HostLife, ParticipantEndsAfterAStoppedHostUnderTheRealClock) {
   for (const auto& [part, body] : {std::pair{Part::task, &wait_for_mail},
                                    {Part::task, &get_mail_all_the_time},
                                    {Part::drives, &wait_for_the_end}}) {
@@ -102,7 +102,7 @@ TEST(HostLife, NorAStoppedHostUnderTheRealClock) {
   }
 }
 
-TEST(HostLife, OneThatADebuggerHoldsIsWaitedFor) {
+TEST(HostLife, WaitsForAHostHeldByADebugger) {
   Owned owned(Mode::real, Part::task, wait_for_mail);
   owned.owner().hold(2);
   EXPECT_FALSE(owned.answers_within(500));
@@ -113,7 +113,7 @@ TEST(HostLife, OneThatADebuggerHoldsIsWaitedFor) {
 TEST(HostLife, SimulatedTimeStandsStillWithAStoppedHost) {
   Owned owned(Mode::lockstep, Part::task, wait_for_mail);
   owned.owner().stop();
-  EXPECT_FALSE(owned.answers_within(2500)) << "it goes on when its host does";
+  EXPECT_FALSE(owned.answers_within(2500)) << "it continues with its host";
   owned.owner().kill();
   EXPECT_EQ(owned.answer(), 'y');
 }

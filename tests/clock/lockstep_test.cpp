@@ -10,7 +10,7 @@
 namespace mrroc::clock {
 namespace {
 
-TEST(Lockstep, AWaitEndsAtExactlyItsTick) {
+TEST(Lockstep, WaitEndsAtExactlyItsTick) {
   ThreadDeployment deployment({"a", "b"});
   std::vector<Tick> a;
   std::vector<Tick> b;
@@ -34,7 +34,7 @@ TEST(Lockstep, AWaitEndsAtExactlyItsTick) {
   EXPECT_EQ(deployment.host.tick(), 2000U);
 }
 
-TEST(Lockstep, TheWorldStepsBeforeAnybodySeesTheTick) {
+TEST(Lockstep, WorldStepsBeforeParticipantsReachTheTick) {
   ThreadDeployment deployment({"arm", "world", "belt"});
   std::atomic<Tick> world{kNever};
   const auto look = [&world](Clock& clock) {
@@ -58,7 +58,7 @@ TEST(Lockstep, TheWorldStepsBeforeAnybodySeesTheTick) {
   deployment.join();
 }
 
-TEST(Lockstep, AMessageIsSeenInTheNextDeltaOfTheSameTick) {
+TEST(Lockstep, MessageIsVisibleInTheNextDeltaOfTheSameTick) {
   ThreadDeployment deployment({"a", "b"});
   Clock& a = deployment.attach("a");
   const int sender = a.register_sender("a/b");
@@ -87,7 +87,7 @@ TEST(Lockstep, AMessageIsSeenInTheNextDeltaOfTheSameTick) {
   deployment.join();
 }
 
-TEST(Lockstep, AMessageInFlightHoldsTheTime) {
+TEST(Lockstep, MessageInFlightHoldsTheTime) {
   ThreadDeployment deployment({"a", "b"});
   Clock& a = deployment.attach("a");
   const int sender = a.register_sender("a/b");
@@ -106,7 +106,7 @@ TEST(Lockstep, AMessageInFlightHoldsTheTime) {
   deployment.join();
 }
 
-TEST(Lockstep, EventsRunBeforeTheirTickAndTheirMessagesAreSeenAtIt) {
+TEST(Lockstep, EventsRunBeforeTheirTickAndTheirMessagesAreVisibleAtIt) {
   ThreadDeployment deployment({"a"});
   const std::unique_ptr<Clock> panel = deployment.host.operator_clock();
   const int sender = panel->register_sender("panel/a");
@@ -137,7 +137,7 @@ TEST(Lockstep, EventsRunBeforeTheirTickAndTheirMessagesAreSeenAtIt) {
   EXPECT_EQ(wakes, (std::vector<std::pair<Tick, Wake>>{{4, Wake::mail}, {7, Wake::mail}, {10, Wake::tick}}));
 }
 
-TEST(Lockstep, AWakeTickThatHasPassedEndsTheWaitInTheNextDelta) {
+TEST(Lockstep, PassedWakeTickEndsTheWaitInTheNextDelta) {
   ThreadDeployment deployment({"a"});
   deployment.add("a", [](Clock& clock) {
     const std::uint64_t delta = clock.delta();
@@ -149,7 +149,7 @@ TEST(Lockstep, AWakeTickThatHasPassedEndsTheWaitInTheNextDelta) {
   deployment.join();
 }
 
-TEST(Lockstep, TheStartOrderDoesNotMatter) {
+TEST(Lockstep, StartOrderDoesNotMatter) {
   std::minstd_rand random(7);
   for (int run = 0; run < 20; ++run) {
     std::vector<std::string> names{"a", "b", "c", "d", "e"};
@@ -165,13 +165,13 @@ TEST(Lockstep, TheStartOrderDoesNotMatter) {
   }
 }
 
-TEST(Lockstep, NobodyWaitsForAParticipantThatHasLeft) {
+TEST(Lockstep, TimeDoesNotWaitForAParticipantThatHasLeft) {
   ThreadDeployment deployment({"a", "b"});
   Clock& a = deployment.attach("a");
   const int sender = a.register_sender("a/b");
   deployment.body([sender](Clock& clock) {
     EXPECT_EQ(clock.wait(3), Wake::tick);
-    clock.sent(sender);  // no one will ever receive it
+    clock.sent(sender);  // it will never be received
     EXPECT_EQ(clock.wait(6), Wake::tick);
   });
   Clock& b = deployment.add("b", [](Clock& clock) { EXPECT_EQ(clock.wait(2), Wake::tick); });
@@ -181,7 +181,7 @@ TEST(Lockstep, NobodyWaitsForAParticipantThatHasLeft) {
   EXPECT_EQ(deployment.host.tick(), 6U);
 }
 
-TEST(Lockstep, AnInterruptIsStickyAndTheOthersGoOn) {
+TEST(Lockstep, InterruptIsStickyAndTheOthersContinue) {
   ThreadDeployment deployment({"a", "b"});
   std::atomic<bool> interrupted{false};
   Clock& a = deployment.add("a", [&interrupted](Clock& clock) {
@@ -209,7 +209,7 @@ TEST(Lockstep, MailFromALiveOperatorWakesADeploymentThatWaits) {
   const int receiver = a.register_receiver("panel/a");
   deployment.start();
   EXPECT_TRUE(panel->start());
-  while (deployment.host.delta() == 0) std::this_thread::yield();  // what comes earlier is visible from the start
+  while (deployment.host.delta() == 0) std::this_thread::yield();  // earlier mail is visible from the start
   stray(2000);
   panel->sent(sender);
   a.arrived(receiver);

@@ -36,14 +36,14 @@ TEST(ClockStop, TasksAreInterruptedAndTimeGoesOnForDrivesAndWorld) {
   deployment.host.at_tick(100, [&deployment] { deployment.host.stop(); });
   deployment.start();
   deployment.join();
-  EXPECT_EQ(deployment.host.stop_tick(), 99U) << "the tick that participants saw when the event of tick 100 ran";
+  EXPECT_EQ(deployment.host.stop_tick(), 99U) << "the tick of the participants when the event of tick 100 ran";
   EXPECT_EQ(task_ended.load(), 99U);
   EXPECT_EQ(seen, 100U);
   EXPECT_EQ(standing, 120U);
   EXPECT_GE(world_ended, 120U);
 }
 
-TEST(ClockStop, ATaskThatNeverWaitsAgainHoldsNobodyUp) {
+TEST(ClockStop, TaskThatNeverWaitsAgainBlocksNoOther) {
   ThreadDeployment deployment({"task", "drives"});
   std::atomic<bool> computes{false}, end{false};
   deployment.add("task", [&](Clock&) {
@@ -84,7 +84,7 @@ TEST(ClockStop, InRealTimeDrivesAreWokenAndTasksInterrupted) {
   deployment.join();
 }
 
-TEST(ClockStop, BeforeTheStartItIsTheEnd) {
+TEST(ClockStop, StopBeforeTheStartIsTheEnd) {
   HostOptions options;
   options.participants = {"drives"};
   ClockHost host(options);

@@ -14,8 +14,8 @@
 
 namespace mrroc::clock {
 
-/// A host whose participants are threads of the test. They call each other's `arrived` themselves, as a transport that
-/// delivers at once.
+/// A host whose participants are threads of the test. They call each other's `arrived` themselves, like a transport
+/// that delivers at once.
 class ThreadDeployment {
  public:
   using Body = std::function<void(Clock&)>;
@@ -24,12 +24,12 @@ class ThreadDeployment {
       : host((options.participants = std::move(names), options)) {}
   ~ThreadDeployment() { join(); }
 
-  /// Joins the deployment as `name`. To be registered with, before `start`.
+  /// Joins the deployment as `name`, to be registered before `start`.
   Clock& attach(const std::string& name, Part part = Part::task) {
     members_.push_back({attach_clock(host.fd(), name, part), nullptr});
     return *members_.back().clock;
   }
-  /// What the thread of the newest member does after the start; then it leaves.
+  /// Sets what the thread of the newest member does after the start; then it leaves.
   void body(Body body) { members_.back().body = std::move(body); }
   Clock& add(const std::string& name, Body what, Part part = Part::task) {
     Clock& clock = attach(name, part);
@@ -41,7 +41,7 @@ class ThreadDeployment {
     for (Member& member : members_)
       threads_.emplace_back([&member] {
         if (member.clock->start()) member.body(*member.clock);
-        // leaves as by destruction, but another thread may still hold the clock
+        // leaves as in the destructor, but another thread may still hold the clock
         member.clock->interrupt();
         EXPECT_EQ(member.clock->wait(kNever), Wake::interrupted);
       });

@@ -11,8 +11,8 @@
 
 namespace mrroc::clock {
 
-/// A transport of the tests' own, with what makes a real one hard: messages on their way in the kernel, and a listener
-/// thread in each process that stores them whenever it is scheduled. Every node can send to every other one.
+/// A transport for tests with the difficulties of a real one: messages are in the kernel for a while, and a listener
+/// thread in each process stores them whenever it is scheduled. Every node can send to every other one.
 class ToyNetwork {
  public:
   static constexpr std::size_t kNodes = 8;
@@ -26,7 +26,7 @@ class ToyNetwork {
     std::uint32_t padding = 0;
   };
 
-  /// Before the processes are forked.
+  /// To be made before the processes are forked.
   ToyNetwork();
   ~ToyNetwork();
   ToyNetwork(const ToyNetwork&) = delete;
@@ -49,7 +49,7 @@ class ToyNode {
   ToyNode& operator=(const ToyNode&) = delete;
 
   void send(std::uint32_t to, std::uint32_t hops);
-  /// Takes out what is visible, by link name, then sequence.
+  /// Takes the visible messages out, ordered by link name, then sequence.
   std::vector<ToyNetwork::Message> receive();
 
  private:
@@ -66,7 +66,7 @@ class ToyNode {
   std::thread listener_;
 };
 
-/// Keeps the calling thread busy for a time that nothing can foresee, up to `microseconds`: what differs between runs.
+/// Keeps the calling thread busy for an unpredictable time up to `microseconds`, which differs between runs.
 void stray(unsigned microseconds);
 
 }  // namespace mrroc::clock

@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto kLargest = std::numeric_limits<std::uint64_t>::max();
 
-TEST(NumberOption, AnIntegerIsDecimalAndWithinItsRange) {
+TEST(NumberOption, IntegerIsDecimalAndInRange) {
   for (const char* good : {"0", "16", "+5", "007", "18446744073709551615"})
     EXPECT_EQ(number_problem<std::uint64_t>(good, 0, kLargest), "") << good;
   for (const char* bad : {"-1", "-0", "", " 1", "1 ", "1.5", "1e3", "0x10", "soon", "18446744073709551616", "5abc",
@@ -24,13 +24,13 @@ TEST(NumberOption, AnIntegerIsDecimalAndWithinItsRange) {
   EXPECT_NE(number_problem("99999999999999999999", 16, 8192), "");
 }
 
-TEST(NumberOption, ARealNumberIsFiniteAndWithinItsRange) {
+TEST(NumberOption, RealNumberIsFiniteAndInRange) {
   for (const char* good : {"0.01", "60", "+.5", "1e1", "6e-2"}) EXPECT_EQ(number_problem(good, 0.01, 60.0), "") << good;
   for (const char* bad : {"0", "60.1", "nan", "inf", "-inf", "1e400", "0x1p3", "", "one", "1,5", "1.5s"})
     EXPECT_NE(number_problem(bad, 0.01, 60.0), "") << bad;
 }
 
-TEST(NumberOption, TheErrorNamesOptionValueAndRange) {
+TEST(NumberOption, ErrorNamesOptionValueAndRange) {
   CLI::App app;
   std::optional<std::uint64_t> seed;
   add_number<std::uint64_t>(app, "--seed", seed, 0, 100, "of the random order");
@@ -52,7 +52,7 @@ TEST(NumberOption, TheErrorNamesOptionValueAndRange) {
   EXPECT_EQ(seed, 100U);
 }
 
-TEST(NumberOption, EveryNumberOfTheRangeAndNoOtherIsTaken) {
+TEST(NumberOption, AcceptsExactlyTheNumbersOfTheRange) {
   EXPECT_TRUE(rc::check([](std::int64_t value, std::int64_t a, std::int64_t b) {
     const auto [min, max] = std::minmax(a, b);
     RC_ASSERT(number_problem(std::to_string(value), min, max).empty() == (value >= min && value <= max));

@@ -36,7 +36,7 @@ struct Command {
   bool quiet = false;
 };
 
-TEST(ParseCommand, AnEmptyValueTakesNoNextWord) {
+TEST(ParseCommand, EmptyValueTakesNoNextWord) {
   Command options;
   options.parse({"run", "--black-box=", "--trace", "t"});
   EXPECT_EQ(options.black_box, "");
@@ -56,7 +56,7 @@ TEST(ParseCommand, AnEmptyValueTakesNoNextWord) {
   EXPECT_EQ(both.black_box, "b");
 }
 
-TEST(ParseCommand, AValueMayHoldEqualSignsAndMayBeTheNextWord) {
+TEST(ParseCommand, ValueMayContainEqualSignsAndMayBeTheNextWord) {
   Command options;
   options.parse({"run", "--trace=a=b=", "--black-box", ""});
   EXPECT_EQ(options.trace, "a=b=");
@@ -66,14 +66,14 @@ TEST(ParseCommand, AValueMayHoldEqualSignsAndMayBeTheNextWord) {
   EXPECT_EQ(after.file, "--black-box=");
 }
 
-TEST(ParseCommand, AFlagTakesNoValue) {
+TEST(ParseCommand, FlagTakesNoValue) {
   for (const char* word : {"--quiet=", "--quiet=1", "--quiet=false", "--quiet=x"}) {
     Command options;
     EXPECT_THROW(options.parse({"run", word}), CLI::ParseError) << word;
   }
 }
 
-TEST(ParseCommand, WhatIsNotUnderstoodIsAUsageError) {
+TEST(ParseCommand, RejectsUnknownWordsAsUsageErrors) {
   EXPECT_EQ(Command().exit_code({"run", "--unknown"}), 2);
   EXPECT_EQ(Command().exit_code({"run", "--unknown="}), 2);
   EXPECT_EQ(Command().exit_code({"walk"}), 2);
@@ -92,7 +92,7 @@ TEST(ParseCommand, HelpAndVersionAreSuccesses) {
   EXPECT_EQ(Command().exit_code({"run"}), std::nullopt);
 }
 
-TEST(ParseCommand, AnErrorShowsNoControlCharacters) {
+TEST(ParseCommand, ErrorContainsNoControlCharacters) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(Command().exit_code({"run", "a", "\x1b]0;title\x07"}), 2);
   const std::string text = testing::internal::GetCapturedStderr();

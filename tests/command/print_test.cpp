@@ -11,7 +11,7 @@
 namespace mrroc::command {
 namespace {
 
-/// The standard output as another file, until the end of the scope.
+/// Redirects the standard output to another file until the end of the scope.
 class RedirectedOutput {
  public:
   explicit RedirectedOutput(const char* file) {
@@ -33,7 +33,7 @@ class RedirectedOutput {
   int saved_ = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
 };
 
-TEST(Print, AFullDiskIsAnError) {
+TEST(Print, FullDiskIsAnError) {
   const RedirectedOutput full("/dev/full");
   try {
     print("text\n");
@@ -44,13 +44,13 @@ TEST(Print, AFullDiskIsAnError) {
   }
 }
 
-TEST(Print, WhatIsStillKeptIsCheckedToo) {
+TEST(Print, ChecksBufferedTextToo) {
   const RedirectedOutput full("/dev/full");
   std::printf("text");
   EXPECT_THROW(finish_output(), SystemError);
 }
 
-TEST(Print, WhatIsTakenIsNoError) {
+TEST(Print, SuccessfulOutputIsNoError) {
   const RedirectedOutput null("/dev/null");
   print("text\n");
   std::printf("text");

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::string_literals;
 
-TEST(Printable, ControlCharactersBecomeTheirBytes) {
+TEST(Printable, EscapesControlCharacters) {
   EXPECT_EQ(printable("\x1b[31mred"), "\\x1b[31mred");
   EXPECT_EQ(printable("a\rb\bc\x07"), "a\\x0db\\x08c\\x07");
   EXPECT_EQ(printable("zero\0end"s), "zero\\x00end");
@@ -19,7 +19,7 @@ TEST(Printable, ControlCharactersBecomeTheirBytes) {
   EXPECT_EQ(printable("two\nlines"), "two\\x0alines");
 }
 
-TEST(Printable, WhatIsNotUtf8BecomesItsBytes) {
+TEST(Printable, EscapesInvalidUtf8) {
   EXPECT_EQ(printable("\x9b"
                       "31m"),
             "\\x9b31m")
@@ -32,20 +32,20 @@ TEST(Printable, WhatIsNotUtf8BecomesItsBytes) {
   EXPECT_EQ(printable("\xff\xfe"), "\\xff\\xfe");
 }
 
-TEST(Printable, CharactersThatTurnTheTextRoundBecomeTheirBytes) {
+TEST(Printable, EscapesBidirectionalControls) {
   EXPECT_EQ(printable("a\u202eb"), "a\\xe2\\x80\\xaeb");
   EXPECT_EQ(printable("a\u2066b"), "a\\xe2\\x81\\xa6b");
   EXPECT_EQ(printable("a\u2028b"), "a\\xe2\\x80\\xa8b");
 }
 
-TEST(Printable, TextStays) {
+TEST(Printable, KeepsText) {
   const std::string text = "Ramię \u017c\u00f3\u0142w 10 \u00b5m\t\u4e2d\u6587 \U0001F916 \\x1b 'quoted'";
   EXPECT_EQ(printable(text), text);
   EXPECT_EQ(printable_lines("one\ntwo\n"), "one\ntwo\n");
   EXPECT_EQ(printable_lines("one\r\n"), "one\\x0d\n");
 }
 
-TEST(Printable, NoBytesReachATerminalThatItObeys) {
+TEST(Printable, NoControlBytesReachATerminal) {
   EXPECT_TRUE(rc::check([](const std::string& text) {
     const std::string shown = printable(text);
     RC_ASSERT(std::none_of(shown.begin(), shown.end(), [](char byte) {

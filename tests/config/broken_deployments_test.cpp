@@ -6,7 +6,7 @@
 namespace mrroc::config {
 namespace {
 
-/// Every file of broken/ says in its first line, `# expect: ...`, the message that it must give.
+/// The first line of every file in broken/, `# expect: ...`, contains the message that the file must give.
 class BrokenDeployment : public DeploymentFixture, public testing::WithParamInterface<std::string> {
  protected:
   BrokenDeployment() : DeploymentFixture("broken") {}

@@ -19,8 +19,8 @@ inline std::string replaced(std::string text, const std::string& from, const std
   return text;
 }
 
-/// Deployments of the types in tests/config/share, with a folder of programs made for the test. Files are named
-/// relative to `folder`, the current one.
+/// Deployments of the types in tests/config/share, with a folder of programs made for the test. File names are relative
+/// to `folder`, the current one.
 class DeploymentFixture : public testing::Test {
  protected:
   explicit DeploymentFixture(const std::string& folder) {
@@ -41,7 +41,7 @@ class DeploymentFixture : public testing::Test {
 
   std::string program(const std::string& name) const { return (programs_.path() / name).string(); }
 
-  /// What is wrong with the file, with SOURCE and PROGRAMS for the folders of this machine; "" if nothing is.
+  /// The error in the file, with SOURCE and PROGRAMS for the folders of this machine; "" if there is none.
   std::string message(const std::filesystem::path& file) const {
     std::string text = message_of(programs_.path(), [&] { load_deployment(file); });
     return replaced(replaced(text, programs_.path().string(), "PROGRAMS"), MRROC_SOURCE_DIR, "SOURCE");

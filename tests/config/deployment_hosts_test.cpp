@@ -1,4 +1,4 @@
-// A deployment over more than one machine: its network, and what runs where.
+// A deployment over more than one machine: its network, and the machine of each process.
 #include <unistd.h>
 
 #include "config/deployment_fixture.hpp"
@@ -17,7 +17,7 @@ std::string with_network(const std::string& network) {
   return "[deployment]\nname = 'one'\n[robots.arm]\ntype = 'irb6'\nhardware = 'loopback'\n[network]\n" + network;
 }
 
-TEST_F(DeploymentHosts, WithoutANetworkItStaysOnThisMachineWithoutKeys) {
+TEST_F(DeploymentHosts, StaysOnThisMachineWithoutKeysWithoutANetwork) {
   for (const char* file : {"minimal.toml", "full.toml"}) {
     const NetworkEntry network = load_deployment(file).network;
     EXPECT_EQ(network.interface, "") << file;
@@ -26,7 +26,7 @@ TEST_F(DeploymentHosts, WithoutANetworkItStaysOnThisMachineWithoutKeys) {
   }
 }
 
-TEST_F(DeploymentHosts, SecurityIsOnAsSoonAsItReachesBeyondThisMachineOrKeysAreNamed) {
+TEST_F(DeploymentHosts, SecurityIsOnWithANetworkOrKeys) {
   const task_test::ScratchFolder scratch;
   std::filesystem::create_directory(scratch.path() / "cell_keys");
   const auto network = [&](const std::string& text) {
@@ -45,7 +45,7 @@ TEST_F(DeploymentHosts, SecurityIsOnAsSoonAsItReachesBeyondThisMachineOrKeysAreN
   }
 }
 
-TEST_F(DeploymentHosts, AHostThatIsAnotherMachineNeedsAnInterfaceAndKeys) {
+TEST_F(DeploymentHosts, RemoteHostNeedsAnInterfaceAndKeys) {
   const task_test::ScratchFolder scratch;
   std::filesystem::create_directory(scratch.path() / "cell_keys");
   const auto problem = [&](const std::string& text) {
@@ -66,7 +66,7 @@ TEST_F(DeploymentHosts, AHostThatIsAnotherMachineNeedsAnInterfaceAndKeys) {
   EXPECT_EQ(problem("interface = 'eth1'\nkeys = 'cell_keys'\n"), "");
 }
 
-TEST_F(DeploymentHosts, KnowsThisMachineByAllItsNames) {
+TEST_F(DeploymentHosts, RecognisesThisMachineByAllItsNames) {
   const task_test::ScratchFolder scratch;
   char own_name[256] = "";
   ASSERT_EQ(gethostname(own_name, sizeof own_name - 1), 0);
@@ -79,7 +79,7 @@ TEST_F(DeploymentHosts, KnowsThisMachineByAllItsNames) {
   }
 }
 
-/// An arm with its sensor and its world on host `cell`, a belt here.
+/// An arm with its sensor and the simulated world on host `cell`, a belt on this machine.
 std::string on_two_hosts() {
   return "[deployment]\nname = 'two'\nclock = 'real'\nservo_period = 0.004\n"
          "[network]\ninterface = 'eth1'\nsecurity = false\n"
@@ -112,7 +112,7 @@ TEST_F(DeploymentHosts, ReadsHosts) {
   EXPECT_EQ(deployment.hosts_used()[0], &deployment.hosts[0]);
 }
 
-TEST_F(DeploymentHosts, WorldAndSensorsGoWhereTheirRobotsAre) {
+TEST_F(DeploymentHosts, WorldAndSensorsRunWithTheirRobots) {
   const task_test::ScratchFolder scratch;
   scratch.write("scene.xml", "");
   const Deployment deployment = load_deployment(scratch.write("d.toml", on_two_hosts()));
@@ -123,7 +123,7 @@ TEST_F(DeploymentHosts, WorldAndSensorsGoWhereTheirRobotsAre) {
   EXPECT_EQ(deployment.sim->host, "cell");
 }
 
-TEST_F(DeploymentHosts, ProgramsAreLookedForWhereTheyRun) {
+TEST_F(DeploymentHosts, SearchesProgramsOnTheirHost) {
   const task_test::ScratchFolder scratch;
   scratch.write("scene.xml", "");
   const auto file = scratch.write("d.toml", on_two_hosts());

@@ -129,7 +129,7 @@ TEST_F(DeploymentTest, SortsEventsByTick) {
   EXPECT_EQ(events[2].command, "trigger");
 }
 
-TEST_F(DeploymentTest, AnAnswerGoesToASensorThatAsksTheOperator) {
+TEST_F(DeploymentTest, AnswerGoesToASensorThatAsksTheOperator) {
   const task_test::ScratchFolder scratch;
   const auto file = scratch.write("asks.toml", R"([deployment]
 name = "asks"
@@ -155,14 +155,14 @@ value = 2.5
   EXPECT_FALSE(is_answer(parts, std::numeric_limits<double>::quiet_NaN()));
 }
 
-TEST_F(DeploymentTest, APlayedSensorAsksNobody) {
+TEST_F(DeploymentTest, ReplayedSensorNeedsNoOperator) {
   SensorEntry played;
   played.type = "operator_input";
   played.source = "replay";
   EXPECT_FALSE(asks_operator(played));
 }
 
-TEST_F(DeploymentTest, MostMayBeLeftOut) {
+TEST_F(DeploymentTest, MostKeysAreOptional) {
   const Deployment deployment = load_deployment("minimal.toml");
   EXPECT_EQ(deployment.clock, ClockMode::lockstep);
   EXPECT_EQ(deployment.servo_period, 0.002);
@@ -194,7 +194,7 @@ TEST_F(DeploymentTest, FindsEntriesByName) {
             "full.toml: sensors: no sensor 'left', expected 'wrist' or 'gate'");
 }
 
-TEST_F(DeploymentTest, TakesProgramsByPath) {
+TEST_F(DeploymentTest, AcceptsProgramsByPath) {
   const task_test::ScratchFolder scratch;
   const auto file = [&](const std::string& path) {
     return scratch.write("cell/d.toml",
@@ -208,7 +208,7 @@ TEST_F(DeploymentTest, TakesProgramsByPath) {
   EXPECT_EQ(load_deployment(file(own)).robots[0].program, own);
 }
 
-TEST_F(DeploymentTest, NamesTheStockProgramThatIsMissing) {
+TEST_F(DeploymentTest, NamesTheMissingStockProgram) {
   std::filesystem::remove(program("mrroc_mp"));
   EXPECT_EQ(message("minimal.toml"),
             "minimal.toml:1: mp: no program 'mrroc_mp', expected the executable PROGRAMS/mrroc_mp");
@@ -218,7 +218,7 @@ TEST_F(DeploymentTest, NamesTheStockProgramThatIsMissing) {
             "full.toml:13: sim: no program 'mrroc_sim', expected the executable PROGRAMS/mrroc_sim");
 }
 
-TEST_F(DeploymentTest, ACarriedRobotMayStandBeforeItsCarrierAndCarryOthers) {
+TEST_F(DeploymentTest, CarriedRobotMayPrecedeItsCarrierAndCarryOthers) {
   const task_test::ScratchFolder scratch;
   const auto robot = [](const std::string& name, const std::string& mount) {
     return "[robots." + name + "]\ntype = 'irb6'\nhardware = 'loopback'\n" +
@@ -230,7 +230,7 @@ TEST_F(DeploymentTest, ACarriedRobotMayStandBeforeItsCarrierAndCarryOthers) {
   EXPECT_EQ(deployment.robot("hand").mount, "arm");
 }
 
-TEST_F(DeploymentTest, TheLongestNameAndTheLargestFleetsAreTaken) {
+TEST_F(DeploymentTest, AcceptsTheLongestNameAndTheLargestFleets) {
   const task_test::ScratchFolder scratch;
   const std::string text = "[deployment]\nname = '" + std::string(31, 'x') + "'\n[sim]\nscene = 'scene.xml'\n";
   scratch.write("scene.xml", "");

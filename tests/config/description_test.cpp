@@ -27,7 +27,7 @@ TEST_F(DescriptionTest, ListsEveryProcessWithItsProgram) {
             "SOURCE/tests/config/valid/readings.txt: VSP PROGRAMS/ultrasonic_vsp\n");
 }
 
-TEST_F(DescriptionTest, LeavesOutWhatIsNotThere) {
+TEST_F(DescriptionTest, OmitsAbsentParts) {
   EXPECT_EQ(description("minimal.toml"),
             "one: lockstep, servo period 0.002 s, any free DDS domain\n"
             "  mp   PROGRAMS/mrroc_mp\n"

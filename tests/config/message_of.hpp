@@ -7,7 +7,7 @@
 
 namespace mrroc::config {
 
-/// Message of the ConfigurationError that `action` throws, with `folder/` taken off; "" if it throws none.
+/// Message of the ConfigurationError that `action` throws, without `folder/`; "" if it throws none.
 template <typename Action>
 std::string message_of(const std::filesystem::path& folder, Action action) {
   try {

@@ -8,7 +8,7 @@
 namespace mrroc::config {
 namespace {
 
-/// A valid file with one thing changed is still valid, or is refused with the line and the key of what is wrong.
+/// A valid file with one change is still valid, or is refused with the line and the key of the error.
 class MutatedDeployment : public DeploymentFixture {
  protected:
   MutatedDeployment() : DeploymentFixture("valid") {
@@ -39,7 +39,7 @@ class MutatedDeployment : public DeploymentFixture {
 
   std::size_t random(std::size_t below) { return generator_() % below; }
 
-  /// The word with one slip of the pen: a letter dropped, doubled, replaced, or two swapped.
+  /// The word with one typing error: a letter dropped, doubled, replaced, or two swapped.
   std::string slip(std::string word) {
     const std::string before = word;
     while (word == before) {
@@ -67,12 +67,12 @@ class MutatedDeployment : public DeploymentFixture {
   std::mt19937_64 generator_{20240501};
 };
 
-TEST_F(MutatedDeployment, TheFileItselfIsValid) {
+TEST_F(MutatedDeployment, UnchangedFileIsValid) {
   EXPECT_EQ(refusal(text_), "");
   EXPECT_GE(TomlPlaces(text_).entries().size(), 30u);
 }
 
-TEST_F(MutatedDeployment, WithoutAKeyItIsValidOrTheErrorIsInItsPlace) {
+TEST_F(MutatedDeployment, FileWithoutAKeyIsValidOrTheErrorNamesItsLine) {
   std::size_t refused = 0;
   for (const TomlPlaces places(text_); const auto& entry : places.entries()) {
     const std::string text = with_line(entry.line, "");
@@ -88,7 +88,7 @@ TEST_F(MutatedDeployment, WithoutAKeyItIsValidOrTheErrorIsInItsPlace) {
   EXPECT_GE(refused, 10u);
 }
 
-TEST_F(MutatedDeployment, AValueOfAnotherTypeIsRefusedAtItsLine) {
+TEST_F(MutatedDeployment, ValueOfAnotherTypeIsRefusedAtItsLine) {
   for (const TomlPlaces places(text_); const auto& entry : places.entries()) {
     for (const std::string value : {"\"?\"", "1", "0.5", "true", "[\"?\"]", "[]", "{ a = 1 }", "1979-05-27", "nan"}) {
       const std::string message = refusal(with_line(entry.line, entry.key + " = " + value));
@@ -106,7 +106,7 @@ TEST_F(MutatedDeployment, AValueOfAnotherTypeIsRefusedAtItsLine) {
   }
 }
 
-TEST_F(MutatedDeployment, ASlipInAKeyIsNeverAccepted) {
+TEST_F(MutatedDeployment, MisspeltKeyIsNeverAccepted) {
   for (const TomlPlaces places(text_); const auto& entry : places.entries()) {
     for (int i = 0; i < 40; ++i) {
       const std::string key = slip(entry.key);
@@ -117,7 +117,7 @@ TEST_F(MutatedDeployment, ASlipInAKeyIsNeverAccepted) {
       if (complaint.problem.starts_with("unknown key")) {
         EXPECT_EQ(complaint.key, full_key);
         EXPECT_EQ(complaint.line, entry.line);
-      } else {  // the slip made the right key missing
+      } else {  // the misspelt key is missing
         EXPECT_TRUE(complaint.problem.starts_with("missing")) << full_key << ": " << complaint.problem;
         EXPECT_EQ(complaint.key, entry.section + "." + entry.key);
         EXPECT_EQ(complaint.line, TomlPlaces(text).line(entry.section));
@@ -126,7 +126,7 @@ TEST_F(MutatedDeployment, ASlipInAKeyIsNeverAccepted) {
   }
 }
 
-TEST_F(MutatedDeployment, AnUnknownKeyInAnySectionIsRefused) {
+TEST_F(MutatedDeployment, UnknownKeyInAnySectionIsRefused) {
   std::istringstream stream(text_);
   std::string content;
   std::size_t sections = 0;
@@ -141,7 +141,7 @@ TEST_F(MutatedDeployment, AnUnknownKeyInAnySectionIsRefused) {
   EXPECT_EQ(sections, 11u);
 }
 
-TEST_F(MutatedDeployment, RandomBytesNeverGiveAnythingButAnErrorWithALine) {
+TEST_F(MutatedDeployment, RandomBytesGiveOnlyErrorsWithALine) {
   const std::string letters = "[]{}=\".,'#\\\n\r\t -+_0159eExnaif\x80\xFF";
   std::size_t refused = 0;
   for (int i = 0; i < 2000; ++i) {

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using Folders = std::vector<fs::path>;
 
-TEST(Resources, LieAroundTheRunningExecutable) {
+TEST(Resources, AreBesideTheRunningExecutable) {
   unsetenv("MRROC_SHARE");
   unsetenv("MRROC_PROGRAMS");
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
@@ -31,7 +31,7 @@ TEST(Resources, TheEnvironmentListsFoldersInstead) {
   unsetenv("MRROC_PROGRAMS");
 }
 
-TEST(Resources, ATypeIsAFolderWithItsParameterFile) {
+TEST(Resources, TypeIsAFolderWithItsParameterFile) {
   const task_test::ScratchFolder scratch;
   scratch.write("robots/irb6/irb6.toml", "");
   scratch.write("robots/belt/belt.toml", "");
@@ -45,7 +45,7 @@ TEST(Resources, ATypeIsAFolderWithItsParameterFile) {
   unsetenv("MRROC_SHARE");
 }
 
-TEST(Resources, TheFirstFolderThatHasATypeIsTaken) {
+TEST(Resources, FirstFolderWithTheTypeIsUsed) {
   const task_test::ScratchFolder own;
   const task_test::ScratchFolder framework;
   own.write("robots/belt/belt.toml", "");

@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of types with two parameter files of the belt, and a deployment beside which others lie.
+/// A folder of types with two parameter files of the belt, and further ones beside a deployment.
 class RobotFilesTest : public DeploymentFixture {
  protected:
   RobotFilesTest() : DeploymentFixture("valid") {
@@ -33,23 +33,23 @@ class RobotFilesTest : public DeploymentFixture {
   task_test::ScratchFolder share_, task_;
 };
 
-TEST_F(RobotFilesTest, WithoutTheKeyAllAreTheTypesOwn) {
+TEST_F(RobotFilesTest, DefaultFilesAreThoseOfTheType) {
   const RobotFiles files = belt("").files();
   EXPECT_EQ(files.parameters, own("conveyor.toml"));
   EXPECT_EQ(files.mjcf, own("conveyor.xml"));
-  EXPECT_EQ(files.urdf, own("conveyor.urdf")) << "need not be there";
+  EXPECT_EQ(files.urdf, own("conveyor.urdf")) << "need not exist";
   EXPECT_EQ(files.drives, own("conveyor_drives.toml"));
 }
 
-TEST_F(RobotFilesTest, AFileOfTheTypesFolderBringsWhatLiesBesideItWithItsStem) {
+TEST_F(RobotFilesTest, FileInTheTypesFolderSelectsTheFilesWithItsStem) {
   const RobotFiles files = belt("parameters = \"fast.toml\"\n").files();
   EXPECT_EQ(files.parameters, own("fast.toml"));
   EXPECT_EQ(files.mjcf, own("fast.xml"));
-  EXPECT_EQ(files.urdf, own("fast.urdf")) << "that of the type has its own limits";
+  EXPECT_EQ(files.urdf, own("fast.urdf")) << "the file of the type has its own limits";
   EXPECT_EQ(files.drives, own("conveyor_drives.toml"));
 }
 
-TEST_F(RobotFilesTest, AFileBesideTheDeploymentGoesBeforeOneOfTheType) {
+TEST_F(RobotFilesTest, FileBesideTheDeploymentPrecedesThatOfTheType) {
   task_.write("fast.toml", kParameters);
   task_.write("fast_drives.toml", "");
   const RobotFiles files = belt("parameters = \"fast.toml\"\n").files();
@@ -58,13 +58,13 @@ TEST_F(RobotFilesTest, AFileBesideTheDeploymentGoesBeforeOneOfTheType) {
   EXPECT_EQ(files.drives, here("fast_drives.toml"));
 }
 
-TEST_F(RobotFilesTest, APathIsOneFromTheDeploymentsFolderOrAnAbsoluteOne) {
+TEST_F(RobotFilesTest, PathIsRelativeToTheDeploymentOrAbsolute) {
   const auto file = task_.write("cell/belt_2.toml", kParameters);
   EXPECT_EQ(belt("parameters = \"cell/belt_2.toml\"\n").parameters, file);
   EXPECT_EQ(belt("parameters = \"" + file.string() + "\"\n").parameters, file);
 }
 
-TEST_F(RobotFilesTest, AFileThatIsNowhereIsNamedWithBothPlaces) {
+TEST_F(RobotFilesTest, MissingFileIsNamedWithBothFolders) {
   try {
     belt("parameters = \"slow.toml\"\n");
     FAIL();
@@ -77,7 +77,7 @@ TEST_F(RobotFilesTest, AFileThatIsNowhereIsNamedWithBothPlaces) {
   }
 }
 
-TEST_F(RobotFilesTest, AMistakeInTheFileIsReportedBeforeAnythingStarts) {
+TEST_F(RobotFilesTest, ErrorInTheFileIsReportedBeforeTheStart) {
   task_.write("fast.toml", replaced(kParameters, "velocity_max", "velocity_maximum"));
   try {
     belt("parameters = \"fast.toml\"\n");

@@ -40,7 +40,7 @@ class RobotParametersFileTest : public testing::Test {
     return "type = \"irb6\"\nhome = " + home + "\n[[axes]]\n" + axis;
   }
 
-  /// `axis` with the line that begins with `key` replaced.
+  /// `axis` with the line that starts with `key` replaced.
   static std::string with(const std::string& key, const std::string& line, std::string axis = std::string(kAxis)) {
     const auto begin = axis.find(key + " = ");
     return axis.replace(begin, axis.find('\n', begin) - begin, line);
@@ -87,7 +87,7 @@ TEST_F(RobotParametersFileTest, ReadsEveryNumber) {
   EXPECT_EQ(axis.viscous_friction, 0.02);
 }
 
-TEST_F(RobotParametersFileTest, SomeKeysMayBeLeftOut) {
+TEST_F(RobotParametersFileTest, SomeKeysAreOptional) {
   EXPECT_EQ(read(robot_text(with("encoder_increments", ""))).axes[0].encoder_increments, 4000);
   EXPECT_EQ(read(robot_text(with("regulator_output_max", ""))).axes[0].regulator_output_max, 190);
   EXPECT_EQ(read(robot_text()).axes[0].stuck_current, 0);
@@ -97,7 +97,7 @@ TEST_F(RobotParametersFileTest, SomeKeysMayBeLeftOut) {
             0.5);
 }
 
-TEST_F(RobotParametersFileTest, EveryOtherKeyIsRequiredAndNamed) {
+TEST_F(RobotParametersFileTest, OtherKeysAreRequiredAndNamed) {
   for (const std::string key : {"name", "position_min", "position_max", "velocity_max", "acceleration_max", "jerk_max",
                                 "motor_min", "motor_max", "motor_synchro", "current_max", "following_error_max",
                                 "regulator_a", "regulator_b0", "regulator_b1", "regulator_eps",
@@ -121,7 +121,7 @@ TEST_F(RobotParametersFileTest, PositionAndMotorLimitsMayBeInfinite) {
   EXPECT_EQ(endless.motor_synchro, -15.9);
 }
 
-TEST_F(RobotParametersFileTest, NoOtherNumberMayBeInfiniteAndNoLimitNoNumber) {
+TEST_F(RobotParametersFileTest, OtherNumbersMustBeFiniteAndNoLimitMayBeNan) {
   EXPECT_EQ(message(robot_text(with("velocity_max", "velocity_max = inf"))),
             "r.toml:7: axes[0].velocity_max: inf is not finite, expected a number");
   EXPECT_EQ(message(robot_text(with("position_max", "position_max = nan"))),
@@ -130,7 +130,7 @@ TEST_F(RobotParametersFileTest, NoOtherNumberMayBeInfiniteAndNoLimitNoNumber) {
             "r.toml:6: axes[0].position_max: 2.75 is not above position_min, expected a number above inf");
 }
 
-TEST_F(RobotParametersFileTest, RefusesNumbersThatMakeNoSense) {
+TEST_F(RobotParametersFileTest, RefusesInvalidNumbers) {
   EXPECT_EQ(message(robot_text(with("position_max", "position_max = -2.5"))),
             "r.toml:6: axes[0].position_max: -2.5 is not above position_min, expected a number above -2.5");
   EXPECT_EQ(message(robot_text(with("current_max", "current_max = 15\ncurrent_max_time = 0"))),
@@ -144,10 +144,10 @@ TEST_F(RobotParametersFileTest, RefusesNumbersThatMakeNoSense) {
   EXPECT_EQ(message(robot_text(with("viscous_friction", "viscous_friction = -1"))),
             "r.toml:24: axes[0].viscous_friction: -1 is not positive, expected a number above 0");
   EXPECT_EQ(message(robot_text(with("name", "name = ''"))),
-            "r.toml:4: axes[0].name: '' is no name, expected 1 to 31 characters");
+            "r.toml:4: axes[0].name: '' is not a valid name, expected 1 to 31 characters");
 }
 
-TEST_F(RobotParametersFileTest, TheFineSynchronisationGoesBackFromTheCoarseOne) {
+TEST_F(RobotParametersFileTest, FineSynchronisationReversesTheCoarseOne) {
   const auto with_speeds = [](const std::string& speeds) { return robot_text(std::string(kAxis) + speeds); };
   const RobotParameters none = read(robot_text());
   EXPECT_EQ(none.axes[0].synchro_coarse, 0);
@@ -155,20 +155,21 @@ TEST_F(RobotParametersFileTest, TheFineSynchronisationGoesBackFromTheCoarseOne) 
   const RobotParameters both = read(with_speeds("synchro_coarse = -15\nsynchro_fine = 3.5\n"));
   EXPECT_EQ(both.axes[0].synchro_coarse, -15);
   EXPECT_EQ(both.axes[0].synchro_fine, 3.5);
-  EXPECT_EQ(message(with_speeds("synchro_coarse = -15\nsynchro_fine = -3.5\n")),
-            "r.toml:26: axes[0].synchro_fine: -3.5 does not go back from where synchro_coarse goes, expected a number "
-            "above 0");
+  EXPECT_EQ(
+      message(with_speeds("synchro_coarse = -15\nsynchro_fine = -3.5\n")),
+      "r.toml:26: axes[0].synchro_fine: -3.5 does not have the opposite sign of synchro_coarse, expected a number "
+      "above 0");
   EXPECT_EQ(message(with_speeds("synchro_coarse = 15\nsynchro_fine = 3.5\n")),
-            "r.toml:26: axes[0].synchro_fine: 3.5 does not go back from where synchro_coarse goes, expected a number "
+            "r.toml:26: axes[0].synchro_fine: 3.5 does not have the opposite sign of synchro_coarse, expected a number "
             "below 0");
   EXPECT_EQ(message(with_speeds("synchro_fine = 3.5\n")),
-            "r.toml:25: axes[0].synchro_fine: 3.5 does not go back from where synchro_coarse goes, expected 0");
+            "r.toml:25: axes[0].synchro_fine: 3.5 does not have the opposite sign of synchro_coarse, expected 0");
 }
 
 TEST_F(RobotParametersFileTest, ChecksTheAxesTogether) {
   const std::string axis{kAxis};
   EXPECT_EQ(message(robot_text(axis + "[[axes]]\n" + axis, "[0, 0]")),
-            "r.toml:26: axes[1].name: 'column' is the name of an earlier axis, expected a name of its own");
+            "r.toml:26: axes[1].name: 'column' is the name of an earlier axis, expected a unique name");
   EXPECT_EQ(message(robot_text(axis, "[0, 0]")), "r.toml:2: home: has 2 values, expected an array of 1 numbers");
   EXPECT_EQ(message(robot_text(axis, "[3]")),
             "r.toml:2: home: 3 is outside the limits of axis 'column', expected a number from -2.5 to 2.75");
@@ -178,7 +179,7 @@ TEST_F(RobotParametersFileTest, ChecksTheAxesTogether) {
   EXPECT_EQ(message(nine), "r.toml:3: axes: 9 axes, expected 1 to 8 axes");
 }
 
-TEST_F(RobotParametersFileTest, LeavesTheGeometryToTheModel) {
+TEST_F(RobotParametersFileTest, DoesNotReadTheGeometry) {
   const Table file = Table::load(scratch_.write("r.toml", robot_text() + "[geometry]\na2 = 0.455\n"));
   read_robot_parameters(file);
   EXPECT_EQ(message_of(scratch_.path(), [&] { file.finish(); }),
@@ -203,7 +204,7 @@ TEST_F(RobotParametersFileTest, RegulatorSetsChangeWhatTheyName) {
 
   const std::string set = "[regulators.soft.column]\n";
   EXPECT_EQ(message(robot_text() + "[regulators.soft.elbow]\na = 1\n"),
-            "r.toml:25: regulators.soft.elbow: 'elbow' is no axis, expected the name of one");
+            "r.toml:25: regulators.soft.elbow: 'elbow' is not an axis, expected the name of one");
   EXPECT_EQ(message(robot_text() + set + "current_gain = 0\n"),
             "r.toml:26: regulators.soft.column.current_gain: 0 is not positive, expected a number above 0");
   EXPECT_EQ(message(robot_text() + set + "gain = 1\n"),

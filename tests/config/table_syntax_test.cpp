@@ -25,7 +25,7 @@ class TableSyntaxTest : public testing::Test {
   task_test::ScratchFolder scratch_;
 };
 
-TEST_F(TableSyntaxTest, SyntaxErrorsCarryLineAndColumn) {
+TEST_F(TableSyntaxTest, SyntaxErrorsNameLineAndColumn) {
   const auto begins = [this](std::string_view text) { return message(text).substr(0, 19); };
   EXPECT_EQ(begins("a = 1\nb = = 2\n"), "t.toml:2: column 5:");
   EXPECT_EQ(begins("a = 1\n\n[robots\n"), "t.toml:3: column 8:");
@@ -36,8 +36,8 @@ TEST_F(TableSyntaxTest, SyntaxErrorsCarryLineAndColumn) {
   EXPECT_TRUE(message("a = 1\nb = [1,\n2\n").ends_with(", expected valid TOML"));
 }
 
-TEST_F(TableSyntaxTest, ACharacterThatIsNotAsciiIsRefusedBehindANumberAndTakenInATextOfSeveralLines) {
-  // in toml++ 3.3 undefined behaviour, which the sanitizer sees
+TEST_F(TableSyntaxTest, NonAsciiCharacterIsRefusedBehindANumberAndAcceptedInAMultilineText) {
+  // undefined behaviour in toml++ 3.3, which the sanitizer reports
   for (const char* character : {"\u00a7", "\u00e9", "\u2010", "\ufdff"}) {
     EXPECT_TRUE(message(std::string{"a = 1\nb = 1e-320"} + character).starts_with("t.toml:2: column "));
     const auto file = scratch_.write("t.toml", std::string{"a = \"\"\"\\\n"} + character + "\"\"\"\n");
@@ -45,22 +45,22 @@ TEST_F(TableSyntaxTest, ACharacterThatIsNotAsciiIsRefusedBehindANumberAndTakenIn
   }
 }
 
-TEST_F(TableSyntaxTest, TheFileIsNamedAsGiven) {
+TEST_F(TableSyntaxTest, NamesTheFileAsGiven) {
   const fs::path file = "no/such/file.toml";
   EXPECT_EQ(file_message(file), "no/such/file.toml: does not exist, expected a readable file");
 }
 
-TEST_F(TableSyntaxTest, RefusesWhatIsNoReadableFile) {
+TEST_F(TableSyntaxTest, RefusesUnreadableFiles) {
   EXPECT_EQ(file_message(scratch_.path() / "."), ".: is a directory, expected a readable file");
   EXPECT_EQ(file_message(fs::path("/dev/null")), "/dev/null: is not a regular file, expected a readable file");
   fs::create_symlink("nowhere", scratch_.path() / "broken");
   EXPECT_EQ(file_message(scratch_.path() / "broken"), "broken: does not exist, expected a readable file");
-  // a file that even root may open but not read
+  // a file that root can open but not read
   EXPECT_EQ(file_message(fs::path("/proc/self/mem")),
             "/proc/self/mem: cannot be read: Input/output error, expected a readable file");
 }
 
-TEST_F(TableSyntaxTest, AnEmptyFileIsAnEmptyTable) {
+TEST_F(TableSyntaxTest, EmptyFileIsAnEmptyTable) {
   const auto file = scratch_.write("t.toml", "");
   EXPECT_TRUE(Table::load(file).keys().empty());
   EXPECT_TRUE(Table::load(scratch_.write("t.toml", "\xEF\xBB\xBF# only a comment")).keys().empty());
@@ -92,7 +92,7 @@ TEST_F(TableSyntaxTest, RefusesAMegabyteInOneLine) {
   EXPECT_TRUE(message("a = " + brackets).starts_with("t.toml:1: column "));
 }
 
-TEST_F(TableSyntaxTest, DeepDottedKeysAreReadToTheLimitOfALine) {
+TEST_F(TableSyntaxTest, ReadsDeepDottedKeysToTheLimitOfALine) {
   std::string deep = "[a";
   while (deep.size() < 9'990) deep += ".a";
   EXPECT_EQ(message(deep + "]\nx = 1\n"), "");

@@ -40,7 +40,7 @@ class TableTest : public testing::Test {
  protected:
   Table load(std::string_view text = kText) { return Table::load(scratch_.write("t.toml", text)); }
 
-  /// Message of what `action(table)` throws, without the folder.
+  /// Message of the error that `action(table)` throws, without the folder.
   template <typename Action>
   string message(Action action, std::string_view text = kText) {
     return message_of(scratch_.path(), [&] { action(load(text)); });
@@ -84,7 +84,7 @@ TEST_F(TableTest, GivesKeysAndTablesInFileOrder) {
   EXPECT_EQ(table.optional_table("robots")->line("zeta"), 11);
 }
 
-TEST_F(TableTest, KnowsItsPlace) {
+TEST_F(TableTest, HasItsLineAndKey) {
   const Table table = load();
   EXPECT_EQ(table.file(), scratch_.path() / "t.toml");
   EXPECT_EQ(table.line(), 1);
@@ -94,7 +94,7 @@ TEST_F(TableTest, KnowsItsPlace) {
   EXPECT_EQ(table.tables("axes")[1].line(), 19);
 }
 
-TEST_F(TableTest, NamesWhatIsWrong) {
+TEST_F(TableTest, NamesTheError) {
   const auto refused = [this](auto getter) { return message(getter); };
   EXPECT_EQ(refused([](Table t) { t.text("nothing"); }), "t.toml:1: nothing: missing, expected a text");
   EXPECT_EQ(refused([](Table t) { t.text("count"); }), "t.toml:4: count: 3 is an integer, expected a text");
@@ -155,7 +155,7 @@ TEST_F(TableTest, FailNamesTheTableOrItsKey) {
   EXPECT_EQ(message([](Table t) { t.fail("", "no such", "one"); }), "t.toml:1: no such, expected one");
 }
 
-TEST_F(TableTest, FinishRefusesKeysThatNobodyAskedFor) {
+TEST_F(TableTest, FinishRefusesUnusedKeys) {
   const auto read = [](Table t) {
     t.number_or("rate", 0);
     t.text("name");
@@ -176,7 +176,7 @@ TEST_F(TableTest, OnlyRefusesUnknownKeysBeforeTheyAreRead) {
   EXPECT_EQ(message(read, "rate = 1\nmoed = 1"), "t.toml:2: moed: unknown key, did you mean 'mode'?");
 }
 
-TEST_F(TableTest, ASlipInARequiredKeyIsReportedWhereItStands) {
+TEST_F(TableTest, MisspeltRequiredKeyIsReportedAtItsLine) {
   const auto read = [](Table t) { t.number("regulator_b0"); };
   EXPECT_EQ(message(read, "\nregulatro_b0 = 1"), "t.toml:2: regulatro_b0: unknown key, did you mean 'regulator_b0'?");
   EXPECT_EQ(message(read, "\nregulator_b1 = 1"), "t.toml:1: regulator_b0: missing, expected a number");
@@ -198,7 +198,7 @@ struct CommaNumbers : std::numpunct<char> {
   std::string do_grouping() const override { return "\3"; }
 };
 
-TEST_F(TableTest, ReadsAndWritesNumbersAlikeInEveryLocale) {
+TEST_F(TableTest, ReadsAndWritesNumbersEquallyInEveryLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaNumbers));
   std::setlocale(LC_ALL, "de_DE.UTF-8");  // the C library's own too, where it is installed
   EXPECT_EQ(load("a = 1_234.5").number("a"), 1234.5);

@@ -8,7 +8,7 @@
 
 namespace mrroc::config {
 
-/// Where the keys of a plain TOML file stand (one `key = value` or one header a line), read without the code under
+/// Locations of the keys of a plain TOML file (one `key = value` or one header a line), read without the code under
 /// test.
 class TomlPlaces {
  public:
@@ -46,8 +46,8 @@ class TomlPlaces {
 
   bool has(const std::string& full_key) const { return lines_.contains(full_key); }
 
-  /// Where a mistake at `full_key` belongs: its own line; of an array's element, the array's; of a missing key, that of
-  /// the nearest table above.
+  /// The line for an error at `full_key`: its own line; for an array's element that of the array; for a missing key
+  /// that of the nearest table above.
   int line(std::string full_key) const {
     while (!lines_.contains(full_key)) {
       const auto cut = full_key.find_last_of(".[");
@@ -64,8 +64,8 @@ class TomlPlaces {
   std::map<std::string, int> lines_;
 };
 
-/// Parts of a message `<file>:<line>: <key>: <problem>`, the file's name without a colon. Line 0 if it has another
-/// shape.
+/// Parts of a message `<file>:<line>: <key>: <problem>`, with a file name without a colon. Line 0: the message has
+/// another form.
 struct Complaint {
   int line = 0;
   std::string key;

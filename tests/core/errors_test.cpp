@@ -5,7 +5,7 @@
 namespace mrroc {
 namespace {
 
-TEST(Errors, TheMessageCarriesClassCodeDetailAndOrigin) {
+TEST(Errors, MessageContainsClassCodeDetailAndOrigin) {
   const HardwareError error(ErrorCode::following_error, "axis 2: 12.5 rad, at most 10", {"arm_edp", "arm", 3, 120});
   EXPECT_STREQ(error.what(),
                "hardware error: the following error is too large: axis 2: 12.5 rad, at most 10 "
@@ -14,7 +14,7 @@ TEST(Errors, TheMessageCarriesClassCodeDetailAndOrigin) {
   EXPECT_EQ(error.code(), ErrorCode::following_error);
 }
 
-TEST(Errors, ThrowErrorThrowsTheClassThatItIsGiven) {
+TEST(Errors, ThrowErrorThrowsTheGivenClass) {
   EXPECT_THROW(throw_error(ErrorClass::non_fatal, ErrorCode::singular, "", {}), NonFatalError);
   EXPECT_THROW(throw_error(ErrorClass::hardware, ErrorCode::drive_fault, "", {}), HardwareError);
   EXPECT_THROW(throw_error(ErrorClass::system, ErrorCode::link_lost, "", {}), SystemError);

@@ -9,7 +9,7 @@
 namespace mrroc {
 namespace {
 
-// original's defect 17: messages to the operator were put together in 256 bytes by strcpy and strcat
+// original's defect 17: messages to the operator were composed in 256 bytes with strcpy and strcat
 TEST(FixedText, LongerTextIsCutAndNothingBehindItIsTouched) {
   struct {
     FixedText<8> text;
@@ -23,10 +23,10 @@ TEST(FixedText, LongerTextIsCutAndNothingBehindItIsTouched) {
     ASSERT_EQ(record.behind, 'b');
   }
   record.text.assign("short");
-  EXPECT_EQ(record.text, FixedText<8>("short")) << "nothing of the longer text is left";
+  EXPECT_EQ(record.text, FixedText<8>("short")) << "the rest of the longer text is gone";
 }
 
-TEST(FixedText, AReportTakesADetailOfAnyLength) {
+TEST(FixedText, ReportAcceptsADetailOfAnyLength) {
   ErrorReport report;
   report.detail.assign(std::string(5000, 'y'));
   EXPECT_EQ(report.detail.view().size(), 191u);

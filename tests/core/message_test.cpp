@@ -52,7 +52,7 @@ bool same_bits(const Matrix& a, const Matrix& b) {
          std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0;
 }
 
-TEST(Message, ComesOutAsItWentIn) {
+TEST(Message, RoundTrips) {
   EXPECT_TRUE(rc::check([] {
     Everything sent;
     sent.number = any_double();
@@ -83,7 +83,7 @@ TEST(Message, ComesOutAsItWentIn) {
   }));
 }
 
-TEST(Message, ItsSchemaSaysWhatItIs) {
+TEST(Message, SchemaDescribesItsFields) {
   const MessageSchema schema = schema_of<Everything>();
   EXPECT_EQ(schema.label, "Everything");
   ASSERT_EQ(schema.fields.size(), 11U);
@@ -97,7 +97,7 @@ TEST(Message, ItsSchemaSaysWhatItIs) {
   EXPECT_EQ(pack(Nothing{}).size, 0);
 }
 
-TEST(Message, AnotherTypeIsRefusedWithWhatWasExpected) {
+TEST(Message, RefusesAnotherTypeWithTheExpectedOne) {
   try {
     unpack<later::Nothing>(pack(Nothing{}));
     FAIL() << "taken";

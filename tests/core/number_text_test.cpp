@@ -42,7 +42,7 @@ TEST(ToDouble, ReadsEveryPrintedDoubleBackExactly) {
   }));
 }
 
-TEST(ToDouble, TakesTheUsualSpellings) {
+TEST(ToDouble, AcceptsTheUsualSpellings) {
   EXPECT_EQ(to_double("+0.5"), 0.5);
   EXPECT_EQ(to_double("1."), 1);
   EXPECT_EQ(to_double(".5"), 0.5);
@@ -96,7 +96,7 @@ TEST(ToDouble, RefusesEverythingElse) {
   for (const char* const text : {"inf", "-inf", "nan", "x"}) EXPECT_FALSE(to_finite(text)) << text;
 }
 
-TEST(ToWhole, ReadsEveryNumberOfItsTypeAndNoOther) {
+TEST(ToWhole, ReadsExactlyTheNumbersOfItsType) {
   EXPECT_TRUE(rc::check("round trip", [](std::int64_t value) {
     RC_ASSERT(to_whole<std::int64_t>(std::to_string(value)) == value);
     if (value >= 0) RC_ASSERT(to_whole<std::int64_t>("+" + std::to_string(value)) == value);
@@ -123,7 +123,7 @@ TEST(ToLiteral, ReadsDecimalHexadecimalAndOctal) {
     EXPECT_FALSE(to_literal(text)) << text;
 }
 
-TEST(NumberProblem, NamesWhatThePersonCannotSee) {
+TEST(NumberProblem, NamesInvisibleCharacters) {
   EXPECT_EQ(number_problem(""), "is empty");
   EXPECT_EQ(number_problem("0,5"), "has a decimal comma");
   EXPECT_EQ(number_problem("-1,5e3"), "has a decimal comma");
@@ -134,7 +134,7 @@ TEST(NumberProblem, NamesWhatThePersonCannotSee) {
   EXPECT_EQ(number_problem("1.5\xA0"), "has \\xA0 at character 4");
   EXPECT_EQ(number_problem("\xE2\x88\x92"
                            "5"),
-            "is not a number");  // a minus sign that can be seen
+            "is not a number");  // a visible minus sign
   EXPECT_EQ(number_problem("5\x1b[2J"), "has \\x1B at character 2");
   EXPECT_EQ(number_problem("fast"), "is not a number");
 }

@@ -8,12 +8,12 @@
 namespace mrroc::core {
 namespace {
 
-TEST(Shown, KeepsWhatCanBeSeen) {
+TEST(Shown, KeepsVisibleCharacters) {
   for (const char* const text : {"", "axis 1", "a\\x1Bb", "\xC3\xB3\xC5\x82", "\xE2\x82\xAC", "\xF0\x9F\xA6\xBE"})
     EXPECT_EQ(shown(text), text);
 }
 
-TEST(Shown, WritesOutWhatCannot) {
+TEST(Shown, EscapesInvisibleCharacters) {
   using namespace std::string_view_literals;
   EXPECT_EQ(shown("a\x1b[2Jb"), "a\\x1B[2Jb");
   EXPECT_EQ(shown("two\r\nlines\t"), "two\\x0D\\x0Alines\\x09");
@@ -34,7 +34,7 @@ TEST(Shown, WritesOutWhatCannot) {
   EXPECT_EQ(shown("\xE2\x82"), "\\xE2\\x82");  // cut off
 }
 
-TEST(Shown, IsSafeOnATerminalWhateverTheBytes) {
+TEST(Shown, AnyBytesAreSafeOnATerminal) {
   EXPECT_TRUE(rc::check("any bytes", [](const std::string& bytes) {
     const std::string text = shown(bytes);
     RC_ASSERT(shown(text) == text);

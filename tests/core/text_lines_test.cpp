@@ -24,7 +24,7 @@ std::string mistake(std::string_view text) {
   }
 }
 
-TEST(TextLines, AreTheSameWhateverSurroundsThem) {
+TEST(TextLines, IgnoreByteOrderMarkAndLineEnds) {
   const Lines plain{"a 1", "", " b"};
   EXPECT_EQ(lines_of("a 1\n\n b\n"), plain);
   EXPECT_EQ(lines_of("a 1\n\n b"), plain) << "no line end at the end";
@@ -44,10 +44,10 @@ TEST(TextLines, AreTheSameWhateverSurroundsThem) {
             (Lines{"a",
                    "\xEF\xBB\xBF"
                    "b"}))
-      << "a mark inside belongs to the text";
+      << "a mark inside is part of the text";
 }
 
-TEST(TextLines, RefusesWhatIsNotText) {
+TEST(TextLines, RefusesBinaryData) {
   EXPECT_EQ(mistake("\xFF\xFE"
                     "a\0"sv),
             "1: the file is in UTF-16, expected UTF-8 (choose it when the file is saved)");
@@ -62,7 +62,7 @@ TEST(TextLines, RefusesWhatIsNotText) {
   EXPECT_EQ(mistake(std::string(kLongestLine, 'x') + "\n"), "");
 }
 
-TEST(TextLines, GivesBackWhatWasWrittenWithAnyLineEnds) {
+TEST(TextLines, ReadsTextWithAnyLineEnds) {
   EXPECT_TRUE(rc::check("any lines", [] {
     const auto letters = rc::gen::container<std::string>(rc::gen::element<char>('a', '1', ' ', '\t', ',', '#', '\xC5'));
     const auto written = *rc::gen::container<Lines>(letters);
@@ -73,7 +73,7 @@ TEST(TextLines, GivesBackWhatWasWrittenWithAnyLineEnds) {
   }));
 }
 
-TEST(Trimmed, WithoutCommentAndWords) {
+TEST(Trimmed, RemovesCommentAndBlanks) {
   EXPECT_EQ(trimmed(" \ta b\t "), "a b");
   EXPECT_EQ(trimmed(" \t"), "");
   EXPECT_EQ(without_comment("1 2 # why", '#'), "1 2 ");
@@ -84,7 +84,7 @@ TEST(Trimmed, WithoutCommentAndWords) {
   EXPECT_TRUE(words_of(" ").empty());
 }
 
-TEST(Cells, AreThoseOfASpreadsheet) {
+TEST(Cells, SplitLikeASpreadsheet) {
   using Cells = std::vector<std::string_view>;
   EXPECT_EQ(cells_of("1, 2 ,\t3", ','), (Cells{"1", "2", "3"}));
   EXPECT_EQ(cells_of("1,,3", ','), (Cells{"1", "", "3"}));

@@ -1,5 +1,5 @@
-"""Holds docs/how-to/can.md to the source: the tables of bench/can_load.py as it prints them, the lengths of the PDOs that it reckons
-with, every key of the table of drives and of [robots.NAME.can], with its default.
+"""Compares docs/how-to/can.md with the source: the tables that bench/can_load.py prints, the lengths of the PDOs that it assumes,
+every key of the table of drives and of [robots.NAME.can], with its default.
 
 Usage: check_can.py SOURCE_DIR
 """
@@ -38,7 +38,7 @@ def main():
     problems = []
 
     printed = subprocess.run([sys.executable, script], capture_output=True, text=True, check=True).stdout
-    problems += [f"bench/can_load.py prints, the page has not: {line}" for line in printed.splitlines() if line not in page.splitlines()]
+    problems += [f"bench/can_load.py prints a line that is missing on the page: {line}" for line in printed.splitlines() if line not in page.splitlines()]
 
     sys.path.insert(0, str(script.parent))
     import can_load

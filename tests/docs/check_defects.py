@@ -1,5 +1,5 @@
-"""Holds docs/reference/original-defects.md to the tests: every defect has its line, every test that it names is in the file that it names
-and that file is built, and a test whose comment says which defect it is about is named at that defect.
+"""Compares docs/reference/original-defects.md with the tests: every defect has its row, every named test is in the named file
+and that file is built, and a test whose comment names a defect is listed at that defect.
 
 Usage: check_defects.py SOURCE_DIR BINARY_DIR
 """
@@ -33,7 +33,7 @@ def tests_in(path):
 
 
 def files_built(binary):
-    """The source files that are compiled: by themselves, or in a unity build as parts of files that CMake has made."""
+    """The source files that are compiled, alone or in a unity build as parts of files that CMake has generated."""
     units = [pathlib.Path(unit["file"]) for unit in json.loads((binary / "compile_commands.json").read_text(encoding="utf-8"))]
     parts = (UNITY.findall(unit.read_text(encoding="utf-8")) for unit in units if unit.parent.name == "Unity" and unit.exists())
     return {*units, *(pathlib.Path(part) for file in parts for part in file)}
@@ -57,7 +57,7 @@ def main():
         for number, suite, test in ABOUT.findall(path.read_text(encoding="utf-8")):
             where = (str(path.relative_to(root)), f"{suite}.{test}")
             if where not in rows.get(int(number), []):
-                problems.append(f"{where[0]}: {where[1]} says that it is about defect {number}, whose line does not name it")
+                problems.append(f"{where[0]}: {where[1]} names defect {number} in its comment, but the row of that defect does not list it")
     print("\n".join(f"{PAGE}: {problem}" for problem in problems) or f"{sum(map(len, rows.values()))} tests found")
     return 1 if problems else 0
 

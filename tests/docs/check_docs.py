@@ -1,5 +1,5 @@
-"""Holds README.md and docs/ to the truth: every ```sh line is run, every ```cpp block of a task program stands in a source
-file, every ```toml block parses, every link to a file leads somewhere, docs/README.md has every page, CHANGELOG.md begins with the version that mrroc prints.
+"""Checks README.md and docs/: every ```sh line is run, every ```cpp block of a task program is in a source
+file, every ```toml block parses, every linked file exists, docs/README.md lists every page, CHANGELOG.md starts with the version that mrroc prints.
 
 Usage: check_docs.py SOURCE_DIR BINARY_DIR
 """
@@ -39,13 +39,13 @@ def main():
     problems = []
     code = [squeeze(text) for text in sources(root)]
     commands = 0
-    scratch = tempfile.mkdtemp(prefix="mrroc_docs_")  # what is in /tmp may be another user's
+    scratch = tempfile.mkdtemp(prefix="mrroc_docs_")  # files in /tmp may be another user's
     for page in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:
         text = page.read_text(encoding="utf-8")
         name = page.relative_to(root)
         for line, block in blocks(text, "cpp"):
             if not any(squeeze(block) in source for source in code):
-                problems.append(f"{name}:{line}: this code stands in no source file")
+                problems.append(f"{name}:{line}: this code is in no source file")
         for line, block in blocks(text, "toml"):
             try:
                 tomllib.loads(block)
@@ -60,7 +60,7 @@ def main():
                 done = subprocess.run(here, shell=True, cwd=root, capture_output=True, text=True, check=False)
                 if done.returncode != 0:
                     problems.append(f"{name}:{line}: {command}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
-        # a lambda in a code block looks like a link: its lines count, its text does not
+        # a lambda in a code block looks like a link: only its line breaks are kept
         prose = re.sub(r"^```.*?^```", lambda code: "\n" * code.group().count("\n"), text, flags=re.MULTILINE | re.DOTALL)
         for match in re.finditer(r"\]\(([^)#:]+)\)", prose):
             if not (page.parent / match.group(1)).exists():
@@ -76,7 +76,7 @@ def main():
         problems.append(f"docs/decisions: {numbers}, expected 0001, 0002, ... once each")
     version = subprocess.run([binary / "bin/mrroc", "--version"], capture_output=True, text=True, check=True).stdout.split()[-1]
     if not re.match(rf"# Changelog\n\n## {re.escape(version)}, \d{{4}}-\d\d-\d\d\n", (root / "CHANGELOG.md").read_text(encoding="utf-8")):
-        problems.append(f"CHANGELOG.md does not begin with '## {version}, YYYY-MM-DD', the version that mrroc --version prints")
+        problems.append(f"CHANGELOG.md does not start with '## {version}, YYYY-MM-DD', the version that mrroc --version prints")
     shutil.rmtree(scratch)
     print("\n".join(problems) or f"{commands} commands run, every snippet and link found")
     return 1 if problems or commands == 0 else 0

@@ -1,4 +1,4 @@
-"""Holds docs/reference/errors.md to the source: the table has every code of ErrorCode with its number, its text, the class that its
+"""Compares docs/reference/errors.md with the source: the table has every code of ErrorCode with its number, its text, the class that its
 number stands for and the parts of the project that report it, and nothing else.
 
 Usage: check_errors.py SOURCE_DIR
@@ -30,7 +30,7 @@ def class_of(number):
 
 
 def codes(root):
-    """{name: (number, text)} as the source has them."""
+    """{name: (number, text)} as in the source."""
     header = (root / CODES_THEMSELVES[0]).read_text(encoding="utf-8")
     body = re.search(r"enum class ErrorCode[^{]*\{(.*?)\};", header, re.DOTALL).group(1)
     numbers = {name: int(number) for name, number in re.findall(r"^ *(\w+) = (\d+)", body, re.MULTILINE)}
@@ -40,7 +40,7 @@ def codes(root):
 
 
 def reporters(root):
-    """{code: parts that name it other than to compare with it}."""
+    """{code: parts that name it, except for comparisons with it}."""
     found = {}
     for part, folders in PARTS.items():
         for path in sorted(path for folder in folders for path in (root / folder).rglob("*.[ch]pp")):
@@ -59,14 +59,14 @@ def main():
     problems = []
     for number, name, text, kind, parts, remedy in rows:
         if name not in known:
-            problems.append(f"{name} is no code")
+            problems.append(f"{name} is not a code")
             continue
         expected = (str(known[name][0]), known[name][1], class_of(known[name][0]))
         if (number, text, kind) != expected:
             problems.append(f"{name} is {number}, '{text}', {kind}; expected {', '.join(map(str, expected))}")
         told = set(parts.split(", "))
         if told != who.get(name, set()):
-            problems.append(f"{name} is said to come from {sorted(told)}; the source has {sorted(who.get(name, set()))}")
+            problems.append(f"{name} is listed as reported by {sorted(told)}; in the source: {sorted(who.get(name, set()))}")
         if not remedy.strip():
             problems.append(f"{name}: what may a task do?")
     names = [row[1] for row in rows]

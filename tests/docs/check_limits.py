@@ -1,4 +1,4 @@
-"""Holds the pages of docs/reference/robots/ to the parameter files: each has the table that its robot's EDP prints as its limits, of
+"""Compares the pages of docs/reference/robots/ with the parameter files: each has the table of limits that its robot's EDP prints, for
 every parameter file in the robot's folder.
 
 Usage: check_limits.py SOURCE_DIR BINARY_DIR

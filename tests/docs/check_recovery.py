@@ -1,4 +1,4 @@
-"""Holds docs/reference/recovery.md to its picture and to the tests: every way in the graph has a row, every row is a way in the graph
+"""Compares docs/reference/recovery.md with its picture and the tests: every edge of the graph has a row, every row is an edge of the graph
 between the same states, names at least one test, and every test that it names is in a file that is built.
 
 Usage: check_recovery.py SOURCE_DIR BINARY_DIR
@@ -48,8 +48,8 @@ def main():
             problems.append(f"way {number} leads from {ends[0]} to {ends[1]}; in {GRAPH}: {edges.get(number)}")
     for _, _, number, text in EDGE.findall(graph):
         if f">{number} {text}</text>" not in picture:
-            problems.append(f"{PICTURE} does not show way {number} '{text}': draw it anew with dot -Tsvg")
-    print("\n".join(f"{PAGE}: {problem}" for problem in problems) or f"{len(rows)} ways")
+            problems.append(f"{PICTURE} does not show way {number} '{text}': draw it again with dot -Tsvg")
+    print("\n".join(f"{PAGE}: {problem}" for problem in problems) or f"{len(rows)} edges")
     return 1 if problems or not rows else 0
 
 

@@ -1,7 +1,7 @@
-"""Holds docs/reference/tasks.md to tasks/: a row for each, with what its deployment says it does and the lines of its program.
+"""Compares docs/reference/tasks.md with tasks/: a row for each task, with the description in its deployment and the length of its program.
 
 Lines are those that are neither empty nor comment only. The program: the C++ files in the task's folder (not in folders
-below it), except parts: a header with a source file of its own that is no process, and that file.
+below it), except parts: a header with its own source file that is not a process, and that file.
 
 Usage: check_tasks.py SOURCE_DIR
 """
@@ -16,7 +16,7 @@ def is_program(path):
 
 
 def lines_of(folder):
-    """Of the program, and of its parts."""
+    """Number of lines of the program, and of its parts."""
     counts = {True: 0, False: 0}
     for path in [*folder.glob("*.cpp"), *folder.glob("*.hpp")]:
         code = re.sub(r"/\*.*?\*/", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
@@ -26,7 +26,7 @@ def lines_of(folder):
 
 
 def says(deployment):
-    """The comment above the deployment, without how to run it."""
+    """The comment above the deployment, without the instructions to run it."""
     words = []
     for line in deployment.read_text(encoding="utf-8").splitlines():
         if not line.startswith("#"):
@@ -45,7 +45,7 @@ def main():
         if deployment.stem == folder.name:
             rows.append(f"| [{folder.name}](../../tasks/{folder.name}) | {says(deployment)} | {lines_of(folder)} |")
     missing = [row for row in rows if f"\n{row}\n" not in text]
-    print("\n".join(["docs/reference/tasks.md has not these rows of its table:", *missing]) if missing else f"{len(rows)} tasks")
+    print("\n".join(["docs/reference/tasks.md lacks these rows of its table:", *missing]) if missing else f"{len(rows)} tasks")
     return 1 if missing or not rows else 0
 
 

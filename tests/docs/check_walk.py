@@ -1,4 +1,4 @@
-"""Every stop of docs/explanation/one-move-step.md is in the sources: the file that it links has the function that it names.
+"""Checks that every stop of docs/explanation/one-move-step.md is in the sources: the linked file has the named function.
 
 Usage: check_walk.py SOURCE_DIR
 """

@@ -10,7 +10,7 @@ namespace {
 
 using test::Counting;
 
-TEST(Allocation, TheCounterSeesBothWays) {
+TEST(Allocation, CounterCountsAllocationAndRelease) {
   void* (*volatile allocate)(std::size_t) = std::malloc;  // volatile: or the compiler drops the pairs
   void* (*volatile make)(std::size_t) = ::operator new;
   {
@@ -65,7 +65,7 @@ TEST(Allocation, TheServoTickAndTheCommsSideAllocateNothing) {
   EXPECT_GT(rig.seen().counters.stops, 5u);
 }
 
-TEST(Allocation, AForceMotionBesideASingularityAllocatesNothing) {
+TEST(Allocation, ForceMotionBesideASingularityDoesNotAllocate) {
   ForceRig<Wrist> rig;
   rig.sensor.stiffness = 0;
   RobotCommand command;
@@ -88,7 +88,7 @@ TEST(Allocation, AForceMotionBesideASingularityAllocatesNothing) {
   EXPECT_EQ(code, ErrorCode::singular);
 }
 
-TEST(Allocation, NothingThatStopsTheRobotAllocates) {
+TEST(Allocation, StopsDoNotAllocate) {
   Rig<Gantry> rig;
   rig.model.change().axes[1].current_max_time = 0.02;
   rig.replies.reserve(1000);
@@ -129,7 +129,7 @@ TEST(Allocation, NothingThatStopsTheRobotAllocates) {
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
 }
 
-TEST(Allocation, ForceMotionsAndTheirInterruptionsAllocateNothing) {
+TEST(Allocation, ForceMotionsAndTheirInterruptionsDoNotAllocate) {
   ForceRig<Gantry> rig;
   rig.replies.reserve(1000);
   RobotCommand press = force_command(10);

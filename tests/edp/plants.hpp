@@ -9,23 +9,23 @@
 
 namespace mrroc::edp {
 
-/// A robot's drives behind one of the drivers there are, with what can go wrong with them.
+/// A robot's drives behind one of the drivers, with faults to inject.
 class Plant {
  public:
   virtual ~Plant() = default;
   virtual Hardware& hardware() = 0;
-  /// The world continues to `tick`; before the servo's.
+  /// Advances the world to `tick`, before the servo's tick.
   virtual void advance(Tick tick) = 0;
   /// A fault that the drives report, while `on`.
   virtual void fail(bool on) = 0;
-  /// Something that the drives cannot resist moves the robot away, while `on`; when it ends the robot stays there.
+  /// An external force that the drives cannot resist moves the robot while `on`; afterwards the robot stays there.
   virtual void push(bool on) = 0;
 };
 
 /// Pushed: a shaft is turned at kSlip.
 class LoopbackPlant final : public Plant {
  public:
-  static constexpr double kSlip = 150;  // rad/s: twice what the drive can make up for
+  static constexpr double kSlip = 150;  // rad/s: twice the speed that the drive can compensate
 
   explicit LoopbackPlant(const RobotModel& model) : drives_(model, kPeriod) {
     drives_.rewire = [this](HardwareInput& input) { input.motors[1] += slip_; };
@@ -44,7 +44,7 @@ class LoopbackPlant final : public Plant {
 /// Pushed: a force of kForce lifts the tool. Failed: the world is silent.
 class MujocoPlant final : public Plant {
  public:
-  static constexpr double kForce = 1200;  // N: more than the arms' drives bear at home
+  static constexpr double kForce = 1200;  // N: more than the arms' drives can hold at home
 
   MujocoPlant(const RobotModel& model, double height)
       : simulation_(deployment(model.parameters().type, height), *memory_),

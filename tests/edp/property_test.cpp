@@ -14,7 +14,7 @@
 namespace mrroc::edp {
 namespace {
 
-/// A gantry whose jerk limit is one that random commands meet.
+/// A gantry with a jerk limit that random commands reach.
 class SmoothGantry : public Gantry {
  public:
   SmoothGantry() {
@@ -22,12 +22,12 @@ class SmoothGantry : public Gantry {
   }
 };
 
-/// What the whole suite of cases has gone through, printed at the end.
+/// Statistics of all cases of the suite, printed at the end.
 struct Totals {
   std::uint64_t ticks = 0, accepted = 0, refused = 0, late = 0, stretched = 0, stops = 0, aborted = 0;
 };
 
-/// A robot under random commands at random times, looked at in every tick.
+/// A robot under random commands at random times, checked in every tick.
 class Driver {
  public:
   Driver(std::uint64_t seed, Totals& totals) : random_(seed), totals_(totals) {
@@ -54,7 +54,7 @@ class Driver {
   }
 
  private:
-  /// When the reply to an accepted command must leave: at `tick` or, when the duration was stretched, not before.
+  /// The time of the reply to an accepted command: exactly `tick`, or not before it when the duration was stretched.
   struct Expected {
     Tick tick;
     bool exact;
@@ -80,7 +80,7 @@ class Driver {
     }
   }
 
-  /// Mostly one command per reply, in time or late; now and then a second or third without waiting.
+  /// Mostly one command per reply, in time or late; occasionally a second or third without waiting.
   void maybe_send() {
     if (!expected_.empty() && !chance(0.005)) return;
     if (expected_.empty() && pause_ > 0) {
@@ -126,7 +126,7 @@ class Driver {
     command.interpolation = static_cast<Interpolation>(integer(0, 2));
     command.relative = chance(0.5);
 
-    // a velocity that can be reached, and the way on which it is reached smoothly
+    // a velocity that can be reached, and a path on which it is reached smoothly
     const double time = steps * kPeriod;
     const JointVector velocity =
         chance(0.2)
@@ -210,7 +210,7 @@ class Driver {
       RC_ASSERT(std::abs(now.velocity[i]) <= axis.velocity_max * (1 + 1e-8));
       RC_ASSERT(std::abs(way) <= axis.velocity_max * kPeriod * (1 + 1e-8));
       RC_ASSERT(std::abs(now.acceleration[i]) <= axis.acceleration_max * (1 + 1e-8));
-      // neither velocity nor acceleration jumps, and the position goes with the velocity
+      // neither velocity nor acceleration jumps, and the position follows the velocity
       const double acceleration = (now.velocity[i] - previous_.velocity[i]) / kPeriod;
       const double jerk = (now.acceleration[i] - previous_.acceleration[i]) / kPeriod;
       RC_ASSERT(std::abs(acceleration) <= axis.acceleration_max * (1 + 1e-6));

@@ -24,7 +24,7 @@ class FaultyHardware : public LoopbackHardware {
     LoopbackHardware::read(tick, input);
     if (travel_.size() == 0)
       travel_ = JointVector::Zero(input.motors.size());
-    else if (input.synchronised == was_synchronised_)  // else the counting has changed, in one tick of rest
+    else if (input.synchronised == was_synchronised_)  // else the counter has changed, in one tick of rest
       travel_ += input.motors - last_;
     last_ = input.motors;
     was_synchronised_ = input.synchronised;
@@ -33,7 +33,7 @@ class FaultyHardware : public LoopbackHardware {
     if (rewire) rewire(input);
     if (slip_.size() != 0) input.motors += slip_;
     if (jammed.size() == 0 && jam) jammed = input.motors;
-    if (jammed.size() != 0 && !jam) {  // it continues from where it has stuck
+    if (jammed.size() != 0 && !jam) {  // it continues from where it was stuck
       slip_ = (slip_.size() != 0 ? slip_ : JointVector::Zero(jammed.size()).eval()) + jammed - input.motors;
       input.motors = jammed;
       jammed.resize(0);
@@ -46,13 +46,13 @@ class FaultyHardware : public LoopbackHardware {
   void set_points(const JointVector&, const JointVector& velocity) noexcept override { velocity_target = velocity; }
   JointVector velocity_target;  ///< of the shafts, rad/s
   bool powered = false;
-  bool jam = false;                            ///< the shafts tremble where they are
-  bool stuck = false;                          ///< jammed, they do not even that: so reads an encoder that has died
-  static constexpr double kTremble = 1e-4;     ///< rad
-  bool blind = false;                          ///< the synchronisation switches are dead
-  std::function<void(HardwareInput&)> rewire;  ///< other switches than the driver's; may look at `travelled`
-  std::function<void(HardwareInput&)> spoil;   ///< last of all, what is reported
-  /// Of the shafts since the start, whatever they count from.
+  bool jam = false;                         ///< the shafts oscillate at their positions
+  bool stuck = false;                       ///< jammed, the shafts do not even oscillate: the reading of a dead encoder
+  static constexpr double kTremble = 1e-4;  ///< rad
+  bool blind = false;                       ///< the synchronisation switches are dead
+  std::function<void(HardwareInput&)> rewire;  ///< replaces the driver's switches; may use `travelled`
+  std::function<void(HardwareInput&)> spoil;   ///< changes the reported values, last of all
+  /// Path of the shafts since the start, independent of their counters.
   const JointVector& travelled() const { return travel_; }
   bool positions_lost = false;
   ErrorCode fault = ErrorCode::none;
@@ -63,7 +63,7 @@ class FaultyHardware : public LoopbackHardware {
   bool was_synchronised_ = false;
 };
 
-/// One robot in lockstep: the servo's tick, then the comms side, as the participant of a deployment runs them.
+/// One robot in lockstep: the servo's tick, then the comms side, in the order of a participant of a deployment.
 template <class Model>
 struct Rig {
   explicit Rig(bool on = true, bool synchronised = true) : hardware(model, kPeriod, synchronised) {
@@ -82,7 +82,7 @@ struct Rig {
   void run(Tick ticks) {
     for (Tick i = 0; i < ticks; ++i) tick();
   }
-  /// True: refused or answered at once, the answer is in `answer`.
+  /// True: refused or answered at once; the answer is in `answer`.
   bool send(const RobotCommand& command) { return effector.accept(command, ++number, answer); }
   RobotState query() {
     send(RobotCommand{});

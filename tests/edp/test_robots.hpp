@@ -21,7 +21,7 @@ inline AxisParameters test_axis(const char* name) {
   axis.encoder_increments = 4000;
   axis.current_max = 20;
   axis.following_error_max = 30;
-  axis.stuck_max = 0.08 * axis.following_error_max;  // as in a robot's file that does not give it
+  axis.stuck_max = 0.08 * axis.following_error_max;  // the default of a robot's file
   axis.stuck_current = 0;
   axis.regulator_a = 0.412429378531;
   axis.regulator_b0 = 2.594932 * 0.6;
@@ -102,7 +102,7 @@ class Gantry : public GearedModel {
   }
 };
 
-/// Planar arm of two links, 0.5 m and 0.4 m, elbow up or down as `near` has it.
+/// Planar arm of two links, 0.5 m and 0.4 m, elbow up or down as in `near`.
 class PlanarArm : public GearedModel {
  public:
   PlanarArm() {

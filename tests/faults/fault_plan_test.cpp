@@ -10,16 +10,16 @@
 namespace mrroc::faults {
 namespace {
 
-TEST(FaultPlan, GivesAProcessWhatStrikesIt) {
+TEST(FaultPlan, GivesAProcessItsOwnFaults) {
   clock::HostOptions options;
   options.participants = {"arm_edp"};
   clock::ClockHost host(options);
   const auto clock = clock::attach_clock(host.fd(), "arm_edp");
   const FaultPlan plan({"kill edp:arm at tick 1", "nan vsp:wrist at tick 1", "fault edp:arm at tick 7 for 3 ticks"});
   const auto switches = plan.of("arm_edp", *clock);
-  ASSERT_EQ(switches.size(), 1U) << "a signal is the runner's business";
+  ASSERT_EQ(switches.size(), 1U) << "the runner sends signals";
   EXPECT_EQ(switches[0].fault().kind, Kind::fault);
-  EXPECT_FALSE(switches[0].on(7)) << "nobody has set it off";
+  EXPECT_FALSE(switches[0].on(7)) << "it has not been triggered";
   host.set_off_fault(2, 7);
   EXPECT_FALSE(switches[0].on(6));
   EXPECT_TRUE(switches[0].on(7));
@@ -27,7 +27,7 @@ TEST(FaultPlan, GivesAProcessWhatStrikesIt) {
   EXPECT_FALSE(switches[0].on(10));
 }
 
-TEST(FaultPlan, AStepSetsAFaultOffOnceForEverybody) {
+TEST(FaultPlan, StepTriggersAFaultOnceForAllProcesses) {
   clock::HostOptions options;
   options.participants = {"arm"};
   clock::ClockHost host(options);
@@ -39,10 +39,10 @@ TEST(FaultPlan, AStepSetsAFaultOffOnceForEverybody) {
   EXPECT_EQ(host.fault_tick(0), 111U);
   EXPECT_EQ(host.fault_tick(1), kNever);
   plan.count_step("arm", 3, 500, *clock);
-  EXPECT_EQ(host.fault_tick(0), 111U) << "the first word holds";
+  EXPECT_EQ(host.fault_tick(0), 111U) << "the first trigger counts";
 }
 
-TEST(FaultPlan, RefusesMoreThanTheClockHasPlaceFor) {
+TEST(FaultPlan, RefusesMoreThanTheClockCanHold) {
   EXPECT_THROW(FaultPlan(std::vector<std::string>(33, "kill mp at tick 1")), std::invalid_argument);
   EXPECT_EQ(FaultPlan(std::vector<std::string>(32, "kill mp at tick 1")).all().size(), 32U);
 }

@@ -7,7 +7,7 @@
 namespace mrroc::faults {
 namespace {
 
-TEST(ParseFault, AProcessAtAStepOfItsOwn) {
+TEST(ParseFault, ProcessAtItsOwnStep) {
   const InjectedFault fault = parse_fault("kill ecp:arm at step 120");
   EXPECT_EQ(fault.kind, Kind::kill);
   EXPECT_EQ(fault.process, "arm");
@@ -18,7 +18,7 @@ TEST(ParseFault, AProcessAtAStepOfItsOwn) {
   EXPECT_EQ(fault.text, "kill ecp:arm at step 120");
 }
 
-TEST(ParseFault, AnAxisByAValueForSomeTime) {
+TEST(ParseFault, AxisByAValueForSomeTime) {
   const InjectedFault fault = parse_fault("jump edp:arm axis 2 by -0.5 at tick 800 for 30 ticks");
   EXPECT_EQ(fault.kind, Kind::jump);
   EXPECT_EQ(fault.process, "arm_edp");
@@ -29,7 +29,7 @@ TEST(ParseFault, AnAxisByAValueForSomeTime) {
   EXPECT_EQ(fault.duration, 30U);
 }
 
-TEST(ParseFault, StepsOfAnotherProcess) {
+TEST(ParseFault, StepOfAnotherProcess) {
   EXPECT_EQ(parse_fault("halt edp:arm at step 5").counter, "arm");
   EXPECT_EQ(parse_fault("halt edp:arm at step 5 of mp").counter, "mp");
   EXPECT_EQ(parse_fault("kill sim at step 5 of arm").counter, "arm");
@@ -51,7 +51,7 @@ TEST(ParseFault, OneDriveOnABus) {
     EXPECT_EQ(fault.counter, "arm");
     EXPECT_EQ(fault.duration, 5U);
   }
-  EXPECT_EQ(parse_fault("fault edp:arm at tick 3").process, "arm_edp") << "of all its drives";
+  EXPECT_EQ(parse_fault("fault edp:arm at tick 3").process, "arm_edp") << "all its drives";
   EXPECT_EQ(parse_fault("corrupt ecp:arm at tick 3").process, "arm") << "its commands";
 }
 
@@ -60,7 +60,7 @@ TEST(ParseFault, ThreeKindsAreSignals) {
   for (const Kind kind : {Kind::fault, Kind::freeze, Kind::hush, Kind::lose}) EXPECT_FALSE(is_signal(kind));
 }
 
-/// A text that is wrong, and what is said of it.
+/// An invalid text, and its error message.
 struct Wrong {
   const char* text;
   const char* message;
@@ -68,7 +68,7 @@ struct Wrong {
 
 class WrongFault : public testing::TestWithParam<Wrong> {};
 
-TEST_P(WrongFault, IsRefusedWithTheWordAndWhatWasExpected) {
+TEST_P(WrongFault, IsRefusedWithTheWordAndTheExpectation) {
   try {
     parse_fault(GetParam().text);
     FAIL() << GetParam().text;

@@ -1,5 +1,5 @@
-// Frames of any content, in any order: what puts them into words, a transfer that waits for an answer, the EDP's side
-// of a drive, and a simulated drive.
+// Frames of any content in any order: their description, a transfer that waits for an answer, the EDP's side of a
+// drive, and a simulated drive.
 #include <algorithm>
 #include <cmath>
 
@@ -31,20 +31,20 @@ can::Frame frame_from(fuzz::Bytes& input) {
   fuzz::require(can::from_raw(raw, fd ? CANFD_MTU : CAN_MTU, frame), "it is a frame");
   canfd_frame again;
   can::Frame back;
-  fuzz::require(can::from_raw(again, can::to_raw(frame, again), back), "a frame is sent as one");
-  fuzz::require(back.size == frame.size && back.data == frame.data, "a frame comes back");
+  fuzz::require(can::from_raw(again, can::to_raw(frame, again), back), "a frame is sent as a frame");
+  fuzz::require(back.size == frame.size && back.data == frame.data, "a frame round-trips");
   return frame;
 }
 
 void check_words(const std::string& text) {
-  fuzz::require(!text.empty(), "every frame has words");
+  fuzz::require(!text.empty(), "every frame has a description");
   fuzz::require(std::all_of(text.begin(), text.end(), [](char letter) { return letter >= 0x20 && letter < 0x7f; }),
-                "words are one printable line");
+                "a description is one printable line");
 }
 
 void check_sent(const can::Frame& frame) {
   fuzz::require(frame.id <= 0x7ff && frame.size <= can::kMaxClassicalData && !frame.fd && !frame.error,
-                "what is sent is a classical frame");
+                "a sent frame is a classical frame");
 }
 
 /// The EDP's side: a drive in every mode, ticks at each SYNC.
@@ -72,7 +72,7 @@ class Master {
     drive_.busy(tick_);
     fuzz::require(
         std::isfinite(drive_.position()) && std::isfinite(drive_.velocity()) && std::isfinite(drive_.current()),
-        "what is measured is a number");
+        "a measured value is a number");
     const can::Frame command = drive_.command({1, drive_.position(), 1});
     check_sent(command);
     fuzz::require(command.id == kReceivePdo1 + drive_.node() && command.size > 0, "a drive is commanded in every tick");
@@ -83,7 +83,7 @@ class Master {
   Tick tick_ = 0;
 };
 
-/// A simulated drive with a motor that stands.
+/// A simulated drive with a motor at rest.
 class Slave {
  public:
   Slave(const config::DriveTable& table, const AxisParameters& axis)
@@ -108,13 +108,13 @@ class Slave {
   std::int64_t now_ = 0;
 };
 
-/// A transfer at each of our own requests, as a client of the node that it goes to.
+/// A transfer at each request of the master, like a client of the addressed node.
 void follow(SdoTransfer& transfer, const can::Frame& frame, const Object& object, bool writes) {
   can::Frame next;
   const bool waits = transfer.status() == SdoTransfer::Status::waiting;
   const bool taken = transfer.take(frame, next);
-  fuzz::require(!taken || waits, "only who waits gets an answer");
-  fuzz::require(transfer.value().size() <= kMaxValue, "a value has an end");
+  fuzz::require(!taken || waits, "only a waiting transfer gets an answer");
+  fuzz::require(transfer.value().size() <= kMaxValue, "a value has a maximum size");
   check_sent(next);
   if (transfer.status() != SdoTransfer::Status::waiting)
     writes ? transfer.download(1, object, transfer.value()) : transfer.upload(1, object);
@@ -149,7 +149,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     check_words(words.line(frame));
     check_words(without.line(frame));
     if (const auto emergency = emergency_of(frame))
-      fuzz::require(!error_text(emergency->code).empty() && to_frame(*emergency) == frame, "an emergency comes back");
+      fuzz::require(!error_text(emergency->code).empty() && to_frame(*emergency) == frame, "an emergency round-trips");
     follow(reads, frame, kDeviceName, false);
     follow(writes, frame, kDeviceName, true);
     master.take(frame);

@@ -1,5 +1,5 @@
-"""Holds tests/fuzz/messages.cpp to src/links/wire/messages.idl: every struct that travels, one with a Header, is fuzzed, each once,
-in an array of just that length.
+"""Compares tests/fuzz/messages.cpp with src/links/wire/messages.idl: every transmitted struct, one with a Header, is fuzzed once,
+in an array of exactly that length.
 
 Usage: check_messages.py SOURCE_DIR
 """
@@ -23,9 +23,9 @@ def main():
     travelling = {name for name, body in STRUCT.findall(idl) if re.search(r"\bHeader \w+;", body)}
     fuzzed = collections.Counter(FUZZED.findall(fuzzer))
     problems = [f"{name} of {IDL} is not fuzzed" for name in sorted(travelling - fuzzed.keys())]
-    problems += [f"{name} is no message of {IDL}" for name in sorted(fuzzed.keys() - travelling)]
+    problems += [f"{name} is not a message of {IDL}" for name in sorted(fuzzed.keys() - travelling)]
     problems += [f"{name} is fuzzed {count} times" for name, count in fuzzed.items() if count > 1]
-    # a longer array ends in types that are not there
+    # a longer array would end in empty types
     if LENGTH.findall(fuzzer) != [str(fuzzed.total())]:
         problems.append(f"its array is for {LENGTH.findall(fuzzer)} types, it has {fuzzed.total()}")
     print("\n".join(f"{FUZZER}: {problem}" for problem in problems) or f"{len(travelling)} messages are fuzzed")

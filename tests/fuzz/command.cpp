@@ -1,4 +1,4 @@
-// Commands of any content to an EDP at any time, its drives switched on and off: what its link's decoder lets through.
+// Commands of any content that the link's decoder accepts, to an EDP at any time, with its drives switched on and off.
 #include <cmath>
 #include <set>
 
@@ -14,11 +14,11 @@ constexpr Tick kLongest = 4000;
 constexpr double kRounding = 1e-6;  // relative
 constexpr double kBeyond = 1e-3;    // rad or m that drives overshoot while they are switched off
 
-/// One robot under test, looked at in every tick.
+/// One robot under test, checked in every tick.
 class Driver {
  public:
   Driver() {
-    // its drives are models that lag: how far is not the question here
+    // its drives are models that lag; this fuzzer does not check the lag
     for (AxisParameters& axis : rig_.model.change().axes) axis.following_error_max = 1e9;
     previous_ = rig_.seen().desired;
   }
@@ -39,7 +39,7 @@ class Driver {
   }
 
  private:
-  /// Small numbers, as they come, or any bits.
+  /// Small numbers, numbers of the input, or any bits.
   double number(fuzz::Bytes& input, bool any) {
     return any ? input.take<double>() : input.take<std::int16_t>() / 8192.0;
   }
@@ -96,7 +96,7 @@ class Driver {
       expected_.insert(rig_.number);
       return;
     }
-    fuzz::require(rig_.answer.command == rig_.number, "an answer is to the command");
+    fuzz::require(rig_.answer.command == rig_.number, "an answer belongs to the command");
     check(rig_.answer.state);
   }
 
@@ -133,7 +133,7 @@ class Driver {
             "no set-point jumps");
         fuzz::require(std::abs(now.velocity[i] - previous_.velocity[i]) <=
                           axis.acceleration_max * kPeriod * (1 + kRounding) + kRounding,
-                      "no velocity jumps");
+                      "the velocity is continuous");
       }
     }
     previous_ = now;

@@ -1,5 +1,5 @@
-// A deployment file of the stock robot and sensor types, with every stock program there, a scene, a played file and a
-// state machine beside it.
+// A deployment file of the stock robot and sensor types, with every stock program, a scene, a replay file and a state
+// machine beside it.
 #include "config/deployment.hpp"
 
 #include <netdb.h>
@@ -13,7 +13,8 @@
 #include "fuzz/fuzz.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-/// Names are not looked up: an input shall not ask the network. (The linker puts it in the place of getaddrinfo.)
+/// Host names are not resolved, because an input must not access the network. (The linker replaces getaddrinfo with
+/// it.)
 extern "C" int __real_getaddrinfo(const char*, const char*, const addrinfo*, addrinfo**);
 extern "C" int __wrap_getaddrinfo(const char* host, const char* service, const addrinfo*, addrinfo** list) {
   addrinfo numeric{};
@@ -43,10 +44,10 @@ void check(const mrroc::config::Deployment& deployment) {
   for (const auto& sensor : deployment.sensors) {
     const double periods = 1 / (sensor.rate * deployment.servo_period);
     fuzz::require(sensor.interactive || (std::round(periods) >= 1 && periods < 1.1e9),
-                  "a rate is a number of servo periods that can be counted");
+                  "a rate is a representable number of servo periods");
   }
   for (const auto& robot : deployment.robots) {
-    fuzz::require(robot.base.matrix().allFinite(), "a robot stands somewhere");
+    fuzz::require(robot.base.matrix().allFinite(), "the base of a robot is finite");
     fuzz::require(robot.force_limits.allFinite(), "force limits are numbers");
   }
   for (std::size_t i = 1; i < deployment.events.size(); ++i)

@@ -1,5 +1,5 @@
-// A table of drives for the IRb-6 and, behind the line "====", an EDS file "own.eds" beside it; then what would be
-// written into each drive.
+// A table of drives for the IRb-6 and, behind the line "====", an EDS file "own.eds" beside it; then the settings that
+// would be written into each drive.
 #include "config/drives/drive_table.hpp"
 
 #include <cmath>

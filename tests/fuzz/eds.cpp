@@ -7,7 +7,7 @@ namespace {
 
 using namespace mrroc::canopen;
 
-/// A PDO's identifier and mapping are changed in CiA 301's order alone.
+/// The identifier and the mapping of a PDO can be changed only in CiA 301's order.
 bool refuses_of_its_pdo(Object object, SdoAbort why) {
   const bool of_pdo = object.index >= kReceivePdoParameters && object.index < kTransmitPdoMapping + 0x200;
   return of_pdo && (why == SdoAbort::invalid_value || why == SdoAbort::wrong_state ||
@@ -23,18 +23,18 @@ void check(const EdsFile& file) {
     fuzz::require(file.object(address) == object, "an object has an address");
     const std::string& name = entry.name;  // a part's is found with its object's before it
     fuzz::refuses<std::invalid_argument>(
-        [&] { fuzz::require(file.find(file.object(name)) != nullptr, "a name is that of an object"); });
+        [&] { fuzz::require(file.find(file.object(name)) != nullptr, "a name belongs to an object"); });
   }
   mrroc::sim::ObjectStore store(file, 5);
   for (const auto& [object, entry] : file.entries()) {
     std::vector<std::uint8_t> value;
     const bool read = store.read(object, value) == SdoAbort::none;
-    fuzz::require(read == entry.readable(), "what may be read is read");
+    fuzz::require(read == entry.readable(), "a readable object is read");
     fuzz::require(!read || size_of(entry.type) == 0 || value.size() == size_of(entry.type), "a value fits its type");
     const SdoAbort why = store.write(object, std::vector<std::uint8_t>(store.size(object)));
-    fuzz::require(entry.writable() || why != SdoAbort::none, "what may only be read is not written");
+    fuzz::require(entry.writable() || why != SdoAbort::none, "a read-only object is not written");
     fuzz::require(!entry.writable() || why == SdoAbort::none || refuses_of_its_pdo(object, why),
-                  "what may be written is written, but for PDOs in use");
+                  "a writable object is written, except for PDOs in use");
   }
 }
 

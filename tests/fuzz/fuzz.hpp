@@ -10,8 +10,8 @@
 #include <type_traits>
 #include <utility>
 
-/// What the fuzzers share. A fuzzer is one file with this one function: libFuzzer calls it with inputs that it makes
-/// up, replay_main.cpp with the files of its corpus. It returns 0. A crash, a hang, a leak, a failed `require` and an
+/// Common parts of the fuzzers. A fuzzer is one file with this one function: libFuzzer calls it with generated inputs,
+/// replay_main.cpp with the files of its corpus. It returns 0. A crash, a hang, a leak, a failed `require` and an
 /// exception that escapes are findings.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -21,15 +21,14 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Ends the process, as any other crash would, when a law does not hold.
+/// Ends the process, like any other crash, when a law does not hold.
 inline void require(bool holds, const char* law) {
   if (holds) return;
   std::fprintf(stderr, "law broken: %s\n", law);
   std::abort();
 }
 
-/// Whether `action` refuses what it was given by throwing an Error, the one thing that it may throw. The error has
-/// words.
+/// Whether `action` refuses its input with an Error, the only exception that it may throw. The error has a text.
 template <class Error, class Action>
 bool refuses(Action&& action) {
   try {
@@ -41,7 +40,7 @@ bool refuses(Action&& action) {
   }
 }
 
-/// Takes an input apart; behind its end everything is 0.
+/// Splits an input into values; behind its end every value is 0.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
@@ -64,7 +63,7 @@ class Bytes {
     left_ -= there;
   }
 
-  /// All up to the line "====", which is taken too; without one, all.
+  /// Takes all text up to the line "====" and that line; without one, all text.
   std::string_view take_section() noexcept {
     constexpr std::string_view kEnd = "====\n";
     const std::string_view all = rest();

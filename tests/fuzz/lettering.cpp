@@ -1,4 +1,4 @@
-// A file of letters for the engraver, of any content, and what is written with them.
+// A file of letters for the engraver, of any content, and the strokes of a text with them.
 #include "engraving/lettering.hpp"
 
 #include <cmath>

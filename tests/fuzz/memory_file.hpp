@@ -10,7 +10,7 @@
 
 namespace fuzz {
 
-/// A file of this process's own that is on no disk: what is read by name is written there thousands of times a second.
+/// A file in memory for this process: functions that read a file by name use it thousands of times a second.
 class MemoryFile {
  public:
   MemoryFile() : descriptor_(memfd_create("input", MFD_CLOEXEC)) {
@@ -20,7 +20,7 @@ class MemoryFile {
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
 
-  /// Replaces what is in it and returns its path.
+  /// Replaces its contents and returns its path.
   std::filesystem::path write(std::string_view text) const {
     if (ftruncate(descriptor_, 0) != 0 ||
         pwrite(descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))

@@ -1,6 +1,6 @@
-// Every IDL type's way in: the first byte picks the type, the rest is what came from the network. It goes through
-// Cyclone's own deserialiser, as a received sample does (with the top bit of the first byte it is the wire struct
-// itself), then through our decoder.
+// The decoder of every IDL type: the first byte selects the type, the rest is the received data. It passes through
+// Cyclone's own deserialiser, like a received sample (with the top bit of the first byte set it is the wire struct
+// itself), then through the framework's decoder.
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_serdata.h>
 
@@ -16,7 +16,7 @@
 
 namespace fuzz {
 
-/// A message with a field of every kind: what a parcel may carry.
+/// A message with a field of every kind that a message may contain.
 struct Everything {
   double number = 0;
   int integer = 0;
@@ -32,23 +32,23 @@ namespace {
 
 using namespace mrroc::links;
 
-/// What is made of a message that was believed.
+/// Uses of a message that was accepted.
 template <class T>
 void use(const T&) {}
 
 void use(const mrroc::Parcel& parcel) {
   refuses<mrroc::NonFatalError>([&] { mrroc::unpack<Everything>(parcel); });
-  mrroc::Parcel forged = parcel;  // a fingerprint is no secret
+  mrroc::Parcel forged = parcel;  // a fingerprint is not secret
   forged.fingerprint = mrroc::detail::fingerprint_of<Everything>();
   forged.size = static_cast<std::uint16_t>(mrroc::detail::size_of<Everything>());
   const auto message = mrroc::unpack<Everything>(forged);
-  require(message.joints.size() <= mrroc::kMaxJoints, "no more joints than fit");
+  require(message.joints.size() <= mrroc::kMaxJoints, "at most kMaxJoints joints");
 }
 
 void use(const TaskCommand& command) { use(command.parcel); }
 void use(const TaskStatus& status) { use(status.parcel); }
 
-/// Decodes the wire struct. What is believed is sent and believed again, the same.
+/// Decodes the wire struct. An accepted message is sent and accepted again, unchanged.
 template <class T>
 void decode_wire(const Wire<T>& wire) {
   T message;
@@ -57,10 +57,10 @@ void decode_wire(const Wire<T>& wire) {
   Wire<T> first{};
   encode(message, first);
   T again;
-  require(decode(first, again), "what was decoded can be sent on");
+  require(decode(first, again), "a decoded message can be sent on");
   Wire<T> second{};
   encode(again, second);
-  require(std::memcmp(&first, &second, sizeof first) == 0, "a message sent on is the same");
+  require(std::memcmp(&first, &second, sizeof first) == 0, "a message sent on is unchanged");
 }
 
 class Type {
@@ -79,7 +79,7 @@ class TypeOf final : public Type {
     const dds_entity_t writer = dds_create_writer(domain.participant(), topic, nullptr, nullptr);
     const Wire<T> sample{};
     dds_sample_info_t info;
-    // Cyclone tells an application its form of the type by a sample only
+    // only a sample contains Cyclone's form of the type
     require(
         writer > 0 && dds_write(writer, &sample) == 0 && dds_takecdr(reader, &sample_, 1, &info, DDS_ANY_STATE) == 1,
         "a topic of this type works");

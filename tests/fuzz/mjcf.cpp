@@ -1,5 +1,5 @@
-// A part of the simulated world, of any content: read, renamed, written again. What MuJoCo makes of the text is its
-// own.
+// A part of the simulated world, of any content: read, renamed, written again. MuJoCo's interpretation of the text is
+// not tested.
 #include <algorithm>
 
 #include "config/table.hpp"
@@ -9,7 +9,7 @@
 #include "sim/scene/mjcf_part.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const mrroc::task_test::ScratchFolder folder;  // where an input finds nothing to include but itself
+  static const mrroc::task_test::ScratchFolder folder;  // where an input can include only itself
   static const fuzz::MemoryFile again;
   const auto file = folder.write("part.xml", fuzz::text_of(data, size));
   mrroc::sim::MjcfPart part;
@@ -22,6 +22,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto lines = static_cast<std::size_t>(std::count(text.text.begin(), text.text.end(), '\n'));
   fuzz::require(lines == text.lines.size(), "every line has its origin");
   const auto well_formed = mrroc::sim::load_mjcf(again.write(text.text));
-  fuzz::require(mrroc::sim::write(well_formed).text == text.text, "what is written reads back the same");
+  fuzz::require(mrroc::sim::write(well_formed).text == text.text, "a written part reads back unchanged");
   return 0;
 }

@@ -1,5 +1,5 @@
-// What an operator types: lines of any content from a file or a terminal, as answers to questions of any kind. And the
-// texts that errors quote him.
+// Input of an operator: lines of any content from a file or a terminal, as answers to questions of any kind; and the
+// texts that errors quote.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -37,7 +37,7 @@ OperatorQuestion question_from(fuzz::Bytes& input) {
 void check_answer(const OperatorQuestion& question, const std::string& line) {
   std::string refusal;
   const auto answer = mrroc::process::read_answer(question, line, refusal);
-  if (!answer) return fuzz::require(!refusal.empty() && is_printable(refusal), "a refusal is one line that says why");
+  if (!answer) return fuzz::require(!refusal.empty() && is_printable(refusal), "a refusal is one line with a reason");
   fuzz::require(std::isfinite(*answer), "an answer is a finite number");
   if (question.kind == QuestionKind::number)
     fuzz::require(*answer >= question.minimum && *answer <= question.maximum, "an answer is in its range");
@@ -48,8 +48,8 @@ void check_answer(const OperatorQuestion& question, const std::string& line) {
 void check_words(std::string_view a, std::string_view b) {
   a = a.substr(0, kLongWord), b = b.substr(0, kLongWord);
   const std::size_t distance = mrroc::config::edit_distance(a, b);
-  fuzz::require(distance == mrroc::config::edit_distance(b, a), "a distance is the same both ways");
-  fuzz::require((distance == 0) == (a == b) && distance <= std::max(a.size(), b.size()), "a distance is one");
+  fuzz::require(distance == mrroc::config::edit_distance(b, a), "a distance is symmetric");
+  fuzz::require((distance == 0) == (a == b) && distance <= std::max(a.size(), b.size()), "a distance is a metric");
   const std::string best = mrroc::config::nearest(a, {std::string{b}, "a", ""});
   fuzz::require(best.empty() || best == b || best == "a", "the nearest is one of them");
 }
@@ -60,7 +60,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::MemoryFile file;
   fuzz::Bytes input(data, size);
   const OperatorQuestion question = question_from(input);
-  fuzz::require(!mrroc::process::expected_answer(question).empty(), "a question says what it expects");
+  fuzz::require(!mrroc::process::expected_answer(question).empty(), "a question names the expected answer");
   const std::string_view typed = input.rest();
   const int descriptor = open(file.write(typed).c_str(), O_RDONLY | O_CLOEXEC);
   mrroc::cli::TypedLines lines(descriptor);

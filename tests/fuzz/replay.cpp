@@ -1,4 +1,4 @@
-// Sensor readings played from a file (vsp/replay_source.hpp), of any content.
+// Sensor readings replayed from a file (vsp/replay_source.hpp), of any content.
 #include "config/table.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
@@ -13,11 +13,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (const mrroc::Tick tick : {mrroc::Tick{0}, mrroc::Tick{1}, mrroc::Tick{250}, mrroc::kNever - 1}) {
       mrroc::vsp::RawReading raw;
       const bool ready = source.read(tick, raw) == mrroc::vsp::SourceState::ready;
-      fuzz::require(!ready || (raw.tick == tick && raw.count == channels.size()), "a reading is of the tick asked for");
-      fuzz::require(ready || !was_ready, "the last line holds for ever");
+      fuzz::require(!ready || (raw.tick == tick && raw.count == channels.size()),
+                    "a reading belongs to the requested tick");
+      fuzz::require(ready || !was_ready, "the last line applies to all later ticks");
       was_ready = ready;
     }
-    fuzz::require(was_ready, "a file that is read has a reading");
+    fuzz::require(was_ready, "an accepted file has a reading");
   });
   return 0;
 }

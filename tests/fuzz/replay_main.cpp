@@ -1,4 +1,4 @@
-// main() of a fuzzer where there is no libFuzzer: runs the inputs in the folders given, each once.
+// main() of a fuzzer without libFuzzer: runs each input of the given folders once.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Robot parameter files: the first byte picks the robot, the rest is its file. What is read goes through the checks of
-// an EDP before it opens the drives.
+// Robot parameter files: the first byte selects the robot, the rest is its file. An accepted file passes through the
+// checks that an EDP makes before it opens the drives.
 #include <array>
 
 #include "config/robot_parameters_file.hpp"
@@ -34,7 +34,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::require(!models.empty(), "a robot has a model");
     mrroc::edp::check_models(models, mrroc::config::Table::load(file));
     const auto& parameters = models.front()->parameters();
-    fuzz::require(models.front()->flange(parameters.home).matrix().allFinite(), "home is somewhere");
+    fuzz::require(models.front()->flange(parameters.home).matrix().allFinite(), "the home pose is finite");
   });
   return 0;
 }

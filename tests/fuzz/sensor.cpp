@@ -1,5 +1,5 @@
-// A VSP without its transport: the first byte picks the sensor type, the second what is watched, then come the keys
-// that a deployment gives it up to the line "====", then what happens to it, tick by tick: raw readings of any bits,
+// A VSP without its transport: the first byte selects the sensor type, the second the monitored values. Then follow the
+// sensor's keys in a deployment up to the line "====", then the events, tick by tick: raw readings of any bits,
 // requests, states of its robot.
 #include <stdlib.h>
 
@@ -47,7 +47,7 @@ constexpr std::array<Kind, 8> kKinds{{{"conveyor_encoder", &made<ConveyorEncoder
                                       {"tracker", &made<TrackerSensor>},
                                       {"ultrasonic", &made<UltrasonicSensor>}}};
 
-/// Gives what the input says.
+/// A source with the readings of the input.
 class AnySource final : public Source {
  public:
   SourceState read(Tick wanted, RawReading& raw) noexcept override {

@@ -1,5 +1,5 @@
-// What sensors/<type>/<type>.toml declares, then the line "====", then the keys that a deployment gives a sensor of the
-// type.
+// The declarations of sensors/<type>/<type>.toml, then the line "====", then the keys of a sensor of the type in a
+// deployment.
 #include "config/entries/sensor_type.hpp"
 
 #include <stdlib.h>

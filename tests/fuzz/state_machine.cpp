@@ -1,4 +1,4 @@
-// What ECP programs say to `--behaviours`, then the line "====", then a state-machine file for them.
+// Output of ECP programs for `--behaviours`, then the line "====", then a state-machine file for them.
 #include "config/state_machine.hpp"
 
 #include <stdexcept>
@@ -29,14 +29,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string said{input.take_section()};
   if (fuzz::refuses<std::runtime_error>([&] { programs = mrroc::config::read_programs(said); })) return 0;
   const std::string text = mrroc::config::to_text(programs);
-  fuzz::require(mrroc::config::to_text(mrroc::config::read_programs(text)) == text,
-                "behaviours survive the way as text");
+  fuzz::require(mrroc::config::to_text(mrroc::config::read_programs(text)) == text, "behaviours round-trip as text");
   fuzz::refuses<mrroc::config::ConfigurationError>([&] {
     const auto machine = mrroc::config::load_state_machine(file.write(input.rest()), deployment, programs);
     fuzz::require(!mrroc::config::to_dot(machine).empty(), "a state machine can be drawn");
     for (const auto& state : machine.states)
       for (const auto& start : state.starts)
-        fuzz::require(start.behaviour.size <= mrroc::Parcel::kCapacity, "a behaviour fits its parcel");
+        fuzz::require(start.behaviour.size <= mrroc::Parcel::kCapacity, "a behaviour fits its message");
   });
   return 0;
 }

@@ -11,7 +11,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const mrroc::fakes::FreeFlyer task(mrroc::Pose::Identity());
   fuzz::refuses<mrroc::NonFatalError>([&] {
     const auto path = mrroc::load_taught_path(file.write(fuzz::text_of(data, size)), *task.arm);
-    fuzz::require(!path.points.empty(), "a path that is read has a point");
+    fuzz::require(!path.points.empty(), "an accepted path has a point");
     for (const auto& point : path.points) {
       fuzz::require(path.space == mrroc::TaughtPath::Space::poses || point.joints.size() == 6, "a joint for each axis");
       fuzz::require(point.pose.matrix().allFinite(), "a pose is finite");

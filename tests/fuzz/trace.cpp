@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
           fuzz::require(!text.empty(), "a violation has a text");
           ++reports;
         });
-    fuzz::require(verdict.violations >= reports, "every violation that is reported is counted");
+    fuzz::require(verdict.violations >= reports, "every reported violation is counted");
   });
   return 0;
 }

@@ -1,4 +1,4 @@
-// A robot's URDF: the first byte picks the robot, the rest is the file that is compared with its model.
+// A robot's URDF: the first byte selects the robot, the rest is the file that is compared with its model.
 #include <array>
 
 #include "config/table.hpp"

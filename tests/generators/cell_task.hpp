@@ -8,8 +8,8 @@
 
 namespace mrroc::test {
 
-/// What the task program's process of every test cell has in common: a period of 2 ms, no sensor, no operator, no wall
-/// clock. A cell brings its robots and its time.
+/// Common part of the task process of every test cell: a period of 2 ms, no sensor, no operator, no wall clock. A cell
+/// adds its robots and its time.
 class CellTask : public Task {
  public:
   static constexpr double kPeriod = 0.002;  // s

@@ -7,10 +7,10 @@
 namespace mrroc::test {
 
 /// A SimulatedCell whose arm has a force sensor in its wrist, read by its EDP core as in a deployment. `keys`: the
-/// sensor's, in TOML, beside its place 90 mm beyond the flange.
+/// sensor's keys in TOML, in addition to its position 90 mm beyond the flange.
 class ForceCell : public SimulatedCell {
  public:
-  /// The weight of the IRb-6's own tool is taken out.
+  /// The sensor compensates the weight of the IRb-6's own tool.
   static constexpr const char* kToolTakenOut = "tool_mass = 1.1\ntool_centre = [0.004, 0.0, 0.066]\n";
 
   explicit ForceCell(const std::string& scene, const std::string& keys = kToolTakenOut)

@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A stylus on the arm's tool, a ball of 8 mm radius whose centre is 0.34 m from the flange, and `more` bodies.
+/// A stylus on the arm's tool, a ball of 8 mm radius with its centre 0.34 m from the flange, and `more` bodies.
 std::string scene(const std::string& more) {
   return R"(<mujoco><compiler angle="radian"/><option timestep="0.001" cone="elliptic"/>
 <worldbody>
@@ -37,7 +37,7 @@ std::string scene(const std::string& more) {
 
 constexpr double kRadius = 0.008;  // m, of the stylus
 
-/// The arm with the stylus as its tool, its zero taken at rest.
+/// The arm with the stylus as its tool; the sensor is zeroed at rest.
 struct Stylus : ForceCell {
   explicit Stylus(const std::string& more)
       : ForceCell(scene(more), "tool_mass = 1.4\ntool_centre = [0.003143, 0.0, 0.101857]\n") {
@@ -54,7 +54,7 @@ struct Stylus : ForceCell {
   Irb6 arm{*this};
 };
 
-/// A block on springs of `stiffness` (N/m), 0: fixed. Its top, level, is at `height` in the arm's base frame.
+/// A block on springs of `stiffness` (N/m); 0: fixed. Its level top is at `height` in the arm's base frame.
 std::string block(double height, double stiffness) {
   const std::string spring = "<joint type='slide' axis='0 0 1' stiffness='" + std::to_string(stiffness) +
                              "' damping='" + std::to_string(0.02 * stiffness) + "'/>";
@@ -63,8 +63,8 @@ std::string block(double height, double stiffness) {
          "<geom type='box' size='0.1 0.1 0.02' mass='0.2' friction='0.2 0.005 0.0001' solref='0.003 1'/></body>";
 }
 
-TEST(WeightMeasurementInSimulation, FindsWhatTheArmHoldsAndWhereItsCentreIs) {
-  // 1.5 kg, the centre 30 mm aside of and 80 mm beyond the tool's tip
+TEST(WeightMeasurementInSimulation, FindsMassAndCentreOfTheLoad) {
+  // 1.5 kg, the centre 30 mm beside and 80 mm beyond the tool's tip
   const std::string load = R"(<mujoco><compiler angle="radian"/>
 <worldbody><body name="load" pos="0.78 -0.02 0.62" quat="0 1 0 0"><freejoint/>
   <geom type="box" size="0.03 0.02 0.04" mass="1.5" contype="0" conaffinity="0"/></body></worldbody>
@@ -95,13 +95,13 @@ TEST(WeightMeasurementInSimulation, FindsWhatTheArmHoldsAndWhereItsCentreIs) {
   }
 }
 
-TEST(GuardedMotionInSimulation, StopsAtWhatItMeets) {
+TEST(GuardedMotionInSimulation, StopsAtAContact) {
   for (const double stiffness : {2e3, 2e4, 0.0}) {
     Stylus cell(block(-0.12, stiffness));
     cell.go_to(0.75, 0, -0.09);
     double most = 0;
     cell.on_tick = [&] { most = std::max(most, std::abs(cell.force()[2])); };
-    const double speed = stiffness > 0 ? 0.02 : 0.008;  // what is hard is met more slowly
+    const double speed = stiffness > 0 ? 0.02 : 0.008;  // hard objects are approached more slowly
     GuardedMotion motion(cell.arm, {0, 0, speed}, 5);
     const Outcome end = Move({cell.arm}, {}, motion.until(Travelled{cell.arm, 0.05}));
     cell.run(100);
@@ -116,11 +116,11 @@ TEST(GuardedMotionInSimulation, StopsAtWhatItMeets) {
   }
 }
 
-TEST(LeadThroughInSimulation, TheToolFollowsAHandAndStaysWhereItIsLeft) {
+TEST(LeadThroughInSimulation, ToolFollowsAHandAndStaysWhereItIsReleased) {
   Stylus cell("");
   const int tool = cell.id(mjOBJ_BODY, "arm/tool");
   const Vector3d home = cell.tip().translation();
-  // a hand that holds the tip by a spring, and goes along a slanted circle
+  // a hand that holds the tip by a spring, and moves along a slanted circle
   bool holds = true;
   Vector3d hand = home;
   double farthest = 0, t = 0;
@@ -147,10 +147,10 @@ TEST(LeadThroughInSimulation, TheToolFollowsAHandAndStaysWhereItIsLeft) {
   const Vector3d left = cell.tip().translation();
   Move({cell.arm}, {}, LeadThrough{cell.arm, guidance}.until(ElapsedSteps{200}));
   std::printf(
-      "hand on a spring of 400 N/m at 42 mm/s: the tool at most %.1f mm behind, creeps %.3f mm in 4 s when left\n",
+      "hand on a spring of 400 N/m at 42 mm/s: the tool at most %.1f mm behind, creeps %.3f mm in 4 s when released\n",
       1000 * farthest, 1000 * (cell.tip().translation() - left).norm());
   EXPECT_LT(farthest, 0.03);
-  EXPECT_LT((led - hand).norm(), 0.012) << "the spring holds the threshold at most";
+  EXPECT_LT((led - hand).norm(), 0.012) << "the spring holds at most the threshold";
   EXPECT_LT((cell.tip().translation() - left).norm(), 1e-3);
 }
 
@@ -190,7 +190,7 @@ TEST(SurfaceFollowingInSimulation, TurnsTheToolAlongADome) {
   EXPECT_LT(std::sqrt(force_square / ticks), 1.0);
 }
 
-TEST(SurfaceFollowingInSimulation, GoesAlongAPathAcrossASlope) {
+TEST(SurfaceFollowingInSimulation, FollowsAPathAcrossASlope) {
   Stylus cell(
       R"(<body pos="0.75 0 0.55" euler="0.1 -0.08 0"><joint type="slide" axis="0 0 1" stiffness="3000" damping="60"/>
     <geom type="box" size="0.15 0.15 0.02" mass="0.3" friction="0.2 0.005 0.0001" solref="0.01 1"/></body>)");
@@ -228,7 +228,7 @@ TEST(ContactSearchInSimulation, TouchesASlopeAtAGrid) {
   const Outcome end = Move({cell.arm}, {}, search.until(ElapsedSteps{20000}));
   EXPECT_EQ(end.ending, Ending::generator);
   ASSERT_EQ(search.count(), 9);
-  // distance of the places from the plane that the ball's centre touches it in
+  // distance of the positions from the plane of the ball's centre in contact
   const Eigen::Matrix3d slope =
       (Eigen::AngleAxisd(0.1, Vector3d::UnitX()) * Eigen::AngleAxisd(-0.08, Vector3d::UnitY())).toRotationMatrix();
   const Vector3d normal = slope.col(2), top = Vector3d(0.75, 0, -0.15) + (0.02 + kRadius) * normal;
@@ -246,7 +246,7 @@ TEST(ContactSearchInSimulation, TouchesASlopeAtAGrid) {
   EXPECT_LT(most, 30);
 }
 
-TEST(ImpedanceInSimulation, GivesWayByForceOverStiffnessAndComesBack) {
+TEST(ImpedanceInSimulation, DeflectsByForceOverStiffnessAndReturns) {
   Stylus cell("");
   const int tool = cell.id(mjOBJ_BODY, "arm/tool");
   Vector3d push = Vector3d::Zero();
@@ -265,7 +265,7 @@ TEST(ImpedanceInSimulation, GivesWayByForceOverStiffnessAndComesBack) {
     const Vector3d moved = cell.tip().translation() - home.translation();
     const Vector3d expected =
         (home.linear() * (home.linear().transpose() * force).cwiseQuotient(parameters.stiffness.head<3>()));
-    std::printf("pushed with (%.0f, %.0f, %.0f) N it gives way by (%.2f, %.2f, %.2f) mm, expected (%.2f, %.2f, %.2f)\n",
+    std::printf("pushed with (%.0f, %.0f, %.0f) N it deflects by (%.2f, %.2f, %.2f) mm, expected (%.2f, %.2f, %.2f)\n",
                 force.x(), force.y(), force.z(), 1000 * moved.x(), 1000 * moved.y(), 1000 * moved.z(),
                 1000 * expected.x(), 1000 * expected.y(), 1000 * expected.z());
     EXPECT_LT((moved - expected).norm(), 0.03 * expected.norm() + 3e-4);

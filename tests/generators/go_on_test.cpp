@@ -1,4 +1,4 @@
-// After a caught refusal the next motion works at once, whatever was refused and whatever comes next.
+// After a caught refusal the next motion works at once, for any refusal and any next motion.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -17,7 +17,7 @@
 namespace mrroc::test {
 namespace {
 
-/// Commands one joint a constant velocity or acceleration, from rest, until that is refused.
+/// Commands one joint a constant velocity or acceleration, from rest, until the EDP refuses it.
 class Drive : public Generator {
  public:
   Drive(std::vector<Robot*> robots, Eigen::Index axis, double velocity, bool by_position)
@@ -48,12 +48,12 @@ class Drive : public Generator {
   double velocity_ = 0;
 };
 
-/// Throws on its own in the middle of a motion.
+/// Throws its own error in the middle of a motion.
 class Failing : public Drive {
  public:
   using Drive::Drive;
   void next_state() override {
-    if (++steps_ == 15) throw NonFatalError(ErrorCode::invalid_argument, "by itself");
+    if (++steps_ == 15) throw NonFatalError(ErrorCode::invalid_argument, "its own error");
     Drive::next_state();
   }
 
@@ -164,7 +164,7 @@ TEST(GoOn, AllRobotsOfAMoveRestAfterTheRefusalOfOne) {
   const auto home = [&] {
     for (Robot* robot : all) Move({*robot}, {}, JointLine{*robot, robot->parameters().home});
   };
-  // the second one is nearer to its limit
+  // the second robot is nearer to its limit
   Move(RobotList(all), {}, Hold{*all[0], 0.1});
   JointVector ahead = model->parameters().home;
   ahead[0] += 0.5;

@@ -7,7 +7,7 @@
 namespace mrroc::test {
 namespace {
 
-/// A range finder in the ground looks up at the tool; its eye is 0.3 m below the tool's place at home.
+/// A range finder in the ground points up at the tool; its eye is 0.3 m below the tool's position at home.
 constexpr const char* kWallScene = R"(<mujoco><compiler angle="radian"/>
 <worldbody>
   <body name="gauge" pos="0.75 0 0.4"><geom type="sphere" size="0.005"/><site name="eye" zaxis="0 0 1" size="0.004"/></body>
@@ -15,7 +15,7 @@ constexpr const char* kWallScene = R"(<mujoco><compiler angle="radian"/>
 <sensor><rangefinder name="range" site="eye"/></sensor>
 </mujoco>)";
 
-TEST(GuardedApproachInSimulation, TheArmStopsAtTheDistanceThatItsSensorSees) {
+TEST(GuardedApproachInSimulation, ArmStopsAtTheMeasuredDistance) {
   for (const double stop : {0.15, 0.2, 0.25}) {
     SimulatedCell cell(kWallScene, {"range"});
     Irb6 arm(cell);

@@ -1,5 +1,5 @@
-// A target that is a limit is reached; what cannot be gone is refused before anything moves. On every robot, checked by
-// its EDP's planner.
+// A target on a limit is reached; an impossible path is refused before any motion. On every robot, checked by its EDP's
+// planner.
 #include "language/limits.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ namespace mrroc::test {
 namespace {
 
 constexpr int kTries = 3000;
-constexpr double kClearance = 40;  // rad of a motor, per way from home: stops leave the line
+constexpr double kClearance = 40;  // rad of a motor, per path from home: stops leave the line
 
 struct Cell : PlannedCell {
   explicit Cell(const std::shared_ptr<const RobotModel>& its_model, std::uint64_t seed)
@@ -41,7 +41,7 @@ struct Cell : PlannedCell {
       }
     };
   }
-  /// False: refused. Nothing has moved then.
+  /// False: refused, without any motion.
   template <class Make>
   bool move(Make make) {
     ticks = 0;
@@ -88,7 +88,7 @@ struct Cell : PlannedCell {
     }
     return false;
   }
-  /// One with motor `k` at `value`, all joints within their limits.
+  /// A posture with motor `k` at `value`, all joints within their limits.
   bool find_motor_posture(std::size_t k, double value, JointVector& joints) {
     JointVector motors, posture = model->parameters().home;
     for (int i = 0; i < kTries; ++i) {
@@ -105,8 +105,8 @@ struct Cell : PlannedCell {
     return false;
   }
 
-  /// The motors can follow the straight line in joint space, and none comes to a limit along it: stops beside the line
-  /// would pass it.
+  /// Whether the motors can follow the straight line in joint space and reach no limit along it, because a stop beside
+  /// the line would exceed the limit.
   bool straight_from_home(const JointVector& joints) const {
     JointVector motors;
     for (int i = 0; i <= kTries; ++i) {
@@ -133,7 +133,7 @@ class EveryRobotsLimits : public ::testing::TestWithParam<KnownRobot> {
  protected:
   std::shared_ptr<const RobotModel> model = GetParam().load(GetParam().file("toml")).front();
 
-  /// Every limit of every joint and motor that some posture has: `look(cell, posture)` begins at home.
+  /// Every limit of every joint and motor that some posture reaches: `look(cell, posture)` starts at home.
   template <class Look>
   void for_every_limit(Look look) {
     std::uint64_t seed = 1;
@@ -163,7 +163,7 @@ TEST_P(EveryRobotsLimits, AreReachedByJointLinesAtEverySpeed) {
       ASSERT_TRUE(cell.line(posture, speed)) << "speed " << speed << ": " << cell.last;
       ASSERT_TRUE((cell.desired().position - posture).isZero(0));
       const JointVector home = model->parameters().home;
-      const double way = speed > 0.5 ? 1 : speed > 0.05 ? 0.05 : 0.0005;  // a slow way is a short one
+      const double way = speed > 0.5 ? 1 : speed > 0.05 ? 0.05 : 0.0005;  // a slow path is a short one
       ASSERT_TRUE(cell.line(JointVector(posture + way * (home - posture)), 1)) << cell.last;
     }
   });
@@ -207,7 +207,7 @@ TEST_P(EveryRobotsLimits, AreReachedByPathsOfTheTool) {
     };
     ASSERT_TRUE(cell.line(start, 1)) << cell.last;
     count("pose", cell.move([&] { return JointLine{cell.arm, end, 0.8}; }));
-    if (cell.axes().size() == 5) return;  // five axes follow a line of the tool only if it is one of theirs
+    if (cell.axes().size() == 5) return;  // five axes can follow a line of the tool only in special cases
     count("line", cell.move([&] { return CartesianLine{cell.arm, end, limits}; }));
     count("spline", cell.move([&] {
       return PoseSpline{cell.arm, std::vector<Pose>{via, end}, SplineKind::cubic, limits};
@@ -219,14 +219,14 @@ TEST_P(EveryRobotsLimits, AreReachedByPathsOfTheTool) {
     std::printf("%s: %d arrived, %d refused before\n", name.c_str(), count, refused[name]);
 }
 
-TEST_P(EveryRobotsLimits, RefuseBeforeAnythingMoves) {
+TEST_P(EveryRobotsLimits, PathsAreRefusedBeforeAnyMotion) {
   Cell cell(model, 7);
   int moved = 0, refused = 0;
   for (int k = 0; k < 60; ++k) {
     std::vector<JointVector> points;
     for (int i = 0; i < 3; ++i) {
       JointVector joints = model->parameters().home;
-      const double way = std::min(1.0, cell.real(0, 1.5));  // from home to a random posture, limits among them
+      const double way = std::min(1.0, cell.real(0, 1.5));  // from home to a random posture, including the limits
       for (std::size_t a = 0; a < cell.axes().size(); ++a) {
         double& joint = joints[static_cast<Eigen::Index>(a)];
         joint += way * (cell.inside(cell.axes()[a], std::clamp(cell.real(-0.2, 1.2), 0.0, 1.0)) - joint);

@@ -14,9 +14,9 @@
 
 namespace mrroc::test {
 
-/// A task program's process around several robots, each with its EDP core (effector and servo) and the plant model of
-/// its drives, without processes and transport. Time passes while a reply is awaited. Every set-point of every tick is
-/// checked against the limits.
+/// A task process around several robots, each with its EDP core (effector and servo) and the plant model of its drives,
+/// without processes and transport. Waiting for a reply advances the time. Every set-point of every tick is checked
+/// against the limits.
 class LoopbackCell : public CellTask {
  public:
   /// The robots are named robot0, robot1, ...

@@ -14,13 +14,13 @@
 
 namespace mrroc::test {
 
-/// What the ticks of a motion have come to, as parts of the limits.
+/// Extremes of a motion over its ticks, as parts of the limits.
 struct Worst {
   double velocity = 0, acceleration = 0, jerk = 0, position = 0;
   double speed = 0, angular_speed = 0;  ///< of the tool, m/s, rad/s
 };
 
-/// An IRb-6 that rests at home, with a random macrostep; its limits are looked at in every tick.
+/// An IRb-6 at rest at home, with a random macrostep; its limits are checked in every tick.
 struct PathCell : PlannedCell {
   PathCell() : PlannedCell(load_irb6().front()), home(kinematics().direct(axes_home())) {
     arm.set_macrostep(static_cast<std::uint16_t>(fakes::pick(2, 25)), 2);
@@ -35,9 +35,9 @@ struct PathCell : PlannedCell {
     pose.linear() = rotation_of(fakes::random_vector(0.25)) * home.linear();
     return pose;
   }
-  /// Where the tool is when all is over.
+  /// The final position of the tool.
   Pose end() const { return kinematics().direct(desired().position); }
-  /// False: refused before anything moved, because the robot cannot go there.
+  /// False: refused before any motion, because the robot cannot reach a pose.
   bool move(Generator& generator) {
     try {
       RC_ASSERT(Move({arm}, {}, generator).ending == Ending::generator);

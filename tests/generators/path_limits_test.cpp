@@ -1,4 +1,5 @@
-// Paths of an IRb-6, checked by its EDP's planner: nothing of them is refused, and the limits hold at every servo tick.
+// Paths of an IRb-6, checked by its EDP's planner: the planner refuses no part of them, and the limits hold at every
+// servo tick.
 #include <rapidcheck.h>
 
 #include "generators/path_cell.hpp"
@@ -32,7 +33,7 @@ PathLimits random_limits() {
           .angular_acceleration = 0.1 * pick(5, 40)};
 }
 
-/// Random motions of one kind, half of them with a pause: `make` gives the generator and says where it ends.
+/// Random motions of one kind, half of them with a pause: `make` returns the generator and its end pose.
 template <class Make>
 void check(Make make) {
   int moved = 0, refused = 0;
@@ -49,7 +50,7 @@ void check(Make make) {
     }
     ++moved;
     cell.assert_limits();
-    // the joints' polynomials between the macrosteps' ends overshoot a little
+    // the joints' polynomials overshoot slightly between the ends of macrosteps
     RC_ASSERT(cell.worst.speed <= 1.02 * limits.speed + 1e-6);
     RC_ASSERT(cell.worst.angular_speed <= 1.02 * limits.angular_speed + 1e-6);
     RC_ASSERT((cell.end().translation() - end.translation()).norm() < 1e-9);
@@ -61,7 +62,7 @@ void check(Make make) {
   std::printf("%d moved, %d refused before; of the joints' limits: velocity %.3f, acceleration %.3f, jerk %.3f\n",
               moved, refused, worst.velocity, worst.acceleration, worst.jerk);
   EXPECT_GT(moved, 2 * refused);
-  EXPECT_GT(worst.velocity, 0.9) << "some are as fast as the joints are";
+  EXPECT_GT(worst.velocity, 0.9) << "some reach the speed limits of the joints";
 }
 
 std::vector<Pose> random_poses(const Cell& cell) {
@@ -115,7 +116,7 @@ TEST(PathLimits, PoseSplineByTimes) {
     cell.assert_limits();
     RC_ASSERT((cell.end().translation() - poses.back().pose.translation()).norm() < 1e-9);
   });
-  EXPECT_GT(moved, kCases / 4) << "others have times that are too short";
+  EXPECT_GT(moved, kCases / 4) << "other paths have times that are too short";
 }
 
 TEST(PathLimits, JointPath) {
@@ -127,7 +128,7 @@ TEST(PathLimits, JointPath) {
       JointVector joints(6);
       for (int k = 0; k < 6; ++k) {
         const AxisParameters& axis = cell.axes()[static_cast<std::size_t>(k)];
-        // of the upper arm and the wrist less: the motors bound their sums
+        // less for the upper arm and the wrist: the motors limit their sums
         const double part = k == 2 || k == 3 ? 0.1 : k == 4 ? 0.3 : 1;
         joints[k] =
             std::clamp(cell.axes_home()[k] + 0.01 * part * pick(-110, 110), axis.position_min, axis.position_max);
@@ -142,10 +143,10 @@ TEST(PathLimits, JointPath) {
     cell.assert_limits();
     RC_ASSERT((cell.desired().position - waypoints.back()).isZero(0));
   });
-  EXPECT_GT(moved, kCases / 2) << "others are beyond a motor's range";
+  EXPECT_GT(moved, kCases / 2) << "other paths are beyond a motor's range";
 }
 
-TEST(PathLimits, AJointPathBeyondAMotorsRangeIsRefusedBeforeItBegins) {
+TEST(PathLimits, JointPathBeyondAMotorsRangeIsRefusedBeforeItsStart) {
   check_every_case(1, [] {
     Cell cell;
     JointVector joints = cell.axes_home();

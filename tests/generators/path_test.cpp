@@ -1,4 +1,4 @@
-// Paths of an IRb-6 with its EDP core in the simulated world: how far beside the path the measured tool is.
+// Paths of an IRb-6 with its EDP core in the simulated world: distance of the measured tool from the path.
 #include <algorithm>
 
 #include "generators/simulated_cell.hpp"
@@ -22,7 +22,7 @@ Pose at(double y, double z, double turn = 0) {
   return Irb6::tool_down(0.75, y, z) * Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitX());
 }
 
-/// Distance of `place` from a chain of places, m, and the number of the nearest one.
+/// Distance of `place` from a chain of positions, m, and the index of the nearest one.
 double beside(const std::vector<Pose>& chain, const Eigen::Vector3d& place, std::size_t& nearest) {
   double least = 1e9;
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
@@ -42,7 +42,7 @@ struct Path : testing::Test {
     Move({arm}, {}, Hold{arm, 0.5});
   }
 
-  /// Goes along the path and says how well; the bounds are of the measured tool beside it, mm.
+  /// Follows the path and prints the deviations; the bounds are those of the measured tool, mm.
   void follow(const char* name, PathGenerator& generator, const Pose& end, double bound) {
     std::vector<Pose> chain{arm.state().desired_pose}, measured;
     cell.on_tick = [&] { measured.push_back(cell.tool()); };
@@ -51,7 +51,7 @@ struct Path : testing::Test {
                                                                    return false;
                                                                  }}));
     EXPECT_EQ(outcome.ending, Ending::generator);
-    Move({arm}, {}, Hold{arm, 0.5});  // the drives catch up
+    Move({arm}, {}, Hold{arm, 0.5});  // until the drives have caught up
     cell.on_tick = nullptr;
     double worst = 0, squares = 0, turned = 0, speed = 0;
     for (std::size_t i = 0; i < measured.size(); ++i) {

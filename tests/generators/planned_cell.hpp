@@ -10,9 +10,9 @@
 
 namespace mrroc::test {
 
-/// A task program's process around one robot that rests at home. Its EDP's planner answers every command: it is planned
-/// and checked as in the EDP, refused with the EDP's error, and executed exactly and at once. `on_tick` sees every tick
-/// of every path.
+/// A task process around one robot at rest at home. Its EDP's planner answers every command: it plans and checks the
+/// command as in the EDP, refuses it with the EDP's error, or executes it exactly and at once. `on_tick` receives every
+/// tick of every path.
 class PlannedCell : public CellTask, private RobotLink {
  public:
   explicit PlannedCell(std::shared_ptr<const RobotModel> model)
@@ -28,7 +28,7 @@ class PlannedCell : public CellTask, private RobotLink {
   RobotLink& robot_link(const std::string&, const std::string&) override { return *this; }
   Tick tick() const noexcept override { return now_; }
   void sleep_until(Tick tick) override { now_ = std::max(now_, tick); }
-  /// From the step `pause_at` on so many times "pause".
+  /// From the step `pause_at` on the operator requests "pause" so many times.
   OperatorRequest operator_request() noexcept override {
     const int asked = asked_++;
     return asked >= pause_at && asked < pause_at + 3 ? OperatorRequest::pause : OperatorRequest::none;
@@ -39,7 +39,7 @@ class PlannedCell : public CellTask, private RobotLink {
   const DesiredState& desired() const noexcept { return now_state_; }
 
   int pause_at = 1 << 30;
-  /// The desired state, the one a tick before it, and the command that is executed.
+  /// The desired state, the one a tick before it, and the command in execution.
   std::function<void(const DesiredState&, const DesiredState&, const RobotCommand&)> on_tick;
 
  private:

@@ -1,5 +1,5 @@
-// Paths with nearly repeated points, and very short ones, of an IRb-6, checked by its EDP's planner: what begins is
-// driven to its end within the limits, and in a time that fits its length.
+// Paths with nearly repeated points, and very short ones, of an IRb-6, checked by its EDP's planner: a path that starts
+// is completed within the limits, and in a time that corresponds to its length.
 #include <rapidcheck.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ using fakes::pick;
 using fakes::random_vector;
 
 constexpr int kCases = 40;
-constexpr double kLonger = 1.2;  // of the time without the point, at most
+constexpr double kLonger = 1.2;  // at most, relative to the time without the point
 
 double random_distance(int least, int most) { return std::pow(10, -0.25 * pick(4 * least, 4 * most)); }
 
@@ -40,7 +40,7 @@ struct Points {
   std::vector<Pose> without, with;
 };
 
-/// Some poses, and the same with one more beside one of them, or beside the start.
+/// Some poses, and the same with an additional one beside one of them, or beside the start.
 Points random_points(PathCell& cell, double distance) {
   Points points;
   for (int i = pick(2, 3); i > 0; --i) {
@@ -56,8 +56,8 @@ Points random_points(PathCell& cell, double distance) {
   return points;
 }
 
-/// Drives what `make` makes of random points, without and with one of them nearly repeated. `longer`: so much more time
-/// the second may take.
+/// Runs the path that `make` builds from random points, without and with one of them nearly repeated. `longer`:
+/// permitted ratio of the second duration to the first.
 template <class Make>
 void check(int least, int most, double longer, Make make) {
   int moved = 0, refused = 0;
@@ -103,18 +103,18 @@ const auto kReplay = [](PathCell& cell, const std::vector<Pose>& poses, int choi
   return std::make_unique<Replay>(cell.arm, path, 0.1 * (1 + choice % 10));
 };
 
-// nearer than one place
-TEST(NearRepeats, PoseSplineTakesOnePlaceOnce) { check(5, 9, kLonger, kSpline); }
-TEST(NearRepeats, BlendedPathTakesOnePlaceOnce) { check(5, 9, kLonger, kBlended); }
-TEST(NearRepeats, JointPathTakesOnePlaceOnce) { check(5, 9, kLonger, kJoints); }
-TEST(NearRepeats, ReplayRestsTwiceInOnePlace) { check(5, 9, kLonger, kReplay); }
-// two places
-TEST(NearRepeats, PoseSplinePassesTwoPlaces) { check(2, 5, kLonger, kSpline); }
-TEST(NearRepeats, BlendedPathPassesTwoPlaces) { check(2, 5, kLonger, kBlended); }
-TEST(NearRepeats, JointPathPassesTwoPlaces) { check(2, 5, kLonger, kJoints); }
-TEST(NearRepeats, ReplayRestsInTwoPlaces) { check(2, 5, kLonger, kReplay); }
+// nearer than the resolution of a position
+TEST(NearRepeats, PoseSplineMergesThePoints) { check(5, 9, kLonger, kSpline); }
+TEST(NearRepeats, BlendedPathMergesThePoints) { check(5, 9, kLonger, kBlended); }
+TEST(NearRepeats, JointPathMergesThePoints) { check(5, 9, kLonger, kJoints); }
+TEST(NearRepeats, ReplayRestsTwiceAtOnePosition) { check(5, 9, kLonger, kReplay); }
+// two positions
+TEST(NearRepeats, PoseSplinePassesBothPoints) { check(2, 5, kLonger, kSpline); }
+TEST(NearRepeats, BlendedPathPassesBothPoints) { check(2, 5, kLonger, kBlended); }
+TEST(NearRepeats, JointPathPassesBothPoints) { check(2, 5, kLonger, kJoints); }
+TEST(NearRepeats, ReplayRestsAtBothPoints) { check(2, 5, kLonger, kReplay); }
 
-TEST(NearRepeats, TimesThatAreTooNearAreRefusedBeforeThePathBegins) {
+TEST(NearRepeats, CloseTimesAreRefusedBeforeTheStart) {
   int moved = 0, refused = 0;
   check_every_case(kCases, [&] {
     PathCell cell;
@@ -129,7 +129,7 @@ TEST(NearRepeats, TimesThatAreTooNearAreRefusedBeforeThePathBegins) {
   std::printf("%d moved, %d refused before\n", moved, refused);
 }
 
-TEST(NearRepeats, ATimedReplayTakesAPlaceOnce) {
+TEST(NearRepeats, TimedReplayMergesThePoints) {
   check_every_case(kCases, [] {
     PathCell cell, other;
     TaughtPath path{TaughtPath::Space::poses, true, {}};
@@ -177,12 +177,12 @@ TEST(ShortPaths, EndAtTheirTargetsWithinASecond) {
   EXPECT_EQ(moved, 3 * kCases);
 }
 
-TEST(ShortPaths, ABlendOfAnyRadiusIsDrivenToItsEnd) {
+TEST(ShortPaths, BlendOfAnyRadiusIsCompleted) {
   check_every_case(kCases, [] {
     PathCell cell;
     std::vector<BlendPoint> points;
     for (int i = 0; i < 2; ++i) points.push_back({cell.random_pose(), random_distance(1, 9)});
-    // nearly straight on, nearly straight back, or anywhere
+    // nearly straight on, nearly straight back, or in any direction
     const Pose& from = points[0].pose;
     Pose last = points[1].pose;
     if (const int what = pick(0, 2); what < 2)
@@ -225,7 +225,7 @@ TEST(SlowPaths, ArePlannedAtEverySpeed) {
   });
 }
 
-TEST(Arcs, NoPlaneIsTakenFromPlacesThatAreTooNear) {
+TEST(Arcs, RefuseAPlaneFromClosePoints) {
   int refused = 0;
   check_every_case(kCases, [&] {
     PathCell cell;
@@ -242,7 +242,7 @@ TEST(Arcs, NoPlaneIsTakenFromPlacesThatAreTooNear) {
     CartesianArc arc(cell.arm, via, end);
     try {
       Move({cell.arm}, {}, arc);
-      RC_FAIL("an arc by way of one of its ends");
+      RC_FAIL("an arc through one of its ends");
     } catch (const NonFatalError& error) {
       RC_ASSERT(error.code() == ErrorCode::invalid_argument);
       RC_ASSERT(cell.ticks == 0);

@@ -19,16 +19,16 @@
 
 namespace mrroc::test {
 
-/// A task program's process around an IRb-6 in the simulated world, its base 0.7 m above the floor, without processes
-/// and transport: the EDP core answers the robot's link, the world's raw readings are the sensors' values. Waiting for
-/// a reply lets the world continue, tick by tick.
+/// A task process around an IRb-6 in the simulated world, its base 0.7 m above the floor, without processes and
+/// transport: the EDP core answers the robot's link, the world's raw readings are the sensors' values. Waiting for a
+/// reply advances the world tick by tick.
 class SimulatedCell : public Task, private RobotLink {
  public:
   /// Opens the force sensor of the arm's EDP (tests/generators/force_cell.hpp), whose hardware is slot `slot`.
   using Wrist = std::function<std::unique_ptr<edp::ForceSensor>(const config::Deployment& deployment, std::size_t slot,
                                                                 const world::WorldMemory& world)>;
 
-  /// `wrist`: the arm has a sensor of type force_torque, too.
+  /// `wrist`: the arm also has a sensor of type force_torque.
   explicit SimulatedCell(const std::string& scene, const std::vector<std::string>& sensors = {},
                          const Wrist& wrist = {})
       : deployment_(deployment(scene, sensors, wrist != nullptr)), simulation_(deployment_, *memory_) {
@@ -66,7 +66,7 @@ class SimulatedCell : public Task, private RobotLink {
   void run(Tick ticks) { sleep_until(now_ + ticks); }
   mjData& data() { return simulation_.world().data(); }
   int id(mjtObj kind, const char* name) { return mj_name2id(&simulation_.world().model(), kind, name); }
-  /// Of a body, in the arm's base frame.
+  /// Pose of a body in the arm's base frame.
   Pose body(const char* name) {
     const int number = id(mjOBJ_BODY, name);
     Pose pose = Pose::Identity();
@@ -76,7 +76,7 @@ class SimulatedCell : public Task, private RobotLink {
   }
   /// The measured tool, in the arm's base frame.
   Pose tool() const { return ToolKinematics(*model_).direct(servo_.snapshot().joints); }
-  /// That the arm's force sensor feels, in its own axes.
+  /// Wrench at the arm's force sensor, in its own axes.
   const Wrench& force() const { return servo_.snapshot().wrench; }
 
   static constexpr double kPeriod = 0.002;
@@ -170,7 +170,7 @@ class SimulatedCell : public Task, private RobotLink {
   bool answered_ = false;
 };
 
-/// A sensor whose values are what the world's hardware reads.
+/// A sensor with the values of the world's hardware.
 class RawSensor : public Sensor {
  public:
   RawSensor(Task& task, const std::string& name) : Sensor(task, name, "raw") {}

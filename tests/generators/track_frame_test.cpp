@@ -8,7 +8,7 @@
 namespace mrroc::test {
 namespace {
 
-/// A part on a belt that runs along y in front of the arm; a motor keeps the belt's speed.
+/// A part on a belt that runs along y in front of the arm; a motor keeps the belt's speed constant.
 constexpr const char* kBeltScene = R"(<mujoco><compiler angle="radian"/>
 <worldbody>
   <body name="part" pos="0.75 -0.5 0.55">
@@ -22,7 +22,7 @@ constexpr const char* kBeltScene = R"(<mujoco><compiler angle="radian"/>
 
 struct Track : testing::TestWithParam<double> {};
 
-TEST_P(Track, TheToolStaysOnAPartThatTheBeltCarries) {
+TEST_P(Track, ToolStaysOnAPartOnTheBelt) {
   const double speed = GetParam();
   SimulatedCell cell(kBeltScene, {"encoder"});
   Irb6 arm(cell);
@@ -61,7 +61,7 @@ TEST_P(Track, TheToolStaysOnAPartThatTheBeltCarries) {
               caught.duration, worked.duration, 1000 * worst);
   EXPECT_TRUE(was_down);
   EXPECT_LT(worst, 1e-3);
-  Move({arm}, {}, JointLine{arm, arm.parameters().home});  // from the motion under way
+  Move({arm}, {}, JointLine{arm, arm.parameters().home});  // from a motion
 }
 
 INSTANTIATE_TEST_SUITE_P(Speeds, Track, testing::Values(0.05, 0.1, 0.15));

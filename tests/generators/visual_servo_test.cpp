@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* kBareScene = R"(<mujoco><compiler angle="radian"/></mujoco>)";
 
-/// A camera that the arm carries 50 mm beside its tool, and a target of four points below it. What it sees is computed
-/// from the measured tool.
+/// A camera on the arm 50 mm beside its tool, and a target of four points below it. The image is computed from the
+/// measured tool.
 struct Servoing : testing::Test {
   Pose target_in_camera() const { return (cell.tool() * camera).inverse() * target; }
   ImagePoints image(const Pose& seen) const {
@@ -39,13 +39,13 @@ struct Servoing : testing::Test {
   const Pose wanted = Pose(Eigen::Translation3d(0, 0, 0.4));
 };
 
-TEST_F(Servoing, APositionServoBringsTheArmOverTheTarget) {
+TEST_F(Servoing, PositionServoMovesTheArmOverTheTarget) {
   PositionServo servo(
       arm, [&] { return std::optional<Pose>(target_in_camera()); }, PositionServo::In::camera, camera * wanted, camera);
   expect_there("position", Move({arm}, {}, servo.until(ElapsedSteps{1500})));
 }
 
-TEST_F(Servoing, AnImageServoBringsTheArmOverTheTarget) {
+TEST_F(Servoing, ImageServoMovesTheArmOverTheTarget) {
   ImageServo servo(
       arm, [&] { return std::optional<ImagePoints>(image(target_in_camera())); }, image(wanted),
       ImageDepths::Constant(1, 4, 0.4), camera);

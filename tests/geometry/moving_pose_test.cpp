@@ -23,7 +23,7 @@ MovingPose random_motion() {
   return moving;
 }
 
-TEST(MovingPose, AfterATimeItIsWhereItsTwistAndRateLead) {
+TEST(MovingPose, FollowsItsTwistAndRate) {
   check_property(kCases, [] {
     const MovingPose moving = random_motion();
     const Pose before = moving.after(-kStep), after = moving.after(kStep);
@@ -38,7 +38,7 @@ TEST(MovingPose, AfterATimeItIsWhereItsTwistAndRateLead) {
   });
 }
 
-TEST(MovingPose, TheRateInItsOwnAxesIsThatOfTheComponents) {
+TEST(MovingPose, RateInItsOwnAxesIsThatOfTheComponents) {
   check_property(kCases, [] {
     const MovingPose moving = random_motion();
     const auto components = [&](double t) {

@@ -10,14 +10,14 @@
 namespace mrroc::edp {
 namespace {
 
-TEST(Quintic, LeadsFromTheStartStateToTheEndState) {
+TEST(Quintic, ConnectsTheStartAndTheEndState) {
   EXPECT_TRUE(rc::check([] {
     const DesiredState from = random_state(3), to = random_state(3);
     const double duration = number(0.002, 5);
     Quintic path;
     path.plan(from, to, duration);
     const auto same = [duration](const DesiredState& a, const DesiredState& b) {
-      // the polynomial is conditioned on positions; its derivatives carry 1/D and 1/D^2
+      // the rounding errors are those of positions; derivatives multiply them by 1/D and 1/D^2
       RC_ASSERT((a.position - b.position).norm() < 1e-11);
       RC_ASSERT((a.velocity - b.velocity).norm() < 1e-11 * (1 + 1 / duration));
       RC_ASSERT((a.acceleration - b.acceleration).norm() < 1e-11 * (1 + 1 / (duration * duration)));
@@ -61,7 +61,7 @@ TEST(Quintic, ItsBoundsHoldOnTheWholePath) {
   }));
 }
 
-// else they would spare no samples
+// otherwise they would save no samples
 TEST(Quintic, ItsBoundsAreTightOnAShortPieceOfASmoothMotion) {
   const double duration = 0.002, velocity = 0.3, acceleration = 0.5;
   DesiredState from = DesiredState::resting_at(JointVector::Constant(1, 1.0));

@@ -1,4 +1,4 @@
-// The parts that the paths are made of: splines' derivatives at their knots, rotation vectors and the turning.
+// The elements of the paths: splines' derivatives at their knots, rotation vectors and the rotation.
 #include "geometry/knot_rates.hpp"
 #include "geometry/pose_path.hpp"
 #include "language/paths/path_arm.hpp"
@@ -29,7 +29,7 @@ struct Spline {
                           knots[static_cast<std::size_t>(i) + 1] - knots[static_cast<std::size_t>(i)]);
     }
   }
-  /// The fourth derivative, by difference of the third.
+  /// The fourth derivative, by differences of the third.
   static Eigen::Vector2d fourth(const QuinticPiece<2>& piece, double s) {
     const double h = 1e-4 * piece.length();
     return (piece.third(s + h) - piece.third(s - h)) / (2 * h);
@@ -40,7 +40,7 @@ struct Spline {
   std::vector<QuinticPiece<2>> pieces;
 };
 
-TEST(KnotRates, ACubicSplineHasPiecesOfDegreeThreeAndAContinuousSecondDerivative) {
+TEST(KnotRates, CubicSplineHasPiecesOfDegreeThreeAndAContinuousSecondDerivative) {
   check_property(kSplines, [] {
     const Spline spline(SplineOrder::cubic, SplineEnds::straight, pick(2, 12));
     for (const auto& piece : spline.pieces) {
@@ -53,7 +53,7 @@ TEST(KnotRates, ACubicSplineHasPiecesOfDegreeThreeAndAContinuousSecondDerivative
   });
 }
 
-TEST(KnotRates, AQuinticSplineHasContinuousThirdAndFourthDerivatives) {
+TEST(KnotRates, QuinticSplineHasContinuousThirdAndFourthDerivatives) {
   check_property(kSplines, [] {
     for (const SplineEnds ends : {SplineEnds::straight, SplineEnds::at_rest}) {
       const Spline spline(SplineOrder::quintic, ends, pick(2, 12));
@@ -75,7 +75,7 @@ TEST(KnotRates, AQuinticSplineHasContinuousThirdAndFourthDerivatives) {
   });
 }
 
-TEST(KnotRates, StraightDataGiveAStraightLine) {
+TEST(KnotRates, CollinearDataGiveAStraightLine) {
   check_property(kSplines, [] {
     std::vector<double> knots{0};
     const int count = pick(2, 10);
@@ -91,14 +91,14 @@ TEST(KnotRates, StraightDataGiveAStraightLine) {
   });
 }
 
-/// A rotation vector that changes: phi + phi' t + phi'' t^2 / 2.
+/// A variable rotation vector: phi + phi' t + phi'' t^2 / 2.
 Eigen::Matrix3d rotation_at(const Vector3d& vector, const Vector3d& first, const Vector3d& second, double t) {
   return rotation_of(vector + t * first + 0.5 * t * t * second);
 }
 
 TEST(RotationRates, AreTheDerivativesOfTheRotationAndHaveAnInverse) {
   check_property(kSplines, [] {
-    // near 0 and near the largest turn, too
+    // also near 0 and near the largest rotation
     const Vector3d vector =
         random_vector(1).normalized() * (pick(0, 3) == 0 ? 1e-3 * pick(0, 100) : 0.01 * pick(0, 310));
     if (!vector.allFinite()) return;
@@ -116,7 +116,7 @@ TEST(RotationRates, AreTheDerivativesOfTheRotationAndHaveAnInverse) {
   });
 }
 
-TEST(RotationRates, TheSeriesGoesOverToTheFractions) {
+TEST(RotationRates, SeriesAndFractionsAgree) {
   const Vector3d first(0.3, -0.5, 0.7), second(-1, 0.2, 0.4);
   const Vector3d axis = Vector3d(1, 2, -1).normalized();
   const Turning below = turning_of((0.1 - 1e-12) * axis, first, second),
@@ -132,7 +132,7 @@ PathPose random_place() {
   return place;
 }
 
-// two pieces that share an end: pose, velocity and acceleration have no step there
+// two pieces with a common end: pose, velocity and acceleration are continuous there
 TEST(PosePiece, HasTheGivenDerivativesAtItsEnds) {
   check_property(kSplines, [] {
     const PathPose from = random_place(), to = random_place();
@@ -149,7 +149,7 @@ TEST(PosePiece, HasTheGivenDerivativesAtItsEnds) {
   });
 }
 
-TEST(PosePiece, ItsDerivativesAreThose) {
+TEST(PosePiece, DerivativesMatchDifferences) {
   check_property(kSplines, [] {
     const double length = 0.1 * pick(5, 30), h = 1e-4 * length;
     const PosePiece piece(random_place(), random_place(), length);
@@ -163,7 +163,7 @@ TEST(PosePiece, ItsDerivativesAreThose) {
   });
 }
 
-TEST(PosePiece, BetweenEndsOfOneLineIsTheLine) {
+TEST(PosePiece, BetweenEndsOnALineItIsTheLine) {
   check_property(kSplines, [] {
     const Pose from = fakes::random_pose(0.3, 1), to = fakes::random_pose(0.3, 1);
     const double length = 0.1 * pick(5, 30);

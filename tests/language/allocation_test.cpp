@@ -1,4 +1,4 @@
-// A step of Move or Wait allocates nothing after the first one. Every malloc of this process is counted.
+// A step of Move or Wait does not allocate after the first one. Every malloc of this process is counted.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -41,7 +41,7 @@ namespace {
 std::atomic<std::uint64_t> allocations{0}, frees{0};
 }
 
-// glibc's own entries: operator new, Eigen and the standard library all end in one of these
+// glibc's own entries: operator new, Eigen and the standard library all call one of these
 extern "C" {
 void* __libc_malloc(std::size_t size);                           // NOLINT
 void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT
@@ -104,14 +104,14 @@ struct Cell {
   std::unique_ptr<Sensor> wrist = task.sensor("wrist"), gate = task.sensor("gate", false);
 };
 
-TEST(Allocation, TheCounterSeesAllocations) {
+TEST(Allocation, CounterCountsAllocations) {
   const std::uint64_t before = allocations;
   std::vector<double> numbers(100);
   EXPECT_GT(allocations, before);
   ASSERT_EQ(numbers.size(), 100u);
 }
 
-TEST(Allocation, AStepOfMoveAllocatesNothing) {
+TEST(Allocation, StepOfMoveDoesNotAllocate) {
   Cell cell;
   cell.wrist->set_period(2);
   JointLine first(*cell.a, JointVector::Constant(6, 1.5), 0.5);
@@ -125,8 +125,8 @@ TEST(Allocation, AStepOfMoveAllocatesNothing) {
   EXPECT_EQ(cell.observer.total, 0u);
 }
 
-// the black box forgets the steps of instructions that are over
-TEST(Allocation, TheStepsOfAnInstructionThatOverwriteThoseOfOthersFreeNothing) {
+// the black box drops the steps of finished instructions
+TEST(Allocation, OverwritingStepsOfOtherInstructionsFreesNothing) {
   Cell cell;
   for (int i = 0; i < 100; ++i) {
     Wait({*cell.a, *cell.b}, {*cell.wrist}, ElapsedSteps{static_cast<std::uint64_t>(i % 3)});
@@ -142,14 +142,14 @@ TEST(Allocation, TheStepsOfAnInstructionThatOverwriteThoseOfOthersFreeNothing) {
   EXPECT_EQ(end, begin);
 }
 
-TEST(Allocation, AStepOfWaitAllocatesNothing) {
+TEST(Allocation, StepOfWaitDoesNotAllocate) {
   Cell cell;
   Wait({*cell.a, *cell.b, *cell.c}, {*cell.wrist, *cell.gate}, Travelled{*cell.a, 1} || ElapsedSteps{200});
   EXPECT_EQ(cell.observer.steps, 200u);
   EXPECT_EQ(cell.observer.total, 0u);
 }
 
-TEST(Allocation, GeneratorsComputeTheNextStateWithoutAllocating) {
+TEST(Allocation, GeneratorsComputeTheNextStateWithoutAllocation) {
   Cell cell;
   Wait({*cell.a, *cell.b}, {}, ElapsedSteps{0});
   JointLine line(*cell.a, JointVector::Constant(6, 1.5));
@@ -164,7 +164,7 @@ TEST(Allocation, GeneratorsComputeTheNextStateWithoutAllocating) {
   EXPECT_EQ(allocations, before);
 }
 
-TEST(Allocation, GeneratorsOnSensorsComputeTheNextStateWithoutAllocating) {
+TEST(Allocation, SensorGeneratorsComputeTheNextStateWithoutAllocation) {
   Cell cell;
   Wait({*cell.a}, {}, ElapsedSteps{0});
   const Pose aside = cell.a->state().desired_pose * Eigen::Translation3d(0.1, 0.2, 0.3);
@@ -187,10 +187,10 @@ TEST(Allocation, GeneratorsOnSensorsComputeTheNextStateWithoutAllocating) {
     for (int step = 0; step < 300 && !generator->terminal_condition(); ++step) generator->next_state();
     EXPECT_EQ(allocations, before) << generator->name();
   }
-  EXPECT_EQ(track.point(), 2u) << "it has planned the way to its second point";
+  EXPECT_EQ(track.point(), 2u) << "it has planned the path to its second point";
 }
 
-TEST(Allocation, GeneratorsOfPathsComputeTheNextStateWithoutAllocating) {
+TEST(Allocation, PathGeneratorsComputeTheNextStateWithoutAllocation) {
   Cell cell;
   Wait({*cell.a}, {}, ElapsedSteps{0});
   const Pose here = cell.a->state().desired_pose;
@@ -222,8 +222,8 @@ TEST(Allocation, GeneratorsOfPathsComputeTheNextStateWithoutAllocating) {
   }
 }
 
-// two robots in one Move, each along a path of its own, with a way back to the path after a pause
-TEST(Allocation, PathsOfTwoRobotsTogetherGoOnAfterAPauseWithoutAllocating) {
+// two robots in one Move, each along its own path, which they rejoin after a pause
+TEST(Allocation, PathsOfTwoRobotsContinueAfterAPauseWithoutAllocation) {
   Cell cell;
   cell.task.requests.assign(100, OperatorRequest::none);
   cell.task.requests.insert(cell.task.requests.end(), 3, OperatorRequest::pause);
@@ -245,24 +245,24 @@ TEST(Allocation, PathsOfTwoRobotsTogetherGoOnAfterAPauseWithoutAllocating) {
     std::uint64_t *at, *planned;
   };
   Move({*cell.a, *cell.b}, {}, Counting(both, at_resume, planned));
-  EXPECT_GT(planned, 0u) << "it has planned anew";
+  EXPECT_GT(planned, 0u) << "it has planned again";
   EXPECT_EQ(cell.observer.total, planned) << "and allocated nothing else";
   EXPECT_TRUE(cell.a->state().desired_pose.isApprox(aside, 1e-12));
   EXPECT_TRUE(cell.b->state().desired_joints.isApprox(JointVector::Constant(6, 0.5), 1e-12));
 }
 
-TEST(Allocation, ReadyConditionsAllocateNothing) {
+TEST(Allocation, ReadyConditionsDoNotAllocate) {
   Cell cell;
   const Robot& arm = *cell.a;
   Wait({*cell.a}, {*cell.wrist},
        PositionReached{arm, Pose(Eigen::Translation3d(1, 0, 0)), 0.1, 0.1} ||
            JointsReached{arm, JointVector::Constant(6, 1), 0.1} || PathTravelled{arm, 1} || TorqueAbove{arm, 1} ||
            TouchingAlong{arm, {0, 0, 1}, 1} || ReadingOlderThan{*cell.wrist, 10} || ElapsedTime{cell.task, 4});
-  EXPECT_EQ(cell.observer.steps, 201u) << "a reply comes before its step of 20 ms is over";
+  EXPECT_EQ(cell.observer.steps, 201u) << "a reply comes before the end of its step of 20 ms";
   EXPECT_EQ(cell.observer.total, 0u);
 }
 
-TEST(Allocation, GeneratorsOfForceAndTeachingAllocateNothing) {
+TEST(Allocation, ForceAndTeachingGeneratorsDoNotAllocate) {
   Cell cell;
   Robot& arm = *cell.a;
   const std::vector<JointVector> places{JointVector::Constant(6, 0.1), JointVector::Constant(6, 0.2)};
@@ -286,11 +286,11 @@ TEST(Allocation, GeneratorsOfForceAndTeachingAllocateNothing) {
     EXPECT_GT(cell.observer.steps, 50u) << generator->name();
     EXPECT_EQ(cell.observer.total, 0u) << generator->name();
   }
-  EXPECT_GT(visited.point(), 2u) << "it has planned several ways";
-  EXPECT_EQ(scale.terminal_condition(), true) << "it has been at both places";
+  EXPECT_GT(visited.point(), 2u) << "it has planned several paths";
+  EXPECT_EQ(scale.terminal_condition(), true) << "it has been at both positions";
 }
 
-TEST(Allocation, ArmsCarryAnObjectWithoutAllocating) {
+TEST(Allocation, ArmsCarryAnObjectWithoutAllocation) {
   Cell cell;
   Wait({*cell.a, *cell.b, *cell.c}, {}, ElapsedSteps{0});
   const auto felt = [] { return Wrench(Wrench::Constant(0.1)); };

@@ -1,4 +1,4 @@
-// The last steps of a task, as an error carries them: held against what the task itself has seen and commanded.
+// The last steps of a task in an error, compared with the states and commands of the task itself.
 #include "mrroc/black_box.hpp"
 
 #include <deque>
@@ -15,14 +15,14 @@ namespace {
 using fakes::Drive;
 using fakes::FakeTask;
 
-/// What a generator sees and commands at a step.
+/// State and command of a generator at a step.
 struct Witnessed {
   std::string robot;
   Tick tick = 0;
   double desired = 0, commanded = 0;
 };
 
-/// Commands the number of the command to all its robots, and notes what it does.
+/// Commands the number of the command to all its robots, and records it.
 class Witness : public Generator {
  public:
   Witness(std::vector<Robot*> robots, std::deque<std::vector<Witnessed>>& steps, double& count, std::uint64_t length)
@@ -86,7 +86,7 @@ void expect_witnessed(const BlackBox& box, const std::deque<std::vector<Witnesse
   }
 }
 
-TEST(BlackBox, ItHoldsTheLastFiftyStepsOfAnyMovesAsTheyWere) {
+TEST(BlackBox, HoldsTheLastFiftyStepsOfAnyMoves) {
   fakes::check_property(200, [] {
     FakeTask task;
     task.log.recording = false;
@@ -115,7 +115,7 @@ TEST(BlackBox, IsEmptyBeforeTheFirstStep) {
   EXPECT_THROW(task.black_box().newest(), std::out_of_range);
 }
 
-TEST(BlackBox, AnErrorCarriesTheStateThatReportsIt) {
+TEST(BlackBox, ErrorContainsTheStateThatReportsIt) {
   FakeTask task;
   const auto arm = task.robot("arm"), belt = task.robot("belt");
   const auto wrist = task.sensor("wrist");
@@ -136,7 +136,7 @@ TEST(BlackBox, AnErrorCarriesTheStateThatReportsIt) {
     EXPECT_EQ(last.states.at(0).error.code, ErrorCode::none);
     EXPECT_EQ(last.states.at(1).error.code, ErrorCode::drive_fault);
     EXPECT_EQ(last.states.at(1).error.detail.view(), "axis 1");
-    EXPECT_EQ(last.readings.at(0).values[0], 70) << "the readings come with it";
+    EXPECT_EQ(last.readings.at(0).values[0], 70) << "with the readings";
     EXPECT_TRUE(last.commands.empty());
     EXPECT_EQ(box.at(0).step, 21U);
     EXPECT_EQ(box.at(0).instruction->conditions, (std::vector<std::string>{"elapsed 100 steps"}));
@@ -144,7 +144,7 @@ TEST(BlackBox, AnErrorCarriesTheStateThatReportsIt) {
   }
 }
 
-TEST(BlackBox, TheErrorsStaysAsItIsWhileTheTaskGoesOn) {
+TEST(BlackBox, BoxOfAnErrorDoesNotChangeWhileTheTaskContinues) {
   FakeTask task;
   const auto arm = task.robot("arm");
   std::shared_ptr<const BlackBox> kept;
@@ -166,7 +166,7 @@ TEST(BlackBox, TheErrorsStaysAsItIsWhileTheTaskGoesOn) {
   EXPECT_EQ(task.black_box().newest().instruction->name, "elapsed 200 steps");
 }
 
-TEST(BlackBox, AnErrorThatPassesThroughNoInstructionHasNone) {
+TEST(BlackBox, ErrorOutsideAnInstructionHasNone) {
   FakeTask task;
   const auto arm = task.robot("arm");
   Wait({*arm}, {}, ElapsedSteps{3});
@@ -175,12 +175,12 @@ TEST(BlackBox, AnErrorThatPassesThroughNoInstructionHasNone) {
     Wait({*arm, *arm}, {}, ElapsedSteps{3});
     FAIL();
   } catch (const NonFatalError& error) {
-    EXPECT_EQ(error.black_box(), nullptr) << "it was refused before it began";
+    EXPECT_EQ(error.black_box(), nullptr) << "it was refused before its start";
   }
 }
 
-// as strands do: each has its own robots, and they take turns
-TEST(BlackBox, InstructionsSideBySideKeepTheirOwnRobotsAndAnErrorKeepsTheInnermostBox) {
+// like fibers: each has its own robots, and they take turns
+TEST(BlackBox, ParallelInstructionsKeepTheirOwnRobotsAndAnErrorTheInnermostBox) {
   FakeTask task;
   const auto left = task.robot("left", 2), right = task.robot("right", 3);
   const auto gate = task.sensor("gate");
@@ -220,7 +220,7 @@ TEST(BlackBox, InstructionsSideBySideKeepTheirOwnRobotsAndAnErrorKeepsTheInnermo
   }
 }
 
-TEST(BlackBox, AStopAndAForeignExceptionAreRecorded) {
+TEST(BlackBox, StopAndForeignExceptionAreRecorded) {
   FakeTask task;
   const auto arm = task.robot("arm");
   task.requests = {OperatorRequest::stop};

@@ -8,7 +8,7 @@
 
 namespace mrroc::fakes {
 
-/// What a fake was asked to do.
+/// A call that a fake received.
 enum class Action {
   send,                ///< robot: a command
   receive,             ///< robot: its reply
@@ -27,7 +27,7 @@ enum class Action {
   next_state           ///< generator
 };
 
-/// One call: who, and what of its arguments matters; the rest keeps its defaults.
+/// One call: its receiver and the relevant arguments; the others keep their defaults.
 struct Call {
   Action action{};
   std::string who;                        ///< robot, sensor or leaf; empty for task and generator

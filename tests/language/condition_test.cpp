@@ -34,7 +34,7 @@ class Advance : public Generator {
   double step_;
 };
 
-TEST(Condition, ATreeHasTheValueAndTheReasonsOfItsParts) {
+TEST(Condition, TreeHasTheValueAndTheReasonsOfItsParts) {
   check_property(2000, [] {
     Script script;
     fakes::add_random_tree(script, 15);
@@ -83,7 +83,7 @@ TEST(Condition, OperatorsBuildTheTree) {
   EXPECT_FALSE(tree.evaluate());
 }
 
-TEST(Condition, ANamedCombinationIsFoundByItsNameAndByItsParts) {
+TEST(Condition, NamedCombinationIsFoundByItsNameAndByItsParts) {
   FakeTask task;
   const auto arm = task.robot("arm");
   const Outcome end = Wait({*arm}, {}, named("both sides", ElapsedSteps{2} && When{"yes", [] { return true; }}));
@@ -94,7 +94,7 @@ TEST(Condition, ANamedCombinationIsFoundByItsNameAndByItsParts) {
   EXPECT_EQ(end.reason(), "both sides and elapsed 2 steps and yes");
 }
 
-TEST(Condition, AnInstructionThatHasNotEndedAsRequiredThrowsTheTasksReason) {
+TEST(Condition, InstructionWithoutTheRequiredEndThrowsTheTasksReason) {
   FakeTask task;
   const auto arm = task.robot("arm");
   const auto wait = [&] { return Wait({*arm}, {}, named("late", ElapsedSteps{2}) || Travelled{*arm, 1}); };
@@ -108,13 +108,13 @@ TEST(Condition, AnInstructionThatHasNotEndedAsRequiredThrowsTheTasksReason) {
     }
     return "nothing is thrown";
   };
-  EXPECT_EQ(refusal([&] { wait().require<Travelled>("nobody moves"); }), "nobody moves");
+  EXPECT_EQ(refusal([&] { wait().require<Travelled>("no robot moves"); }), "no robot moves");
   EXPECT_EQ(refusal([&] { wait().require("early", "it is late"); }), "it is late");
   const auto generator = [&] { return Move({*arm}, {}, JointLine{*arm, JointVector::Constant(6, 0.1)}); };
   EXPECT_EQ(refusal([&] { generator().require<Travelled>("it has arrived"); }), "it has arrived");
 }
 
-TEST(Condition, UntilTwiceMeansEither) {
+TEST(Condition, RepeatedUntilMeansEither) {
   FakeTask task;
   const auto arm = task.robot("arm");
   Advance generator(*arm, 0.01);
@@ -157,7 +157,7 @@ TEST(Condition, TravelledHoldsFromTheDistanceOn) {
   });
 }
 
-TEST(Condition, TravelledRefusesDistancesThatAreNone) {
+TEST(Condition, TravelledRefusesInvalidDistances) {
   FakeTask task;
   const auto arm = task.robot("arm");
   EXPECT_EQ((Travelled{*arm, 0.15}.name()), "travelled 0.15 m");
@@ -168,13 +168,13 @@ TEST(Condition, TravelledRefusesDistancesThatAreNone) {
   }
 }
 
-TEST(Condition, OperatorTriggerForgetsOldTriggersAndKeepsNewOnes) {
+TEST(Condition, OperatorTriggerIgnoresOldTriggersAndKeepsNewOnes) {
   FakeTask task;
   const auto arm = task.robot("arm");
   task.triggers = 3;
   int evaluations = 0;
   const When later("later", [&] {
-    if (++evaluations == 3) task.triggers = 1;  // seen at step 2 or 3, by the order of the parts
+    if (++evaluations == 3) task.triggers = 1;  // found at step 2 or 3, depending on the order of the parts
     return evaluations >= 8;
   });
   const Outcome end = Wait({*arm}, {}, OperatorTrigger{task} && later);
@@ -183,7 +183,7 @@ TEST(Condition, OperatorTriggerForgetsOldTriggersAndKeepsNewOnes) {
   EXPECT_EQ(task.triggers, 0);
 }
 
-TEST(Condition, OperatorTriggerIsForgottenWhenItIsUsedAgain) {
+TEST(Condition, OperatorTriggerIsClearedWhenItIsUsedAgain) {
   FakeTask task;
   const auto arm = task.robot("arm");
   Advance generator(*arm, 0);

@@ -1,5 +1,5 @@
-// The code of docs/explanation/language.md, compiled and run: every cpp block there stands here between "// [name]" and
-// "// [end]".
+// The code of docs/explanation/language.md, compiled and run: every cpp block of the page is here between "// [name]"
+// and "// [end]".
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -145,7 +145,7 @@ TEST(Docs, Errors) {
   EXPECT_EQ(left.state().error.error_class, ErrorClass::none);
 }
 
-/// Takes the spaces off that all lines have in front.
+/// Removes the common indentation of all lines.
 std::string unindented(const std::vector<std::string>& lines) {
   std::size_t indent = std::string::npos;
   for (const std::string& line : lines) indent = std::min(indent, line.find_first_not_of(' '));
@@ -154,7 +154,7 @@ std::string unindented(const std::vector<std::string>& lines) {
   return text;
 }
 
-/// The texts between a line that `begins` and one that is `end`, both without their indentation.
+/// The texts between a line that starts with `begins` and a line that is `end`, both without their indentation.
 template <class Begins>
 std::set<std::string> blocks(const std::string& path, const Begins& begins, const std::string& end) {
   std::ifstream file(std::string(MRROC_SOURCE_DIR) + "/" + path);

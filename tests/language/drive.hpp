@@ -9,7 +9,7 @@
 
 namespace mrroc::fakes {
 
-/// Commands `velocity` at the end of every macrostep to its robots, and does what `act` says at the first step.
+/// Commands `velocity` at the end of every macrostep to its robots, and runs `act` at the first step.
 class Drive : public Generator {
  public:
   explicit Drive(std::vector<Robot*> robots, double velocity = 0.1)

@@ -46,7 +46,7 @@ class FakeModel : public RobotModel {
     if (joints.size() > 3) pose.linear() = Eigen::AngleAxisd(joints[3], Eigen::Vector3d::UnitZ()).toRotationMatrix();
     return pose;
   }
-  /// Out of the workspace: the tool's z axis would have to tilt, or an axis is missing.
+  /// Outside the workspace: the tool's z axis would have to tilt, or an axis is missing.
   ErrorCode inverse(const Pose& pose, const JointVector& near, JointVector& joints) const noexcept override {
     joints = near;
     for (Eigen::Index i = 0; i < 3; ++i) {

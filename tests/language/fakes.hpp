@@ -15,13 +15,14 @@
 
 namespace mrroc::fakes {
 
-/// The time that all fakes of a test share: it goes on to the newest tick that a reply carries.
+/// The common time of all fakes of a test: it advances to the newest tick of a reply.
 struct FakeTime {
   Tick tick = 1000;
   void reach(Tick reached) { tick = std::max(tick, reached); }
 };
 
-/// A robot that executes every command exactly: what is commanded is desired, and measured at the reply.
+/// A robot that executes every command exactly: the commanded state is the desired one, and the measured one at the
+/// reply.
 class FakeRobotLink : public RobotLink {
  public:
   FakeRobotLink(std::string name, int axes, FakeTime& time, CallLog& log)
@@ -56,13 +57,13 @@ class FakeRobotLink : public RobotLink {
     reply = state;
   }
 
-  std::uint64_t late_at = std::numeric_limits<std::uint64_t>::max();  ///< number of the reply that tells of braking
-  Tick way = 0;                                                       ///< time that a command needs to arrive
-  Tick delayed_start = 0;  ///< how much later than commanded it says that it began
+  std::uint64_t late_at = std::numeric_limits<std::uint64_t>::max();  ///< number of the reply that reports braking
+  Tick way = 0;                                                       ///< time until a command arrives
+  Tick delayed_start = 0;  ///< reported delay of the start after the commanded tick
   std::shared_ptr<FakeModel> model;
   RobotState state;
   std::map<std::uint64_t, ErrorReport> errors;            ///< by number of the reply, from 0
-  std::map<std::uint64_t, std::function<void()>> throws;  ///< likewise: thrown instead of a reply
+  std::map<std::uint64_t, std::function<void()>> throws;  ///< by number of the reply: thrown instead of it
 
  private:
   void execute() {
@@ -132,8 +133,8 @@ class FakeSensorLink : public SensorLink {
 
   bool interactive = true;
   bool is_polled = false;
-  int late = 0;                                 ///< polled: so many looks find nothing
-  std::uint64_t ready_from = 0;                 ///< non-interactive: number of the first reading that is there
+  int late = 0;                                 ///< polled: so many queries find no reading
+  std::uint64_t ready_from = 0;                 ///< non-interactive: number of the first available reading
   std::map<std::uint64_t, ErrorReport> errors;  ///< by number of the reading, from 0
 
  private:
@@ -154,7 +155,7 @@ class FakeSensorLink : public SensorLink {
   std::uint64_t taken_ = 0;
 };
 
-/// A task over fakes. Robots and sensors are added before the Robot and Sensor objects are built.
+/// A task with fakes. Robots and sensors are added before the Robot and Sensor objects are built.
 class FakeTask : public Task {
  public:
   explicit FakeTask(std::string process = "test") : process_(std::move(process)) {}
@@ -167,7 +168,7 @@ class FakeTask : public Task {
     sensor.interactive = interactive;
     return sensor;
   }
-  /// A Robot on the link of that name, added when it is not there yet.
+  /// A Robot on the link of that name, added when it does not exist yet.
   std::unique_ptr<Robot> robot(const std::string& name, int axes = 6) {
     if (!robots_.contains(name)) add_robot(name, axes);
     return std::make_unique<Robot>(*this, name, RobotModels{robots_.at(name)->model});
@@ -188,7 +189,7 @@ class FakeTask : public Task {
   }
   double servo_period() const noexcept override { return 0.002; }
   Tick tick() const noexcept override { return time.tick; }
-  /// Runs at half the speed of the ticks.
+  /// Advances by half a tick per tick.
   double wall_seconds() const noexcept override { return 2 * static_cast<double>(time.tick) * servo_period(); }
   void sleep_until(Tick until) override {
     log.add({Action::sleep, "", until});
@@ -207,7 +208,7 @@ class FakeTask : public Task {
 
   FakeTime time;
   CallLog log;
-  std::vector<OperatorRequest> requests;  ///< one for each time that an instruction asks; then none
+  std::vector<OperatorRequest> requests;  ///< one for each query of an instruction; then none
   int triggers = 0;
   StepObserver* step_observer = nullptr;
 

@@ -8,8 +8,8 @@
 
 namespace mrroc::fakes {
 
-/// A tool that can be anywhere: axes 0..2 are its position, 3..5 its rotation vector; their velocities are taken for
-/// the tool's twist in base axes. Of range `unlimited` it has no limits of position.
+/// A tool with unlimited poses: axes 0..2 are its position, 3..5 its rotation vector; their velocities are the tool's
+/// twist in base axes. With range `unlimited` it has no position limits.
 class FreeModel : public FakeModel {
  public:
   enum class Range { limited, unlimited };
@@ -37,7 +37,7 @@ class FreeModel : public FakeModel {
 };
 
 /// A task with one robot, a FreeModel that executes every command of a pose or of joints exactly. Its measured state is
-/// the desired one, as if v = N, or that of one macrostep before (`delayed`).
+/// the desired one, as if v = N, or that of the previous macrostep (`delayed`).
 class FreeFlyer : public FakeTask, private RobotLink {
  public:
   explicit FreeFlyer(const Pose& start, std::uint16_t motion_steps = 10) {
@@ -56,8 +56,8 @@ class FreeFlyer : public FakeTask, private RobotLink {
   RobotLink& robot_link(const std::string&, const std::string&) override { return *this; }
 
   RobotState state;
-  bool delayed = false;                     ///< measured is the pose of one macrostep before
-  std::function<Wrench(const Pose&)> felt;  ///< the wrench at a measured pose; left out: `state.wrench`
+  bool delayed = false;                     ///< measured is the pose of the previous macrostep
+  std::function<Wrench(const Pose&)> felt;  ///< the wrench at a measured pose; empty: `state.wrench`
   std::vector<RobotCommand> commands;       ///< all of a motion
   std::unique_ptr<Robot> arm;
 

@@ -36,7 +36,7 @@ TEST(Hold, LastsItsTimeRoundedUpToStepsEveryTime) {
   });
 }
 
-TEST(Hold, APauseIsNoHoldingTime) {
+TEST(Hold, PauseDoesNotCountAsHoldingTime) {
   FakeTask task;
   const auto arm = task.robot("arm");
   Hold hold(*arm, 0.1);
@@ -46,7 +46,7 @@ TEST(Hold, APauseIsNoHoldingTime) {
   EXPECT_EQ(Move({*arm}, {}, Hold(*arm, 0.1)).steps, steps);
 }
 
-TEST(Hold, RefusesTimesThatAreNone) {
+TEST(Hold, RefusesInvalidTimes) {
   FakeTask task;
   const auto arm = task.robot("arm");
   EXPECT_EQ(Move({*arm}, {}, Hold(*arm, 0)).steps, 0u);

@@ -1,4 +1,4 @@
-// Examples of Move and Wait that the random scripts do not reach.
+// Examples of Move and Wait that the random scripts do not cover.
 #include <gtest/gtest.h>
 
 #include "language/drive.hpp"
@@ -32,7 +32,7 @@ std::vector<Tick> start_ticks(const FakeTask& task, const std::string& robot) {
   return ticks;
 }
 
-TEST(Instruction, RefusesListsThatMakeNoSense) {
+TEST(Instruction, RefusesInvalidLists) {
   FakeTask task;
   FakeTask other;
   const auto arm = task.robot("arm");
@@ -61,15 +61,14 @@ TEST(Instruction, RefusesListsThatMakeNoSense) {
   EXPECT_FALSE(refused({}, {*gate}));
 }
 
-TEST(Instruction, TheRefusalNamesWhatStandsTwice) {
+TEST(Instruction, RefusalNamesTheRepeatedRobot) {
   FakeTask task;
   const auto arm = task.robot("arm");
   try {
     Wait({*arm, *arm}, {}, ElapsedSteps{0});
     FAIL();
   } catch (const NonFatalError& error) {
-    EXPECT_STREQ(error.what(),
-                 "non-fatal error: invalid argument: 'arm' stands twice in the list [process test, device arm]");
+    EXPECT_STREQ(error.what(), "non-fatal error: invalid argument: 'arm' is listed twice [process test, device arm]");
   }
 }
 
@@ -83,7 +82,7 @@ TEST(Instruction, RestingRobotsGetTimeForTheirCommandsAtEveryCommonStart) {
   EXPECT_EQ(start_ticks(task, "right"), (std::vector<Tick>{1002, 1015}));
 }
 
-TEST(Instruction, MovingRobotsGoOnWithoutABreakFromOneMoveToTheNext) {
+TEST(Instruction, MovingRobotsContinueWithoutABreakInTheNextMove) {
   FakeTask task;
   const auto left = task.robot("left");
   const auto right = task.robot("right");
@@ -95,7 +94,7 @@ TEST(Instruction, MovingRobotsGoOnWithoutABreakFromOneMoveToTheNext) {
   EXPECT_EQ(start_ticks(task, "right"), start_ticks(task, "left"));
 }
 
-/// At step k, commands the robots whose bit is set in k; the others are left as they are.
+/// At step k, commands the robots whose bit is set in k; the others get no command.
 class InTurns : public Generator {
  public:
   explicit InTurns(std::vector<Robot*> robots) : Generator("in turns"), robots_(std::move(robots)) {}
@@ -115,7 +114,7 @@ class InTurns : public Generator {
   unsigned step_ = 0;
 };
 
-// original's defect 4: robots that needed no command were erased from the list while it was being gone through
+// original's defect 4: robots that needed no command were erased from the list during an iteration over it
 TEST(Instruction, RobotsThatAreNotCommandedAtAStepStayInTheList) {
   FakeTask task;
   const auto left = task.robot("left"), middle = task.robot("middle"), right = task.robot("right");
@@ -151,7 +150,7 @@ TEST(Instruction, TheOutcomeTellsHowFarApartTheRobotsBeganTheirMacrosteps) {
   }
 }
 
-TEST(Instruction, AStartTickGivenByTheGeneratorStays) {
+TEST(Instruction, StartTickOfTheGeneratorIsKept) {
   FakeTask task;
   const auto left = task.robot("left");
   const auto right = task.robot("right");
@@ -163,7 +162,7 @@ TEST(Instruction, AStartTickGivenByTheGeneratorStays) {
   EXPECT_EQ(start_ticks(task, "right"), std::vector<Tick>{2000});
 }
 
-TEST(Instruction, AReadingIsOfTheTickOfTheStateItIsSeenWith) {
+TEST(Instruction, ReadingHasTheTickOfItsState) {
   FakeTask task;
   const auto arm = task.robot("arm");
   const auto wrist = task.sensor("wrist");
@@ -173,7 +172,7 @@ TEST(Instruction, AReadingIsOfTheTickOfTheStateItIsSeenWith) {
                               }});
 }
 
-TEST(Instruction, AReadingIsOfTheTickOfTheStateAlsoWhenPlanningTookTime) {
+TEST(Instruction, ReadingHasTheTickOfItsStateAlsoAfterSlowPlanning) {
   FakeTask task;
   const auto arm = task.robot("arm");
   const auto wrist = task.sensor("wrist");
@@ -186,7 +185,7 @@ TEST(Instruction, AReadingIsOfTheTickOfTheStateAlsoWhenPlanningTookTime) {
   Move({*arm}, {*wrist}, drive);
 }
 
-TEST(Instruction, WithoutRobotsAStepLastsTenTicks) {
+TEST(Instruction, StepLastsTenTicksWithoutRobots) {
   FakeTask task;
   const auto gate = task.sensor("gate", false);
   const Outcome end = Wait({}, {*gate}, ElapsedSteps{3});

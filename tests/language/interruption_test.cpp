@@ -1,4 +1,4 @@
-// Move and Wait that do not run through: errors, pauses, late commands.
+// Interrupted Move and Wait: errors, pauses, late commands.
 #include <gtest/gtest.h>
 
 #include "language/drive.hpp"
@@ -14,7 +14,7 @@ using fakes::Call;
 using fakes::Drive;
 using fakes::FakeTask;
 
-TEST(Interruption, TheGravestErrorOfAStepIsThrown) {
+TEST(Interruption, MostSevereErrorOfAStepIsThrown) {
   FakeTask task;
   const auto left = task.robot("left");
   const auto right = task.robot("right");
@@ -36,7 +36,7 @@ class MyError : public NonFatalError {
   MyError() : NonFatalError("mine") {}
 };
 
-TEST(Interruption, AnErrorOfTheGeneratorKeepsItsTypeAndSaysWhere) {
+TEST(Interruption, ErrorOfTheGeneratorKeepsItsTypeAndNamesItsOrigin) {
   FakeTask task;
   const auto arm = task.robot("arm");
   Drive drive({arm.get()});
@@ -55,7 +55,7 @@ TEST(Interruption, AnErrorOfTheGeneratorKeepsItsTypeAndSaysWhere) {
   }
 }
 
-TEST(Interruption, AnErrorOfALinkSaysAtWhichStep) {
+TEST(Interruption, ErrorOfALinkNamesItsStep) {
   FakeTask task;
   const auto arm = task.robot("arm");
   task.robot_fake("arm").throws[2] = [] { throw SystemError(ErrorCode::process_died, "arm_edp", {"", "arm", 0, 0}); };
@@ -67,7 +67,7 @@ TEST(Interruption, AnErrorOfALinkSaysAtWhichStep) {
   }
 }
 
-TEST(Interruption, AfterAnErrorTheTaskMayGoOn) {
+TEST(Interruption, TaskMayContinueAfterAnError) {
   FakeTask task;
   const auto arm = task.robot("arm");
   task.robot_fake("arm").errors[1] = {ErrorClass::non_fatal, ErrorCode::out_of_workspace, {}};
@@ -75,14 +75,14 @@ TEST(Interruption, AfterAnErrorTheTaskMayGoOn) {
   EXPECT_EQ(Wait({*arm}, {}, ElapsedSteps{3}).steps, 3u);
 }
 
-TEST(Interruption, AStopDuringAPauseLeavesTheTask) {
+TEST(Interruption, StopDuringAPauseEndsTheTask) {
   FakeTask task;
   const auto arm = task.robot("arm");
   task.requests = {OperatorRequest::pause, OperatorRequest::pause, OperatorRequest::stop};
   EXPECT_THROW(Move({*arm}, {}, Drive{{arm.get()}}), Stopped);
 }
 
-TEST(Interruption, AnEndMotionDuringAPauseEndsTheMotionWithoutResumingIt) {
+TEST(Interruption, EndMotionDuringAPauseEndsTheMotionWithoutResumingIt) {
   FakeTask task;
   const auto arm = task.robot("arm");
   task.requests = {OperatorRequest::none, OperatorRequest::pause, OperatorRequest::end_motion};
@@ -96,7 +96,7 @@ TEST(Interruption, AnEndMotionDuringAPauseEndsTheMotionWithoutResumingIt) {
   EXPECT_EQ(end.steps, 1u);
 }
 
-/// Moves, and when it is to brake does so within `steps` steps.
+/// Moves, and brakes on request within `steps` steps.
 class Braking : public Drive {
  public:
   Braking(const std::vector<Robot*>& robots, int steps) : Drive(robots), steps_(steps), robots_(robots) {}
@@ -123,7 +123,7 @@ class Braking : public Drive {
   std::vector<Robot*> robots_;
 };
 
-TEST(Interruption, AGeneratorThatBrakesLeadsToRestBeforeAPauseHolds) {
+TEST(Interruption, BrakingGeneratorComesToRestBeforeAPauseHolds) {
   for (const std::size_t pauses : {std::size_t{1}, std::size_t{3}, std::size_t{7}}) {
     FakeTask task;
     const auto arm = task.robot("arm");
@@ -131,7 +131,7 @@ TEST(Interruption, AGeneratorThatBrakesLeadsToRestBeforeAPauseHolds) {
     task.requests.insert(task.requests.end(), pauses, OperatorRequest::pause);
     Braking motion({arm.get()}, 3);
     const Outcome end = Move({*arm}, {}, motion.until(ElapsedSteps{8}));
-    EXPECT_EQ(end.steps, 8u) << "braking is steps, holding is not";
+    EXPECT_EQ(end.steps, 8u) << "braking takes steps, holding does not";
     EXPECT_EQ(motion.brakes, 1);
     EXPECT_EQ(motion.resumes, 1);
     std::size_t holds = 0;
@@ -140,7 +140,7 @@ TEST(Interruption, AGeneratorThatBrakesLeadsToRestBeforeAPauseHolds) {
   }
 }
 
-TEST(Interruption, AStopWhileAGeneratorBrakesIsNotPutOff) {
+TEST(Interruption, StopWhileAGeneratorBrakesIsNotDelayed) {
   FakeTask task;
   const auto arm = task.robot("arm");
   task.requests = {OperatorRequest::none, OperatorRequest::pause, OperatorRequest::stop};
@@ -166,7 +166,7 @@ TEST(Interruption, AfterALateCommandAllRobotsComeToRestAndTheGeneratorGoesOnFrom
   drive.seen = {left.get(), right.get()};
   const Outcome end = Move({*left, *right}, {}, drive.until(ElapsedSteps{6}));
   EXPECT_EQ(drive.times, 1);
-  EXPECT_EQ(end.steps, 6u) << "holding is no step";
+  EXPECT_EQ(end.steps, 6u) << "holding is not a step";
   std::vector<CommandKind> kinds;
   for (const Call& call : task.log.calls)
     if (call.action == Action::send && call.who == "right") kinds.push_back(call.kind);
@@ -176,8 +176,8 @@ TEST(Interruption, AfterALateCommandAllRobotsComeToRestAndTheGeneratorGoesOnFrom
   EXPECT_EQ(kinds, expected);
 }
 
-// a robot at rest that began its hold late would make the one that moves brake, and its next command be refused
-TEST(Interruption, ARobotAtRestThatIsLateDoesNotKeepOneThatMovesWaiting) {
+// a robot at rest with a late hold would make the moving one brake, and cause a refusal of its next command
+TEST(Interruption, LateRobotAtRestDoesNotDelayAMovingOne) {
   FakeTask task;
   const auto resting = task.robot("resting");
   const auto moving = task.robot("moving");
@@ -196,7 +196,7 @@ TEST(Interruption, ARobotAtRestThatIsLateDoesNotKeepOneThatMovesWaiting) {
   EXPECT_NE(expected, 0u);
 }
 
-TEST(Interruption, AfterALateCommandRobotsReplyEarlier) {
+TEST(Interruption, RobotsReplyEarlierAfterALateCommand) {
   FakeTask task;
   const auto arm = task.robot("arm");
   arm->set_macrostep(10, 9);
@@ -210,7 +210,7 @@ TEST(Interruption, AfterALateCommandRobotsReplyEarlier) {
   EXPECT_EQ(replies, (std::vector<int>{9, 9, 9, 6, 6, 6, 9, 9})) << "for the rest of the Move";
 }
 
-// with a margin that never grew, a machine that is slower than it would make the robots start over and over
+// with a fixed margin, the robots would restart repeatedly on a machine that is slower than the margin
 TEST(Interruption, RobotsGetMoreTimeForACommonStartUntilTheyStartTogether) {
   FakeTask task;
   const auto left = task.robot("left");
@@ -222,7 +222,7 @@ TEST(Interruption, RobotsGetMoreTimeForACommonStartUntilTheyStartTogether) {
   for (const Call& call : task.log.calls)
     if (call.action == Action::send && call.who == "left" && call.kind == CommandKind::hold)
       starts.push_back(call.tick);
-  // with margins of 2, 4, 8 and 16 ticks; from there on both start at the tick that they are given
+  // with margins of 2, 4, 8 and 16 ticks; from there on both start at the commanded tick
   EXPECT_EQ(starts, (std::vector<Tick>{1002, 1024, 1048, 1076, 1103, 1130}));
 }
 

@@ -4,7 +4,7 @@
 
 namespace mrroc::fakes {
 
-/// Keeps the first robot's state and command of every step that commands.
+/// Records the first robot's state and command of every step with a command.
 class MotionRecorder : public StepObserver {
  public:
   void on_step(const StepRecord& record) noexcept override {

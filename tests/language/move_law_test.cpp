@@ -1,4 +1,5 @@
-// The laws of Move and Wait over random scripts: against the reference model, and one by one on what was done.
+// The laws of Move and Wait over random scripts, checked against the reference model, and one by one on the log of the
+// calls.
 #include <map>
 #include <set>
 
@@ -24,7 +25,7 @@ void expect_as_predicted(const Script& script) {
   RC_FAIL(text.str());
 }
 
-/// One exchange with robots and sensors, in the order of the calls. `step` is that of the state it leads to.
+/// One exchange with robots and sensors, in the order of the calls. `step` is that of the resulting state.
 struct Exchange {
   std::vector<Call> calls;
   bool is_get = false;
@@ -37,15 +38,15 @@ bool is_exchange(Action action) {
          action == Action::collect || action == Action::latest || action == Action::sleep;
 }
 
-/// Cuts the log at the calls that are no exchange. The first one is the GET; one that follows the operator's answer
-/// with nothing evaluated in between is a pause.
+/// Splits the log at the calls outside an exchange. The first exchange is the GET; one that follows the operator's
+/// answer with no evaluation in between is a pause.
 std::vector<Exchange> exchanges(const RunRecord& run) {
   std::vector<Exchange> found;
   bool open = false;
   bool evaluated = false;
   std::uint64_t step = 0;
   for (const Call& call : run.calls) {
-    if (call.action == Action::observe && call.who == "last") break;  // then robots in motion hold until they rest
+    if (call.action == Action::observe && call.who == "last") break;  // then moving robots hold until they rest
     if (call.action == Action::observe) continue;
     if (!is_exchange(call.action)) {
       open = false;
@@ -110,7 +111,7 @@ TEST(MoveLaw, NothingIsCommandedWhenTheConditionHoldsAtTheStart) {
   });
 }
 
-TEST(MoveLaw, TheFirstCommandMayDependOnTheInitialReading) {
+TEST(MoveLaw, FirstCommandMayDependOnTheInitialReading) {
   check_property(kCases, [] {
     Script script = random_script({.is_move = true, .fewest_robots = 1, .faults = false, .pauses = false});
     script.sensors.insert(script.sensors.begin(), detail::random_sensor());
@@ -169,13 +170,13 @@ TEST(MoveLaw, ReadingsAreTakenAtTheStartAndEveryPeriod) {
         const int due = exchange.is_get || exchange.is_pause || exchange.step % sensor.period == 0 ? 1 : 0;
         RC_ASSERT(taken[Action::request] == (sensor.interactive ? due : 0));
         RC_ASSERT(taken[Action::collect] == (sensor.interactive ? due : 0));
-        RC_ASSERT(taken[Action::latest] == (sensor.interactive ? 0 : due));  // never waited for
+        RC_ASSERT(taken[Action::latest] == (sensor.interactive ? 0 : due));  // never waits
       }
     }
   });
 }
 
-TEST(MoveLaw, AnErrorIsThrownAtTheStepThatReportsIt) {
+TEST(MoveLaw, ErrorIsThrownAtTheStepThatReportsIt) {
   check_property(kCases, [] {
     Script script = random_script({.faults = false, .pauses = false});
     const FaultScript fault = detail::random_fault(script);
@@ -204,7 +205,7 @@ TEST(MoveLaw, AnErrorIsThrownAtTheStepThatReportsIt) {
   });
 }
 
-TEST(MoveLaw, DuringWaitEveryCommandIsAHold) {
+TEST(MoveLaw, EveryCommandDuringWaitIsAHold) {
   check_property(kCases, [] {
     for (const Exchange& exchange : exchanges(execute(random_script({.is_move = false})))) {
       for (const std::size_t send : places(exchange, {Action::send})) {
@@ -234,7 +235,7 @@ TEST(MoveLaw, ARobotThatIsNotAddressedHolds) {
 TEST(MoveLaw, EveryPartOfAConditionIsEvaluatedOnceAStep) {
   check_property(kCases, [] {
     const Script script = random_script();
-    std::map<std::string, int> leaves;  // how often each stands in the tree
+    std::map<std::string, int> leaves;  // how often each is in the tree
     for (const NodeScript& node : script.nodes) {
       if (node.kind == NodeScript::Kind::leaf) ++leaves["leaf" + std::to_string(node.a)];
     }
@@ -275,7 +276,7 @@ TEST(MoveLaw, StepsAndTicksAreThoseOfTheExchanges) {
   });
 }
 
-TEST(MoveLaw, APauseHoldsTheRobotsAndResumesTheGeneratorButNoCondition) {
+TEST(MoveLaw, PauseHoldsTheRobotsAndResumesTheGeneratorButNoCondition) {
   check_property(kCases, [] {
     Script script = random_script({.faults = false, .pauses = false});
     const auto begin = static_cast<std::size_t>(pick(0, static_cast<int>(script.requests.size()) - 1));
@@ -297,9 +298,9 @@ TEST(MoveLaw, APauseHoldsTheRobotsAndResumesTheGeneratorButNoCondition) {
       }
     }
     const bool paused =
-        without.result->steps > begin || (without.result->steps == begin);  // asked once a step, the last one included
+        without.result->steps > begin || (without.result->steps == begin);  // once a step, including the last one
     RC_ASSERT(holds == (paused ? length : 0u));
-    // the pause ends with end-motion when that comes next: nothing is resumed
+    // a following end-motion ends the pause: nothing is resumed
     const bool resumed = paused && script.requests[begin + length] == OperatorRequest::none;
     RC_ASSERT(count(with, Action::resume_generator) == (resumed && script.is_move ? 1u : 0u));
     RC_ASSERT(count(with, Action::start_condition) == count(without, Action::start_condition));

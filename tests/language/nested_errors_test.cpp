@@ -1,5 +1,5 @@
-// One error passes from the Move that meets it outwards, and is the same wherever it is caught; robots are commanded
-// nothing meanwhile.
+// One error propagates outwards from the Move that meets it, and is the same wherever it is caught. Robots get no
+// commands meanwhile.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ std::size_t sent(const FakeTask& task, bool holds = false) {
       }));
 }
 
-/// A task as a program is built: a Move in a behaviour in a run, any of which may catch. Two robots, of which one
-/// reports an error at the fourth step.
+/// A task with the structure of a program: a Move in a behaviour in a run, any of which may catch. It has two robots,
+/// one of which reports an error at the fourth step.
 struct Program {
   explicit Program(ErrorReport report) { task.robot_fake("right").errors[4] = report; }
 

@@ -1,4 +1,4 @@
-// What an observer of the steps of Move and Wait is shown, and when.
+// Content and order of the calls of an observer of the steps of Move and Wait.
 #include <gtest/gtest.h>
 
 #include "language/drive.hpp"
@@ -13,7 +13,7 @@ using fakes::Call;
 using fakes::Drive;
 using fakes::FakeTask;
 
-/// Keeps what it is shown.
+/// Records its calls.
 class Recorder : public StepObserver {
  public:
   struct Seen {
@@ -45,7 +45,7 @@ class Recorder : public StepObserver {
   std::vector<Seen> seen;
 };
 
-TEST(Observer, TheObserverSeesEveryStepAndInstructionsAreCounted) {
+TEST(Observer, ReceivesEveryStepAndInstructionsAreCounted) {
   FakeTask task;
   Recorder recorder;
   task.step_observer = &recorder;
@@ -74,8 +74,8 @@ TEST(Observer, TheObserverSeesEveryStepAndInstructionsAreCounted) {
   EXPECT_EQ(recorder.seen[2].instruction, 2u);
 }
 
-// parts of a task that begin together: whose first reply comes first is told of first
-TEST(Observer, InstructionsSideBySideAreCountedInTheOrderInWhichTheyAreToldOf) {
+// parts of a task that begin together: the one with the first reply is reported first
+TEST(Observer, ParallelInstructionsAreCountedInTheOrderOfTheirReports) {
   FakeTask task;
   Recorder recorder;
   task.step_observer = &recorder;
@@ -91,7 +91,7 @@ TEST(Observer, InstructionsSideBySideAreCountedInTheOrderInWhichTheyAreToldOf) {
   EXPECT_EQ(numbers, (std::vector<std::uint64_t>{1, 1, 2, 2}));
 }
 
-TEST(Observer, AtAnEndMotionNoValuesAreShownThatWereNotEvaluated) {
+TEST(Observer, EndMotionShowsNoUnevaluatedValues) {
   FakeTask task;
   Recorder recorder;
   task.step_observer = &recorder;
@@ -105,7 +105,7 @@ TEST(Observer, AtAnEndMotionNoValuesAreShownThatWereNotEvaluated) {
   EXPECT_TRUE(recorder.seen[1].conditions.empty());
 }
 
-TEST(Observer, TheObserverIsCalledBetweenTheTwoEndsOfTheExchange) {
+TEST(Observer, IsCalledBetweenTheTwoEndsOfTheExchange) {
   FakeTask task;
   class Marker : public StepObserver {
    public:

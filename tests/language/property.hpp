@@ -12,9 +12,9 @@
 
 namespace mrroc::fakes {
 
-/// Checks `property` (a function that uses RC_ASSERT and `*generator`) on `cases` random cases, as a part of the
-/// running GoogleTest. The seed is fixed and printed, so that every run checks the same cases; rapidcheck's own
-/// RC_PARAMS="seed=7" chooses others. With a sanitizer all are checked too, for tests that count over them.
+/// Checks `property` (a function that uses RC_ASSERT and `*generator`) on `cases` random cases, as part of the running
+/// GoogleTest. The seed is fixed and printed, so that every run checks the same cases; rapidcheck's own
+/// RC_PARAMS="seed=7" selects others. All cases are also checked with a sanitizer, for tests that count over them.
 template <class Property>
 void check_every_case(int cases, Property&& property) {
   setenv("RC_PARAMS", "seed=20240229", 0);

@@ -1,5 +1,5 @@
-// The reference model of Move and Wait, written from the paper's equations (3) and (5), not from the
-// language's code: it keeps its own robots, sensors and time, and writes down the calls that must be made.
+// The reference model of Move and Wait, written from the paper's equations (3) and (5), not from the language's code:
+// it has its own robots, sensors and time, and records the calls that must be made.
 #include "language/script.hpp"
 
 namespace mrroc::fakes {
@@ -176,8 +176,8 @@ class Model {
     for (std::size_t i = 0; i < sensors_.size(); ++i) collect(i);
   }
 
-  /// Several robots begin on one tick: when the last of them can, from rest not before the commands have had 2 ticks.
-  /// One that rests does not keep those that move waiting.
+  /// Several robots begin on one tick: the earliest possible one of the last robot. From rest that is not before the
+  /// commands have had 2 ticks. A robot at rest does not delay moving ones.
   Tick common_start() const {
     if (robots_.size() < 2) return 0;
     const bool moving = std::any_of(robots_.begin(), robots_.end(), [](const ModelRobot& r) { return r.moving; });
@@ -188,7 +188,7 @@ class Model {
     return start;
   }
 
-  /// One macrostep of all robots, and the readings that are due when it is over.
+  /// One macrostep of all robots, and the readings that are due at its end.
   void exchange(bool pause, std::uint64_t next_step) {
     const Tick start = pause ? 0 : common_start();
     std::vector<Tick> begins;
@@ -263,7 +263,7 @@ class Model {
     return run_;
   }
 
-  /// Robots that are in motion hold; a fake rests at once.
+  /// Moving robots hold; a fake rests at once.
   void rest() {
     for (std::size_t i = 0; i < robots_.size(); ++i)
       if (robots_[i].moving) send(i, CommandKind::hold, 0, 0);

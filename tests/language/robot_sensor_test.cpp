@@ -20,7 +20,7 @@ ErrorCode macrostep_code(Robot& robot, std::uint16_t motion_steps, std::uint16_t
   return ErrorCode::none;
 }
 
-TEST(Robot, TakesMacrostepsWhoseReplyIsInThem) {
+TEST(Robot, AcceptsMacrostepsThatContainTheirReply) {
   FakeTask task;
   const auto arm = task.robot("arm");
   EXPECT_EQ(arm->motion_steps(), 10);
@@ -34,7 +34,7 @@ TEST(Robot, TakesMacrostepsWhoseReplyIsInThem) {
   EXPECT_EQ(macrostep_code(*arm, 65535, 1), ErrorCode::invalid_motion_steps);
   EXPECT_EQ(macrostep_code(*arm, 10, 0), ErrorCode::invalid_reply_step);
   EXPECT_EQ(macrostep_code(*arm, 10, 12), ErrorCode::invalid_reply_step);
-  EXPECT_EQ(arm->motion_steps(), kMaxMotionSteps);  // what is refused changes nothing
+  EXPECT_EQ(arm->motion_steps(), kMaxMotionSteps);  // a refused value changes nothing
 }
 
 TEST(Robot, EveryCommandStartsAsAPlainHold) {
@@ -83,7 +83,7 @@ TEST(Sensor, IsReadAtItsPeriod) {
   EXPECT_TRUE(std::isnan(gate->value(1)));
 }
 
-TEST(Sensor, WithoutAReadingIsNotReady) {
+TEST(Sensor, IsNotReadyWithoutAReading) {
   FakeTask task;
   const auto gate = task.sensor("gate", false);
   task.sensor_fake("gate").ready_from = 1;
@@ -94,10 +94,10 @@ TEST(Sensor, WithoutAReadingIsNotReady) {
     EXPECT_EQ(error.code(), ErrorCode::sensor_not_ready);
     EXPECT_EQ(error.origin().device, "gate");
   }
-  EXPECT_EQ(Wait({}, {*gate}, ElapsedSteps{0}).steps, 0u);  // by now it has one
+  EXPECT_EQ(Wait({}, {*gate}, ElapsedSteps{0}).steps, 0u);  // now it has one
 }
 
-TEST(Sensor, PolledItIsNeverWaitedFor) {
+TEST(Sensor, PolledSensorIsNeverAwaited) {
   FakeTask task;
   task.add_sensor("camera").is_polled = true;
   const auto arm = task.robot("arm");
@@ -111,7 +111,7 @@ TEST(Sensor, PolledItIsNeverWaitedFor) {
                                  values.push_back(camera->value(0));
                                  return fresh.size() == 5;
                                }});
-  EXPECT_EQ(fresh, (std::vector<bool>{false, false, true, true, true})) << "not ready is a value";
+  EXPECT_EQ(fresh, (std::vector<bool>{false, false, true, true, true})) << "a reading that is not ready is a value";
   EXPECT_TRUE(std::isnan(values[0]) && std::isnan(values[1]));
   EXPECT_EQ(values[2], 0);
   EXPECT_EQ(values[4], 2);
@@ -121,7 +121,7 @@ TEST(Sensor, PolledItIsNeverWaitedFor) {
   EXPECT_EQ(asked, (std::vector<Tick>{0, 0, 0})) << "at once, and one request at a time";
 }
 
-TEST(Sensor, KnowsTheAgeOfItsReading) {
+TEST(Sensor, HasTheAgeOfItsReading) {
   FakeTask task;
   const auto gate = task.sensor("gate");
   Wait({}, {*gate}, ElapsedSteps{0});

@@ -22,7 +22,7 @@ struct RobotScript {
 struct SensorScript {
   bool interactive = true;
   std::uint32_t period = 1;
-  std::uint64_t ready_from = 0;  ///< non-interactive: number of its first reading that is there
+  std::uint64_t ready_from = 0;  ///< non-interactive: number of its first available reading
 };
 
 /// A leaf is true at its k-th evaluation of an instruction when bit min(k, 63) of the pattern is set.
@@ -33,7 +33,7 @@ struct LeafScript {
   bool at(std::uint64_t k) const { return ((pattern >> std::min<std::uint64_t>(k, 63)) & 1) != 0; }
 };
 
-/// A node of the condition's tree. Children stand before their parent, the root is the last node.
+/// A node of the condition's tree. Children precede their parent, the root is the last node.
 struct NodeScript {
   enum class Kind { leaf, both, either, negated };
   Kind kind = Kind::leaf;
@@ -42,7 +42,7 @@ struct NodeScript {
   bool named = false;  ///< by `rename`: "node<number>"
 };
 
-/// At its `reception`-th reply (from 0, the one at i0) the device reports an error.
+/// The device reports an error at its `reception`-th reply (from 0, the one at i0).
 struct FaultScript {
   bool of_robot = true;
   std::size_t device = 0;
@@ -51,7 +51,7 @@ struct FaultScript {
   ErrorCode code = ErrorCode::busy;
 };
 
-/// One Move or Wait: everything that decides what it does.
+/// One Move or Wait with everything that determines its behaviour.
 struct Script {
   bool is_move = true;
   std::vector<RobotScript> robots;
@@ -88,7 +88,7 @@ struct Result {
   friend bool operator==(const Result&, const Result&) = default;
 };
 
-/// What came of a script: all calls, and one of outcome, error, stop.
+/// Result of a script: all calls, and one of outcome, error, stop.
 struct RunRecord {
   std::vector<Call> calls;
   std::optional<Result> result;
@@ -103,10 +103,11 @@ std::ostream& operator<<(std::ostream& out, const RunRecord& run);
 /// and whether it is the last one (who = "last").
 RunRecord execute(const Script& script);
 
-/// What the paper's equations (3) and (5) make of the script. Shares no code with the language.
+/// The prediction of the paper's equations (3) and (5) for the script. Shares no code with the language.
 RunRecord predict(const Script& script);
 
-/// The value of the tree at the k-th evaluation, and the names of what made it true; written on the tree alone.
+/// The value of the tree at the k-th evaluation, and the names of the parts that made it true; computed from the tree
+/// alone.
 bool predict_value(const Script& script, std::size_t node, std::uint64_t k);
 std::string predict_name(const Script& script, std::size_t node);
 void predict_reasons(const Script& script, std::size_t node, std::uint64_t k, Result& result);
@@ -115,7 +116,7 @@ void predict_reasons(const Script& script, std::size_t node, std::uint64_t k, Re
 std::shared_ptr<Condition> build_condition(const Script& script, std::size_t node, CallLog* log);
 class Red;
 class Blue;
-/// What an outcome says, in the terms of a prediction.
+/// The outcome in the form of a prediction.
 Result result_of(const Outcome& outcome);
 
 }  // namespace mrroc::fakes

@@ -29,7 +29,7 @@ inline SensorScript random_sensor() {
   return sensor;
 }
 
-/// True never, from some step on, now and then, or always.
+/// True never, from some step on, occasionally, or always.
 inline LeafScript random_leaf() {
   LeafScript leaf;
   leaf.red = chance(50);
@@ -100,7 +100,7 @@ inline void add_random_tree(Script& script, int size) {
   }
 }
 
-/// What the random scripts of one property have in common.
+/// Common parameters of the random scripts of one property.
 struct ScriptOptions {
   std::optional<bool> is_move = std::nullopt;
   int fewest_robots = 0;

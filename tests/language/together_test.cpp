@@ -15,7 +15,7 @@ using fakes::check_property;
 using fakes::FakeTask;
 using fakes::pick;
 
-/// Moves its robot by joints for `steps` steps; counts what it is asked.
+/// Moves its robot by joints for `steps` steps; counts its calls.
 class Stepping : public Generator {
  public:
   Stepping(Robot& robot, int steps) : Generator("Stepping"), robot_(&robot), left_(steps) {}
@@ -67,7 +67,7 @@ TEST(Together, LastsAsLongAsItsLongestPartAndRobotsOfEndedPartsHold) {
   });
 }
 
-TEST(Together, APartEndsByItsOwnUntilAndTheWholeByThatOfTheWhole) {
+TEST(Together, PartEndsByItsOwnConditionAndAllByTheCommonOne) {
   FakeTask task;
   const auto a = task.robot("a"), b = task.robot("b");
   Stepping first(*a, 1000), second(*b, 9);
@@ -79,7 +79,7 @@ TEST(Together, APartEndsByItsOwnUntilAndTheWholeByThatOfTheWhole) {
   EXPECT_TRUE(end.by<ElapsedSteps>());
 }
 
-TEST(Together, AfterAPauseOnlyThePartsGoOnThatHaveNotEnded) {
+TEST(Together, OnlyRunningPartsContinueAfterAPause) {
   FakeTask task;
   const auto a = task.robot("a"), b = task.robot("b");
   Stepping first(*a, 2), second(*b, 20);

@@ -1,4 +1,4 @@
-// Cyclone allocates per message, with malloc; this side of it must not.
+// Cyclone allocates per message, with malloc; the framework's links must not.
 
 #include <gtest/gtest.h>
 
@@ -19,13 +19,13 @@ namespace mrroc::links {
 namespace {
 
 std::uint64_t allocations_of(const std::function<void()>& action) {
-  action();                                          // whatever is done once
-  const std::uint64_t before = test::allocations();  // of all threads: listeners have their own
+  action();                                          // initialisation
+  const std::uint64_t before = test::allocations();  // of all threads: listeners have their own thread
   for (int i = 0; i < 100; ++i) action();
   return test::allocations() - before;
 }
 
-TEST(Allocation, TheCounterCounts) {
+TEST(Allocation, CounterCounts) {
   EXPECT_EQ(allocations_of([] { ::operator delete(::operator new(8)); }), 100U);
 }
 

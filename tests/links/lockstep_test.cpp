@@ -1,4 +1,4 @@
-// The links under the real clocks: one ECP here, its EDP in another process.
+// The links under the real clocks: one ECP in this process, its EDP in another one.
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace mrroc::links {
 namespace {
 
-/// Ticks at which the EDP answered, and at which the ECP had the answer.
+/// Ticks at which the EDP answered, and at which the ECP received the answer.
 using Trace = std::vector<std::pair<Tick, Tick>>;
 
 Trace run(clock::Mode mode, int exchanges) {
@@ -48,13 +48,13 @@ Trace run(clock::Mode mode, int exchanges) {
   return trace;
 }
 
-TEST(Lockstep, TheAnswerHasItsTickAndIsSeenInIt) {
+TEST(Lockstep, AnswerHasItsTickAndArrivesInIt) {
   Trace expected;
   for (Tick i = 1; i <= 200; ++i) expected.emplace_back(3 * i, 3 * i);
   for (int round = 0; round < 3; ++round) EXPECT_EQ(run(clock::Mode::lockstep, 200), expected);
 }
 
-TEST(Lockstep, TheSameLinksWorkInRealTime) {
+TEST(Lockstep, SameLinksWorkInRealTime) {
   const Trace trace = run(clock::Mode::real, 20);
   ASSERT_EQ(trace.size(), 20U);
   for (std::size_t i = 1; i < trace.size(); ++i) EXPECT_GE(trace[i].first, trace[i - 1].first + 3);

@@ -1,5 +1,5 @@
 // The other process of the tests: links_peer ROLE DOMAIN PREFIX LEASE [CLOCK_FD | INTERFACE,HOST... | KEYS]. It runs
-// until it is killed or its parent is gone.
+// until it is killed or its parent ends.
 
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ using namespace mrroc::links;
 // on a machine that is busy with other tests a command may be old
 constexpr double kAnyAge = 1000;
 
-/// Answers every command at once; the reply says how many commands were stale so far.
+/// Answers every command at once; the reply contains the number of stale commands so far.
 void respond(clock::Clock& clock, RobotResponder& link) {
   RobotCommand command;
   std::uint64_t sequence = 0;
@@ -57,7 +57,7 @@ void respond_in_lockstep(clock::Clock& clock, RobotResponder& link) {
   }
 }
 
-/// Does all that a commander does, whether it is let in or not; `mark` is the start tick of its commands.
+/// Acts like a commander, whether it is accepted or not; `mark` is the start tick of its commands.
 void command(Domain& domain, clock::Clock& clock, const std::string& prefix, Tick mark) {
   RobotRequester link(domain, clock, prefix, "responder");
   RobotCommand command;
@@ -66,7 +66,7 @@ void command(Domain& domain, clock::Clock& clock, const std::string& prefix, Tic
     try {
       link.connect(0.02);
     } catch (const SystemError&) {
-      // it knocks and continues all the same
+      // it tries to connect, and continues in any case
     }
     link.send(command);
   }

@@ -34,13 +34,13 @@ class PeerProcess {
   ~PeerProcess() { kill(); }
 
   pid_t pid() const noexcept { return pid_; }
-  /// SIGKILL; returns when it is gone.
+  /// Sends SIGKILL; returns when the process has ended.
   void kill() {
     if (pid_ <= 0) return;
     ::kill(pid_, SIGKILL);
     ::waitpid(std::exchange(pid_, 0), nullptr, 0);
   }
-  /// SIGSTOP; returns when it stands still.
+  /// Sends SIGSTOP; returns when the process is stopped.
   void stop() {
     ::kill(pid_, SIGSTOP);
     ::waitpid(pid_, nullptr, WUNTRACED);

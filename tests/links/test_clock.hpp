@@ -10,8 +10,8 @@
 
 namespace mrroc::links {
 
-/// A clock for one process: real time, or simulated time in which every wait is a new delta and ticks do not move.
-/// A test that would hang is interrupted after a minute.
+/// A clock for one process: real time, or simulated time in which every wait is a new delta and ticks do not advance. A
+/// test that would hang is interrupted after a minute.
 class TestClock final : public clock::Clock {
  public:
   explicit TestClock(bool simulated = false) : simulated_(simulated) {}

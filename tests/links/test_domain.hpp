@@ -14,7 +14,7 @@
 
 namespace mrroc::links {
 
-/// A DDS domain number that no one else on this machine uses meanwhile: taken in the way of the runner's own lock.
+/// A DDS domain number that no other process of this machine uses meanwhile, locked like the runner's domains.
 class FreeDomain {
  public:
   FreeDomain() : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
@@ -38,10 +38,10 @@ class FreeDomain {
   int id_ = 0;
 };
 
-/// Generous, so that a busy machine is no reason to fail.
+/// Long, so that a busy machine does not cause a failure.
 inline constexpr double kPatience = 30;
 
-/// Asks `condition` every millisecond until it holds; false when it has not for half a minute.
+/// Checks `condition` every millisecond until it holds; false when it does not hold within half a minute.
 template <class Condition>
 bool eventually(Condition condition) {
   for (int i = 0; i < kPatience * 1000; ++i) {

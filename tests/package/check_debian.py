@@ -1,5 +1,5 @@
-"""The Debian packages: no error of lintian; in a clean Debian 12 they install, run the task press as an ordinary user, build a user's
-project, and leave nothing after a purge. Needs no root: a user namespace with one user. The first run needs the machine's package mirror.
+"""Checks the Debian packages: lintian finds no error; in a clean Debian 12 they install, run the task press as an ordinary user, build a user's
+project, and leave no files after a purge. Needs no root: a user namespace with one user. The first run needs the machine's package mirror.
 
 Usage: check_debian.py SOURCE_DIR BINARY_DIR CPACK SINGLE_USER_LIBRARY
 """
@@ -36,7 +36,7 @@ def make_packages(binary, cpack, folder):
 
 
 def dependencies(packages):
-    """Names of the packages that these depend on, without each other; the first of alternatives."""
+    """Names of the packages that these depend on, except each other; the first of alternatives."""
     names = set()
     for package in packages:
         for entry in run("dpkg-deb", "-f", package, "Depends", stdout=subprocess.PIPE).split(","):
@@ -45,7 +45,7 @@ def dependencies(packages):
 
 
 def mirrors():
-    """Lines of a sources.list: where this machine's apt gets its Debian from."""
+    """Lines of a sources.list: the Debian sources of this machine's apt."""
     listed = run("apt-get", "indextargets", "--format", "$(ORIGIN) $(REPO_URI) $(RELEASE) $(COMPONENT)", "Created-By: Packages", stdout=subprocess.PIPE)
     entries = {tuple(line.split()[1:4]) for line in listed.splitlines() if line.startswith("Debian ")}
     return [f"deb {uri} {release} {component}" for uri, release, component in sorted(entries) if release.startswith(SUITE)]

@@ -2,7 +2,7 @@
 
 Usage: check_package.py SOURCE_DIR BINARY_DIR [--installed] [-Dcache=entry ...]
 
-With --installed it is built against an installation in a folder of its own, else against the build folder itself.
+With --installed it is built against an installation in a separate folder, else against the build folder itself.
 """
 
 import os
@@ -12,12 +12,12 @@ import subprocess
 import sys
 import tempfile
 
-MOST_LINES = {"slide": 150, "gauge": 60}  # that a robot with one axis and a sensor may take
+MOST_LINES = {"slide": 150, "gauge": 60}  # limits for a robot with one axis and for a sensor
 
 
 def run(*command, cwd=None):
     """Output of a command that must succeed."""
-    # the project shall find what it needs by itself
+    # the project must find its dependencies without help
     environment = {name: value for name, value in os.environ.items() if not name.startswith("MRROC_")}
     done = subprocess.run(
         [str(part) for part in command], cwd=cwd, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
@@ -43,22 +43,22 @@ def make_project(source, folder):
 
 
 def check_commands(build, source, installed):
-    """Nothing of how the framework itself is built reaches its users, nor does an installation lead back to its source."""
+    """The framework's own build options do not reach its users, and an installation does not refer to its source."""
     commands = (build / "compile_commands.json").read_text(encoding="utf-8")
     if "-Werror" in commands:
-        sys.exit("the framework's warnings have come into the user's build")
+        sys.exit("the framework's warnings are enabled in the user's build")
     if installed and f"{source}/" in commands:
-        sys.exit("the installation leads to the source tree")
+        sys.exit("the installation refers to the source tree")
 
 
 def check_run(build, deployment):
-    """Two runs of a deployment: equal to the last bit, the steps of Move are in the trace and keep its laws."""
+    """Two runs of a deployment: equal to the last bit, and the trace contains the steps of Move and keeps its rules."""
     hashes = set()
     for number in (1, 2):
         trace = build / f"{deployment.stem}_{number}.trace"
         run(build / "bin/mrroc", "run", "--quiet", deployment, "--trace", trace)
         if trace.stat().st_size == 0:
-            sys.exit(f"{deployment}: nothing has happened")
+            sys.exit(f"{deployment}: no step was made")
         run(build / "bin/mrroc", "trace", "check", trace)
         hashes.add(run(build / "bin/mrroc", "trace", "hash", trace))
     if len(hashes) != 1:

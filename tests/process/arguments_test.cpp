@@ -13,7 +13,7 @@ Arguments parse(const std::vector<std::string>& words) {
   return parse_arguments(static_cast<int>(argv.size()), argv.data()).value();
 }
 
-TEST(Arguments, TheCommandLineReadsBack) {
+TEST(Arguments, CommandLineReadsBack) {
   const Arguments arguments{"press.toml",
                             6,
                             "arm",
@@ -54,7 +54,7 @@ TEST(Arguments, TheCommandLineReadsBack) {
   EXPECT_EQ(read.descriptors(), (std::vector<int>{3, 4, 5, 6, 7, 8}));
 }
 
-TEST(Arguments, WithoutTheRunnerTheProgramSaysHowItIsStarted) {
+TEST(Arguments, ProgramExplainsItsUsageWithoutTheRunner) {
   try {
     parse({});
     FAIL() << "parsed";

@@ -1,5 +1,5 @@
-"""No process of a deployment has variables of its own making outside its objects: neither globals nor static locals, which
-would carry state from one robot or motion to another. What there is must stand in the list below, with its reason.
+"""Checks that no process of a deployment has variables of this project outside objects, neither globals nor static locals, which
+would carry state from one robot or motion to another. Exceptions must be in the list below, with their reasons.
 
 Usage: check_globals.py NM BINARY_DIR
 """
@@ -10,18 +10,18 @@ import subprocess
 import sys
 
 ALLOWED = {
-    # all that a signal handler can reach
+    # the only variables that a signal handler can access
     "mrroc::process::(anonymous namespace)::asked_to_end",
     "mrroc::process::(anonymous namespace)::interruptible",
     "mrroc::process::(anonymous namespace)::setting_up",
-    # of one thread, while an object of the same name's scope lives: what is under construction there
+    # per thread, during the lifetime of a scope object of the same name: the object under construction
     "mrroc::process::(anonymous namespace)::current",
     "mrroc::sim::(anonymous namespace)::innermost",
     # DDS and MuJoCo have one log per process
     "mrroc::links::(anonymous namespace)::the_log()::log",
     "guard variable for mrroc::sim::MujocoMessages::MujocoMessages()::installed",
     "mrroc::sim::MujocoMessages::MujocoMessages()::installed",
-    # Cyclone's functions that ours of the same name or its plug-in's stand before, found once: C gives them no object
+    # Cyclone's functions behind wrappers of the same name, or of its plug-in, looked up once: in C there is no object for them
     "mrroc::links::(anonymous namespace)::plugin",
     "guard variable for mrroc::links::authentication_library(std::filesystem::__cxx11::path const&)::opened",
     "mrroc::links::authentication_library(std::filesystem::__cxx11::path const&)::opened",
@@ -31,19 +31,19 @@ ALLOWED = {
     "mrroc::links::(anonymous namespace)::cyclone_reorder()::function",
     "guard variable for mrroc::links::(anonymous namespace)::cyclone_gap()::function",
     "mrroc::links::(anonymous namespace)::cyclone_gap()::function",
-    # how the sockets are limited that Cyclone binds in this thread
+    # restrictions of the sockets that Cyclone binds in this thread
     "guard variable for mrroc::links::(anonymous namespace)::cyclone_bind()::function",
     "mrroc::links::(anonymous namespace)::cyclone_bind()::function",
     "mrroc::links::(anonymous namespace)::limit_device",
     "mrroc::links::(anonymous namespace)::limit_other",
-    # what a program's behaviours are, entered before main
+    # the behaviours of a program, registered before main
     "guard variable for mrroc::ecp::(anonymous namespace)::entered()::behaviours",
     "mrroc::ecp::(anonymous namespace)::entered()::behaviours",
 }
-# one per message type of a program: that it has been entered there
+# one per message type of a program: its registration
 ENTERED = re.compile(r"(?:guard variable for )?mrroc::ecp::Behaviours::(?:On|Tells)<.*>::kEntered$")
 OURS = re.compile(r"(?:guard variable for )?mrroc::")
-# a section whose name begins so can be written to while the process runs; .data.rel.ro can not
+# a section with such a name is writable while the process runs; .data.rel.ro is not
 WRITABLE = re.compile(r"\.(?:bss|data|tbss|tdata)\b(?!\.rel\.ro)")
 
 

@@ -9,7 +9,7 @@
 namespace mrroc::process {
 namespace {
 
-/// Time continues when someone waits for it, and only then; mail never comes.
+/// Time advances only when a fiber waits for it; mail never comes.
 class JumpingClock final : public clock::Clock {
  public:
   double period() const noexcept override { return 0.001; }
@@ -18,7 +18,7 @@ class JumpingClock final : public clock::Clock {
   double wall_seconds() const noexcept override { return 0; }
   bool start() override { return true; }
   clock::Wake wait(Tick wake_tick) override {
-    if (wake_tick == kNever) throw std::logic_error("waits for ever");
+    if (wake_tick == kNever) throw std::logic_error("a wait without end");
     ++waits;
     if (interrupted) return clock::Wake::interrupted;
     tick_ = std::max(tick_, wake_tick);
@@ -76,9 +76,9 @@ TEST_F(Strands, TakeTurnsInTheirOrderAtEachTick) {
   EXPECT_EQ(inner->waits, 6);
 }
 
-TEST_F(Strands, WhatOneDoesTheOthersSeeAtOnce) {
+TEST_F(Strands, ChangesOfOneAreVisibleToTheOthersAtOnce) {
   EXPECT_TRUE(rc::check([this] {
-    // strand k waits for number p(k), a permutation: no one but the others can wake it
+    // fiber k waits for number p(k), a permutation: only the others can wake it
     const auto count = *rc::gen::inRange(1, 6);
     std::vector<int> order;
     for (int i = 0; i < count; ++i) order.push_back(i);
@@ -96,7 +96,7 @@ TEST_F(Strands, WhatOneDoesTheOthersSeeAtOnce) {
   }));
 }
 
-TEST_F(Strands, TheFirstErrorStopsTheOthersAndIsThrown) {
+TEST_F(Strands, FirstErrorStopsTheOthersAndIsThrown) {
   bool stopped = false;
   const auto run = [&] {
     clock.run({[&] {
@@ -121,7 +121,7 @@ TEST_F(Strands, TheFirstErrorStopsTheOthersAndIsThrown) {
   EXPECT_EQ(ran, 2);
 }
 
-TEST_F(Strands, AnInterruptedClockInterruptsEachOfThem) {
+TEST_F(Strands, InterruptedClockInterruptsEachOfThem) {
   int stopped = 0;
   const auto body = [&] {
     try {
@@ -136,7 +136,7 @@ TEST_F(Strands, AnInterruptedClockInterruptsEachOfThem) {
   EXPECT_EQ(stopped, 3);
 }
 
-TEST_F(Strands, HaveNoStrandsOfTheirOwn) {
+TEST_F(Strands, CannotBeNested) {
   EXPECT_THROW(clock.run({[&] { clock.run({[] {}}); }}), NonFatalError);
   clock.run({});
 }

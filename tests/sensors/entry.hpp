@@ -7,8 +7,8 @@
 
 namespace mrroc::vsp {
 
-/// The entry that a deployment file gives for a sensor `name` of `type` on robot `arm` with the keys in `toml`: its own
-/// parameters are checked against the type's declarations, defaults filled in.
+/// The entry of a sensor `name` of `type` on robot `arm` in a deployment file with the keys in `toml`: its own
+/// parameters are checked against the type's declarations, and defaults are filled in.
 inline config::SensorEntry entry_of(const std::string& type, const std::string& name, const std::string& toml = "") {
   const task_test::ScratchFolder scratch;
   config::SensorEntry entry;

@@ -11,11 +11,11 @@
 
 namespace mrroc::vsp {
 
-/// A task with one sensor, whose VSP runs in this process and plays `readings`: the sensor's own aggregating function
-/// and sampler, no transport.
+/// A task with one sensor, whose VSP runs in this process and replays `readings`: the sensor's own aggregating function
+/// and sampler, without transport.
 class PlayedTask : public Task, private SensorLink, private ReadingSink {
  public:
-  /// `readings`: text of a played file. `period` 0: interactive.
+  /// `readings`: text of a replay file. `period` 0: interactive.
   PlayedTask(VirtualSensor& sensor, std::string type, const std::string& readings, Tick period = 0)
       : type_(std::move(type)),
         period_(period),
@@ -28,7 +28,7 @@ class PlayedTask : public Task, private SensorLink, private ReadingSink {
     throw NonFatalError(ErrorCode::invalid_argument, "no robot " + name);
   }
   SensorLink& sensor_link(const std::string& name, const std::string& type, bool& interactive) override {
-    if (type != type_) throw NonFatalError(ErrorCode::invalid_argument, name + " is no " + type);
+    if (type != type_) throw NonFatalError(ErrorCode::invalid_argument, name + " is not of type " + type);
     interactive = period_ == 0;
     return *this;
   }

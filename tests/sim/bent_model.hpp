@@ -24,14 +24,14 @@ class BentModel : public RobotModel {
       parameters_.axes.push_back(axis);
     }
   }
-  /// Without viscous friction: energy is kept.
+  /// Without viscous friction, so that the energy is constant.
   void take_friction_away() {
     for (AxisParameters& axis : parameters_.axes) axis.viscous_friction = 0;
   }
 
   const RobotParameters& parameters() const noexcept override { return parameters_; }
   ErrorCode motors_to_joints(const JointVector&, JointVector&) const noexcept override {
-    return ErrorCode::motor_limit;  // the driver never asks
+    return ErrorCode::motor_limit;  // the driver does not use them
   }
   ErrorCode joints_to_motors(const JointVector& q, JointVector& motors) const noexcept override {
     if (std::abs(q[1]) > 10) return ErrorCode::joint_limit;

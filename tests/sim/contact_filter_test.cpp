@@ -33,7 +33,7 @@ std::string place(const Pose& pose) {
   return text("pos", {at.x(), at.y(), at.z()}) + text("quat", {q.w(), q.x(), q.y(), q.z()});
 }
 
-/// Of any kind, thin or thick, 1 to 50 cm, some with a margin; some meet others in one bit only.
+/// A geom of any kind, thin or thick, 1 to 50 cm, sometimes with a margin; some collide with others in one bit only.
 std::string random_geom() {
   static constexpr const char* const kTypes[] = {"sphere", "capsule", "ellipsoid", "cylinder", "box"};
   const auto length = [] { return 0.005 * pick(1, pick(0, 3) == 0 ? 50 : 10); };
@@ -42,7 +42,7 @@ std::string random_geom() {
          std::to_string(pick(0, 3)) + "\" conaffinity=\"" + std::to_string(pick(0, 3)) + "\"/>";
 }
 
-/// A floor, things that stand in the world, free bodies and chains of two links.
+/// A floor, fixed objects, free bodies and chains of two links.
 std::string random_scene() {
   std::string scene = "<mujoco><compiler angle=\"radian\"/><size nconmax=\"2000\" njmax=\"100\"/><option";
   scene += pick(0, 3) == 0 ? text("o_margin", {0.03}) + "><flag override=\"enable\"/></option>" : "/>";
@@ -88,7 +88,7 @@ TEST(ContactFilter, FindsTheContactsThatMujocoFindsWithoutIt) {
   EXPECT_GT(all, 0u);
 }
 
-TEST(ContactFilter, WhatIsBesideALongThingIsLeftOut) {
+TEST(ContactFilter, OmitsGeomsBesideALongOne) {
   const task_test::ScratchFolder scratch;
   const Model model = load_model(compose_texts(scratch, R"(<mujoco><worldbody>
     <geom name="belt" type="box" size="1 0.2 0.01"/>

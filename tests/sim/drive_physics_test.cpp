@@ -33,12 +33,12 @@ TEST(DrivePhysics, OneJointMovesAsWithMujocosOwnArmatureAndDamping) {
   const ScratchFolder scratch;
   const Composition composition = compose_texts(scratch, kEmptyScene, {{"p", pendulum(kArmature, kDamping)}});
 
-  const Model model = load_model(composition);  // MuJoCo's way
+  const Model model = load_model(composition);  // MuJoCo's version
   const Data data = make_data(*model);
   model->opt.timestep = kStep;
   data->qpos[0] = -1.9;
 
-  World world(composition, kStep, kStep);  // ours
+  World world(composition, kStep, kStep);  // the framework's version
   world.attach("p", {"j"}, values({-1.9}));
   world.start();
   const MatrixXd b = MatrixXd::Constant(1, 1, kArmature), d = MatrixXd::Constant(1, 1, kDamping);
@@ -54,7 +54,7 @@ TEST(DrivePhysics, OneJointMovesAsWithMujocosOwnArmatureAndDamping) {
   }
   std::cout << "largest difference from MuJoCo's own armature: " << worst << " rad\n";
   EXPECT_LT(worst, 1e-12);
-  EXPECT_TRUE(at_limit) << "the comparison was to include the joint's limit";
+  EXPECT_TRUE(at_limit) << "the comparison must include the joint's limit";
 }
 
 /// The coupled inertia, damping and torques of a two-joint transmission.
@@ -116,11 +116,11 @@ double energy_error(double timestep) {
 TEST(DrivePhysics, EnergyOfAFreeArmWithCoupledRotorsIsKeptToFirstOrder) {
   const double coarse = energy_error(1e-3), fine = energy_error(1e-4);
   std::cout << "energy error at 1 ms: " << coarse << " J, at 0.1 ms: " << fine << " J\n";
-  EXPECT_LT(coarse, 0.05);  // J, of some 10 J that go to and fro
+  EXPECT_LT(coarse, 0.05);  // J, of some 10 J that are exchanged
   EXPECT_NEAR(coarse / fine, 10.0, 1.5);
 }
 
-TEST(DrivePhysics, CouplingOfBranchesIsRefused) {
+TEST(DrivePhysics, RefusesACouplingOfBranches) {
   const ScratchFolder scratch;
   const std::string fork =
       "<mujoco><compiler angle='radian'/><worldbody><body name='root'>"
@@ -137,7 +137,7 @@ TEST(DrivePhysics, CouplingOfBranchesIsRefused) {
 }
 
 TEST(DrivePhysics, TwoSlidesOfOneBodyMayBeCoupled) {
-  // MuJoCo takes such a body for "simple" and would factor M as a diagonal matrix
+  // MuJoCo classifies such a body as "simple" and would factor M as a diagonal matrix
   const ScratchFolder scratch;
   const std::string gantry =
       "<mujoco><compiler angle='radian'/><worldbody><body name='g'><joint name='x' type='slide' axis='1 0 0'/>"
@@ -153,7 +153,7 @@ TEST(DrivePhysics, TwoSlidesOfOneBodyMayBeCoupled) {
   EXPECT_NEAR(world.data().qvel[1], expected[1], 1e-15);
 }
 
-TEST(DrivePhysics, BrakesHoldAnArmThatIsPushedAndLetGoAgain) {
+TEST(DrivePhysics, BrakesHoldAPushedArmAndReleaseItAgain) {
   World world(two_link_world(), 0.002, 0.001);
   world.attach("a", {"shoulder", "elbow"}, values({0.5, 0.8}));
   world.start();
@@ -178,7 +178,7 @@ TEST(DrivePhysics, BrakesHoldAnArmThatIsPushedAndLetGoAgain) {
   EXPECT_NE(world.data().qpos[0], stopped);
 }
 
-TEST(DrivePhysics, AJointThatFollowsADrivenOneStartsWhereItsEqualityWantsIt) {
+TEST(DrivePhysics, FollowingJointStartsAtThePositionOfItsEquality) {
   const ScratchFolder scratch;
   const std::string gripper =
       "<mujoco><compiler angle='radian'/><worldbody>"
@@ -191,10 +191,10 @@ TEST(DrivePhysics, AJointThatFollowsADrivenOneStartsWhereItsEqualityWantsIt) {
   const double expected = -0.2 + 0.01 - 0.5 * 0.3 + 2 * 0.3 * 0.3;
   EXPECT_NEAR(world.data().qpos[1], expected, 1e-15);
   ASSERT_EQ(world.data().nefc, 1);
-  EXPECT_NEAR(world.data().efc_pos[0], 0, 1e-15) << "MuJoCo sees another equality";
+  EXPECT_NEAR(world.data().efc_pos[0], 0, 1e-15) << "MuJoCo has another equality";
 }
 
-TEST(DrivePhysics, AnEndlessBeltCarriesAPartAndStaysUnderIt) {
+TEST(DrivePhysics, EndlessBeltCarriesAPartAndStaysUnderIt) {
   const ScratchFolder scratch;
   const std::string conveyor =
       "<mujoco><compiler angle='radian'/><worldbody><body name='belt'><joint name='belt' type='slide' axis='1 0 0'/>"

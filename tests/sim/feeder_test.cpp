@@ -12,7 +12,7 @@
 namespace mrroc::sim {
 namespace {
 
-/// Three bricks, piled up in each other far above a floor.
+/// Three overlapping bricks far above a floor.
 constexpr const char* kScene = R"(<mujoco>
 <compiler angle="radian"/>
 <worldbody>
@@ -47,7 +47,7 @@ class FeederTest : public testing::Test {
     double x, y, turn;
     bool operator==(const Fed&) const = default;
   };
-  /// When each brick left the pile, and where it was one tick after; 1000 ticks of 2 ms.
+  /// Tick at which each brick left the pile, and its position one tick later; 1000 ticks of 2 ms.
   std::map<std::string, Fed> run() {
     Simulation simulation(deployment_, *memory_);
     std::map<std::string, Fed> fed;
@@ -77,10 +77,10 @@ class FeederTest : public testing::Test {
   std::unique_ptr<world::WorldMemory> memory_ = std::make_unique<world::WorldMemory>();
 };
 
-TEST_F(FeederTest, PutsThePartsInTheirOrderWithinSpreadAndInterval) {
+TEST_F(FeederTest, PlacesThePartsInOrderWithinSpreadAndInterval) {
   const auto fed = run();
   ASSERT_EQ(fed.size(), 3u);
-  EXPECT_EQ(fed.at("b").tick, 51u) << "0.1 s, seen one tick later";
+  EXPECT_EQ(fed.at("b").tick, 51u) << "0.1 s, detected one tick later";
   for (const auto& [before, after] : {std::pair{"b", "a"}, {"a", "c"}}) {
     EXPECT_GE(fed.at(after).tick, fed.at(before).tick + 100);
     EXPECT_LE(fed.at(after).tick, fed.at(before).tick + 200);
@@ -95,14 +95,14 @@ TEST_F(FeederTest, PutsThePartsInTheirOrderWithinSpreadAndInterval) {
   EXPECT_NE(fed.at("a").turn, fed.at("b").turn);
 }
 
-TEST_F(FeederTest, IsTheSameWithTheSameSeedAndAnotherWithAnother) {
+TEST_F(FeederTest, DependsOnlyOnTheSeed) {
   const auto first = run();
   EXPECT_EQ(run(), first);
   infeed().seed = 2;
   EXPECT_NE(run(), first);
 }
 
-TEST_F(FeederTest, APartThatWaitsStaysWhereItIsThoughItLiesInAnother) {
+TEST_F(FeederTest, WaitingPartKeepsItsPositionInAnother) {
   infeed().first = 1000;
   Simulation simulation(deployment_, *memory_);
   for (Tick tick = 1; tick <= 500; ++tick) simulation.step(tick);
@@ -110,7 +110,7 @@ TEST_F(FeederTest, APartThatWaitsStaysWhereItIsThoughItLiesInAnother) {
   EXPECT_NEAR(position(simulation, "b")[1], 0.01, 1e-12);
 }
 
-TEST_F(FeederTest, FeedingAllocatesNothing) {
+TEST_F(FeederTest, FeedingDoesNotAllocate) {
   test::count_mujoco_allocations();
   Simulation simulation(deployment_, *memory_);
   simulation.step(1);
@@ -120,7 +120,7 @@ TEST_F(FeederTest, FeedingAllocatesNothing) {
   EXPECT_LT(position(simulation, "c")[0], 2) << "all have been fed";
 }
 
-TEST_F(FeederTest, RefusesWhatIsNoFreeBodyOfTheScene) {
+TEST_F(FeederTest, RefusesBodiesThatAreNotFreeOrNotInTheScene) {
   infeed().parts = {"d"};
   EXPECT_EQ(refusal(), "sim.feeders.infeed.parts: the scene has no body 'd', expected a free body of it");
   infeed().parts = {"post"};

@@ -1,4 +1,4 @@
-// Two IRb-6 in one world, each with its whole EDP core around it: effector, servo, driver.
+// Two IRb-6 in one world, each with its whole EDP core: effector, servo, driver.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -108,7 +108,7 @@ int contacts_of_robots(const World& world) {
   return contacts;
 }
 
-TEST_F(TwoIrb6, StandAtHomeWithoutTouchingThemselvesAndFeelTheToolsWeight) {
+TEST_F(TwoIrb6, StandAtHomeWithoutSelfContactAndMeasureTheToolsWeight) {
   run(5);
   EXPECT_EQ(contacts_of_robots(simulation.world()), 0);
   const world::HardwareReading reading = wrist();
@@ -117,7 +117,7 @@ TEST_F(TwoIrb6, StandAtHomeWithoutTouchingThemselvesAndFeelTheToolsWeight) {
   EXPECT_NEAR(force.norm(), 1.1 * 9.81, 1.0);
 }
 
-TEST_F(TwoIrb6, RegulatorsHoldThemAgainstGravityAndBringThemWhereTheyAreSent) {
+TEST_F(TwoIrb6, RegulatorsHoldThemAgainstGravityAndReachTheirTargets) {
   run(500);
   const JointVector home = left.model->parameters().home;
   for (Edp* edp : {&left, &right}) {
@@ -137,12 +137,12 @@ TEST_F(TwoIrb6, RegulatorsHoldThemAgainstGravityAndBringThemWhereTheyAreSent) {
     EXPECT_LT((edp->servo.snapshot().joints - target).cwiseAbs().maxCoeff(), 2e-3);
     EXPECT_EQ(edp->last.error.error_class, ErrorClass::none);
   }
-  // the same motion from bases turned against each other: gravity acts alike, so do the arms
+  // the same motion from bases rotated against each other: gravity acts equally, and so do the arms
   EXPECT_LT((left.servo.snapshot().joints - right.servo.snapshot().joints).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_NEAR(Eigen::Vector3d(wrist().values[0], wrist().values[1], wrist().values[2]).norm(), 1.1 * 9.81, 0.1);
 }
 
-TEST_F(TwoIrb6, ClosedLoopsAreTheSameBitForBit) {
+TEST_F(TwoIrb6, ClosedLoopsAreEqualBitForBit) {
   const auto hash_of_run = [] {
     auto own_memory = std::make_unique<world::WorldMemory>();
     Simulation own(two_irb6(), *own_memory);
@@ -168,8 +168,8 @@ TEST_F(TwoIrb6, ClosedLoopsAreTheSameBitForBit) {
   EXPECT_EQ(hash_of_run(), hash_of_run());
 }
 
-// measured, at every tick: the servo's lag is along the line, not across
-TEST_F(TwoIrb6, ATaskSpaceLineIsStraightToATenthOfAMillimetre) {
+// the measured position at every tick: the servo's lag is along the line, not across it
+TEST_F(TwoIrb6, TaskSpaceLineIsStraightToATenthOfAMillimetre) {
   const ToolKinematics kinematics(*left.model);
   const Pose home = kinematics.direct(left.model->parameters().home);
   run(500);
@@ -182,7 +182,7 @@ TEST_F(TwoIrb6, ATaskSpaceLineIsStraightToATenthOfAMillimetre) {
     command.interpolation = Interpolation::task;
     command.pose = home;
     command.pose.translation() = from + way;
-    // the middle of the way at 50 mm/s: a quintic's largest velocity is 15/8 of its mean
+    // the middle of the path at 50 mm/s: a quintic's largest velocity is 15/8 of its mean
     command.motion_steps = static_cast<std::uint16_t>(std::ceil(way.norm() * 15 / 8 / 0.05 / kPeriod));
     command.reply_step = command.motion_steps;
     edp::Reply refusal;

@@ -8,7 +8,7 @@
 
 namespace mrroc::test {
 
-/// From now on `allocations` counts MuJoCo's mju_malloc, too.
+/// From now on `allocations` also counts MuJoCo's mju_malloc.
 inline void count_mujoco_allocations() {
   mju_user_malloc = [](std::size_t size) {
     count_allocation();

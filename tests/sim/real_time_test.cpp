@@ -22,7 +22,7 @@ constexpr double kPeriod = 0.002;
 constexpr double kImpatient = 5e-5;  // s
 constexpr double kForEver = 100;     // s
 
-/// A regulator of its own for each arm: it pulls towards a wave, against gravity and a transmission that bends.
+/// A separate regulator for each arm: it pulls towards a wave, against gravity and a non-linear transmission.
 JointVector currents(Tick tick, std::size_t robot, const HardwareInput& input) {
   JointVector wanted(2);
   const double phase = kPeriod * static_cast<double>(tick) + static_cast<double>(robot);
@@ -42,7 +42,7 @@ class RealTime : public testing::Test {
   std::unique_ptr<world::WorldMemory> memory_ = std::make_unique<world::WorldMemory>();
 };
 
-/// Sleeps now and then, for up to a millisecond, as a thread of a busy machine does.
+/// Sleeps occasionally, for up to a millisecond, like a thread of a busy machine.
 class Straggler {
  public:
   explicit Straggler(unsigned seed) : random_(seed) {}
@@ -56,7 +56,7 @@ class Straggler {
 
 constexpr Tick kTicks = 1500;
 
-/// The positions of both arms over all ticks; `seed` 0: in lockstep, else in three threads that straggle.
+/// The positions of both arms over all ticks; `seed` 0: in lockstep, else in three threads with random delays.
 std::vector<double> run(unsigned seed) {
   const BentModel model;
   const auto memory = std::make_unique<world::WorldMemory>();
@@ -84,7 +84,7 @@ std::vector<double> run(unsigned seed) {
   };
   for (MujocoHardware& each : drives) each.enable(true);
   step(1);
-  for (const std::size_t robot : {0U, 1U}) serve(robot, 1);  // from here on no one may run ahead
+  for (const std::size_t robot : {0U, 1U}) serve(robot, 1);  // from here on no thread may run ahead
   if (seed == 0) {
     for (Tick tick = 2; tick <= kTicks; ++tick) {
       step(tick);
@@ -105,21 +105,21 @@ std::vector<double> run(unsigned seed) {
   return positions;
 }
 
-TEST_F(RealTime, TheWorldMovesAsInLockstepHoweverLateItsPartsAre) {
+TEST_F(RealTime, WorldMovesAsInLockstepWithAnyDelayOfItsParts) {
   const std::vector<double> lockstep = run(0);
   double least = lockstep[0], most = lockstep[0];
   for (std::size_t i = 0; i < lockstep.size(); i += 4) {
     least = std::min(least, lockstep[i]);
     most = std::max(most, lockstep[i]);
   }
-  EXPECT_GT(most - least, 0.2) << "the arms were to move";
+  EXPECT_GT(most - least, 0.2) << "the arms must move";
   for (unsigned seed = 1; seed <= 3; ++seed) {
     std::cout << "seed " << seed << "\n";
     EXPECT_EQ(run(seed), lockstep);
   }
 }
 
-TEST_F(RealTime, ARobotThatKeepsTheWorldWaitingIsBrakedUntilItDrivesAgain) {
+TEST_F(RealTime, RobotThatDelaysTheWorldIsBrakedUntilItDrivesAgain) {
   Simulation simulation(twolink_deployment(1), *memory_);
   simulation.publish_initial();
   MujocoHardware drives(model_, *memory_, 0, MujocoHardware::Timing::real, true, kImpatient);
@@ -138,7 +138,7 @@ TEST_F(RealTime, ARobotThatKeepsTheWorldWaitingIsBrakedUntilItDrivesAgain) {
   EXPECT_FALSE(moves_in(1)) << "never driven";
   drive(1);
   EXPECT_TRUE(moves_in(2));
-  EXPECT_FALSE(moves_in(3)) << "waited for in vain";
+  EXPECT_FALSE(moves_in(3)) << "waited for until the timeout";
   EXPECT_FALSE(moves_in(4));
   drive(2);  // late; the world is ahead of it
   EXPECT_FALSE(moves_in(5)) << "waited for again";
@@ -146,7 +146,7 @@ TEST_F(RealTime, ARobotThatKeepsTheWorldWaitingIsBrakedUntilItDrivesAgain) {
   EXPECT_TRUE(moves_in(6));
 }
 
-TEST_F(RealTime, ARobotThatStopsDrivingDoesNotStopTheOthers) {
+TEST_F(RealTime, RobotThatStopsDrivingDoesNotStopTheOthers) {
   Simulation simulation(twolink_deployment(2), *memory_);
   simulation.publish_initial();
   MujocoHardware stalled(model_, *memory_, 0, MujocoHardware::Timing::real);
@@ -166,7 +166,7 @@ TEST_F(RealTime, ARobotThatStopsDrivingDoesNotStopTheOthers) {
   });
   double before = 0;
   for (Tick tick = 2; tick <= 20; ++tick) {
-    // long enough for the servo that is well, in vain for the other
+    // long enough for the working servo, too short for the other
     simulation.step_in_real_time(tick, tick == 3 ? 0.05 : kForEver);
     if (tick > 3) {
       EXPECT_EQ(measurement(0).position[0], before) << "braked";
@@ -176,7 +176,7 @@ TEST_F(RealTime, ARobotThatStopsDrivingDoesNotStopTheOthers) {
   servo.join();
 }
 
-TEST_F(RealTime, AWorldThatDoesNotComeIsSilentUntilItGoesOn) {
+TEST_F(RealTime, SilentWorldIsReportedUntilItContinues) {
   Simulation simulation(twolink_deployment(1), *memory_);
   MujocoHardware drives(model_, *memory_, 0, MujocoHardware::Timing::real, true, kImpatient);
   HardwareInput input;
@@ -192,7 +192,7 @@ TEST_F(RealTime, AWorldThatDoesNotComeIsSilentUntilItGoesOn) {
   for (Tick tick = 1; tick <= 9; ++tick) simulation.step_in_real_time(tick, kImpatient);
   for (const Tick tick : {Tick{2}, Tick{9}}) {
     drives.read(tick, input);
-    EXPECT_EQ(input.fault, ErrorCode::none) << "a world that has gone on without the robot is no fault";
+    EXPECT_EQ(input.fault, ErrorCode::none) << "a world that has continued without the robot is not a fault";
   }
 }
 

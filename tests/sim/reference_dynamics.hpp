@@ -7,9 +7,9 @@
 
 namespace mrroc::sim {
 
-/// The same physics the plain way, with dense matrices and without constraints, for all dofs of a world at once:
+/// The same physics in the direct form, with dense matrices and without constraints, for all dofs of a world at once:
 ///   v' = v + h (M + B + h D)^-1 (tau - c - D v - C(q, v)),   q' = q + h v'
-/// with M and C of MuJoCo's mj_fullM and mj_rne on a model of its own.
+/// with M and C from MuJoCo's mj_fullM and mj_rne on a separate model.
 class ReferenceDynamics {
  public:
   ReferenceDynamics(Model model, double timestep) : model_(std::move(model)), data_(make_data(*model_)), h_(timestep) {

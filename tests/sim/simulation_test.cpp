@@ -60,7 +60,7 @@ TEST_F(SimulationTest, PublishesTickZeroWithEveryRobotAtHome) {
 TEST_F(SimulationTest, RangefinderReadsTheDistanceOfTheSameTick) {
   Simulation simulation(twolink_deployment(1), *memory_);
   simulation.publish_initial();
-  // the site is 0.9 m high, looks down, the table's top is at 0.4 m; the box falls beside it
+  // the site is 0.9 m high and points down, the table's top is at 0.4 m; the box falls beside it
   EXPECT_EQ(reading(0).count, 1U);
   EXPECT_NEAR(reading(0).values[0], 0.5, 1e-12);
   const mjModel& model = simulation.world().model();
@@ -102,7 +102,7 @@ TEST_F(SimulationTest, BrakesHoldWithoutADriveWhenDisabledAndWhenTheDriveExpires
     return measurement(0).position[0] != before;
   };
   simulation.publish_initial();
-  EXPECT_FALSE(moved_in_step(1)) << "no drive yet";
+  EXPECT_FALSE(moved_in_step(1)) << "no drive command yet";
   world::JointDrive never = swing(0);
   memory_->drives[0].store(never);
   EXPECT_FALSE(moved_in_step(2)) << "tick 0: never attached";
@@ -117,7 +117,7 @@ TEST_F(SimulationTest, BrakesHoldWithoutADriveWhenDisabledAndWhenTheDriveExpires
   EXPECT_FALSE(moved_in_step(5 + Simulation::kDriveLifetime)) << "expired";
 }
 
-TEST_F(SimulationTest, ANotANumberFromADriveEndsTheSimulation) {
+TEST_F(SimulationTest, NanFromADriveEndsTheSimulation) {
   Simulation simulation(twolink_deployment(1), *memory_);
   simulation.publish_initial();
   world::JointDrive drive = swing(1);
@@ -126,7 +126,7 @@ TEST_F(SimulationTest, ANotANumberFromADriveEndsTheSimulation) {
   EXPECT_THROW(simulation.step(2), SystemError);
 }
 
-TEST_F(SimulationTest, FiveThousandStepsAreTheSameBitForBit) {
+TEST_F(SimulationTest, FiveThousandStepsAreEqualBitForBit) {
   const auto run = [] {
     auto memory = std::make_unique<world::WorldMemory>();
     Simulation simulation(twolink_deployment(2), *memory);
@@ -140,13 +140,13 @@ TEST_F(SimulationTest, FiveThousandStepsAreTheSameBitForBit) {
       for (int i = 0; i < world.model().nq; ++i) add(world.data().qpos[i]);
       for (int i = 0; i < world.model().nsensordata; ++i) add(world.data().sensordata[i]);
     }
-    EXPECT_GT(simulation.world().data().ncon, 0) << "contacts were to be part of it";
+    EXPECT_GT(simulation.world().data().ncon, 0) << "the steps must include contacts";
     return hash;
   };
   EXPECT_EQ(run(), run());
 }
 
-TEST_F(SimulationTest, StepsAllocateNothing) {
+TEST_F(SimulationTest, StepsDoNotAllocate) {
   test::count_mujoco_allocations();
   Simulation simulation(twolink_deployment(2), *memory_);
   simulation.publish_initial();
@@ -166,7 +166,7 @@ TEST_F(SimulationTest, StepsAllocateNothing) {
   EXPECT_EQ(test::allocations() - before, 0);
 }
 
-TEST_F(SimulationTest, OnlyMujocoRobotsAndSimulatedSensorsArePartOfTheWorld) {
+TEST_F(SimulationTest, WorldContainsOnlyMujocoRobotsAndSimulatedSensors) {
   Deployment deployment = twolink_deployment(2);
   deployment.robots[0].hardware = "loopback";
   deployment.sensors[1].source = "replay";
@@ -178,7 +178,7 @@ TEST_F(SimulationTest, OnlyMujocoRobotsAndSimulatedSensorsArePartOfTheWorld) {
   EXPECT_LT(mj_name2id(&simulation.world().model(), mjOBJ_BODY, "a0"), 0);
 }
 
-TEST_F(SimulationTest, ASensorThatTheWorldLacksListsThoseThatExist) {
+TEST_F(SimulationTest, MissingSensorListsThoseThatExist) {
   Deployment deployment = twolink_deployment(1);
   deployment.sensors[0].name = "door";
   EXPECT_EQ(message_of({}, [&] { Simulation(deployment, *memory_); }),
@@ -186,12 +186,13 @@ TEST_F(SimulationTest, ASensorThatTheWorldLacksListsThoseThatExist) {
             "gate, a0/force_torque/force, a0/force_torque/torque, a0/encoder");
 }
 
-TEST_F(SimulationTest, AnEmergencyStopThatIsNotWiredIsRefused) {
+TEST_F(SimulationTest, RefusesAnUnconnectedEmergencyStop) {
   Deployment deployment = twolink_deployment(2);
   deployment.robots[1].emergency_stop = 3;
-  EXPECT_EQ(message_of(kData, [&] { Simulation(deployment, *memory_); }),
-            "test.toml: robots.a1.emergency_stop: input_3 is not in the scene, so that it would be pressed for ever, "
-            "expected a sensor 'a1/input_3' there or in the robot's MJCF");
+  EXPECT_EQ(
+      message_of(kData, [&] { Simulation(deployment, *memory_); }),
+      "test.toml: robots.a1.emergency_stop: input_3 is not in the scene, so that it would be pressed permanently, "
+      "expected a sensor 'a1/input_3' there or in the robot's MJCF");
   const ScratchFolder scratch;
   deployment.sim->scene = scratch.write(
       "wired.xml",
@@ -201,7 +202,7 @@ TEST_F(SimulationTest, AnEmergencyStopThatIsNotWiredIsRefused) {
   EXPECT_NO_THROW(Simulation(deployment, *memory_));
 }
 
-TEST_F(SimulationTest, ASensorOfARobotIsFoundByItsNameOrItsType) {
+TEST_F(SimulationTest, SensorOfARobotIsFoundByItsNameOrItsType) {
   Deployment deployment = twolink_deployment(1);
   deployment.sensors[0].name = "anything";
   deployment.sensors[0].type = "encoder";
@@ -211,13 +212,13 @@ TEST_F(SimulationTest, ASensorOfARobotIsFoundByItsNameOrItsType) {
   EXPECT_EQ(reading(0).values[0], 0.5);
 }
 
-TEST_F(SimulationTest, ADeploymentWithoutAWorldIsRefused) {
+TEST_F(SimulationTest, RefusesADeploymentWithoutAWorld) {
   Deployment deployment = twolink_deployment(1);
   deployment.sim.reset();
   EXPECT_THROW(Simulation(deployment, *memory_), config::ConfigurationError);
 }
 
-TEST_F(SimulationTest, StatesSurviveTheirFile) {
+TEST_F(SimulationTest, StatesRoundTripThroughTheirFile) {
   const ScratchFolder scratch;
   Simulation simulation(twolink_deployment(1), *memory_);
   simulation.publish_initial();
@@ -231,7 +232,7 @@ TEST_F(SimulationTest, StatesSurviveTheirFile) {
   EXPECT_EQ(read.positions, state.positions);
 }
 
-TEST_F(SimulationTest, BrokenStateFilesAreRefused) {
+TEST_F(SimulationTest, RefusesBrokenStateFiles) {
   const ScratchFolder scratch;
   for (const char* text : {"", "something else\n", "mrroc world state 1\n", "mrroc world state 1\n5 0.1 3\n1\n2\n",
                            "mrroc world state 1\n5 0.1 99999999999\n", "mrroc world state 1\n5 0.1 1\nx\n"}) {

@@ -28,7 +28,7 @@ class Snapshot : public testing::Test {
   std::unique_ptr<world::WorldMemory> memory_ = std::make_unique<world::WorldMemory>();
 };
 
-TEST_F(Snapshot, IsStoredAtEveryTickForASensorThatLooksAtTheWorld) {
+TEST_F(Snapshot, IsStoredAtEveryTickForACamera) {
   auto deployment = twolink_deployment(1);
   deployment.sensors.push_back(camera_entry());
   Simulation simulation(deployment, *memory_);
@@ -44,7 +44,7 @@ TEST_F(Snapshot, IsStoredAtEveryTickForASensorThatLooksAtTheWorld) {
   }
 }
 
-TEST_F(Snapshot, IsNotStoredForNobody) {
+TEST_F(Snapshot, IsNotStoredWithoutAUser) {
   Simulation simulation(twolink_deployment(1), *memory_);
   simulation.publish_initial();
   simulation.step(1);
@@ -62,7 +62,7 @@ TEST_F(Snapshot, IsNotStoredForACameraOfHardware) {
   EXPECT_EQ(memory_->snapshot.sequence(), 0U);
 }
 
-TEST_F(Snapshot, CarriesThePosesOfMocapBodies) {
+TEST_F(Snapshot, ContainsThePosesOfMocapBodies) {
   const ScratchFolder scratch;
   config::Deployment deployment;
   deployment.sensors = {camera_entry()};
@@ -81,7 +81,7 @@ TEST_F(Snapshot, CarriesThePosesOfMocapBodies) {
   EXPECT_TRUE(std::equal(expected.begin(), expected.end(), snapshot.values.begin()));
 }
 
-TEST_F(Snapshot, OfAWorldThatIsTooLargeIsRefused) {
+TEST_F(Snapshot, RefusesAWorldThatIsTooLarge) {
   const ScratchFolder scratch;
   std::string bodies;
   for (int i = 0; i < 147; ++i) bodies += "<body><freejoint/><geom size='0.1' mass='1' contype='0'/></body>\n";
@@ -91,7 +91,7 @@ TEST_F(Snapshot, OfAWorldThatIsTooLargeIsRefused) {
   deployment.sim->scene =
       scratch.write("scene.xml", "<mujoco><compiler angle='radian'/><worldbody>" + bodies + "</worldbody></mujoco>");
   EXPECT_EQ(message_of({}, [&] { Simulation(deployment, *memory_); }),
-            "sensors.eye: looks at a world with 1029 positions, expected at most 1024");
+            "sensors.eye: views a world with 1029 positions, expected at most 1024");
 }
 
 }  // namespace

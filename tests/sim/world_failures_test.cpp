@@ -48,7 +48,7 @@ class WorldFailure : public testing::Test {
   World world_;
 };
 
-TEST_F(WorldFailure, NotFiniteDrivesAreRefusedNamingTheRobotAndJoint) {
+TEST_F(WorldFailure, NonFiniteDrivesAreRefusedWithRobotAndJoint) {
   for (const double bad : {kNan, std::numeric_limits<double>::infinity()}) {
     world::JointDrive torque = drive(), inertia = drive(), damping = drive(), bias = drive();
     torque.torque[1] = bad;
@@ -63,13 +63,13 @@ TEST_F(WorldFailure, NotFiniteDrivesAreRefusedNamingTheRobotAndJoint) {
   }
 }
 
-TEST_F(WorldFailure, ADriveForAnotherNumberOfJointsIsRefused) {
+TEST_F(WorldFailure, RefusesADriveForAnotherNumberOfJoints) {
   world::JointDrive three = drive();
   three.joint_count = 3;
   EXPECT_CONTAINS(simulator_error(6, [&] { world_.drive(0, three, 6); }), "3 joints, expected 2");
 }
 
-TEST_F(WorldFailure, AWorldThatResetItselfIsAnErrorThatNamesTheJoint) {
+TEST_F(WorldFailure, WorldThatResetItselfIsAnErrorWithTheJoint) {
   world::JointDrive huge = drive();
   huge.torque[0] = 1e30;
   world_.drive(0, huge, 6);
@@ -77,20 +77,20 @@ TEST_F(WorldFailure, AWorldThatResetItselfIsAnErrorThatNamesTheJoint) {
   EXPECT_CONTAINS(message, "joint a/shoulder diverged");
 }
 
-TEST_F(WorldFailure, NotFinitePositionsAndVelocitiesNameTheBodyOfAFreeJoint) {
+TEST_F(WorldFailure, NonFinitePositionsAndVelocitiesNameTheBodyOfAFreeJoint) {
   const int ball = mj_name2id(&world_.model(), mjOBJ_BODY, "ball");
   const int joint = world_.model().body_jntadr[ball];
   world_.data().qvel[world_.model().jnt_dofadr[joint] + 1] = kNan;
   EXPECT_CONTAINS(simulator_error(6, [&] { world_.step(6); }), "body ball diverged");
 }
 
-TEST_F(WorldFailure, NotFinitePositionsNameTheJoint) {
+TEST_F(WorldFailure, NonFinitePositionsNameTheJoint) {
   const int joint = mj_name2id(&world_.model(), mjOBJ_JOINT, "box");
   world_.data().qpos[world_.model().jnt_qposadr[joint] + 2] = kNan;
   EXPECT_CONTAINS(simulator_error(6, [&] { world_.step(6); }), "joint box diverged");
 }
 
-TEST(WorldFailures, NotFiniteControlsAreAnError) {
+TEST(WorldFailures, NonFiniteControlsAreAnError) {
   const ScratchFolder scratch;
   const std::string scene =
       "<mujoco><worldbody><body><joint name='j'/><geom size='0.1'/></body></worldbody>"
@@ -120,7 +120,7 @@ TEST(WorldFailures, WarningsAreCountedAndKeepTheirFirstTick) {
   const ScratchFolder scratch;
   World world(compose_texts(scratch, kEmptyScene), 0.002, 0.001);
   world.start();
-  // a callback stands for whatever inside MuJoCo has something to say
+  // a callback represents any warning from MuJoCo
   mjcb_passive = [](const mjModel*, mjData* data) {
     if (data->time > 0.0095) mju_warning("the belt squeaks");
   };
@@ -132,13 +132,13 @@ TEST(WorldFailures, WarningsAreCountedAndKeepTheirFirstTick) {
   EXPECT_GE(world.warnings()[0].count, 10U);
 }
 
-TEST(WorldFailures, AnIntegratorOtherThanEulerIsRefused) {
+TEST(WorldFailures, RefusesAnotherIntegratorThanEuler) {
   const ScratchFolder scratch;
   EXPECT_THROW(World(compose_texts(scratch, "<mujoco><option integrator='RK4'/></mujoco>"), 0.001, 0.001),
                config::ConfigurationError);
 }
 
-TEST(WorldFailures, AMissingJointNamesThoseThatExist) {
+TEST(WorldFailures, MissingJointNamesThoseThatExist) {
   World world(compose(kData / "scene.xml", {{"a", kTwolink, Pose::Identity(), false}}), 0.002, 0.001);
   try {
     world.attach("a", {"shoulder", "wrist"}, JointVector::Zero(2));

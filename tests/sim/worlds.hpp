@@ -16,7 +16,7 @@ namespace mrroc::sim {
 inline const std::filesystem::path kData = std::filesystem::path(MRROC_SOURCE_DIR) / "tests/sim/data";
 inline const std::filesystem::path kTwolink = kData / "robots/twolink/twolink.xml";
 
-/// A scene without anything that MuJoCo would compute beside the robots.
+/// A scene that adds no computation to that of the robots.
 inline constexpr const char* kEmptyScene = "<mujoco>\n<compiler angle='radian'/>\n</mujoco>";
 
 inline Pose at(double x, double y, double z, double turn = 0) {

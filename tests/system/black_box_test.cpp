@@ -1,4 +1,4 @@
-// The last steps of a task that is killed, and of those that end because of it, are on disk.
+// The last steps of a killed task, and of the tasks that end because of it, are on disk.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ constexpr int kSystem = 4;
 
 class BlackBoxOfADeath : public testing::Test {
  protected:
-  /// Runs with a fault that a process dies of; returns what was said.
+  /// Runs with a fault that ends a process; returns the output.
   std::string run(const std::string& deployment, const std::string& fault) {
     return run_mrroc({"run", deployment, "--inject", fault, "--black-box", boxes().string()}, kSystem);
   }
@@ -30,7 +30,7 @@ TEST_F(BlackBoxOfADeath, HasTheStepsOfAKilledTaskUpToItsDeath) {
   expect_laws(box);
   run_mrroc({"run", "tasks/press/press.toml", "--trace", whole.string()}, 0);
   const auto kept = lines_with(box, " process=arm "), all = lines_with(whole, " process=arm ");
-  EXPECT_FALSE(std::filesystem::exists(boxes() / "press-mp.trace")) << "that task makes no step";
+  EXPECT_FALSE(std::filesystem::exists(boxes() / "press-mp.trace")) << "that task has no steps";
   ASSERT_EQ(kept.size(), 50U);
   ASSERT_GT(all.size(), 120U);
   EXPECT_EQ(kept, std::vector<std::string>(all.begin() + 70, all.begin() + 120));
@@ -51,16 +51,16 @@ TEST_F(BlackBoxOfADeath, HasTheStepsOfTasksThatEndBecauseOfIt) {
     expect_laws(box);
     EXPECT_FALSE(lines_with(box, " process=" + process + " ").empty()) << told;
   }
-  EXPECT_FALSE(std::filesystem::exists(boxes() / "nested-right.trace")) << "that task makes no step";
+  EXPECT_FALSE(std::filesystem::exists(boxes() / "nested-right.trace")) << "that task has no steps";
 }
 
-TEST_F(BlackBoxOfADeath, IsNotWrittenWhenNoneIsWanted) {
+TEST_F(BlackBoxOfADeath, IsNotWrittenWhenDisabled) {
   const std::string none =
       run_mrroc({"run", "tasks/press/press.toml", "--inject", "kill ecp:arm at step 120", "--black-box", ""}, kSystem);
   EXPECT_EQ(none.find("black box"), std::string::npos) << none;
 }
 
-TEST_F(BlackBoxOfADeath, ThatCannotBeWrittenIsTold) {
+TEST_F(BlackBoxOfADeath, ReportsAWriteError) {
   const auto blocked = folder_.write("boxes", "a file");
   const std::string told = run("tasks/press/press.toml", "kill ecp:arm at step 120");
   EXPECT_NE(told.find("cannot write the black box " + (blocked / "press-arm.trace").string()), std::string::npos)

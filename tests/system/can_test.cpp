@@ -1,5 +1,5 @@
-// `mrroc run` with a robot on a CAN bus: its EDP reaches its drives by frames alone. The bus is a hub of Unix sockets,
-// or the interface of the kernel that MRROC_TEST_BUS names.
+// `mrroc run` with a robot on a CAN bus: its EDP communicates with its drives only through frames. The bus is a hub of
+// Unix sockets, or the interface of the kernel that MRROC_TEST_BUS names.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -48,7 +48,7 @@ std::string arm(const std::string& program, const std::string& scene, const std:
          "\"\n";
 }
 
-/// `key = value` lines over the type's own table of drives.
+/// `key = value` lines that replace those of the type's own table of drives.
 fs::path drives(const ScratchFolder& folder, const std::string& mode, const std::string& per_drive) {
   std::string text = text_of(kSource / "robots/irb6/irb6_drives.toml");
   const std::string position = "mode = \"position\"";
@@ -61,7 +61,7 @@ fs::path drives(const ScratchFolder& folder, const std::string& mode, const std:
   return folder.write("drives.toml", text);
 }
 
-TEST(Can, PressGoesToTheSameEndOverABus) {
+TEST(Can, PressReachesTheSameEndOverABus) {
   const ScratchFolder folder;
   const auto file = folder.write("press.toml", press(folder));
   std::string hashes[2];
@@ -84,8 +84,8 @@ TEST(Can, PressSucceedsInEveryModeOfTheDrives) {
   }
 }
 
-/// A machine without a real-time kernel may hold drives or servo up for three ticks at any time. The robot stops for it
-/// then, and says which drive, and why.
+/// A machine without a real-time kernel may delay drives or servo by three ticks at any time. The robot then stops, and
+/// the error names the drive and the reason.
 void expect_late_drive(const MrrocRun& run) {
   const std::size_t place = run.err().find("press: hardware error: ");
   ASSERT_NE(place, std::string::npos) << run.out() << run.err();
@@ -100,7 +100,7 @@ void expect_nothing_left(const MrrocRun& run) {
   EXPECT_TRUE(all_end(run.descendants()));
 }
 
-TEST(Can, PressSucceedsUnderTheRealClockOrSaysWhichDriveIsLate) {
+TEST(Can, PressSucceedsUnderTheRealClockOrNamesTheLateDrive) {
   const ScratchFolder folder;
   const auto file = folder.write("press.toml", press(folder));
   MrrocRun run({"run", file.string(), "--clock", "real"});
@@ -124,7 +124,7 @@ void expect_killed_edp(const MrrocRun& run) {
   EXPECT_NE((run.out() + run.err()).find("process arm_edp died"), std::string::npos) << run.out() << run.err();
 }
 
-TEST(Can, AKilledEdpLeavesNoDriveRunning) {
+TEST(Can, KilledEdpLeavesNoDriveRunning) {
   const ScratchFolder folder;
   const auto file = folder.write("press.toml", press(folder));
   MrrocRun run({"run", file.string(), "--inject", "kill edp:arm at tick 1500"});
@@ -133,7 +133,7 @@ TEST(Can, AKilledEdpLeavesNoDriveRunning) {
   expect_nothing_left(run);
 }
 
-TEST(Can, AKilledEdpLeavesNoDriveRunningUnderTheRealClock) {
+TEST(Can, KilledEdpLeavesNoDriveRunningUnderTheRealClock) {
   const ScratchFolder folder;
   const auto file = folder.write("press.toml", press(folder));
   // the drives have power at that tick
@@ -153,7 +153,7 @@ TEST(Can, KilledDrivesStopTheRun) {
   EXPECT_NE((run.out() + run.err()).find("arm_drives"), std::string::npos) << run.out() << run.err();
 }
 
-TEST(Can, AfterKilledDrivesTheSameDeploymentRunsAgain) {
+TEST(Can, SameDeploymentRunsAgainAfterKilledDrives) {
   const ScratchFolder folder;
   const auto file = folder.write("press.toml", press(folder));
   run_mrroc({"run", file.string(), "--inject", "kill drives:arm at tick 1500"}, 4);
@@ -161,7 +161,7 @@ TEST(Can, AfterKilledDrivesTheSameDeploymentRunsAgain) {
   EXPECT_NE(output.find("press succeeded"), std::string::npos) << output;
 }
 
-/// A fault of one drive for some time, and what the error says of it.
+/// A temporary fault of one drive, and the text of its error.
 struct DriveFault {
   const char* action;
   const char* error;  ///< empty: one or another
@@ -169,10 +169,10 @@ struct DriveFault {
 
 class DriveFaults : public testing::TestWithParam<DriveFault> {};
 
-TEST_P(DriveFaults, StopTheArmAndAreRecoveredFrom) {
+TEST_P(DriveFaults, StopTheArmWhichRecovers) {
   const ScratchFolder folder;
   folder.write("room.xml", "<mujoco><compiler angle=\"radian\"/></mujoco>");
-  // a drive that restarts has lost its position else, and the arm would have to be synchronised
+  // otherwise a restarted drive has lost its position, and the arm would need synchronisation
   std::string table = text_of(kSource / "robots/irb6/irb6_drives.toml");
   const std::string no = "absolute_encoders = false";
   ASSERT_NE(table.find(no), std::string::npos);
@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(Can, DriveFaults,
                                          DriveFault{"hush", "heartbeat"}, DriveFault{"corrupt", ""}),
                          [](const auto& each) { return std::string{each.param.action}; });
 
-TEST(Can, APressedLimitSwitchStopsTheArm) {
+TEST(Can, PressedLimitSwitchStopsTheArm) {
   const ScratchFolder folder;
   const auto file = folder.write("press.toml", press(folder));
   MrrocRun run({"run", file.string(), "--inject", "press drives:arm axis 2 at tick 1500"});
@@ -204,7 +204,7 @@ TEST(Can, APressedLimitSwitchStopsTheArm) {
       << run.err();
 }
 
-/// A stranger on a bus, who sends positions under the number of the arm's second drive until he goes.
+/// Another node on the bus, which sends positions with the number of the arm's second drive until it ends.
 class Impostor {
  public:
   explicit Impostor(const std::string& interface) : bus_(can::open_bus(interface)) {
@@ -231,7 +231,7 @@ class Impostor {
   std::thread thread_;
 };
 
-TEST(Can, WhoSendsUnderADrivesNumberIsFoundAndWhenHeHasGoneTheArmRecovers) {
+TEST(Can, NodeWithADrivesNumberIsDetectedAndTheArmRecoversWithoutIt) {
   const ScratchFolder folder;
   folder.write("room.xml", "<mujoco><compiler angle=\"radian\"/></mujoco>");
   const std::string text = on_bus(arm("bus_fault_ecp", "room.xml"), folder);
@@ -252,7 +252,7 @@ TEST(Can, WhoSendsUnderADrivesNumberIsFoundAndWhenHeHasGoneTheArmRecovers) {
   expect_nothing_left(run);
 }
 
-TEST(Can, AFaultOfADriveThatIsNotThereIsRefused) {
+TEST(Can, RefusesAFaultOfAnUnknownDrive) {
   const ScratchFolder folder;
   const auto file = folder.write("press.toml", press(folder));
   MrrocRun run({"run", file.string(), "--inject", "hush drives:arm axis 7 at tick 1000"});
@@ -261,7 +261,7 @@ TEST(Can, AFaultOfADriveThatIsNotThereIsRefused) {
       << run.out() << run.err();
 }
 
-TEST(Can, RealDrivesKeepNoOtherClock) {
+TEST(Can, RealDrivesNeedTheRealClock) {
   const ScratchFolder folder;
   std::string text = press(folder);
   const std::string simulated = "simulated = true\n";

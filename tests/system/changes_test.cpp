@@ -5,7 +5,7 @@
 namespace mrroc::test {
 namespace {
 
-/// A valve that output 3 of the arm's controller drives and input 0 sees.
+/// A valve on output 3 of the arm's controller, which input 0 measures.
 constexpr const char* kScene = R"(<mujoco model="terminals">
   <compiler angle="radian"/>
   <worldbody>
@@ -28,7 +28,7 @@ std::string deployment(const std::string& rest) {
          rest;
 }
 
-TEST(Changes, OfOutputsAndRegulatorsWorkInTheSimulatedWorld) {
+TEST(Changes, OutputsAndRegulatorsChangeInTheSimulatedWorld) {
   const ScratchFolder folder;
   folder.write("scene.xml", kScene);
   const auto file = folder.write(
@@ -38,14 +38,14 @@ TEST(Changes, OfOutputsAndRegulatorsWorkInTheSimulatedWorld) {
   EXPECT_NE(output.find("moved with soft regulators"), std::string::npos) << output;
 }
 
-TEST(Changes, AnInputThatIsWiredToNothingNeverComes) {
+TEST(Changes, UnconnectedInputNeverSwitches) {
   const ScratchFolder folder;
   folder.write("scene.xml", "<mujoco><compiler angle=\"radian\"/></mujoco>");
   const auto file = folder.write(
       "changes.toml", deployment("hardware = \"mujoco\"\nposition = [0, 0, 0.7]\n[sim]\nscene = \"scene.xml\"\n"
                                  "[[events]]\ntick = 2000\ncommand = \"stop\"\n"));
   const std::string output = run_mrroc({"run", file.string(), "--quiet"}, 5);
-  EXPECT_EQ(output.find("input 0 came"), std::string::npos) << "wired to nothing: " << output;
+  EXPECT_EQ(output.find("input 0 came"), std::string::npos) << "not connected: " << output;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace mrroc::test {
 namespace {
 
-/// The last line of each instruction: its name and which conditions held.
+/// The last line of each instruction: its name and the conditions that held.
 std::vector<std::string> endings_of(const std::filesystem::path& trace) {
   std::vector<std::string> endings;
   std::ifstream file(trace);
@@ -23,7 +23,7 @@ std::vector<std::string> endings_of(const std::filesystem::path& trace) {
 
 class Clocks : public testing::TestWithParam<const char*> {};
 
-TEST_P(Clocks, TheSameBinariesComeToTheSameOutcome) {
+TEST_P(Clocks, SameBinariesGiveTheSameOutcome) {
   const ScratchFolder folder;
   const auto lockstep = folder.path() / "lockstep";
   const auto other = folder.path() / "other";

@@ -1,4 +1,4 @@
-// What an MP can do with the programs of its ECPs, and with several parts of its own task, through `mrroc run`.
+// Coordination of the programs of ECPs by an MP, and of several parts of its own task, with `mrroc run`.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -28,8 +28,8 @@ std::filesystem::path deployment(const ScratchFolder& folder, const std::string&
 constexpr int kPatience = 60;  // s
 constexpr int kStopped = 5;
 
-/// Runs the scenario twice in lockstep and once in real time; the lines must come in this order. Returns the output of
-/// the first run.
+/// Runs the scenario twice in lockstep and once in real time; the lines must appear in this order. Returns the output
+/// of the first run.
 std::string expect_lines(const std::filesystem::path& file, const std::vector<std::string>& lines, int code = 0) {
   const ScratchFolder folder;
   std::string first;
@@ -60,12 +60,12 @@ TEST(Coordination, BehavioursAreStartedWithTheirMessagesAndAwaited) {
                 " m by end-motion"});
 }
 
-TEST(Coordination, ProgramsTellEachOtherThroughTheMp) {
+TEST(Coordination, ProgramsExchangeMessagesThroughTheMp) {
   const ScratchFolder folder;
   expect_lines(deployment(folder, "messages"), {"left at ", " m by message", "left: nothing", "all have ended"});
 }
 
-TEST(Coordination, PartsOfATaskMoveTheirRobotsSideBySide) {
+TEST(Coordination, PartsOfATaskMoveTheirRobotsSimultaneously) {
   const ScratchFolder folder;
   const auto file = deployment(folder, "strands", "[[answers]]\nquestion = \"Back?\"\nanswer = \"yes\"\n");
   const std::string output = expect_lines(file, {"mp: Back? yes", "both are there", "left 0.100 m, right 0.100 m"});
@@ -79,7 +79,7 @@ TEST(Coordination, PartsOfATaskMoveTheirRobotsSideBySide) {
     if (at != std::string::npos) robots.push_back(line.substr(at + 7, line.find(' ', at + 7) - at - 7));
   }
   robots.erase(std::unique(robots.begin(), robots.end()), robots.end());
-  EXPECT_GT(robots.size(), 20U) << "the Moves came one after the other";
+  EXPECT_GT(robots.size(), 20U) << "the Moves were made one after the other";
 }
 
 TEST(Coordination, TwoPartsMustNotMoveOneRobot) {
@@ -89,7 +89,7 @@ TEST(Coordination, TwoPartsMustNotMoveOneRobot) {
                 "refused: non-fatal error: invalid argument: a strand cannot have strands", "left 0.000 m"});
 }
 
-TEST(Coordination, ThePartThatFailsStopsTheOthers) {
+TEST(Coordination, FailingPartStopsTheOthers) {
   const ScratchFolder folder;
   expect_lines(deployment(folder, "failing"), {"no part on the right", "left was stopped, 0.000 m/s"});
 }
@@ -103,9 +103,9 @@ TEST(Coordination, QuestionsAreAnsweredByTheDeployment) {
                                answer("More?", "yes") + answer("More?", "no") + answer("How long?", "1.25") +
                                    answer("Where to?", "0.5", "process = \"right\"\n") +
                                    answer("Where to?", "0.04", "process = \"left\"\n"));
-  // what is asked at one tick is shown by process
-  expect_lines(file, {"left: Where to? 0.04", "left: On the way.", "Nobody is left to answer"}, 1);
-  expect_lines(file, {"mp: More? yes", "mp: More? no", "mp: How long? 1.25", "Nobody is left to answer"}, 1);
+  // questions of one tick are shown in the order of processes
+  expect_lines(file, {"left: Where to? 0.04", "left: On the way.", "No operator is left to answer"}, 1);
+  expect_lines(file, {"mp: More? yes", "mp: More? no", "mp: How long? 1.25", "No operator is left to answer"}, 1);
   const std::string output = run_mrroc({"run", file.string(), "--quiet"}, 1);
   for (const std::string line :
        {"more 1, still more 0, length 1.25", "left at 0.040 m by answer",
@@ -122,13 +122,13 @@ std::string answers_but(const std::string& unanswered) {
   return text;
 }
 
-/// Clock, and the question that no one answers: "More?" is the MP's, "Where to?" an ECP's.
+/// Clock, and the unanswered question: "More?" is the MP's, "Where to?" an ECP's.
 class Dialogue : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
 TEST_P(Dialogue, IsLeftWhenTheOperatorStopsTheTask) {
   const auto [clock, question] = GetParam();
   const ScratchFolder folder;
-  const Keyboard keyboard;  // no one types
+  const Keyboard keyboard;  // without input
   MrrocRun run({"run", deployment(folder, "questions", answers_but(question)).string(), "--clock", clock});
   ASSERT_TRUE(run.wait_for_output(question)) << run.out() << run.err();
   const std::vector<pid_t> pids = run.children();
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(All, Dialogue,
                            return std::get<0>(test.param) + std::string{question == "More?" ? "_mp" : "_ecp"};
                          });
 
-TEST(Coordination, AnAnswerToAPausedTaskIsTakenWhenItGoesOn) {
+TEST(Coordination, AnswerDuringAPauseIsUsedAfterIt) {
   constexpr int kResume = 1500;
   const ScratchFolder folder;
   const auto file = deployment(folder, "questions",
@@ -165,7 +165,7 @@ TEST(Coordination, AnAnswerToAPausedTaskIsTakenWhenItGoesOn) {
   EXPECT_GE(numbers_after(line, "tick=").at(0), kResume) << line;
 }
 
-TEST(Coordination, PauseAndResumeReachThePartsAndTheProgramsAlike) {
+TEST(Coordination, PauseAndResumeReachThePartsAndThePrograms) {
   const ScratchFolder folder;
   const auto event = [](int tick, const std::string& command) {
     return "[[events]]\ntick = " + std::to_string(tick) + "\ncommand = \"" + command + "\"\n";

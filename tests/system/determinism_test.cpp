@@ -12,7 +12,7 @@
 namespace mrroc::test {
 namespace {
 
-/// Hashes of runs in lockstep, the second half of them with two busy loops beside.
+/// Hashes of runs in lockstep, the second half of them with two busy loops at the same time.
 std::set<std::string> hashes_of(const std::string& deployment, const std::filesystem::path& trace) {
   std::set<std::string> hashes;
   std::unique_ptr<Load> load;
@@ -25,7 +25,7 @@ std::set<std::string> hashes_of(const std::string& deployment, const std::filesy
   return hashes;
 }
 
-/// What the robot was commanded in each instruction, in order.
+/// The commands of the robot in each instruction, in order.
 std::map<std::string, std::vector<std::string>> commands_of(const std::filesystem::path& trace) {
   std::map<std::string, std::vector<std::string>> commands;
   std::ifstream file(trace);
@@ -50,7 +50,7 @@ TEST(Determinism, AllRunsOfPressGiveOneTraceUnderAnyLoad) {
   EXPECT_EQ(text.find("process=mp instruction="), std::string::npos);
 }
 
-TEST(Determinism, TheTraceDependsNeitherOnTheOutputNorOnTheOrderOfStart) {
+TEST(Determinism, TraceIsIndependentOfTheOutputAndTheOrderOfStart) {
   const ScratchFolder folder;
   const auto trace = folder.path() / "press.trace";
   const std::string deployment = "tasks/press/press.toml";
@@ -77,7 +77,7 @@ TEST(Determinism, AllRunsOfPressMpGiveOneTraceUnderAnyLoad) {
   EXPECT_EQ(hashes_of("tasks/press_mp/press_mp.toml", folder.path() / "press_mp.trace").size(), 1U);
 }
 
-TEST(Determinism, OneGeneratorCommandsTheSameInAnEcpAndInTheMp) {
+TEST(Determinism, GeneratorCommandsTheSameInAnEcpAndInTheMp) {
   const ScratchFolder folder;
   const auto ecp = folder.path() / "ecp";
   const auto mp = folder.path() / "mp";

@@ -8,16 +8,16 @@
 
 namespace mrroc::test {
 
-/// What several runs of one deployment have left behind.
+/// Results of several runs of one deployment.
 struct EqualRuns {
   std::vector<std::string> outputs;  ///< of each
-  std::filesystem::path trace;       ///< of the first, as of all
-  std::filesystem::path states;      ///< folder of the snapshots that the first has saved
+  std::filesystem::path trace;       ///< of the first; the others are equal
+  std::filesystem::path states;      ///< folder of the first run's snapshots
 };
 
 /// Runs the deployment several times in lockstep (3; thorough: 10), two at a time, each for at most `timeout` s.
-/// Expects that all succeed and that all have the same trace, which keeps the laws and is read to the last bit. The
-/// files are in `folder`.
+/// Expects that all succeed and have the same trace, which keeps the rules and is read to the last bit. The files are
+/// in `folder`.
 EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& folder,
                             int timeout = MrrocRun::kPatience);
 

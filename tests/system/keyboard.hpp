@@ -10,7 +10,7 @@
 
 namespace mrroc::test {
 
-/// Puts another file in the place of this process's standard input, which `mrroc` inherits.
+/// Replaces this process's standard input, which `mrroc` inherits, with another file.
 class StandardInput {
  public:
   explicit StandardInput(int fd) : before_(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)) { dup2(fd, STDIN_FILENO); }
@@ -25,7 +25,7 @@ class StandardInput {
   int before_;
 };
 
-/// A pipe on which the test types.
+/// A pipe for the input of the test.
 class Keyboard {
  public:
   Keyboard() {

@@ -21,7 +21,7 @@ namespace {
 constexpr std::chrono::seconds kPatienceWithOrphans{10};
 constexpr std::chrono::milliseconds kPause{5};
 
-/// The whole file; nothing of one that cannot be read, as those of a process that ends meanwhile.
+/// The whole file; empty when it cannot be read, for example because its process ends meanwhile.
 std::string read_file(const std::filesystem::path& path) try {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
@@ -29,12 +29,12 @@ std::string read_file(const std::filesystem::path& path) try {
   return "";
 }
 
-/// In a child: ends it with the test, also with one that is killed; a deployment without end would starve the machine.
+/// In a child: ends it with the test, even with a killed one; an endless deployment would starve the machine.
 void end_with_test() {
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() == 1) _exit(125);
 }
 
-/// In a child: of the CPUs that it may use, the one of this number, from 1 on.
+/// In a child: selects one of its permitted CPUs by number, from 1 on.
 void keep_to_cpu(int number) {
   cpu_set_t allowed, one;
   CPU_ZERO(&one);
@@ -59,7 +59,7 @@ std::vector<pid_t> children_of(pid_t parent) {
   return pids;
 }
 
-/// The one that was started with `--name NAME`; -1 when there is none.
+/// The process that was started with `--name NAME`; -1 when there is none.
 pid_t named(const std::string& name, const std::vector<pid_t>& pids) {
   const std::string wanted = std::string{"--name"} + '\0' + name + '\0';
   for (const pid_t pid : pids) {

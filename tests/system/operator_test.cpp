@@ -28,7 +28,7 @@ std::string event(int tick, const std::string& command) {
   return "\n[[events]]\ntick = " + std::to_string(tick) + "\ncommand = \"" + command + "\"\n";
 }
 
-/// What the trace says of the arm: the tick of a step and the measured joints.
+/// Data of the arm from the trace: the tick of a step and the measured joints.
 struct Step {
   std::size_t tick = 0;
   std::vector<double> joints;
@@ -49,7 +49,7 @@ std::vector<Step> read_trace(const std::filesystem::path& trace) {
   return steps;
 }
 
-TEST(Operator, APauseHoldsTheRobotAndTheTaskGoesOnAfterwards) {
+TEST(Operator, PauseHoldsTheRobotAndTheTaskContinuesAfterwards) {
   const ScratchFolder folder;
   const auto trace = folder.path() / "trace";
   run_mrroc({"run", press_with(folder, "").string(), "--quiet", "--trace", trace.string()}, 0);
@@ -63,18 +63,18 @@ TEST(Operator, APauseHoldsTheRobotAndTheTaskGoesOnAfterwards) {
     hashes.insert(trace_hash(trace));
   }
   EXPECT_EQ(hashes.size(), 1U);
-  // the motion is planned again from where the robot has stopped: it takes the pause and some more
+  // the motion is planned again from the position of the stop: it takes the pause and some more
   const std::vector<Step> steps = read_trace(trace);
   EXPECT_GE(steps.back().tick, undisturbed + (resume - pause) * 9 / 10);
   const auto after = std::find_if(steps.begin(), steps.end(), [](const Step& step) { return step.tick > resume; });
   ASSERT_TRUE(after != steps.begin() && after != steps.end());
   const Step& before = *std::prev(after);
   EXPECT_LT(before.tick, pause + 20) << "a step of the instruction while paused";
-  // what it moves is a braking from at most 0.4 rad/s with 1 rad/s^2
+  // it moves only while it brakes from at most 0.4 rad/s with 1 rad/s^2
   for (std::size_t i = 0; i < before.joints.size(); ++i) EXPECT_NEAR(before.joints[i], after->joints[i], 0.1) << i;
 }
 
-TEST(Operator, ATriggerIsWhatTheTaskWaitsFor) {
+TEST(Operator, TriggerEndsTheWaitOfTheTask) {
   const ScratchFolder folder;
   const auto trace = folder.path() / "trace";
   const auto file = folder.write("trigger.toml", faulty_deployment("trigger") + event(700, "trigger"));
@@ -84,7 +84,7 @@ TEST(Operator, ATriggerIsWhatTheTaskWaitsFor) {
   EXPECT_LE(end, 720U);
 }
 
-TEST(Operator, AStopEndsTheTaskWithItsOwnExitCode) {
+TEST(Operator, StopEndsTheTaskWithItsOwnExitCode) {
   const ScratchFolder folder;
   const auto stopped = press_with(folder, event(1500, "stop"));
   const auto trace = folder.path() / "trace";

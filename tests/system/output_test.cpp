@@ -22,7 +22,7 @@ std::vector<pid_t> processes_with(MrrocRun& run, const std::string& name) {
   return run.children();
 }
 
-/// A pipe with a name that is full, and that no one reads.
+/// A full named pipe without a reader.
 class FullPipe {
  public:
   explicit FullPipe(const std::filesystem::path& path) {
@@ -38,7 +38,7 @@ class FullPipe {
   ~FullPipe() { leave(); }
   FullPipe(const FullPipe&) = delete;
   FullPipe& operator=(const FullPipe&) = delete;
-  /// From now on no one could read it.
+  /// From now on no process can read it.
   void leave() {
     if (reader_ >= 0) close(reader_);
     reader_ = -1;
@@ -48,14 +48,14 @@ class FullPipe {
   int reader_ = -1;
 };
 
-TEST(RunnersOutput, ASuccessIsOneOnAFullDisk) {
+TEST(RunnersOutput, RunSucceedsOnAFullDisk) {
   MrrocRun run({"run", "tasks/press/press.toml", "--clock", "lockstep"}, 0, "/dev/full");
   const std::vector<pid_t> pids = processes_with(run, "sim");
   EXPECT_EQ(run.wait(), 0);
   EXPECT_TRUE(all_end(pids));
 }
 
-TEST(RunnersOutput, AFailureEndsInOrderOnAFullDisk) {
+TEST(RunnersOutput, FailureEndsInOrderOnAFullDisk) {
   MrrocRun run({"run", "tasks/press/press.toml", "--clock", "lockstep", "--inject", "kill mp at tick 500"}, 0,
                "/dev/full");
   const std::vector<pid_t> pids = processes_with(run, "sim");
@@ -63,7 +63,7 @@ TEST(RunnersOutput, AFailureEndsInOrderOnAFullDisk) {
   EXPECT_TRUE(all_end(pids));
 }
 
-TEST(RunnersOutput, TheOperatorIsHeardWhenNobodyReads) {
+TEST(RunnersOutput, OperatorsInputIsReadWithoutAReaderOfTheOutput) {
   const ScratchFolder folder;
   const FullPipe pipe(folder.path() / "pipe");
   MrrocRun run({"run", folder.write("hold.toml", faulty_deployment("hold", "real")).string()}, 0,
@@ -76,7 +76,7 @@ TEST(RunnersOutput, TheOperatorIsHeardWhenNobodyReads) {
   EXPECT_TRUE(all_end(pids));
 }
 
-TEST(RunnersOutput, ItGoesOnWhenItsReaderLeaves) {
+TEST(RunnersOutput, RunContinuesWhenItsReaderLeaves) {
   const ScratchFolder folder;
   FullPipe pipe(folder.path() / "pipe");
   MrrocRun run({"run", "tasks/press/press.toml", "--clock", "lockstep"}, 0, folder.path() / "pipe");

@@ -1,4 +1,5 @@
-// What a run writes is whole and of one run, or the run is refused before it begins; signals end it at every moment.
+// The files of a run are complete and belong to one run, or the run is refused before its start; signals end it at any
+// time.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -35,7 +36,7 @@ class Outputs : public testing::Test {
 
   std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
   /// Runs a script of bash in the folder, with $MRROC, $HOLD and $SHORT, for a minute at most. Returns its exit code;
-  /// what it says is in `said`.
+  /// its output is in `said`.
   int bash(const std::string& script) {
     const std::string file = folder_.write("script", script).string();
     const std::string command = "cd '" + folder_.path().string() +
@@ -58,7 +59,7 @@ class Outputs : public testing::Test {
   std::string said;
 };
 
-TEST_F(Outputs, ARunIsRefusedWhatAnotherOneWrites) {
+TEST_F(Outputs, RunIsRefusedAFileThatAnotherOneWrites) {
   MrrocRun first({"run", hold.string(), "--trace", at("t").string()});
   ASSERT_TRUE(first.wait_for_output("running")) << first.err();
   std::filesystem::create_symlink(at("t"), at("link"));
@@ -73,7 +74,7 @@ TEST_F(Outputs, ARunIsRefusedWhatAnotherOneWrites) {
   run_mrroc({"run", brief.string(), "--quiet", "--trace", at("t").string()}, 0);
 }
 
-TEST_F(Outputs, TheSimulatorsFilesAreClaimedToo) {
+TEST_F(Outputs, SimulatorsFilesAreClaimedToo) {
   const std::string task = "tasks/draw/draw.toml";
   MrrocRun first({"run", task, "--clock", "real", "--motion", at("m").string(), "--snapshots", at("s").string()});
   ASSERT_TRUE(first.wait_for_output("running")) << first.err();
@@ -89,7 +90,7 @@ TEST_F(Outputs, TheSimulatorsFilesAreClaimedToo) {
   EXPECT_EQ(free(), kUsage) << "for the trace, not for the motion file of a killed run";
 }
 
-TEST_F(Outputs, AKilledRunIsInNobodysWay) {
+TEST_F(Outputs, KilledRunDoesNotBlockAnother) {
   MrrocRun first({"run", hold.string(), "--trace", at("t").string()});
   ASSERT_TRUE(first.wait_for_output("running")) << first.err();
   const std::vector<pid_t> pids = first.children();
@@ -97,11 +98,11 @@ TEST_F(Outputs, AKilledRunIsInNobodysWay) {
   first.wait();
   ASSERT_TRUE(all_end(pids));
   run_mrroc({"run", brief.string(), "--quiet", "--trace", at("t").string()}, 0);
-  EXPECT_TRUE(std::filesystem::exists(at("t.arm.part"))) << "what the killed one has written";
+  EXPECT_TRUE(std::filesystem::exists(at("t.arm.part"))) << "the file of the killed run";
   EXPECT_FALSE(std::filesystem::exists(at("t.arm.2.part")));
 }
 
-TEST_F(Outputs, TwoAtOnceAreWholeOrRefused) {
+TEST_F(Outputs, TwoSimultaneousRunsAreCompleteOrRefused) {
   for (int round = 0; round < 3; ++round) {
     EXPECT_EQ(
         bash(R"(for i in 1 2 3; do $MRROC run $SHORT --quiet --trace same --black-box "" > out$i 2>&1 & pid[$i]=$!; done
@@ -112,24 +113,24 @@ TEST_F(Outputs, TwoAtOnceAreWholeOrRefused) {
   }
 }
 
-TEST_F(Outputs, TheSameFileTwiceIsRefused) {
+TEST_F(Outputs, SameFileTwiceIsRefused) {
   const std::string text = text_of(brief);
-  expect_refused({"run", brief.string(), "--trace", brief.string()}, "is the file of deployment, too");
+  expect_refused({"run", brief.string(), "--trace", brief.string()}, "is also the file of deployment");
   std::filesystem::create_symlink(brief, at("link"));
-  expect_refused({"run", brief.string(), "--trace", at("link").string()}, "is the file of deployment, too");
-  expect_refused({"run", brief.string(), "--motion", brief.string()}, "is the file of deployment, too");
+  expect_refused({"run", brief.string(), "--trace", at("link").string()}, "is also the file of deployment");
+  expect_refused({"run", brief.string(), "--motion", brief.string()}, "is also the file of deployment");
   expect_refused({"run", brief.string(), "--trace", at("x").string(), "--motion", at("./x").string()}, "--motion");
   expect_refused({"run", brief.string(), "--trace", at("y").string(), "--black-box", at("y").string()}, "--trace");
   expect_refused({"run", brief.string(), "--trace", "tasks/draw/draw.toml", "--trace", at("x").string()}, "--trace");
   EXPECT_EQ(text_of(brief), text);
 }
 
-TEST_F(Outputs, AStreamGetsTheWholeTrace) {
+TEST_F(Outputs, StreamGetsTheWholeTrace) {
   ASSERT_EQ(bash(R"($MRROC run $SHORT --quiet --trace t)"), 0) << said;
   const std::string trace = text_of(at("t"));
   EXPECT_EQ(bash(R"(mkfifo f; cat f > got & $MRROC run $SHORT --quiet --trace f || exit; wait; cmp t got)"), 0) << said;
   EXPECT_EQ(bash(R"((sleep 2; cat f > got) & $MRROC run $SHORT --quiet --trace f || exit; wait; cmp t got)"), 0)
-      << "a reader that comes later: " << said;
+      << "a late reader: " << said;
   EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace >(gzip > got.gz) || exit; sleep 0.5; zcat got.gz | cmp t -)"), 0)
       << said;
   EXPECT_EQ(
@@ -184,12 +185,12 @@ TEST_F(Outputs, OneSignalDuringTheTaskEndsARunWhoseReaderHasStopped) {
       << said;
 }
 
-TEST_F(Outputs, AReaderThatLeavesIsAnError) {
+TEST_F(Outputs, ReaderThatLeavesIsAnError) {
   EXPECT_EQ(bash(R"(mkfifo f; head -c 10 f > got & $MRROC run $SHORT --quiet --trace f; test $? = 4)"), 0) << said;
   EXPECT_TRUE(has(said, "cannot write the trace f: Broken pipe")) << said;
 }
 
-TEST_F(Outputs, AFullDiskAndAFileSizeLimitHaveOneEnd) {
+TEST_F(Outputs, FullDiskAndFileSizeLimitEndTheRun) {
   EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace /dev/full)"), kSystem) << said;
   EXPECT_TRUE(has(said, "mrroc: short: cannot write the trace /dev/full: No space left on device")) << said;
   EXPECT_EQ(bash(R"(ulimit -f 1; $MRROC run $SHORT --quiet --trace t)"), kSystem) << said;
@@ -211,7 +212,7 @@ TEST_F(Outputs, AFullDiskAndAFileSizeLimitHaveOneEnd) {
   EXPECT_FALSE(std::filesystem::exists(at("mrroc-black-box"))) << "no task has failed";
 }
 
-TEST_F(Outputs, AMotionFileThatIsNotCompleteIsAnError) {
+TEST_F(Outputs, IncompleteMotionFileIsAnError) {
   EXPECT_EQ(
       bash("cd " MRROC_SOURCE_DIR "; $MRROC run tasks/draw/draw.toml --quiet --black-box \"\" --motion /dev/full"),
       kSystem)
@@ -219,7 +220,7 @@ TEST_F(Outputs, AMotionFileThatIsNotCompleteIsAnError) {
   EXPECT_TRUE(has(said, "cannot write the motion file /dev/full: No space left on device")) << said;
 }
 
-TEST_F(Outputs, ABlackBoxIsNeverOverwritten) {
+TEST_F(Outputs, BlackBoxIsNeverOverwritten) {
   folder_.write("fail.toml", faulty_deployment("exception"));
   EXPECT_EQ(
       bash(
@@ -231,7 +232,7 @@ TEST_F(Outputs, ABlackBoxIsNeverOverwritten) {
   EXPECT_TRUE(has(said, "black box: mrroc-black-box/exception-arm-4.trace")) << said;
 }
 
-TEST_F(Outputs, ADeploymentMayComeFromAStream) {
+TEST_F(Outputs, DeploymentMayComeFromAStream) {
   for (const char* command :
        {"$MRROC run /dev/stdin --quiet < $SHORT", "cat $SHORT | $MRROC run - --quiet",
         "$MRROC run <(cat $SHORT) --quiet", "exec 4< $SHORT; $MRROC run /dev/fd/4 --quiet",
@@ -250,14 +251,14 @@ TEST_F(Outputs, EveryProcessReadsTheDeploymentThatTheRunnerHasRead) {
   EXPECT_EQ(run.wait(), 0) << run.out() << run.err();
 }
 
-TEST_F(Outputs, WhatIsPrintedOntoAFullDiskFails) {
+TEST_F(Outputs, OutputToAFullDiskFails) {
   ASSERT_EQ(bash("$MRROC run $SHORT --quiet --trace t"), 0) << said;
   for (const char* words : {"run --check $SHORT", "trace hash t", "trace check t", "trace check --rules", "--help",
                             "run --help", "--version", "keys k"})
     EXPECT_EQ(bash(std::string{"$MRROC "} + words + " > /dev/full"), kSystem) << words << said;
 }
 
-TEST_F(Outputs, OptionsAreTakenAsTheyAreWritten) {
+TEST_F(Outputs, OptionsAreUsedAsTheyAreWritten) {
   EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --black-box= --trace t && test -s t)"), 0) << said;
   EXPECT_EQ(bash(R"($MRROC run --trace= --black-box= $SHORT --quiet)"), 0) << said;
   EXPECT_EQ(bash("$MRROC --version | grep -qx 'mrroc " MRROC_VERSION "'"), 0) << said;
@@ -284,7 +285,7 @@ TEST_F(Outputs, TooFewOpenFilesAreNamed) {
   }
 }
 
-TEST_F(Outputs, ControlCharactersAreShownAsTheirBytes) {
+TEST_F(Outputs, ControlCharactersAreEscaped) {
   EXPECT_EQ(bash(R"($MRROC run $'no\e[31m.toml' || $MRROC $'\e[31m' || $MRROC run $SHORT --trace $'/no/\e[31m/t' ||
       $MRROC trace hash $'\e[31m' || printf 'name = "\033[31m"\n' | $MRROC run -)"),
             kUsage);

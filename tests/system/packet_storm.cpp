@@ -17,7 +17,7 @@ namespace mrroc::test {
 
 namespace {
 
-constexpr int kParticipants = 10;  // more than the deployments of the tests have
+constexpr int kParticipants = 10;  // more than in the deployments of the tests
 constexpr std::size_t kMemory = 2000;
 constexpr int kStrangers = 4;  // for each participant
 constexpr int kBurst = 16;     // datagrams per millisecond
@@ -41,7 +41,7 @@ int open_ear() {
 PacketStorm::PacketStorm(int domain, std::uint32_t seed)
     : domain_(domain), random_(seed), ear_(open_ear()), mouth_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
   if (mouth_ < 0) throw std::runtime_error("no socket for a packet storm");
-  // its own port tells what it has sent itself from what it overhears
+  // its own port distinguishes its own datagrams from the captured ones
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -68,7 +68,7 @@ void PacketStorm::blow() {
       const std::string packet = datagram();
       const auto port = first_port(domain_) + 10 + static_cast<int>(random_() % (2 * kParticipants));
       address.sin_port = htons(static_cast<in_port_t>(port));
-      // where no one listens it is refused: no matter
+      // a port without a listener refuses it, which does not matter
       if (::sendto(mouth_, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&address),
                    sizeof address) >= 0) {
         ++sent_;
@@ -111,7 +111,7 @@ std::string PacketStorm::random_bytes(std::size_t most) {
 
 std::string PacketStorm::mutated(std::string packet) {
   for (std::size_t changes = 1 + random_() % 8; changes > 0 && !packet.empty(); --changes) {
-    // mostly behind the header with its live sender: what begins wrongly is dropped at once
+    // mostly behind the header with its live sender: a datagram with a wrong header is dropped at once
     const std::size_t from = random_() % 10 != 0 && packet.size() > 20 ? 20 : 0;
     packet[from + random_() % (packet.size() - from)] = static_cast<char>(random_());
   }
@@ -133,7 +133,7 @@ std::string PacketStorm::datagram() {
   const auto kind = random_() % 100;
   if (kind < 5) return random_bytes(1500);
   if (kind < 25 || heard_.empty()) {
-    // a header, one of the submessages that there are, and anything
+    // a header, one of the known submessages, and random bytes
     std::string packet("RTPS\x02\x01\x01\x10", 8);
     for (int i = 0; i < 12; ++i) packet.push_back(static_cast<char>(random_()));
     packet.push_back(static_cast<char>(random_() % 0x36));

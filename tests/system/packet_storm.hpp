@@ -10,11 +10,11 @@
 
 namespace mrroc::test {
 
-/// Floods the RTPS ports of a DDS domain of this machine with datagrams for as long as it lives: random bytes, RTPS
-/// headers with anything behind, and what the domain's own processes send to one another, overheard by
-/// a packet socket (which needs CAP_NET_RAW in the network namespace), as it is, mutated or truncated, and half of it
-/// as if unknown participants had sent it that have all that the domain's participants have. The choices follow from
-/// the seed, as far as what is overheard is the same.
+/// Floods the RTPS ports of a DDS domain of this machine with datagrams during its lifetime: random bytes, RTPS headers
+/// with random contents, and the messages of the domain's own processes. A packet socket captures these (it needs
+/// CAP_NET_RAW in the network namespace); they are sent unchanged, mutated or truncated, and half of them with the GUID
+/// prefixes of unknown participants, as if these had all endpoints of the domain's participants. The seed determines
+/// the choices, as far as the captured messages are the same.
 class PacketStorm {
  public:
   PacketStorm(int domain, std::uint32_t seed);
@@ -31,7 +31,7 @@ class PacketStorm {
   std::string datagram();
   std::string random_bytes(std::size_t most);
   std::string mutated(std::string packet);
-  /// As if one of a few more participants, distinguished by the last byte of their GUID prefix, had sent it.
+  /// The datagram as if sent by one of a few more participants, distinguished by the last byte of their GUID prefix.
   std::string of_stranger(std::string packet);
 
   const int domain_;

@@ -24,14 +24,14 @@ constexpr int kUsage = 2;
 constexpr int kSystem = 4;
 constexpr int kStopped = 5;
 
-/// A network namespace of the test's own, in which it may open packet sockets; before the first test, while there is
-/// one thread.
+/// A separate network namespace for the test, in which it may open packet sockets; entered before the first test, while
+/// there is one thread.
 struct OwnNetwork : testing::Environment {
   void SetUp() override { enter_own_network(); }
 };
 [[maybe_unused]] const testing::Environment* const network_of_test = testing::AddGlobalTestEnvironment(new OwnNetwork);
 
-/// The deployment of the task `press`, in a file of its own, with `more` at its end.
+/// The deployment of the task `press`, in a separate file, with `more` at its end.
 fs::path press_with(const ScratchFolder& folder, const std::string& more, int domain = -1) {
   std::ifstream file(MRROC_SOURCE_DIR "/tasks/press/press.toml");
   std::stringstream text;
@@ -52,7 +52,7 @@ void make_keys(const ScratchFolder& folder, const fs::path& deployment) {
   run_mrroc({"keys", (folder.path() / "keys").string(), "--deployment", deployment.string()}, kSuccess);
 }
 
-TEST(Keys, ADeploymentRunsWithThemAndItsTraceIsTheSame) {
+TEST(Keys, DeploymentRunsWithThemAndHasTheSameTrace) {
   const ScratchFolder folder;
   const fs::path plain = folder.path() / "plain.txt", secured = folder.path() / "secured.txt";
   run_mrroc({"run", "tasks/press/press.toml", "--trace", plain.string()}, kSuccess);
@@ -62,14 +62,14 @@ TEST(Keys, ADeploymentRunsWithThemAndItsTraceIsTheSame) {
   EXPECT_EQ(trace_hash(secured), trace_hash(plain));
 }
 
-TEST(Keys, OfAnotherDeploymentAreRefused) {
+TEST(Keys, KeysOfAnotherDeploymentAreRefused) {
   const ScratchFolder folder;
   const fs::path deployment = press_with(folder, "[network]\nkeys = \"keys\"\n");
   make_keys(folder, folder.write("other.toml", "[deployment]\nname = \"polish\"\n"));
   EXPECT_NE(run_mrroc({"run", deployment.string()}, kSystem).find("topic press/"), std::string::npos);
 }
 
-TEST(Keys, ThatOthersMayReadAreRefusedBeforeAnythingStarts) {
+TEST(Keys, KeysThatOthersMayReadAreRefusedBeforeAnythingStarts) {
   const ScratchFolder folder;
   const fs::path deployment = press_with(folder, "[network]\nkeys = \"keys\"\n");
   make_keys(folder, deployment);
@@ -88,7 +88,7 @@ TEST(Keys, AreNeverOverwritten) {
       "mrroc: keys: " + keys + " is there already and keys are never overwritten: remove it, or name another folder\n");
 }
 
-TEST(Network, WithoutSecurityADeploymentBeyondLoopbackWarns) {
+TEST(Network, DeploymentBeyondLoopbackWarnsWithoutSecurity) {
   const ScratchFolder folder;
   const std::string open = "[network]\ninterface = \"192.0.2.249\"\nsecurity = false\n";  // TEST-NET-1
   const std::string file = press_with(folder, open).string();
@@ -98,8 +98,9 @@ TEST(Network, WithoutSecurityADeploymentBeyondLoopbackWarns) {
                         "ip address add 192.0.2.249/24 dev own0 && ip link set own0 up"),
             0);
   const std::string output = run_mrroc({"run", file}, kSuccess);
-  EXPECT_NE(output.find("warning: without security whoever reaches the interface 192.0.2.249 can command the robots"),
-            std::string::npos)
+  EXPECT_NE(
+      output.find("warning: without security anyone who reaches the interface 192.0.2.249 can command the robots"),
+      std::string::npos)
       << output;
 }
 
@@ -107,7 +108,7 @@ TEST(Network, WithoutSecurityADeploymentBeyondLoopbackWarns) {
 struct Memory {
   int black_boxes = 0;
   int clocks = 0;
-  int inheritable = 0;  ///< what the process starts would get them, too
+  int inheritable = 0;  ///< children of the process would inherit them
 };
 
 Memory memory_of(pid_t pid) {
@@ -128,7 +129,7 @@ Memory memory_of(pid_t pid) {
   return found;
 }
 
-TEST(AnonymousMemory, GoesToTheProcessesThatItIsFor) {
+TEST(AnonymousMemory, IsPassedOnlyToTheProcessesThatNeedIt) {
   const ScratchFolder folder;
   MrrocRun run({"run", folder.write("hold.toml", faulty_deployment("hold")).string()});
   ASSERT_TRUE(run.wait_for_output("never")) << run.out() << run.err();
@@ -151,21 +152,21 @@ TEST(AnonymousMemory, GoesToTheProcessesThatItIsFor) {
   EXPECT_EQ(run.wait(), kStopped) << run.out() << run.err();
 }
 
-/// With keys or without.
+/// With or without keys.
 class Storm : public task_test::DeploymentTest, public testing::WithParamInterface<bool> {
  protected:
-  /// A domain that no one uses; the runner locks it by its number.
+  /// An unused domain; the runner locks it by its number.
   static int free_domain() { return links::FreeDomain{}.id(); }
 
   static void expect_no_crash(const std::string& said) {
     EXPECT_EQ(said.find("signal "), std::string::npos) << said;
-    EXPECT_LT(said.size(), 4096U) << "a flood must not become one of messages";
+    EXPECT_LT(said.size(), 4096U) << "a flood must not cause a flood of messages";
   }
 
   std::string network() const { return GetParam() ? "[network]\nkeys = \"keys\"\n" : ""; }
 };
 
-TEST_P(Storm, LockstepGoesOnOrStopsWithItsOwnCode) {
+TEST_P(Storm, LockstepContinuesOrStopsWithItsOwnCode) {
   for (const std::uint32_t seed : {1U, 2U, 3U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const ScratchFolder folder;
@@ -180,14 +181,14 @@ TEST_P(Storm, LockstepGoesOnOrStopsWithItsOwnCode) {
     EXPECT_GT(storm.overheard(), 100);
     EXPECT_TRUE(run.exit_code == kSuccess || run.exit_code == kSystem) << run.exit_code << run.output;
     expect_no_crash(run.output);
-    // the hand-shake by which keys are proved is not signed yet: only before the start can a storm spoil a secured run
-    // without keys a forged type may end the start, too; what has moved all the same is looked at
+    // the handshake that proves the keys is not signed: a storm can disturb a secured run only before the start
+    // without keys a forged type may end the start, too; a robot that has moved is checked in any case
     const bool refused = !GetParam() && run.output.find("a peer has another message type") != std::string::npos;
     const bool started = run.output.find("not ready within") == std::string::npos && !refused;
     EXPECT_TRUE(started || run.exit_code == kSystem) << run.output;
     EXPECT_TRUE(!started || run.exit_code == kSuccess || !GetParam()) << run.output;
     EXPECT_EQ(run.leftovers, std::vector<std::string>{});
-    // when a forged message has made simulated time impossible, the world ends with it, wherever the arm is
+    // when a forged message stops simulated time, the world ends with it, at any position of the arm
     if (run.output.find("clock lost") != std::string::npos)
       EXPECT_EQ(run.motion.at("arm").limits_exceeded(), std::vector<std::string>{});
     else if (started || !run.motion.empty())
@@ -195,7 +196,7 @@ TEST_P(Storm, LockstepGoesOnOrStopsWithItsOwnCode) {
   }
 }
 
-TEST_P(Storm, RealTimeGoesOnOrStopsWithItsOwnCode) {
+TEST_P(Storm, RealTimeContinuesOrStopsWithItsOwnCode) {
   const ScratchFolder folder;
   const int domain = free_domain();
   const fs::path file = press_with(folder, network(), domain), motion = folder.path() / "motion";

@@ -1,5 +1,5 @@
-// One VSP that the MP and two ECPs ask at the same time, each in a rhythm of its own, and one that publishes for all of
-// them. That a client's readings are numbered in their order the programs hold: programs/several_clients.hpp.
+// One VSP with requests of the MP and two ECPs at the same time, each with its own period, and one that publishes for
+// all of them. The programs check the order of a client's readings: programs/several_clients.hpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 namespace mrroc::test {
 namespace {
 
-/// Whether `time` is that of `tick`: since the last zero before it, or since one taken at that very tick.
+/// Whether `time` is that of `tick`: since the last zero before it, or since a zero at the same tick.
 bool is_time(double time, double tick, const std::set<double>& zeros) {
   const auto next = zeros.lower_bound(tick);
   const double last = next == zeros.begin() ? 0 : *std::prev(next);
   return std::abs(time - (tick - last) * 0.002) < 1e-12 || (zeros.contains(tick) && time == 0);
 }
 
-TEST(SeveralClients, EachReadsAtItsOwnStepsWhatWasMeasuredForIt) {
+TEST(SeveralClients, EachReadsTheMeasurementsOfItsOwnSteps) {
   const ScratchFolder folder;
   const auto file = folder.write("clients.toml", clients_deployment("clients", kTime, kTime)),
              trace = folder.path() / "trace";
@@ -32,7 +32,7 @@ TEST(SeveralClients, EachReadsAtItsOwnStepsWhatWasMeasuredForIt) {
   }
   EXPECT_EQ(hashes.size(), 1u);
 
-  std::set<double> zeros;  // taken by one, they are everybody's
+  std::set<double> zeros;  // a zero of one client applies to all
   for (const char* client : {"mp", "left"})
     zeros.insert(numbers_after(output, client + std::string(" | zero at ")).at(0));
   std::map<double, std::set<std::string>> asked;
@@ -52,7 +52,7 @@ TEST(SeveralClients, EachReadsAtItsOwnStepsWhatWasMeasuredForIt) {
     EXPECT_GT(steps.back().shared, *zeros.rbegin());
   }
   EXPECT_GT(std::count_if(asked.begin(), asked.end(), [](const auto& tick) { return tick.second.size() > 1; }), 10)
-      << "two hardly ever ask for the same tick";
+      << "two clients hardly ever request the same tick";
 }
 
 }  // namespace

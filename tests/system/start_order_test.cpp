@@ -18,7 +18,7 @@ TEST(StartOrder, LaunchesInRandomOrderWithRandomDelaysAllSucceed) {
   }
 }
 
-TEST(StartOrder, TheSameInRealTimeWithATaskThatMoves) {
+TEST(StartOrder, TaskInMotionInRealTimeSucceedsToo) {
   const ScratchFolder folder;
   const auto deployment = folder.write("caught.toml", faulty_deployment("caught", "real"));
   for (int seed = 1; seed <= tries(5, 10); ++seed) {

@@ -1,4 +1,4 @@
-// Tasks as state machines, through `mrroc run`, and their errors.
+// Tasks as state machines, with `mrroc run`, and their errors.
 #include <gtest/gtest.h>
 
 #include "system/mrroc_run.hpp"
@@ -25,7 +25,7 @@ std::filesystem::path shuttle(const ScratchFolder& folder, const std::string& fr
   return folder.write("shuttle.toml", deployment);
 }
 
-/// The states of a run, in the order in which they were entered.
+/// The states of a run, in the order of their entry.
 std::string states_of(const std::string& output) {
   std::string states;
   const std::string key = "mp: state ";
@@ -34,7 +34,7 @@ std::string states_of(const std::string& output) {
   return states;
 }
 
-TEST(StateMachine, GoesFromStateToStateAndIsTheSameOnEveryRun) {
+TEST(StateMachine, EntersItsStatesInOrderEquallyInEveryRun) {
   const ScratchFolder folder;
   std::vector<std::string> hashes;
   for (const std::string name : {"first", "second"}) {
@@ -49,20 +49,20 @@ TEST(StateMachine, GoesFromStateToStateAndIsTheSameOnEveryRun) {
   EXPECT_EQ(states_of(real), "bring both more back bring both more home ") << real;
 }
 
-TEST(StateMachine, EntersAStateNoOftenerThanItMay) {
+TEST(StateMachine, EntersAStateNoMoreOftenThanAllowed) {
   const ScratchFolder folder;
   const std::string output = run_mrroc({"run", shuttle(folder, "", "", {"yes"}).string()}, 0);
   EXPECT_EQ(states_of(output), "bring both more back bring both more back bring both more back bring both more home ")
       << output;
 }
 
-TEST(StateMachine, GoesOnWhenTheFirstHasEndedAndStopsTheOther) {
+TEST(StateMachine, ContinuesAtTheEndOfTheFirstAndStopsTheOther) {
   const ScratchFolder folder;
   const std::string output = run_mrroc({"run", shuttle(folder, "until = \"all\"", "until = \"any\"").string()}, 0);
   EXPECT_EQ(states_of(output), "bring both more back bring both more home ") << output;
 }
 
-TEST(StateMachine, AnErrorLeadsToAStateOfItsOwnOrEndsTheTask) {
+TEST(StateMachine, ErrorLeadsToItsOwnStateOrEndsTheTask) {
   const ScratchFolder folder;
   const std::string fast = "behaviour = \"Go\", position = 9.0, speed = 2.0";
   const std::string handled =
@@ -92,7 +92,7 @@ TEST(StateMachine, IsCheckedBeforeAnythingStarts) {
        "states.bring.start[0].position"},
       {"behaviour = \"Bring\", position = 0.1", "behaviour = \"Bring\", position = 0.1, sped = 1.0",
        "states.bring.start[0].sped"},
-      {"HalfWay = \"both\"", "Whole = \"both\"", "no robot that this state starts tells it, expected 'HalfWay'"},
+      {"HalfWay = \"both\"", "Whole = \"both\"", "no robot that this state starts sends it, expected 'HalfWay'"},
       {"no = \"home\"", "no = \"hom\"", "states.more.no"},
       {"until = \"all\"", "until = \"some\"", "states.both.until"},
       {"next = \"more\"", "next = \"bring\"", "no transition leads to this state"},

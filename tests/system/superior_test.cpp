@@ -1,4 +1,4 @@
-// An MP and the programs of the ECPs that it has started: an error that comes meanwhile, and stopping one of them.
+// An MP and the programs of the ECPs that it has started: an error during its own Move, and the stop of one of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace mrroc::test {
 namespace {
 
-TEST(Superior, IsToldOnceOfAnEcpThatFailsWhileItMovesAnotherRobotAndCanStopOne) {
+TEST(Superior, ReceivesAnEcpErrorOnceDuringItsOwnMoveAndCanStopAnother) {
   const ScratchFolder folder;
   const std::string program = "program = \"" MRROC_BINARY_DIR "/tests/",
                     belt = "type = \"conveyor\"\nhardware = \"loopback\"\n",
@@ -19,7 +19,7 @@ TEST(Superior, IsToldOnceOfAnEcpThatFailsWhileItMovesAnotherRobotAndCanStopOne) 
   for (const std::string clock : {"lockstep", "real"}) {
     const std::string output = run_mrroc({"run", file.string(), "--quiet", "--clock", clock}, 1);
     std::size_t from = 0;
-    for (const char* line : {"told: non-fatal error: a joint ", "process failing, device failing",
+    for (const char* line : {"reported: non-fatal error: a joint ", "process failing, device failing",
                              "moved on to 0.050 m", "refused: ", "steady stopped at 0.00 m/s"}) {
       const std::size_t at = output.find(line, from);
       EXPECT_NE(at, std::string::npos) << line << " in\n" << output;

@@ -1,4 +1,4 @@
-"""Deployments run under the conditions in which people and services start them: as users of every kind, with and
+"""Deployments run under the conditions of users and services: as users of every kind, with and
 without a home, on loopback devices of every kind, with closed standard files. As an ordinary user and as root.
 
 surroundings_test.py BUILD_FOLDER SOURCE_FOLDER
@@ -19,7 +19,7 @@ import unittest
 
 BUILD, SOURCE = (pathlib.Path(folder).resolve() for folder in sys.argv[1:3])
 MRROC = str(BUILD / "bin/mrroc")
-STRANGER = 54321  # a user of whom no file of this machine knows
+STRANGER = 54321  # a user that is in no file of this machine
 PATIENCE = 240
 os.environ["PATH"] += ":/usr/sbin:/sbin"
 
@@ -37,7 +37,7 @@ command = ["env"]
 
 
 def deployment(folder, clock="lockstep", more="", robot="", name="robot_type"):
-    """A task that is over at once, by an error of its own: exit code 1."""
+    """A task that ends at once with its own error: exit code 1."""
     file = folder / f"{name}.toml"
     general = f'[deployment]\nname = "{name}"\nclock = "{clock}"\nstart_timeout = 60\nheartbeat_timeout = 5\nlink_timeout = 5\n'
     file.write_text(general + more + ARM.format(build=BUILD) + robot, encoding="utf-8")
@@ -64,7 +64,7 @@ def run(command, **options):
 
 
 def other_users():
-    """Commands that become another user who may enter the build folder; for root only."""
+    """Commands that change to another user with access to the build folder; for root only."""
     if os.geteuid() != 0:
         return []
     users = [["setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups", "--inh-caps=-all", "--bounding-set=-all", "--"]
@@ -87,7 +87,7 @@ class Case(unittest.TestCase):
 
 
 class Users(Case):
-    """No part of a run needs root or a capability."""
+    """A run needs neither root nor a capability."""
 
     def users(self):
         return [without_capabilities() if os.geteuid() == 0 else [], as_nobody_known(), *other_users()]
@@ -108,7 +108,7 @@ class Users(Case):
                 self.expect([*user, MRROC, "run", hosts, "--black-box", ""], 1, "robot_type")
 
     def test_physics_in_a_container(self):
-        """As `docker run --user`: no entry in /etc/passwd, no home, a folder that may not be written."""
+        """As with `docker run --user`: no entry in /etc/passwd, no home, a read-only folder."""
         environment = {"PATH": os.environ["PATH"]}
         press = str(SOURCE / "tasks/press/press.toml")
         self.expect([*as_nobody_known(), MRROC, "run", press, "--black-box", ""], 0, "press succeeded", cwd="/", env=environment)
@@ -121,7 +121,7 @@ class Users(Case):
                             env={**environment, **home})
 
     def test_limits_of_locked_memory(self):
-        """None, one that suffices at first only, and one that may be raised: the run goes as without."""
+        """No limit, one that is sufficient only at first, and one that may be raised: the run behaves as without a limit."""
         hard = resource.getrlimit(resource.RLIMIT_MEMLOCK)[1]
         limits = [(0, 0), (64 << 10, 64 << 10), (0, hard), (100 << 20, 100 << 20), (500 << 20, 500 << 20), (0, resource.RLIM_INFINITY)]
         may_raise = run(["prlimit", "--memlock=unlimited", "true"]).returncode == 0  # CAP_SYS_RESOURCE
@@ -136,7 +136,7 @@ class Users(Case):
 
     def test_two_users_at_once(self):
         users = (self.users() + self.users())[-3:]
-        file = deployment(self.folder)  # one file for all: written once, before the first of them reads it
+        file = deployment(self.folder)  # one file for all, written before the first of them reads it
         runs = [subprocess.Popen([*user, MRROC, "run", file, "--black-box", ""], cwd=self.folder,
                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) for user in users]
         for one in runs:
@@ -145,7 +145,7 @@ class Users(Case):
 
 
 class Networks(Case):
-    """As root of a user namespace, in a network of its own."""
+    """As root of a user namespace, in a separate network."""
 
     def test_loopback_of_every_kind(self):
         for script in ("ip link set lo up", "ip link set lo up multicast on", "ip link set lo up mtu 576 multicast on",
@@ -166,7 +166,7 @@ class Networks(Case):
             with self.subTest(script=script):
                 file = deployment(self.folder, more=f'[network]\ninterface = "{name}"\nsecurity = false\n')
                 self.expect([*in_own_network(card + script), MRROC, "run", file, "--black-box", ""], 1, "robot_type")
-        if os.geteuid() == 0 and os.access("/dev/net/tun", os.W_OK):  # who may have a tunnel
+        if os.geteuid() == 0 and os.access("/dev/net/tun", os.W_OK):  # tunnels need root and the device
             script = ("ip link set lo up && ip tuntap add dev tun0 mode tun && ip address add 10.8.0.2 peer 10.8.0.1 dev tun0 && "
                       "ip link set tun0 up multicast off")
             file = deployment(self.folder, more='[network]\ninterface = "tun0"\nsecurity = false\n')
@@ -222,7 +222,7 @@ class StandardFiles(Case):
         self.assertEqual(done.returncode, expected.returncode, (subset, command))
 
     def test_every_program(self):
-        """At its end each program has /dev/null where a file was closed: a library that is loaded into it looks."""
+        """At its end each program has /dev/null in place of a closed file: a preloaded library checks it."""
         (self.folder / "look.c").write_text(LOOK, encoding="ascii")
         look = self.folder / "look.so"
         subprocess.run(["cc", "-shared", "-fPIC", "-o", look, self.folder / "look.c"], check=True)
@@ -260,7 +260,7 @@ class StandardFiles(Case):
                 self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
 
     def test_processes_of_a_run(self):
-        """Whatever is closed, every process of the run has the three files, and none of them is one of ours."""
+        """With any files closed, every process of the run has the three files, and none of them is a file of the framework."""
         for subset in SUBSETS:
             with self.subTest(subset=subset):
                 file = deployment(self.folder, "real", name="never")
@@ -285,7 +285,7 @@ class StandardFiles(Case):
 
 
 def family(pid):
-    """The process and its children that execute a program of their own by now."""
+    """The process and those of its children that already execute their own program."""
     try:
         children = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="ascii").split()
     except FileNotFoundError:

@@ -1,4 +1,4 @@
-// `mrroc trace check` on traces of real runs, as they are and spoilt.
+// `mrroc trace check` on traces of real runs, unchanged and mutated.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -19,7 +19,7 @@ using cli::trace::read_trace;
 using cli::trace::TraceText;
 
 constexpr int kHolds = 0, kViolated = 1, kMalformed = 2;
-constexpr int kPlaces = 10;  // where each mutation is tried
+constexpr int kPlaces = 10;  // places at which each mutation is tried
 
 /// The task press, paused in its search and ended by the operator.
 std::filesystem::path press_with_pause(const ScratchFolder& folder) {
@@ -32,13 +32,13 @@ std::filesystem::path press_with_pause(const ScratchFolder& folder) {
   return folder.write("press.toml", text);
 }
 
-/// A test of this task runs it several times and checks its trace already.
+/// Another test runs this task several times and already checks its trace.
 bool is_run_by_its_test(const std::string& task) {
   return text_of(MRROC_SOURCE_DIR "/tests/system/tasks/" + task + "_test.cpp").find("expect_equal_runs(") !=
          std::string::npos;
 }
 
-/// The tasks whose deployment has their name and that no other test runs several times.
+/// The tasks with a deployment of their name that no other test runs several times.
 std::vector<std::string> other_tasks() {
   std::vector<std::string> names;
   for (const auto& folder : std::filesystem::directory_iterator(MRROC_SOURCE_DIR "/tasks")) {
@@ -58,7 +58,7 @@ bool says_that_all_rules_hold(std::string output) {
   return found == 4 && end == std::ssize(output) && steps > 0 && instructions > 0 && processes > 0 && rules > 0;
 }
 
-/// As if each process had failed at some of its steps: what its black box would have had keeps the rules, too.
+/// As if each process had failed at some of its steps: its black box would keep the rules, too.
 void expect_laws_of_black_boxes(const TraceText& whole) {
   constexpr std::size_t kSteps = 50, kBoxes = 20;
   std::set<std::string> processes;
@@ -76,7 +76,7 @@ void expect_laws_of_black_boxes(const TraceText& whole) {
 
 class TraceOfTask : public testing::TestWithParam<std::string> {};
 
-TEST_P(TraceOfTask, KeepsEveryRuleAndIsTheSameOnEveryRun) {
+TEST_P(TraceOfTask, KeepsEveryRuleAndIsEqualInEveryRun) {
   const ScratchFolder folder;
   const std::string& task = GetParam();
   const auto trace = expect_equal_runs("tasks/" + task + "/" + task + ".toml", folder).trace;
@@ -88,7 +88,7 @@ TEST_P(TraceOfTask, KeepsEveryRuleAndIsTheSameOnEveryRun) {
 INSTANTIATE_TEST_SUITE_P(Tasks, TraceOfTask, testing::ValuesIn(other_tasks()),
                          [](const auto& task) { return task.param; });
 
-/// Tries every mutation at some places of a trace. Returns the names of those for which it has a place.
+/// Tries every mutation at some places of a trace. Returns the names of those with a suitable place.
 std::set<std::string> spoil(const TraceText& original) {
   std::set<std::string> tried;
   fakes::check_property(kPlaces, [&] {
@@ -103,7 +103,7 @@ std::set<std::string> spoil(const TraceText& original) {
   return tried;
 }
 
-TEST(TraceCheck, EveryMutationOfARealTraceIsFound) {
+TEST(TraceCheck, FindsEveryMutationOfARealTrace) {
   const ScratchFolder folder;
   const auto press = folder.path() / "press.trace", paused = folder.path() / "paused.trace",
              pick = folder.path() / "pick.trace";
@@ -119,7 +119,7 @@ TEST(TraceCheck, EveryMutationOfARealTraceIsFound) {
   EXPECT_GT(tried.size(), 35U) << "of " << cli::trace::all_mutations().size();
 }
 
-TEST(TraceCheck, TellsViolationsNotesAndMalformedLines) {
+TEST(TraceCheck, ReportsViolationsNotesAndMalformedLines) {
   const ScratchFolder folder;
   const auto trace = folder.path() / "press.trace";
   run_mrroc({"run", "tasks/press/press.toml", "--quiet", "--trace", trace.string()}, 0);
@@ -140,7 +140,8 @@ TEST(TraceCheck, TellsViolationsNotesAndMalformedLines) {
             std::string::npos);
   const auto broken = folder.write("broken.trace", text.substr(0, text.find("step=100 ") + 200));
   EXPECT_NE(run_mrroc({"trace", "check", broken.string()}, kMalformed).find("broken.trace:"), std::string::npos);
-  EXPECT_NE(run_mrroc({"trace", "check", "README.md"}, kMalformed).find("README.md:1: is no trace"), std::string::npos);
+  EXPECT_NE(run_mrroc({"trace", "check", "README.md"}, kMalformed).find("README.md:1: is not a trace"),
+            std::string::npos);
   run_mrroc({"trace", "check", "no/such/trace"}, kMalformed);
   run_mrroc({"trace", "check"}, kMalformed);
 }

@@ -6,7 +6,7 @@
 
 namespace mrroc::test {
 
-/// The numbers, with commas between, that follow the first `field` of a line of a trace, up to the next blank: those of
+/// The numbers, separated by commas, that follow the first `field` of a line of a trace, up to the next blank: those of
 /// "pose=0.1,0.2". None when the line does not have the field.
 std::vector<double> numbers_after(const std::string& line, const std::string& field);
 

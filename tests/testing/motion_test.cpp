@@ -23,7 +23,7 @@ constexpr const char* kTwoRobots =
     "4 arm 1 0.1 0.2 0 0\n"
     "5 arm 1 0.1 0.";
 
-TEST(Motion, IsReadByRobotAndAnUnfinishedLineIsLeftOut) {
+TEST(Motion, IsReadByRobotAndAnUnfinishedLineIsIgnored) {
   const auto motions = read(kTwoRobots);
   ASSERT_EQ(motions.size(), 2U);
   const Motion& arm = motions.at("arm");
@@ -34,13 +34,13 @@ TEST(Motion, IsReadByRobotAndAnUnfinishedLineIsLeftOut) {
   EXPECT_EQ(motions.at("belt").ticks.size(), 1U);
 }
 
-TEST(Motion, StandstillIsWhereTheLastMotionEnds) {
+TEST(Motion, StandstillBeginsAtTheEndOfTheLastMotion) {
   const auto motions = read(kTwoRobots);
   EXPECT_EQ(motions.at("arm").standstill(), 3U);
   EXPECT_EQ(motions.at("belt").standstill(), kNever);
 }
 
-TEST(Motion, RestIsWhereTheRobotStandsForAWhile) {
+TEST(Motion, RestBeginsWhenTheRobotStandsForAWhile) {
   std::string text = "# limits arm -1 1 1\n";
   const auto add = [&text](Tick from, Tick to, const char* speed) {
     for (Tick tick = from; tick < to; ++tick) text += std::to_string(tick) + " arm 0 0 " + speed + "\n";
@@ -62,7 +62,7 @@ TEST(Motion, RestIsWhereTheRobotStandsForAWhile) {
   EXPECT_EQ(arm.at_rest(25, 0.6), 25U);
 }
 
-TEST(Motion, TellsEachPlaceBeyondALimit) {
+TEST(Motion, ReportsEachPositionBeyondALimit) {
   const auto motions = read(
       "# limits arm -1 1 0.5\n"
       "1 arm 0 1.005 0.54\n"
@@ -77,7 +77,7 @@ TEST(Motion, TellsEachPlaceBeyondALimit) {
   EXPECT_NE(places[2].find("tick 4, joint 1: position"), std::string::npos);
 }
 
-TEST(Motion, AllowsWhatARegulatorOvershootsAndMoreWhereAMotorDoesNotObey) {
+TEST(Motion, ToleratesAnOvershootAndMoreWithADisobedientMotor) {
   const Motion arm = read(
                          "# limits arm -1 1 0.5\n"
                          "1 arm 0 0 0.524\n"
@@ -89,7 +89,7 @@ TEST(Motion, AllowsWhatARegulatorOvershootsAndMoreWhereAMotorDoesNotObey) {
   EXPECT_EQ(arm.limits_exceeded(kDisobedience).size(), 1U);
 }
 
-TEST(Motion, AWrongLineIsNamed) {
+TEST(Motion, InvalidLineIsNamed) {
   for (const char* line : {"1 arm 0 0.1 0.2 0.3\n", "1 leg 0 0.1 0.2 0.3 0.4\n", "x\n"}) {
     try {
       read(std::string{"# limits arm -1 -2 1 2 0.5 0.6\n"} + line);

@@ -7,7 +7,7 @@
 namespace mrroc::task_test {
 namespace {
 
-/// A command in the place of `mrroc` that writes this trace, its argument after `--trace`.
+/// A command in place of `mrroc` that writes this trace to its argument after `--trace`.
 RunResult run_that_writes(const std::string& trace, const std::string& rest = "") {
   const ScratchFolder folder;
   const auto command = folder.write(
@@ -16,7 +16,7 @@ RunResult run_that_writes(const std::string& trace, const std::string& rest = ""
   return DeploymentRun(command, "some.toml").run();
 }
 
-TEST(DeploymentRun, AStepsTickIsItsOwnAndNotThatOfWhatItRead) {
+TEST(DeploymentRun, TickOfAStepIsNotThatOfItsReadings) {
   const auto run = run_that_writes(
       "mrroc trace\n"
       "tick=248 process=arm move=\"to the left\" step=3 robot=arm tick=240 end=condition\n");

@@ -13,13 +13,13 @@ class CountingSink : public ReadingSink {
   int given = 0;
 };
 
-TEST(Allocation, TheCounterCounts) {
+TEST(Allocation, CounterCounts) {
   const std::size_t before = test::thread_allocations();
   ::operator delete(::operator new(8));
   EXPECT_EQ(test::thread_allocations() - before, 1U);
 }
 
-TEST(Allocation, TheSamplerDoesNotAllocateAfterItsConstruction) {
+TEST(Allocation, SamplerDoesNotAllocateAfterItsConstruction) {
   FakeSource source;
   FakeSensor sensor;
   sensor.is_continuous = true;

@@ -7,7 +7,7 @@
 
 namespace mrroc::vsp {
 
-/// A source of one value, the tick; or whatever a test sets.
+/// A source of one value, the tick, unless a test sets another one.
 class FakeSource : public Source {
  public:
   SourceState read(Tick wanted, RawReading& raw) noexcept override {
@@ -24,7 +24,7 @@ class FakeSource : public Source {
   int reads = 0;
 };
 
-/// v = r - bias; remembers what it was asked.
+/// v = r - bias; records its calls.
 class FakeSensor : public VirtualSensor {
  public:
   std::vector<Channel> channels() const override { return {{"out", "1"}}; }
@@ -51,7 +51,7 @@ class FakeSensor : public VirtualSensor {
   std::size_t tracked_count = 0;
 };
 
-/// One thing that a sampler gave out.
+/// One output of a sampler.
 struct Given {
   Tick at = 0;         ///< tick of the call
   bool reply = false;  ///< else a publication

@@ -27,7 +27,7 @@ TEST(Noise, IsAFunctionOfNameTickAndStream) {
   const Noise a("wrist");
   const double first = a.normal(77, 2);
   const double uniform = a.uniform(77, 2);
-  normals(a, 0);  // what was asked before does not matter
+  normals(a, 0);  // earlier calls have no effect
   EXPECT_EQ(a.normal(77, 2), first);
   EXPECT_EQ(Noise("wrist").normal(77, 2), first);
   EXPECT_EQ(Noise("wrist").uniform(77, 2), uniform);

@@ -39,11 +39,11 @@ TEST(ReplaySource, HoldsEachLineUntilTheNext) {
     EXPECT_EQ(raw.values[0], 3);
     EXPECT_TRUE(std::isnan(raw.values[1]));
   }
-  ASSERT_EQ(source.read(15, raw), SourceState::ready);  // going back is allowed
+  ASSERT_EQ(source.read(15, raw), SourceState::ready);  // going back is permitted
   EXPECT_EQ(raw.values[0], 1.25);
 }
 
-TEST(ReplaySource, PlaysExactlyWhatWasWritten) {
+TEST(ReplaySource, ReplaysExactlyTheWrittenValues) {
   const task_test::ScratchFolder scratch;
   const bool ok = rc::check("the value at tick k is that of the last line with tick <= k", [&] {
     struct Line {
@@ -80,7 +80,7 @@ TEST(ReplaySource, PlaysExactlyWhatWasWritten) {
   EXPECT_TRUE(ok);
 }
 
-TEST(ReplaySource, BearsWhatEditorsAdd) {
+TEST(ReplaySource, AcceptsAdditionsOfEditors) {
   const task_test::ScratchFolder scratch;
   for (const char* const text :
        {"\xEF\xBB\xBF# mrroc readings a b\n5 1 2\n", "# mrroc readings a b\r\n5 1 2\r\n",
@@ -118,13 +118,13 @@ const Malformed kMalformed[] = {
      "r.txt:3: values: no readings, expected at least one line below the header"},
     {"# mrroc readings a b\n0 1 2\n# mrroc readings a b\n1 1 2\n",
      "r.txt:3: header: a second header, expected one, in the first line"},
-    {"# mrroc readings a b\n-1 1 2\n", "r.txt:2: tick: '-1' is no tick, expected a whole number of at least 0"},
-    {"# mrroc readings a b\n1.5 1 2\n", "r.txt:2: tick: '1.5' is no tick, expected a whole number of at least 0"},
+    {"# mrroc readings a b\n-1 1 2\n", "r.txt:2: tick: '-1' is not a tick, expected a whole number of at least 0"},
+    {"# mrroc readings a b\n1.5 1 2\n", "r.txt:2: tick: '1.5' is not a tick, expected a whole number of at least 0"},
     {"# mrroc readings a b\nx 1 2\n", "r.txt:2: tick: 'x' is not a number, expected a whole number of at least 0"},
     {"# mrroc readings a b\n18446744073709551615 1 2\n",
-     "r.txt:2: tick: '18446744073709551615' is no tick, expected a whole number of at least 0"},
+     "r.txt:2: tick: '18446744073709551615' is not a tick, expected a whole number of at least 0"},
     {"# mrroc readings a b\n99999999999999999999 1 2\n",
-     "r.txt:2: tick: '99999999999999999999' is no tick, expected a whole number of at least 0"},
+     "r.txt:2: tick: '99999999999999999999' is not a tick, expected a whole number of at least 0"},
     {"# mrroc readings a b\n5 1 2\n5 1 2\n", "r.txt:3: tick: 5 follows 5, expected a later tick"},
     {"# mrroc readings a b\n5 1 2\n\n4 1 2\n", "r.txt:4: tick: 4 follows 5, expected a later tick"},
     {"# mrroc readings a b\n5\n", "r.txt:2: values: 0, expected 2 after the tick"},
@@ -149,7 +149,7 @@ const Malformed kMalformed[] = {
      "r.txt:2: a: '\\x01' has \\x01 at character 1, expected a finite number or nan"},
 };
 
-TEST(ReplaySource, RefusesEveryMalformedFileNamingFileAndLine) {
+TEST(ReplaySource, RefusesEveryMalformedFileWithFileAndLine) {
   const task_test::ScratchFolder scratch;
   for (const Malformed& malformed : kMalformed) {
     const std::filesystem::path file = scratch.write("r.txt", malformed.text);
@@ -158,7 +158,7 @@ TEST(ReplaySource, RefusesEveryMalformedFileNamingFileAndLine) {
   }
 }
 
-TEST(ReplaySource, RefusesAFileThatCannotBeRead) {
+TEST(ReplaySource, RefusesAnUnreadableFile) {
   const task_test::ScratchFolder scratch;
   EXPECT_THROW(ReplaySource(scratch.path() / "none.txt", kTwo), config::ConfigurationError);
   EXPECT_THROW(ReplaySource(scratch.path(), kTwo), config::ConfigurationError);

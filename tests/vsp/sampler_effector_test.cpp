@@ -1,4 +1,4 @@
-// The state e_l of the robot that a sensor is mounted on: f_v sees that of the raw reading's own tick, or none.
+// The state e_l of the robot that carries a sensor: f_v receives that of the raw reading's own tick, or none.
 #include <gtest/gtest.h>
 
 #include "vsp/fakes.hpp"
@@ -6,7 +6,7 @@
 namespace mrroc::vsp {
 namespace {
 
-/// v = r minus the tick of e_l: 0 when both are of one tick.
+/// v = r minus the tick of e_l: 0 when both have the same tick.
 class DifferenceSensor : public FakeSensor {
  public:
   void effector_state(const RobotState& e) noexcept override { tick_ = e.tick; }
@@ -46,12 +46,12 @@ class SamplerEffector : public ::testing::Test {
   std::uint64_t requests_ = 0;
 };
 
-TEST_F(SamplerEffector, WhatIsDueWaitsForTheStateOfItsTick) {
+TEST_F(SamplerEffector, DueReadingWaitsForTheStateOfItsTick) {
   state(9);
   request(10);
   tick(10);
   EXPECT_TRUE(sink.given.empty());
-  EXPECT_EQ(source.reads, 0) << "the hardware is read when all is there";
+  EXPECT_EQ(source.reads, 0) << "the hardware is read when the state is there";
   state(10);
   tick(10);
   ASSERT_EQ(sink.given.size(), 1U);
@@ -60,7 +60,7 @@ TEST_F(SamplerEffector, WhatIsDueWaitsForTheStateOfItsTick) {
   EXPECT_EQ(sampler.next_wake(), kNever);
 }
 
-TEST_F(SamplerEffector, AReadingOfAnEarlierTickSeesTheStateOfThatTick) {
+TEST_F(SamplerEffector, ReadingOfAnEarlierTickGetsTheStateOfThatTick) {
   for (Tick k = 1; k <= 200; ++k) state(k);
   for (const Tick age : {Tick{0}, Tick{1}, Tick{40}}) {
     source.age = age;
@@ -71,7 +71,7 @@ TEST_F(SamplerEffector, AReadingOfAnEarlierTickSeesTheStateOfThatTick) {
   }
 }
 
-TEST_F(SamplerEffector, AMissedTickIsCoveredByTheStateBeforeIt) {
+TEST_F(SamplerEffector, PreviousStateReplacesAMissedTick) {
   state(10);
   state(13);
   source.age = 1;
@@ -81,7 +81,7 @@ TEST_F(SamplerEffector, AMissedTickIsCoveredByTheStateBeforeIt) {
   EXPECT_EQ(sink.given[0].reading.values[0], 2) << "12 beside 10";
 }
 
-TEST_F(SamplerEffector, WithoutAStateItIsNotReadyAfterATime) {
+TEST_F(SamplerEffector, IsNotReadyAfterATimeoutWithoutAState) {
   state(10);
   request(20);
   tick(20);
@@ -95,7 +95,7 @@ TEST_F(SamplerEffector, WithoutAStateItIsNotReadyAfterATime) {
   request(100);
   tick(100);
   ASSERT_EQ(sink.given.size(), 2U);
-  EXPECT_EQ(sink.given[1].reading.error.code, ErrorCode::none) << "the next one is judged by itself";
+  EXPECT_EQ(sink.given[1].reading.error.code, ErrorCode::none) << "the next reading is judged on its own";
 }
 
 }  // namespace

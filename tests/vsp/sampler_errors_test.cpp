@@ -16,7 +16,7 @@ class SamplerErrorsTest : public ::testing::Test {
     sampler.on_tick(now_, sink);
     return sink.given.back().reading;
   }
-  /// An error has a class, a code, a text and no usable value; the next reading is sound.
+  /// An error has a class, a code, a text and no usable value; the next reading is valid.
   void expect_error_then_recovery(ErrorClass error_class, ErrorCode code, const std::string& detail) {
     const SensorReading reading = read();
     EXPECT_EQ(reading.error.error_class, error_class);
@@ -41,13 +41,13 @@ class SamplerErrorsTest : public ::testing::Test {
   Tick now_ = 0;
 };
 
-TEST_F(SamplerErrorsTest, RawValuesThatAreNotFiniteAreAHardwareError) {
+TEST_F(SamplerErrorsTest, NonFiniteRawValuesAreAHardwareError) {
   source.bad = true;
   expect_error_then_recovery(ErrorClass::hardware, ErrorCode::sensor_hardware,
                              "raw value in is nan, expected a finite number");
 }
 
-TEST_F(SamplerErrorsTest, InfiniteRawValuesToo) {
+TEST_F(SamplerErrorsTest, InfiniteRawValuesAreAHardwareErrorToo) {
   source.bad = true;
   source.bad_value = -std::numeric_limits<double>::infinity();
   expect_error_then_recovery(ErrorClass::hardware, ErrorCode::sensor_hardware,
@@ -59,28 +59,28 @@ TEST_F(SamplerErrorsTest, TooFewRawValuesAreAHardwareError) {
   expect_error_then_recovery(ErrorClass::hardware, ErrorCode::sensor_hardware, "0 raw values, expected 1");
 }
 
-TEST_F(SamplerErrorsTest, ASilentSourceIsAHardwareError) {
+TEST_F(SamplerErrorsTest, SilentSourceIsAHardwareError) {
   source.state = SourceState::silent;
   expect_error_then_recovery(ErrorClass::hardware, ErrorCode::sensor_hardware, "silent at tick 2");
 }
 
-TEST_F(SamplerErrorsTest, ASourceThatIsNotReadyIsANonFatalError) {
+TEST_F(SamplerErrorsTest, SourceThatIsNotReadyIsANonFatalError) {
   source.state = SourceState::not_ready;
   expect_error_then_recovery(ErrorClass::non_fatal, ErrorCode::sensor_not_ready, "no hardware reading yet at tick 2");
 }
 
-TEST_F(SamplerErrorsTest, AnAggregateThatIsNotFiniteIsANonFatalError) {
+TEST_F(SamplerErrorsTest, NonFiniteAggregateIsANonFatalError) {
   sensor.write = false;
   expect_error_then_recovery(ErrorClass::non_fatal, ErrorCode::not_finite, "channel out is inf");
 }
 
-TEST_F(SamplerErrorsTest, ABiasOnAFaultyRawReadingLeavesTheZero) {
+TEST_F(SamplerErrorsTest, BiasOnAFaultyRawReadingKeepsTheZero) {
   source.bad = true;
   EXPECT_EQ(read(SensorRequestKind::bias).error.code, ErrorCode::sensor_hardware);
   EXPECT_EQ(sensor.zero, 0);
 }
 
-TEST_F(SamplerErrorsTest, AFaultyRawReadingIsNotTracked) {
+TEST_F(SamplerErrorsTest, FaultyRawReadingIsNotTracked) {
   sensor.is_continuous = true;
   source.bad = true;
   read();
@@ -104,7 +104,7 @@ struct TooManyRaw {
   static constexpr std::size_t channels = 1, raw = kMaxRawValues + 1;
 };
 
-TEST(SamplerConstruction, RefusesASensorThatAReadingCannotCarry) {
+TEST(SamplerConstruction, RefusesASensorThatDoesNotFitAReading) {
   FakeSource source;
   CountedSensor<NoChannels> none;
   CountedSensor<TooManyRaw> many;

@@ -10,7 +10,7 @@
 namespace mrroc::vsp {
 namespace {
 
-/// A request that a client makes at `arrival`.
+/// A request of a client at `arrival`.
 struct Asked {
   Tick arrival = 0;
   Tick measure_at = 0;
@@ -35,7 +35,7 @@ std::vector<Asked> asked_by_clients() {
   return all;
 }
 
-/// Runs a sampler as the shell does: it wakes when mail arrives, at `next_wake`, and, with `every_tick`, always.
+/// Runs a sampler like a VSP process: it wakes when mail arrives, at `next_wake`, and, with `every_tick`, always.
 std::vector<Given> run(const std::vector<Asked>& all, Tick period, bool continuous, bool every_tick) {
   FakeSource source;
   FakeSensor sensor;
@@ -73,7 +73,7 @@ TEST(SamplerLaws, EveryRequestIsAnsweredOnceAtItsTickInOrder) {
   }));
 }
 
-TEST(SamplerLaws, PublicationsAreAtEveryMultipleOfThePeriodWhateverIsAsked) {
+TEST(SamplerLaws, PublicationsAreAtEveryMultipleOfThePeriodForAnyRequests) {
   EXPECT_TRUE(rc::check([] {
     const Tick period = *rc::gen::inRange<Tick>(1, 30);
     Tick expected = 0;

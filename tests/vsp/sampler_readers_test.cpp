@@ -33,7 +33,7 @@ class BufferSink : public ReadingSink {
   core::SharedSlot<SensorReading> buffer;
 };
 
-// The original's non-interactive VSP held a lock over its aggregation: a reader waited for all of it.
+// The original's non-interactive VSP held a lock during its aggregation: a reader waited for its end.
 TEST(SamplerReaders, ReadTheLatestReadingDuringAnAggregation) {
   SlowSensor sensor;
   FakeSource source;
@@ -45,7 +45,7 @@ TEST(SamplerReaders, ReadTheLatestReadingDuringAnAggregation) {
   });
   sensor.begun.wait();
   SensorReading latest;
-  const bool there = sink.buffer.load(latest);  // hangs here if the reader had to wait for the aggregation
+  const bool there = sink.buffer.load(latest);  // would hang here if the reader waited for the aggregation
   sensor.may_end.count_down();
   vsp.join();
   ASSERT_TRUE(there);

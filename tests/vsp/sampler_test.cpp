@@ -35,7 +35,7 @@ TEST_F(SamplerTest, AnswersARequestAtItsTickWithThatTicksReading) {
   tick(5);
   tick(11);
   EXPECT_TRUE(sink.given.empty());
-  EXPECT_EQ(source.reads, 0);  // nothing is measured before its time
+  EXPECT_EQ(source.reads, 0);  // no measurement before its tick
   tick(12);
   ASSERT_EQ(sink.given.size(), 1U);
   const SensorReading& reading = sink.given[0].reading;
@@ -47,16 +47,16 @@ TEST_F(SamplerTest, AnswersARequestAtItsTickWithThatTicksReading) {
   EXPECT_EQ(sampler.next_wake(), kNever);
 }
 
-TEST_F(SamplerTest, AnswersAtOnceWhatIsDueOrLate) {
+TEST_F(SamplerTest, AnswersDueOrLateRequestsAtOnce) {
   request(0, {SensorRequestKind::reading, 0}, 5);
   request(1, {SensorRequestKind::reading, 5}, 5);
   EXPECT_LE(sampler.next_wake(), 5U);
   tick(5);
   ASSERT_EQ(sink.given.size(), 2U);
-  EXPECT_EQ(sink.given[0].reading.tick, 5U);  // the hardware of now, not of the past
+  EXPECT_EQ(sink.given[0].reading.tick, 5U);  // the present reading, not a past one
 }
 
-TEST_F(SamplerTest, GivesAllCallersOfATickTheSameReading) {
+TEST_F(SamplerTest, AllRequestsOfATickGetTheSameReading) {
   for (std::size_t client = 0; client < 3; ++client) request(client, {SensorRequestKind::reading, 7}, 1);
   tick(7);
   ASSERT_EQ(sink.given.size(), 3U);
@@ -68,7 +68,7 @@ TEST_F(SamplerTest, GivesAllCallersOfATickTheSameReading) {
   }
 }
 
-TEST_F(SamplerTest, BiasesAtItsPlaceInTheOrder) {
+TEST_F(SamplerTest, BiasIsExecutedInTheOrderOfRequests) {
   request(0, {SensorRequestKind::reading, 0}, 9);
   request(1, {SensorRequestKind::bias, 0}, 9);
   request(2, {SensorRequestKind::reading, 0}, 9);
@@ -82,7 +82,7 @@ TEST_F(SamplerTest, BiasesAtItsPlaceInTheOrder) {
   EXPECT_EQ(sink.given[2].reading.sequence, 2U);
 }
 
-TEST_F(SamplerTest, TellsOnlyItsCallerThatASensorHasNoZero) {
+TEST_F(SamplerTest, ReportsAMissingZeroOnlyToItsCaller) {
   sensor.can_bias = false;
   request(0, {SensorRequestKind::bias, 0}, 9);
   request(1, {SensorRequestKind::reading, 0}, 9);
@@ -94,7 +94,7 @@ TEST_F(SamplerTest, TellsOnlyItsCallerThatASensorHasNoZero) {
   EXPECT_EQ(sink.given[1].reading.values[0], 9);
 }
 
-TEST_F(SamplerTest, AnswersOneRequestTooManyAtOnceWithBusy) {
+TEST_F(SamplerTest, AnswersExcessRequestAtOnceWithBusy) {
   for (std::size_t client = 0; client < Sampler::kMaxPending; ++client) {
     request(client, {SensorRequestKind::reading, 100}, 1);
   }
@@ -107,7 +107,7 @@ TEST_F(SamplerTest, AnswersOneRequestTooManyAtOnceWithBusy) {
   EXPECT_EQ(sink.given.size(), 1U + Sampler::kMaxPending);
 }
 
-TEST_F(SamplerTest, PublishesOnAGridThatIsNeverRephased) {
+TEST_F(SamplerTest, PublishesOnAFixedGrid) {
   Sampler publisher(sensor, source, 10);
   EXPECT_EQ(publisher.next_wake(), 0U);
   for (const Tick now : {0U, 5U, 10U, 13U, 47U, 50U, 60U}) tick(publisher, now);

@@ -21,7 +21,7 @@ world::HardwareReading hardware_reading(Tick tick, std::vector<double> values) {
   return reading;
 }
 
-TEST(SimulatedSource, GivesTheNewestReadingOfItsSlotThroughSharedMemory) {
+TEST(SimulatedSource, ReadsTheNewestReadingOfItsSlotFromSharedMemory) {
   const world::MappedWorld world = world::MappedWorld::create();
   const world::MappedWorld mine = world::MappedWorld::attach(world.fd());
   SimulatedSource source(*mine, 3, 50);
@@ -34,7 +34,7 @@ TEST(SimulatedSource, GivesTheNewestReadingOfItsSlotThroughSharedMemory) {
   EXPECT_EQ(raw.values[0], 1.5);
   EXPECT_EQ(raw.values[1], -2.5);
   world->readings[3].store(hardware_reading(8, {3.5, 0}));
-  ASSERT_EQ(source.read(7, raw), SourceState::ready);  // ahead of what was wanted: its own tick
+  ASSERT_EQ(source.read(7, raw), SourceState::ready);  // ahead of the requested tick: its own tick
   EXPECT_EQ(raw.tick, 8U);
   EXPECT_EQ(raw.values[0], 3.5);
 }
@@ -48,7 +48,7 @@ TEST(SimulatedSource, IsNotReadyBeforeTheFirstReadingThenSilent) {
   EXPECT_EQ(source.read(51, raw), SourceState::silent);
 }
 
-TEST(SimulatedSource, IsSilentWhenReadingsStopAndReadyWhenTheyComeAgain) {
+TEST(SimulatedSource, IsSilentWhenReadingsStopAndReadyWhenTheyReturn) {
   const auto world = std::make_unique<world::WorldMemory>();
   SimulatedSource source(*world, 0, 50);
   RawReading raw;
@@ -60,12 +60,12 @@ TEST(SimulatedSource, IsSilentWhenReadingsStopAndReadyWhenTheyComeAgain) {
   EXPECT_EQ(source.read(151, raw), SourceState::ready);
 }
 
-TEST(SimulatedSource, RefusesASlotThatTheWorldDoesNotHave) {
+TEST(SimulatedSource, RefusesAnUnknownSlot) {
   const auto world = std::make_unique<world::WorldMemory>();
   EXPECT_THROW(SimulatedSource(*world, world::kMaxSensors, 50), SystemError);
 }
 
-TEST(MakeSource, ChoosesWhatTheDeploymentAsksFor) {
+TEST(MakeSource, SelectsTheSourceOfTheDeployment) {
   const auto world = std::make_unique<world::WorldMemory>();
   world->readings[1].store(hardware_reading(0, {4}));
   config::SensorEntry entry;

@@ -15,7 +15,7 @@ bool enter_on(MessageSchema schema);
 bool enter_tells(std::string_view label);
 }  // namespace detail
 
-/// The behaviours of one ECP program: what it does for a message of each type. The task's thread.
+/// The behaviours of one ECP program: one action for each type of message. The task's thread.
 class Behaviours {
  public:
   template <MessageType B, class Handler>
@@ -26,17 +26,17 @@ class Behaviours {
       handler(unpack<B>(parcel));
     };
   }
-  /// Says that the program tells messages of type M.
+  /// Declares that the program sends messages of type M.
   template <MessageType M>
   static void tells() noexcept {
     declare(Tells<M>::kEntered);
   }
 
-  /// Does what the parcel asks for. Throws NonFatalError(invalid_argument) when no behaviour has its label, with those
-  /// there are, or its fields are others; and what the behaviour throws.
+  /// Runs the behaviour of the parcel's label. Throws NonFatalError(invalid_argument) when no behaviour has this label
+  /// (the message lists the labels), or its fields differ; and any exception of the behaviour.
   void run(const Parcel& parcel) const;
 
-  /// What the program, as it is linked, can be started with and tells, each by label. Any thread.
+  /// The labels of the linked program's behaviours and of the messages that it sends. Any thread.
   static config::ProgramBehaviours declared();
 
  private:

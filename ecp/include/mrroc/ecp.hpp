@@ -22,47 +22,47 @@ namespace mrroc::ecp {
 
 /// c_l: the program of one effector. Derive, declare the robot and the sensors as members built from `*this`, write
 /// `run()`, or behaviours (`on<Pick>(...)` in the constructor), or both, and end the file with `MRROC_ECP(YourTask)`.
-/// The ECP starts it when the MP says so: `run()` by `start("arm")`, a behaviour by `start("arm", Pick{...})`. While it
-/// runs, commands of MP-level Moves to this robot are refused (`busy`); when none runs, the ECP is transparent: it
-/// relays them to the EDP.
+/// The ECP starts it when the MP commands it: `run()` by `start("arm")`, a behaviour by `start("arm", Pick{...})`.
+/// While it runs, commands of MP-level Moves to this robot are refused (`busy`); when none runs, the ECP is
+/// transparent: it relays them to the EDP.
 class Task : public process::TaskProcess {
  public:
   /// Called by the framework only.
   Task();
 
-  /// The program; by default nothing. What it throws ends it, as it ends a behaviour: an Error is reported to the MP
-  /// with its class; `Stopped` is a stop.
+  /// The program; empty by default. An exception ends it, as it ends a behaviour: an Error is reported to the MP with
+  /// its class; `Stopped` is a stop.
   virtual void run() {}
-  /// Runs what the last `start` asked for. When it leaves its robot in motion by a stop or an error, the robot comes to
-  /// rest before that is thrown on: what the MP starts next begins from rest.
+  /// Runs the program or behaviour of the last `start`. When a stop or an error leaves the robot in motion, the robot
+  /// comes to rest before the exception is rethrown: the next start begins from rest.
   void run_started();
 
   /// This ECP's own robot when `requested` is empty; no other robot exists in an ECP (NonFatalError).
   std::string robot_name(const std::string& requested) const override;
 
-  /// Relays the MP's commands to the EDP until none is left. Between runs.
+  /// Relays all waiting commands of the MP to the EDP. Between runs.
   void relay();
 
  protected:
-  /// What this program does when the MP starts it with a B, a type declared with MRROC_MESSAGE. In the constructor.
+  /// Sets the action for a start by the MP with a B, a type declared with MRROC_MESSAGE. In the constructor.
   template <MessageType B, class Handler>
   void on(Handler handler) {
     behaviours_.on<B>(std::move(handler));
   }
-  /// Tells the MP, whose task gets it with `take<M>("arm")`. Does not wait.
+  /// Sends a message to the MP, whose task gets it with `take<M>("arm")`. Does not wait.
   template <MessageType M>
   void tell(const M& message) {
     Behaviours::tells<M>();
     tell_parcel(pack(message));
   }
-  /// The oldest message of this type that the MP has told this program since it was started and that was not taken.
+  /// The oldest message of this type that the MP has sent to this program since its start and that was not taken.
   /// Neither waits nor allocates: for a generator or a condition too.
   template <MessageType M>
   std::optional<M> take() {
     Parcel parcel;
     return mailbox().take(label_of<M>(), parcel) ? std::optional<M>(unpack<M>(parcel)) : std::nullopt;
   }
-  /// Whether there is one. For conditions: When{"corrected", [this] { return heard<Correction>(); }}.
+  /// Whether there is such a message. For conditions: When{"corrected", [this] { return heard<Correction>(); }}.
   template <MessageType M>
   bool heard() noexcept {
     return mailbox().has(label_of<M>());
@@ -74,7 +74,7 @@ class Task : public process::TaskProcess {
 
  private:
   void tell_parcel(const Parcel& parcel);
-  /// Holds the robot until it rests or says why it cannot.
+  /// Holds the robot until it rests or reports why it cannot.
   void come_to_rest();
 
   Behaviours behaviours_;

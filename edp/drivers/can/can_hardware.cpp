@@ -17,7 +17,7 @@ constexpr double kBetweenStops = 0.1;  // s
 
 std::int64_t ns(double seconds) { return std::llround(seconds * 1e9); }
 
-/// What the drives send, and what only their master may.
+/// The frames of the drives, and those that only their master may send.
 std::vector<can::Filter> filters_for(const std::vector<Drive>& drives, NodeId master) {
   std::vector<can::Filter> filters{{kNmt, 0x7ff}, {kSync, 0x7ff}, {kHeartbeat + master, 0x7ff}};
   for (const Drive& drive : drives)
@@ -27,7 +27,7 @@ std::vector<can::Filter> filters_for(const std::vector<Drive>& drives, NodeId ma
   return filters;
 }
 
-/// Nothing of either kind goes by.
+/// After these errors the bus passes no frames in either direction.
 bool stops_the_bus(BusError error) noexcept { return error == BusError::bus_off || error == BusError::down; }
 
 }  // namespace
@@ -36,7 +36,7 @@ CanHardware::CanHardware(config::DriveTable table, const RobotParameters& robot,
                          std::unique_ptr<can::Bus> bus, Timing timing, bool synchronised)
     : table_(std::move(table)), period_(period), bus_(std::move(bus)), timing_(timing), synchronised_(synchronised) {
   if (table_.absolute_encoders && synchronised)
-    for (config::DriveEntry& entry : table_.drives) entry.homing.method = 0;  // no one will ask for it
+    for (config::DriveEntry& entry : table_.drives) entry.homing.method = 0;  // homing is not used
   for (std::size_t i = 0; i < robot.axes.size(); ++i)
     drives_.emplace_back(table_, table_.drives[i], period, robot.axes[i].motor_synchro);
   heartbeat_ticks_ = std::max<Tick>(1, static_cast<Tick>(table_.heartbeat / period));
@@ -44,7 +44,7 @@ CanHardware::CanHardware(config::DriveTable table, const RobotParameters& robot,
   bus_->filter(filters_for(drives_, table_.master));
 }
 
-/// The drives need not wait for our heartbeat to fail. A command that they take at the next SYNC needs one.
+/// Stops the drives before our heartbeat fails. A command that drives apply at the next SYNC needs a SYNC.
 CanHardware::~CanHardware() {
   for (Drive& drive : drives_) {
     drive.enable(false, tick_);
@@ -79,14 +79,14 @@ void CanHardware::find(BusError error) noexcept {
 
 void CanHardware::take_error(const can::Frame& frame) noexcept {
   const BusError error = can::bus_error_of(frame);
-  // the kernel tells only once that the controller is off
+  // the kernel reports only once that the controller is off
   if (error == BusError::bus_off || error == BusError::recovered) bus_off_ = error == BusError::bus_off;
   const bool grave = error == BusError::bus_off || error == BusError::passive || error == BusError::overflow ||
                      error == BusError::no_acknowledge || error == BusError::transceiver;
   if (grave) find(error);
 }
 
-/// Who sends does not hear himself: such a frame is another master's.
+/// SocketCAN does not return our own frames, so such a frame comes from another master.
 bool CanHardware::is_of_a_master(const can::Frame& frame) const noexcept {
   if (frame.remote || frame.fd) return false;
   return frame.id == kNmt || frame.id == kSync || frame.id == kHeartbeat + table_.master ||
@@ -98,7 +98,7 @@ void CanHardware::dispatch(const can::Frame& frame) noexcept {
   if (frame.error) return take_error(frame);
   bus_off_ = false;
   if (is_of_a_master(frame)) {
-    foreign_sync_ = foreign_sync_ || frame.id == kSync;  // what the drives answer now may be of its time, not of ours
+    foreign_sync_ = foreign_sync_ || frame.id == kSync;  // answers may be to that SYNC
     return find(BusError::foreign_master);
   }
   can::Frame next;
@@ -107,18 +107,18 @@ void CanHardware::dispatch(const can::Frame& frame) noexcept {
     const bool has_booted = frame.id == kHeartbeat + drive.node() && next.size != 0;
     if (has_booted) return begin_set_up(drive, next);
     send(next);
-    // it watches our heartbeat from the first one on: it may not have power before
+    // it monitors our heartbeat from the first one on: it must not have power before
     if (next == nmt_frame(NmtCommand::start, drive.node())) send_heartbeat();
     return;
   }
 }
 
-/// Takes frames until every drive that is waited for has answered. False: the time was over before.
+/// Takes frames until every expected drive has answered. False: the timeout came first.
 bool CanHardware::await_all(std::int64_t deadline) noexcept {
   const auto waited_for = [](const Drive& drive) { return drive.awaited(); };
   can::Frame frame;
   while (std::any_of(drives_.begin(), drives_.end(), waited_for)) {
-    // a babbling node must not hold the tick up; what has come is not lost
+    // a babbling node must not delay the tick; received frames are not lost
     if (clock::monotonic_ns() > deadline || !bus_->receive(frame, deadline)) return false;
     dispatch(frame);
   }
@@ -127,7 +127,7 @@ bool CanHardware::await_all(std::int64_t deadline) noexcept {
 
 void CanHardware::send_heartbeat() noexcept { send(heartbeat_frame(table_.master, NmtState::operational)); }
 
-/// Who has lost his set-points may still hear this: his 6007h says what he does then.
+/// A drive that has lost its set-points may still receive this: its 6007h defines its reaction.
 void CanHardware::send_stops(Tick tick) noexcept {
   if (tick < next_stop_) return;
   for (const Drive& drive : drives_) {
@@ -137,13 +137,13 @@ void CanHardware::send_stops(Tick tick) noexcept {
   }
 }
 
-/// One cycle's SYNC and its answers. What is asked by SDO comes after them: it would hold the SYNC up.
+/// One cycle's SYNC and its answers. SDO requests come after them, because they would delay the SYNC.
 void CanHardware::synchronise(Tick tick) noexcept {
   tick_ = tick;
   const std::int64_t patience = ns(timing_.patience);
   const std::int64_t end_of_mail = clock::monotonic_ns() + patience;
   can::Frame frame;
-  // what came since the last cycle
+  // frames received since the last cycle
   while (clock::monotonic_ns() < end_of_mail && bus_->receive(frame, 0)) dispatch(frame);
   if (tick >= next_heartbeat_) {
     send_heartbeat();
@@ -159,7 +159,7 @@ void CanHardware::synchronise(Tick tick) noexcept {
   for (Drive& drive : drives_) drive.close_cycle();
   const bool answered =
       std::all_of(drives_.begin(), drives_.end(), [](const Drive& drive) { return drive.answered(); });
-  // after a SYNC without an answer the next one may be that one's, come late
+  // after a SYNC without an answer the next answer may be a late one to that SYNC
   if (answered && answered_ && !foreign_sync_) measured_ = tick;
   answered_ = answered;
   foreign_sync_ = false;
@@ -196,7 +196,7 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
     input.fault_axis = static_cast<int>(i);
     input.fault_detail = describe(fault);
   }
-  // of a single drive no one knows whether it is the drive or the bus
+  // with a single drive, a drive failure and a bus failure cannot be distinguished
   if (count > 1 && silent == drives_.size() && input.fault == ErrorCode::hardware_silent) {
     input.fault_axis = -1;
     input.fault_detail = driver_text(
@@ -222,7 +222,7 @@ void CanHardware::reset_fault() noexcept {
   bus_error_ = bus_off_ ? BusError::bus_off : BusError::none;
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     can::Frame next;
-    // of drives without power the servo wants them to be where it has seen them last and could believe it
+    // the servo expects drives without power at the last position that it accepted
     drives_[i].reset(tick_, position_[static_cast<Eigen::Index>(i)], next);
     if (next.size != 0) begin_set_up(drives_[i], next);
   }
@@ -237,8 +237,8 @@ void CanHardware::set_points(const JointVector& position, const JointVector& vel
   velocity_ = velocity;
 }
 
-/// Drives take different times to be on: none lets go of its axis before all could, and those that are on first hold
-/// theirs until the servo has all of them.
+/// Drives take different times to switch on: no drive releases its axis before all can, and those that are on first
+/// hold their axes until the servo has all of them.
 void CanHardware::write(Tick, const JointVector& current) noexcept {
   const auto is_on = [](const Drive& drive) { return drive.is_on(); };
   const bool all = std::all_of(drives_.begin(), drives_.end(), [](const Drive& drive) { return drive.may_operate(); });

@@ -14,21 +14,21 @@
 namespace mrroc::edp {
 
 /// The drives of a robot on a CAN bus, one CiA 402 node per axis. The servo's thread is the bus's only thread: `read`
-/// sends the SYNC and takes the drives' answers, `write` sends each its command, both also whatever keeps the network
-/// alive (heartbeats, NMT, and the set-up of a drive that comes back). A cycle is
+/// sends the SYNC and takes the drives' answers, `write` sends each its command; both also send heartbeats, NMT
+/// commands and the set-up of a drive that has restarted. A cycle is
 ///
 ///   SYNC, TPDO 1 of every drive (and TPDO 2 at each `status_every`-th SYNC), RPDO 1 to every drive.
 ///
-/// A drive that leaves up to `missed_max` SYNCs unanswered is where it would be if it had continued; then it is silent.
-/// What goes wrong on the bus or in a drive is a fault of the robot, with the axis and the drive's own code.
+/// The position of a drive that leaves up to `missed_max` SYNCs unanswered is extrapolated; then the drive is silent.
+/// An error on the bus or in a drive is a fault of the robot, with the axis and the drive's own code.
 ///
 /// `enable(false)` is a quick stop: drives that still turn slow down on their own ramp before they let go. The drives
-/// watch our heartbeat, so they do the same when this process dies.
+/// watch our heartbeat, so they also do this when this process dies.
 class CanHardware : public Hardware {
  public:
   struct Timing {
-    double patience;    ///< s of wall time that the drives get to answer a SYNC
-    bool real = false;  ///< ticks are those of the wall, and what was measured later than its tick is told as late
+    double patience;    ///< timeout for the answers to a SYNC, s of wall time
+    bool real = false;  ///< ticks follow the wall clock, and positions measured after their tick are reported as late
   };
 
   /// `period` in s. `synchronised`: positions are right from the start.
@@ -36,10 +36,9 @@ class CanHardware : public Hardware {
               Timing timing, bool synchronised);
   ~CanHardware() override;
 
-  /// Resets the drives' communication, waits for each to boot, takes the power of one that still has it, clears a fault
-  /// that it stands in, sets it up and starts it, until all answer a SYNC. Throws HardwareError that names drive, node
-  /// and what is wrong: no boot-up, no CiA 402 drive, power or a fault that stays, a setting that is refused, no
-  /// answer.
+  /// Resets the drives' communication, waits for each to boot, takes the power of a drive that still has it, clears a
+  /// fault, sets each drive up and starts it, until all answer a SYNC. Throws HardwareError that names drive, node and
+  /// problem: no boot-up, not a CiA 402 drive, power or a fault that stays, a rejected setting, no answer.
   void open() override;
   void enable(bool on) noexcept override;
   void reset_fault() noexcept override;
@@ -85,19 +84,19 @@ class CanHardware : public Hardware {
   Timing timing_;
   bool synchronised_;
   std::vector<Drive> drives_;
-  std::vector<bool> set_up_;  ///< of each drive, while they are started: since its last boot-up message
+  std::vector<bool> set_up_;  ///< of each drive, during the start: since its last boot-up message
   can::BusError bus_error_ = can::BusError::none;
   bool bus_off_ = false;  ///< the controller has left the bus, and has not come back yet
   Tick tick_ = 0;
-  std::int64_t origin_ = INT64_MAX;  ///< ns of the wall: tick 0, as the promptest SYNC shows it
+  std::int64_t origin_ = INT64_MAX;  ///< wall time of tick 0, ns, estimated from the SYNC with the least delay
   bool answered_ = true;             ///< by all drives, the last SYNC
   bool foreign_sync_ = false;        ///< another master's, in this cycle
-  Tick measured_ = 0;                ///< the last tick whose positions are neither guessed nor perhaps those of another
+  Tick measured_ = 0;                ///< the last tick whose positions are measured and certainly its own
   double late_ = 0;                  ///< of this cycle's last answer, servo periods after its tick
   Tick heartbeat_ticks_ = 0;
   Tick next_heartbeat_ = 0;
-  Tick next_stop_ = 0;     ///< of drives that defy their controlword
-  bool powering_ = false;  ///< `enable(true)` was asked for, and not all drives are on yet
+  Tick next_stop_ = 0;     ///< of drives that ignore their controlword
+  bool powering_ = false;  ///< `enable(true)` was called, and not all drives are on yet
   int homing_ = -1;        ///< axis
   JointVector position_, velocity_;
 };

@@ -1,4 +1,4 @@
-// How the driver brings its drives into service, before the servo's first tick.
+// Brings the drives into service before the servo's first tick.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +26,7 @@ constexpr std::uint32_t kProfile402 = 402;
 
 bool is_boot_up(const can::Frame& frame, NodeId node) { return frame == heartbeat_frame(node, NmtState::boot_up); }
 
-/// What is asked or written by SDO, once more without an answer: a drive that boots just then gives none.
+/// Repeats an SDO request once without an answer: a drive that is booting does not answer.
 template <class Transfer>
 auto patiently(Transfer transfer) {
   try {
@@ -62,10 +62,10 @@ void CanHardware::open() {
     drive.begin(0);
   }
   await_answers();
-  bus_error_ = BusError::none;  // resets that no one acknowledged, of drives without power yet
+  bus_error_ = BusError::none;  // from resets without acknowledgement, while drives had no power
 }
 
-/// A reset may reach a drive late, after the next one has been sent: it boots twice, and forgets what it was told.
+/// A reset may reach a drive late, after the next one has been sent: it boots twice, and loses its settings.
 void CanHardware::note(const can::Frame& frame) {
   if (frame.error) return take_error(frame);
   for (std::size_t i = 0; i < drives_.size(); ++i)
@@ -87,8 +87,8 @@ void CanHardware::set_up_all() {
   }
 }
 
-/// Every drive forgets how an earlier run has set its communication up. Its profile keeps state, error and values: a
-/// reset of the node would have some take seconds, and count again.
+/// Resets the communication that an earlier run has set up in every drive. Its profile keeps state, error and values: a
+/// reset of the node would take seconds in some drives, and they would count from zero again.
 void CanHardware::await_boot() {
   std::vector<bool> booted(drives_.size(), false);
   const auto missing = [&booted] { return std::find(booted.begin(), booted.end(), false); };
@@ -110,7 +110,7 @@ void CanHardware::await_boot() {
   }
 }
 
-/// One that a drive does not have it may take all the same, and stay in another.
+/// Checks the mode: a drive may accept a mode that it does not have, and stay in another.
 void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
   if (table_.eds.find(kSupportedModes) == nullptr) return;
   std::uint64_t supported = 0;
@@ -129,9 +129,9 @@ void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
                std::to_string(supported));
 }
 
-/// The drive's state, a moment after the last look.
+/// The drive's state, a moment after the last check.
 DriveState CanHardware::look_at(std::size_t axis, SdoClient& client) {
-  send(sync_frame());  // simulated drives may have no other time
+  send(sync_frame());  // simulated drives may advance only with it
   can::Frame frame;
   const std::int64_t next_look = clock::monotonic_ns() + kBetweenLooks;
   while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) note(frame);
@@ -139,7 +139,7 @@ DriveState CanHardware::look_at(std::size_t axis, SdoClient& client) {
   return drive_state(static_cast<std::uint16_t>(can::get(statusword, 0, 2)));
 }
 
-/// Its 6007h, or a program of its maker's, may have kept it on: what is written into it now it would follow at once.
+/// Its 6007h, or a program of its manufacturer, may have kept it on: it would follow values written now at once.
 void CanHardware::take_power(std::size_t axis, SdoClient& client) {
   const auto has_power = [](DriveState state) {
     return state == DriveState::operation_enabled || state == DriveState::quick_stop_active;
@@ -151,10 +151,10 @@ void CanHardware::take_power(std::size_t axis, SdoClient& client) {
     while (clock::monotonic_ns() < end)
       if (!has_power(look_at(axis, client))) return;
   }
-  fail(ErrorCode::drive_not_ready, axis, "keeps its power, whatever its controlword says");
+  fail(ErrorCode::drive_not_ready, axis, "keeps its power against its controlword");
 }
 
-/// An earlier run has left it without a heartbeat: where 6007h says so, it has slowed down and stands in a fault.
+/// An earlier run has left it without a heartbeat: depending on 6007h, it has slowed down and is in a fault.
 void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
   const NodeId node = drives_[axis].node();
   const std::int64_t end = clock::monotonic_ns() + std::llround(table_.switch_on_time * clock::kSecond);
@@ -170,7 +170,7 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
   try {
     code = static_cast<std::uint16_t>(can::get(client.upload(node, kErrorCode), 0, 2));
   } catch (const SdoError&) {
-    fail(ErrorCode::drive_fault, axis, "stays in its fault, and tells no error code");
+    fail(ErrorCode::drive_fault, axis, "stays in its fault, and reports no error code");
   }
   std::array<char, 8> number{};
   std::snprintf(number.data(), number.size(), "%04Xh", code);
@@ -178,7 +178,7 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
        std::string("stays in its fault: error code ").append(number.data()).append(", ").append(error_text(code)));
 }
 
-/// A PDO in use keeps its identifier (CiA 301), and the drive may have one of its own from its last set-up (1010h).
+/// A PDO in use keeps its identifier (CiA 301), and the drive may have its own from its last set-up (1010h).
 void CanHardware::free_pdos(std::size_t axis, SdoClient& client) {
   const NodeId node = drives_[axis].node();
   for (const std::uint16_t index :
@@ -202,7 +202,7 @@ void CanHardware::set_up(std::size_t axis) {
     send(nmt_frame(NmtCommand::enter_pre_operational, drive.node()));
     free_pdos(axis, client);
   } catch (const SdoError& error) {
-    if (!set_up_[axis]) return;  // it has booted meanwhile
+    if (!set_up_[axis]) return;  // it has booted in the meantime
     fail(error.abort() == SdoAbort::timeout ? ErrorCode::hardware_silent : ErrorCode::configuration, axis,
          error.what());
   }
@@ -220,7 +220,7 @@ void CanHardware::set_up(std::size_t axis) {
       asked_again = false;
     } else if (clock::monotonic_ns() > deadline) {
       if (asked_again) fail(ErrorCode::hardware_silent, axis, "no answer to writing " + drive.setup().setting().name);
-      asked_again = true;  // a frame may be lost, and this process may have been without a processor
+      asked_again = true;  // a frame may be lost, and this process may have been preempted
       next = drive.setup().again();
     } else {
       continue;
@@ -235,7 +235,7 @@ void CanHardware::set_up(std::size_t axis) {
   drive.setup().give_up();
 }
 
-/// At the servo's rate, until each has answered and told its switches.
+/// Runs cycles at the servo's rate until each drive has answered and reported its switches.
 void CanHardware::await_answers() {
   const auto ready = [](const Drive& drive) { return drive.answered() && drive.knows_switches(); };
   const std::int64_t between = std::llround(period_ * clock::kSecond);

@@ -11,7 +11,7 @@ using namespace canopen;
 
 namespace {
 
-/// A whole number that fits `Integer`; what is beyond it, or no number, becomes the nearest end or 0.
+/// A whole number that fits `Integer`; a value beyond it becomes the nearest end, a value that is not finite 0.
 template <class Integer>
 std::int64_t whole(double value) noexcept {
   if (!std::isfinite(value)) return 0;

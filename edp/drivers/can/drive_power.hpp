@@ -53,8 +53,8 @@ class DrivePower {
   /// The time for the last `enable` or `reset` has passed.
   bool is_late(Tick tick) const noexcept { return tick > since_ + switch_on_ticks_; }
   Tick switch_on_ticks() const noexcept { return switch_on_ticks_; }
-  /// State `now` is not the commanded one and there is no time left for it: the drive did not become on or did not stay
-  /// on, or keeps its power.
+  /// State `now` is not the commanded one and its time is over: the drive did not switch on, did not stay on, or keeps
+  /// its power.
   bool is_wrong(canopen::DriveState now, Tick tick) const noexcept;
   /// The drive keeps its power against its controlword.
   bool ignores_controlword(canopen::DriveState now) const noexcept;

@@ -27,7 +27,7 @@ class Settings {
   void add(Object object, std::int64_t value, std::uint8_t size) {
     settings_.push_back({object, to_text(object), value, size});
   }
-  /// Where the drive has it and takes a value, and its `objects` give no other one.
+  /// Adds the setting if the drive has the object, it is writable, and its `objects` do not set it.
   void add_known(Object object, std::int64_t value, std::uint8_t size) {
     // the table's own value may be there because the drive refuses ours
     const auto same = [object](const config::DriveSetting& own) { return own.object == object; };
@@ -47,7 +47,7 @@ class Settings {
     add({mapping, 0}, place, 1);
     add({parameters, 1}, identifier, 4);
   }
-  /// What else a drive would send on its own, as its EDS file has it, only fills the bus.
+  /// Other PDOs that a drive sends on its own, according to its EDS file, only fill the bus.
   void switch_off_pdos_from(std::uint16_t first) {
     const auto& entries = table_.eds.entries();
     const auto end = entries.lower_bound({kTransmitPdoMapping, 0});
@@ -65,8 +65,8 @@ class Settings {
   std::vector<config::DriveSetting> settings_;
 
  private:
-  /// What a drive sends needs no asking for; of what it receives the bit is reserved, and some take no other value than
-  /// their maker's.
+  /// The drive sends its transmit PDOs without a request. In receive PDOs the bit is reserved, and some drives accept
+  /// only their manufacturer's value.
   bool wants_bit_30(Object identifier) const {
     if (identifier.index >= kTransmitPdoParameters) return true;
     const ObjectEntry* const entry = table_.eds.find(identifier);
@@ -77,7 +77,7 @@ class Settings {
   const config::DriveEntry& drive_;
 };
 
-/// The servo period as 60C2h says it: a number up to 255, and an exponent of ten.
+/// The servo period in the form of 60C2h: a number up to 255, and an exponent of ten.
 std::array<int, 2> period_of(const config::DriveTable& table, double period) {
   for (int exponent = -3; exponent >= -6; --exponent) {
     const double number = period / std::pow(10.0, exponent);
@@ -85,7 +85,7 @@ std::array<int, 2> period_of(const config::DriveTable& table, double period) {
       return {static_cast<int>(std::lround(number)), exponent};
   }
   throw config::ConfigurationError(table.file, 0, "", "a servo period of " + std::to_string(period) + " s",
-                                   "up to 255 whole units of a power of ten, as CiA 402 object 60C2h says it");
+                                   "up to 255 whole units of a power of ten, as CiA 402 object 60C2h requires");
 }
 
 /// Of a shaft, rad/s, in velocity units as an object of 32 bits takes them.
@@ -129,7 +129,7 @@ std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table
   list.add_known(kQuickStopOption, kSlowDownAndDisable, 2);
   list.add_known(kFaultReactionOption, kSlowDownAndDisable, 2);
   list.add_known(kAbortConnectionOption, kFault, 2);
-  // makers differ in its sign: a drive counts from its home position, and we add where that is
+  // manufacturers differ in its sign: a drive counts from its home position, and we add that position
   if (!table.absolute_encoders) list.add_known(kHomeOffset, 0, 4);
   if (drive.homing.method != 0) {
     list.add_known(kHomingMethod, drive.homing.method, 1);

@@ -8,10 +8,10 @@
 
 namespace mrroc::edp {
 
-/// A node is lost when its heartbeat has been missing for so many of its periods: theirs to us, and ours to them.
+/// A node is lost when its heartbeat has been missing for so many periods; this applies to the drives and to us.
 inline constexpr int kMissedHeartbeats = 3;
 
-/// What the PDOs of every drive carry. RPDO 1 goes to a drive in each servo tick, TPDO 1 comes at each SYNC, TPDO 2 at
+/// The PDO mappings of every drive. RPDO 1 goes to a drive in each servo tick, TPDO 1 comes at each SYNC, TPDO 2 at
 /// each `status_every`-th one.
 struct DrivePdos {
   canopen::PdoMapping command;   ///< RPDO 1: controlword, target, mode
@@ -20,14 +20,14 @@ struct DrivePdos {
 };
 DrivePdos drive_pdos(canopen::DriveMode mode);
 
-/// All that is written into a drive before it is started, in this order: its PDOs, heartbeats, the servo period, the
-/// mode, quick stop and homing, then the table's own settings. Of what a drive may leave out or have fixed, only what
-/// its EDS file has as writable. Throws config::ConfigurationError: a servo period that CiA 402 cannot say.
+/// The settings written into a drive before it is started, in this order: its PDOs, heartbeats, the servo period, the
+/// mode, quick stop and homing, then the table's own settings. Of optional or constant objects, only those that its EDS
+/// file has as writable. Throws config::ConfigurationError for a servo period that CiA 402 cannot express.
 std::vector<config::DriveSetting> drive_settings(const config::DriveTable& table, const config::DriveEntry& drive,
                                                  double period);
 
-/// Writes the settings into a drive, one after the other, without waiting: its owner sends what it gives and hands it
-/// what comes. So a drive that has restarted can be set up while the others are being served. Allocates in the
+/// Writes the settings into a drive, one after the other, without waiting: its owner sends the requests and passes the
+/// answers to it. So a drive that has restarted can be set up during normal operation of the others. Allocates in the
 /// constructor only; never throws.
 class DriveSetup {
  public:
@@ -35,22 +35,22 @@ class DriveSetup {
 
   DriveSetup(canopen::NodeId node, std::vector<config::DriveSetting> settings);
 
-  /// Begins again; gives the first request.
+  /// Begins again; returns the first request.
   can::Frame start() noexcept;
-  /// The same after a look at what the drive still knows of an earlier set-up, the period of its heartbeat.
+  /// The same, but first reads whether the drive still has an earlier set-up: the period of its heartbeat.
   can::Frame resume() noexcept;
-  /// That look has shown another period: the drive has restarted since. Values that a drive keeps without power (1010h)
-  /// look as if it had not.
+  /// The read period differs: the drive has restarted since. Without this check, values that a drive stores without
+  /// power (1010h) would hide the restart.
   bool forgotten() const noexcept { return forgotten_; }
   /// The request under way once more: it was lost, or its answer was. A value of more than four bytes begins again.
   can::Frame again() noexcept { return looks_ ? look() : request(); }
-  /// Looks at a frame. True: it was an answer; `next` is to be sent when it has an identifier.
+  /// Takes a frame. True: it was an answer; `next` is to be sent when it has an identifier.
   bool take(const can::Frame& frame, can::Frame& next) noexcept;
-  /// Nothing is wanted any more.
+  /// Stops the set-up.
   void give_up() noexcept { status_ = Status::idle; }
 
   Status status() const noexcept { return status_; }
-  /// The setting under way, or the one that was refused.
+  /// The present setting, or the rejected one.
   const config::DriveSetting& setting() const noexcept { return settings_[place_]; }
   canopen::SdoAbort abort() const noexcept { return transfer_.abort(); }
 

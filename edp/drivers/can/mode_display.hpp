@@ -16,7 +16,7 @@ class ModeDisplay {
   static constexpr double kPause = 0.01;      ///< s between two requests
   static constexpr double kAnswerTime = 0.1;  ///< s to an answer; then the request is repeated
 
-  /// `there`: its EDS file has the object. `period` in s.
+  /// `there`: the drive's EDS file has the object. `period` in s.
   ModeDisplay(canopen::NodeId node, bool there, double period) noexcept;
 
   /// Commands this mode; what has been shown before is discarded.

@@ -7,8 +7,8 @@ namespace mrroc {
 
 class Task;
 
-/// `seconds` have gone by since the instruction began, in the deployment's time (simulated time under lockstep), in
-/// whole servo ticks. A time-out: pauses count, too. `ElapsedSteps` counts executed steps instead.
+/// `seconds` have passed since the instruction began, in the deployment's time (simulated time under lockstep), in
+/// whole servo ticks. A timeout: pauses count too. `ElapsedSteps` counts executed steps instead.
 class ElapsedTime : public Condition {
  public:
   /// Throws NonFatalError(invalid_argument) unless `seconds` is finite and not negative.

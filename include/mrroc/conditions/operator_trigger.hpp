@@ -11,7 +11,7 @@ class OperatorTrigger : public Condition {
  public:
   explicit OperatorTrigger(Task& task);
 
-  /// Forgets triggers from before the instruction.
+  /// Discards triggers given before the instruction.
   void start() override;
 
  protected:

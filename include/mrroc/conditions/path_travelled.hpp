@@ -5,9 +5,9 @@
 
 namespace mrroc {
 
-/// The way that the tool's measured position has gone since the instruction began is at least `length` (m) long: the
-/// sum of the distances from step to step. Ends what comes back to where it began; `Travelled` is the straight distance
-/// from there. A tool that trembles at rest adds to it.
+/// The path that the tool's measured position has covered since the instruction began is at least `length` (m) long:
+/// the sum of the distances from step to step. It also ends closed paths; `Travelled` is the straight distance from the
+/// start. Vibration of the tool at rest adds to the sum.
 class PathTravelled : public Condition {
  public:
   /// Throws NonFatalError(invalid_argument) unless `length` is finite and above 0.

@@ -7,8 +7,8 @@
 
 namespace mrroc {
 
-/// The tool's measured position is within `tolerance` (m) of a place in the robot's base frame; with a pose, its
-/// orientation is within `angle` (rad) of the pose's, too.
+/// The tool's measured position is within `tolerance` (m) of a position in the robot's base frame; with a pose, its
+/// orientation is also within `angle` (rad) of the pose's.
 class PositionReached : public Condition {
  public:
   /// Throw NonFatalError: not_finite, invalid_argument unless the tolerances are above 0 and the pose is rigid.

@@ -5,8 +5,8 @@
 
 namespace mrroc {
 
-/// The last reading of a sensor was measured more than `seconds` ago (`Sensor::age()`), or there is none yet. What a
-/// task that continues without a sensor's newest reading (polled, non-interactive) says about how long.
+/// The last reading of a sensor was measured more than `seconds` ago (`Sensor::age()`), or there is no reading yet.
+/// Limits how long a task continues without a new reading of a polled or non-interactive sensor.
 class ReadingOlderThan : public Condition {
  public:
   /// Throws NonFatalError(invalid_argument) unless `seconds` is finite and not negative.

@@ -11,15 +11,16 @@
 
 namespace mrroc {
 
-/// A sensor that measures a torque: `ForceTorque`, or one of yours.
+/// A sensor that measures a torque: `ForceTorque` or a user-defined class.
 template <class S>
 concept TorqueSensor = std::derived_from<S, Sensor> && requires(const S& sensor) {
   { sensor.torque() } -> std::convertible_to<Eigen::Vector3d>;
 };
 
-/// The torque is larger than `newton_metres`, whatever its direction: |t| > newton_metres. Of a robot it is that of
-/// `RobotState::wrench`, about the tool frame's origin (the robot needs `force_sensor` in the deployment); of a sensor
-/// its own, about the sensor's origin. What is not known yet (NaN) is not above anything.
+/// The torque is larger than `newton_metres` in any direction: |t| > newton_metres. For a robot it is the torque of
+/// `RobotState::wrench`, about the tool frame's origin (the robot needs `force_sensor` in the deployment); for a sensor
+/// it is the measured torque, about the sensor's origin. A torque that is not known yet (NaN) does not satisfy the
+/// condition.
 class TorqueAbove : public Condition {
  public:
   /// Throw NonFatalError(invalid_argument) unless `newton_metres` is finite and not negative.

@@ -5,8 +5,8 @@
 
 namespace mrroc {
 
-/// The force that the robot's own force sensor feels (`RobotState::wrench`) is at least `newtons` in norm. The robot
-/// needs `force_sensor` in the deployment; without it nothing is ever felt.
+/// The norm of the force that the robot's own force sensor measures (`RobotState::wrench`) is at least `newtons`. The
+/// robot needs `force_sensor` in the deployment; without it the condition never holds.
 class Touching : public Condition {
  public:
   /// Throws NonFatalError(invalid_argument) unless `newtons` is finite and above 0.

@@ -5,10 +5,10 @@
 
 namespace mrroc {
 
-/// The tool goes straight to a pose while it turns about one axis, both together:
+/// The tool moves straight to a pose while it rotates about one axis, both together:
 ///   p(s) = p0 + s (p1 - p0),   R(s) = exp([s phi]) R0,   phi = log(R1 R0^T), below pi,   s of 0..1.
-/// Constant speed, that of the slower of both, between jerk-limited ramps. See PathGenerator for limits, interruptions,
-/// and the start.
+/// The speed is constant between jerk-limited ramps and is that of the slower of both. See PathGenerator for limits,
+/// interruptions, and the start.
 class CartesianLine : public PathGenerator {
  public:
   /// `target`: of the tool frame in the robot's base frame. Throws NonFatalError(invalid_argument): a pose that is not

@@ -9,10 +9,10 @@
 
 namespace mrroc {
 
-/// One look for contact: from a place along a direction, so far at most. In the robot's base frame.
+/// One probe for contact: from a point along a direction, for a maximum distance. In the robot's base frame.
 struct Probe {
   Eigen::Vector3d start = Eigen::Vector3d::Zero();       ///< m
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< of any length but 0
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< of any nonzero length
   double distance = 0;                                   ///< m
 };
 
@@ -21,28 +21,28 @@ struct Probe {
 /// NonFatalError(invalid_argument).
 std::vector<Probe> grid_of_probes(const Pose& frame, int columns, int rows, double spacing, double distance);
 
-/// How contact is looked for.
+/// Parameters of a search for contact.
 struct Probing {
   double speed = 0.005;        ///< m/s, along a probe
-  double force = 3;            ///< N that make a contact, and that the place is measured with
+  double force = 3;            ///< N at which contact is detected and measured
   double travel_speed = 0.05;  ///< m/s, between the probes
   double acceleration = 0.1;   ///< m/s^2
-  bool first_only = false;     ///< ends at the first contact, the tool resting there
-  Load load{};                 ///< on the tool, in the tool frame: its weight is no contact
+  bool first_only = false;     ///< end at the first contact, with the tool at rest there
+  Load load{};                 ///< on the tool, in the tool frame: its weight is not contact
   Eigen::Vector3d gravity = standard_gravity();
 };
 
-/// Looks for contact by several probes, one after the other: goes straight to the start of each, from there along its
-/// direction until the tool presses with the contact force or the distance is over, lets it settle at that force, and
-/// goes back to the start. What is touched is the measured place of the tool frame's origin while it presses so: on a
-/// surface of stiffness k it lies force / k inside, everywhere alike. The tool keeps its orientation.
+/// Searches for contact by several probes, one after the other. For each probe the tool moves straight to its start,
+/// then along its direction until it presses with the contact force or has covered the distance, settles at that force,
+/// and returns to the start. The contact point is the measured position of the tool frame's origin during the press: on
+/// a surface of stiffness k it always lies force / k inside. The tool keeps its orientation.
 ///
 /// Along a probe the tool's axes are guarded as in `GuardedMotion`, so it must be a tip that touches with its tool
-/// frame's origin. On the ways between, too, it gives way to what it meets, and NonFatalError(force_limit) is thrown
-/// when that is more than twice the contact force.
+/// frame's origin. Between the probes, too, the tool gives way to force, and NonFatalError(force_limit) is thrown when
+/// the force is more than twice the contact force.
 ///
 /// Ends on its own after the last probe, at rest at its start; with `first_only` at the first contact. After a pause it
-/// continues with the probe that it was at. The robot needs `force_sensor` in the deployment; take its zero before.
+/// continues with the interrupted probe. The robot needs `force_sensor` in the deployment; bias the sensor first.
 class ContactSearch : public Generator {
  public:
   /// Throws NonFatalError(invalid_argument) without a probe, or for numbers that are not finite and above 0.
@@ -53,7 +53,7 @@ class ContactSearch : public Generator {
   bool terminal_condition() override { return phase_ == Phase::over; }
   void next_state() override;
 
-  /// For each probe where it has touched, base frame; nothing where it has not (yet).
+  /// For each probe its contact point, base frame; empty where it has not touched (yet).
   const std::vector<std::optional<Eigen::Vector3d>>& touched() const noexcept { return touched_; }
   /// Number of contacts so far.
   int count() const noexcept;
@@ -76,7 +76,7 @@ class ContactSearch : public Generator {
   int steps_ = 0;  ///< of the phase
   Eigen::Matrix3d orientation_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< as commanded last, base axes
-  int settled_ = 0;                                     ///< steps in a row that press with the contact force
+  int settled_ = 0;                                     ///< consecutive steps that press with the contact force
 };
 
 }  // namespace mrroc

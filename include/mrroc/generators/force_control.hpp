@@ -7,9 +7,9 @@
 namespace mrroc {
 
 /// Moves the tool under a force law that the robot's EDP follows at every servo tick, until a condition of
-/// `.until(...)` holds: it has no end of its own. Unguarded axes move with the given velocity, guarded ones too while
-/// nothing is in the way, contact axes press. The robot needs `force_sensor` in the deployment; `robot.bias_force()`
-/// before takes out the tool's weight.
+/// `.until(...)` holds; it does not end on its own. Unguarded axes move with the given velocity, guarded axes too while
+/// nothing is in contact, contact axes press. The robot needs `force_sensor` in the deployment; call
+/// `robot.bias_force()` first to remove the tool's weight.
 class ForceControl : public Generator {
  public:
   /// `linear` (m/s) and `angular` (rad/s) in tool axes. Throws NonFatalError(not_finite).

@@ -12,10 +12,10 @@ class Hold : public Generator {
   Hold(Robot& robot, double duration);
 
   void start() override;
-  /// A pause is no holding time.
+  /// A pause does not count as holding time.
   void resume() override;
   bool terminal_condition() override;
-  /// Writes nothing: a robot that its generator leaves alone holds.
+  /// Writes nothing: a robot without a command holds.
   void next_state() override {}
 
  private:

@@ -12,7 +12,7 @@ namespace mrroc {
 
 class VisualServo;
 
-/// Most point features of an image servo: what one reading's channels hold.
+/// Maximum number of point features of an image servo: the channels of one reading hold as many.
 inline constexpr int kMaxImagePoints = 8;
 
 /// Points of an image, one per column, in normalised coordinates: x = X / Z, y = Y / Z of the point (X, Y, Z) in camera
@@ -29,29 +29,30 @@ using ImageDepths = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1,
 ///       [  0    -1/Z  y/Z  1 + y^2   -x y      -x ]
 Eigen::Matrix<double, 2, 6> point_interaction(double x, double y, double depth) noexcept;
 
-/// Image-based visual servo of a camera that the tool carries: moves until the points of a target at rest are where
-/// they are wanted in the image,
+/// Image-based visual servo of a camera that the tool carries: moves until the points of a target at rest have their
+/// desired positions in the image,
 ///
 ///   v_c = -lambda L^+ (s - s*),
 ///
-/// L of the points as they are seen now and of the depths that are given, L^+ its pseudo-inverse. The camera's twist is
-/// turned into that of the tool frame: with R, p the camera's pose in it, w = R w_c, v = R v_c - w x p; it is scaled
-/// down as a whole to the limits. Four points and more fix the pose; three have up to four solutions and singular ones.
-/// Wrong depths change the way, not the place where it ends; far from it the way may lead points out of the image.
+/// with L of the points as measured now and of the given depths, and L^+ its pseudo-inverse. The camera's twist is
+/// transformed to the twist of the tool frame: with R, p the camera's pose in it, w = R w_c, v = R v_c - w x p; it is
+/// scaled down as a whole to the limits. Four or more points determine the pose; three have up to four solutions and
+/// singular ones. Wrong depths change the path but not the final pose; from far away the path may lead points out of
+/// the image.
 ///
-/// Ends on its own when no point is farther than `tolerance` from its place and the motion is at rest.
+/// Ends on its own when every point is within `tolerance` of its desired position and the motion is at rest.
 ///
-/// A target that is lost (the function gives nothing) lets the tool come to rest smoothly; it continues when there is
-/// one again. After `patience` steps in a row NonFatalError(sensor_not_ready) is thrown.
+/// When the target is lost (the function returns nothing), the tool comes to rest smoothly; it continues with the next
+/// measurement. After `patience` consecutive steps without the target NonFatalError(sensor_not_ready) is thrown.
 class ImageServo : public Generator {
  public:
-  /// The points as they are seen, in the order of the wanted ones; nothing while they are not. Called once per step,
+  /// The measured points, in the order of the desired ones; nothing while they are not visible. Called once per step,
   /// must not allocate.
   using Points = std::function<std::optional<ImagePoints>()>;
 
-  /// `wanted`: s*; `depths`: an estimate of Z of each point, best where it is wanted; `camera`: the camera frame in the
-  /// tool frame; `tolerance` in normalised coordinates. Throws NonFatalError(invalid_argument) for limits that are
-  /// none, other than 3..8 points, depths that are not above 0 or not as many, no function.
+  /// `wanted`: s*; `depths`: an estimate of Z of each point, ideally at its desired position; `camera`: the camera
+  /// frame in the tool frame; `tolerance` in normalised coordinates. Throws NonFatalError(invalid_argument) for invalid
+  /// limits, other than 3..8 points, depths that are not above 0 or not as many as points, no function.
   ImageServo(Robot& robot, Points points, const ImagePoints& wanted, const ImageDepths& depths,
              const Pose& camera = Pose::Identity(), const ServoLimits& limits = {}, double tolerance = 2e-3);
   ~ImageServo() override;
@@ -60,10 +61,11 @@ class ImageServo : public Generator {
 
   void start() override;
   bool terminal_condition() override;
-  /// Throws NonFatalError(invalid_argument) when there are not as many points as wanted.
+  /// Throws NonFatalError(invalid_argument) when the number of points differs from that of the desired ones.
   void next_state() override;
 
-  /// The largest distance of a point from its place in the last step, in normalised coordinates; NaN when not seen.
+  /// The largest distance of a point from its desired position in the last step, in normalised coordinates; NaN when
+  /// the points are not visible.
   double error() const noexcept;
 
  private:

@@ -10,24 +10,23 @@ namespace mrroc {
 class PathRunner;
 class RobotPath;
 
-/// What the generators that go along a path have in common: JointPath, PoseSpline, CartesianLine, CartesianArc,
-/// BlendedPath. The shape of the path is fixed in `start()`; then it is planned when the robot is where, under all
-/// limits together:
+/// Base class of the generators that follow a path: JointPath, PoseSpline, CartesianLine, CartesianArc, BlendedPath.
+/// `start()` fixes the shape of the path, then plans the timing along it under all limits together:
 ///
-/// - The tool's, where the generator has PathLimits, and the joints': 0.99 of the velocity, 0.9 of the acceleration and
-///   0.45 of the jerk limits, as JointLine (the EDP's polynomials overshoot a little). They hold all along the path; it
-///   is slower only where it has to be. Nearly time-optimal: src/language/paths/path_timing.hpp.
-/// - The joints are followed through the inverse kinematics before anything moves: a path that leaves the workspace, a
-///   joint's or a motor's range, or meets a singularity, is refused by `start()`: NonFatalError (out_of_workspace,
-///   joint_limit, motor_limit, singular) with the place.
+/// - The tool's limits, where the generator has PathLimits, and the joints': 0.99 of the velocity, 0.9 of the
+///   acceleration and 0.45 of the jerk limits, as JointLine (the EDP's polynomials overshoot a little). They hold along
+///   the whole path; the motion is slower only where necessary. Nearly time-optimal:
+///   src/language/paths/path_timing.hpp.
+/// - `start()` computes the joints by the inverse kinematics before anything moves. It refuses a path that leaves the
+///   workspace, a joint's or a motor's range, or meets a singularity: NonFatalError (out_of_workspace, joint_limit,
+///   motor_limit, singular) with the position on the path.
 ///
-/// It begins at the desired state. From a motion under way the robot first comes to rest, within its limits, and the
-/// path begins there. It ends on its own when the last macrostep has been commanded: at rest, exactly at the last pose.
+/// The path begins at the desired state. A moving robot first comes to rest within its limits, and the path begins
+/// there. The motion ends on its own when the last macrostep has been commanded: at rest, exactly at the last pose.
 ///
-/// A pause brings the robot to rest on its path, within all limits, and it continues along the rest from there. After a
-/// late command, or a pause on the way to the path, it stands beside it, since such a stop brakes each joint on its
-/// own: it is led straight in joint space to the nearest point of the path, not beyond the next waypoint, and goes
-/// along the rest from there, from rest.
+/// A pause brings the robot to rest on its path, within all limits, and it continues from there. A late command, or a
+/// pause before the path is reached, stops each joint on its own, beside the path. The robot then moves straight in
+/// joint space to the nearest point of the path, not beyond the next waypoint, and continues from there, from rest.
 ///
 /// Poses are commanded with twist and twist rate, joints with velocity and acceleration. Planning takes some
 /// milliseconds, in `start()` and `resume()`; a step allocates nothing.
@@ -43,12 +42,12 @@ class PathGenerator : public Generator {
   bool terminal_condition() override;
   void next_state() override;
 
-  /// Seconds that the whole motion takes, in whole macrosteps; after `start()`, and again after `resume()`.
+  /// Duration of the whole motion, s, in whole macrosteps; after `start()`, and again after `resume()`.
   double duration() const noexcept;
 
  protected:
   PathGenerator(Robot& robot, std::string name);
-  /// The path from `joints` on, where the robot rests then; null when there is no way to go.
+  /// The path from `joints` on, where the robot rests then; null when its length is 0.
   virtual std::unique_ptr<RobotPath> path_from(const JointVector& joints) = 0;
   Robot& robot() const noexcept { return *robot_; }
 

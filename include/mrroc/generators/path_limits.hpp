@@ -2,9 +2,9 @@
 
 namespace mrroc {
 
-/// How fast the tool goes along a path: the most of position and orientation each, as lengths of vectors; the jerks are
-/// 10 / s times the accelerations. The generators of paths keep the limits of the robot's joints, too: the path is
-/// slower where a joint would be too fast.
+/// Limits of the tool along a path: maximum norms for position and for orientation; the jerk limits are 10 / s times
+/// the accelerations. The path generators also keep the limits of the robot's joints: the tool is slower where a joint
+/// would be too fast.
 struct PathLimits {
   double speed = 0.1;                 ///< m/s
   double acceleration = 0.5;          ///< m/s^2

@@ -12,33 +12,33 @@ namespace mrroc {
 
 class VisualServo;
 
-/// Position-based visual servo: brings the tool to where a measured target has a wanted pose in the tool frame. With M
-/// the target's pose in the tool frame as measured and M* as wanted, the tool has to go to
+/// Position-based visual servo: moves the tool until a measured target has a desired pose in the tool frame. With M the
+/// measured and M* the desired pose of the target in the tool frame, the goal of the tool is
 ///
 ///   T* = T_measured M M*^-1,
 ///
 /// and the twist in tool axes is xi = lambda (t, theta u), t and theta u the translation and rotation vector of
-/// T_desired^-1 T*, scaled down as a whole to the limits: the tool goes straight and turns about one axis (Chaumette
+/// T_desired^-1 T*, scaled down as a whole to the limits: the tool moves straight and rotates about one axis (Chaumette
 /// and Hutchinson, Visual servo control I, IEEE Robotics and Automation Magazine 13(4), 2006, section on PBVS).
-/// T_desired is the pose at the end of what has been commanded, so that a reading's delay, and a drive's lag, do not
-/// make it overshoot, for a target at rest and a reading of the tick of the robot's state.
+/// T_desired is the pose at the end of the commanded motion, so that a reading's delay and a drive's lag cause no
+/// overshoot if the target rests and the reading belongs to the tick of the robot's state.
 ///
 /// Ends on its own when t and theta are within the tolerances and the motion is at rest.
 ///
-/// A target that is lost (the function gives nothing) lets the tool come to rest smoothly; it continues when there is
-/// one again. After `patience` steps in a row NonFatalError(sensor_not_ready) is thrown.
+/// When the target is lost (the function returns nothing), the tool comes to rest smoothly; it continues with the next
+/// measurement. After `patience` consecutive steps without the target NonFatalError(sensor_not_ready) is thrown.
 class PositionServo : public Generator {
  public:
-  /// The target's pose; nothing while it is not seen. Called once per step, must not allocate.
+  /// The target's pose; nothing while it is not visible. Called once per step, must not allocate.
   using Target = std::function<std::optional<Pose>()>;
-  /// What the target's pose is measured in.
+  /// The frame in which the target's pose is measured.
   enum class In {
     camera,  ///< a camera that the tool carries
-    base     ///< the robot's base frame, as by a camera that stands in the world
+    base     ///< the robot's base frame, as by a camera fixed in the world
   };
 
   /// `wanted`: M*, the target in the tool frame. `camera`: the camera frame in the tool frame, for In::camera. Throws
-  /// NonFatalError(invalid_argument) for limits that are none, poses that are not rigid, no function.
+  /// NonFatalError(invalid_argument) for invalid limits, poses that are not rigid, no function.
   PositionServo(Robot& robot, Target target, In in, const Pose& wanted, const Pose& camera = Pose::Identity(),
                 const ServoLimits& limits = {}, double tolerance = 1e-3, double angular_tolerance = 5e-3);
   ~PositionServo() override;

@@ -9,48 +9,49 @@
 
 namespace mrroc {
 
-/// How a surface is followed.
+/// Parameters of surface following.
 struct SurfaceContact {
   double reciprocal_damping = 0.01;  ///< m/(N s), along the tool's z: see docs/explanation/force.md, choosing b
-  double inertia = 0.5;              ///< kg, likewise
+  double inertia = 0.5;              ///< kg, along the tool's z
   double approach_speed = 0.01;      ///< m/s, at most, while the tool touches nothing
   double acceleration = 0.2;         ///< m/s^2, along the surface
   bool turn_to_normal = false;       ///< the tool's z axis is turned against the surface's normal
   double turning_gain = 3;           ///< 1/s
   double angular_speed = 0.3;        ///< rad/s, at most
   double angular_acceleration = 1;   ///< rad/s^2
-  Load load{};                       ///< on the tool, in the tool frame: its weight is no contact
+  Load load{};                       ///< on the tool, in the tool frame: its weight is not contact
   Eigen::Vector3d gravity = standard_gravity();
 };
 
-/// Follows a surface that no one has measured: presses along the tool's z axis with a force, and moves along the
-/// surface with a velocity in the tool's x-y plane, or along a path. What to do along z is the force law's of the
-/// robot's EDP, at every servo tick (a contact axis); x and y are unguarded.
+/// Follows an unknown surface: presses along the tool's z axis with a force, and moves along the surface with a
+/// velocity in the tool's x-y plane, or along a path. The force law of the robot's EDP controls z at every servo tick
+/// (a contact axis); x and y are unguarded.
 ///
 ///   velocity   in tool axes; its z component must be 0. Continues until a condition of `.until(...)` holds.
-///   path       points in the robot's base frame, joined by straight lines; only what of them lies across the tool's z
-///              axis counts, the surface gives the rest. With p(s) the point at the way s along them, the tool moves at
+///   path       points in the robot's base frame, joined by straight lines; only their components across the tool's z
+///              axis count, the surface determines the rest. With p(s) the point at the length s along them, the tool
+///              moves at
 ///
 ///                v = dp/ds ds/dt + 4/s (p(s) - x)        without its z component, ds/dt <= speed
 ///
-///              and ends on its own when it has come to the last point within kTolerance. Begins at the first point:
-///              the way there is made along the surface. It does not slow down in corners: when it turns round there it
-///              goes too far by v^2 / (2 acceleration) and what it makes in two steps.
+///              and ends on its own when it is within kTolerance of the last point. The path begins at the first point;
+///              the tool moves there along the surface. It does not slow down in corners: when it reverses there it
+///              overshoots by v^2 / (2 acceleration) plus the motion of two steps.
 ///
-/// Before the tool touches it comes down at `approach_speed`, and goes along only from then on; likewise when it has
-/// felt next to nothing (a tenth of the force) for 10 steps.
+/// Before contact the tool approaches at `approach_speed`; it moves along the surface only after contact. It approaches
+/// again when the force has been below a tenth of the desired one for 10 steps.
 ///
-/// With `turn_to_normal` it is turned about its tip, at turning_gain times the angle between its z axis and the
-/// surface. Along the way the angle is that of the measured motion, through a low-pass of kSmoothing; across it, where
-/// friction does not matter, that of the force: -atan2(F_s, -F_z). The turning is come up to with angular_acceleration.
-/// At a speed v on a radius r it lags by v / r (1 / turning_gain + kSmoothing) rad. A tool that is flat
-/// and turns on its own needs no such thing, but axes 3 and 4 guarded: ForceControl.
+/// With `turn_to_normal` the tool rotates about its tip, at turning_gain times the angle between its z axis and the
+/// surface. Along the path the angle is that of the measured motion, through a low-pass of kSmoothing; across it, where
+/// friction does not matter, that of the force: -atan2(F_s, -F_z). The rotation speeds up with angular_acceleration. At
+/// a speed v on a radius r it lags by v / r (1 / turning_gain + kSmoothing) rad. A flat tool that aligns on its own
+/// needs axes 3 and 4 guarded instead: ForceControl.
 ///
 /// The robot needs `force_sensor` in the deployment. (The original's edge_follow.)
 class SurfaceFollowing : public Generator {
  public:
   /// `force` N, above 0. Throws NonFatalError(invalid_argument), also for a velocity with a z component, a path of
-  /// fewer than two points or with a point twice in a row.
+  /// fewer than two points or with a repeated point.
   SurfaceFollowing(Robot& robot, double force, const Eigen::Vector3d& velocity, const SurfaceContact& contact = {});
   SurfaceFollowing(Robot& robot, double force, std::vector<Eigen::Vector3d> path, double speed,
                    const SurfaceContact& contact = {});
@@ -85,9 +86,9 @@ class SurfaceFollowing : public Generator {
   double way_ = 0;                                      ///< s
   double way_speed_ = 0;                                ///< ds/dt
   bool touching_ = false;
-  int lost_ = 0;                                            ///< steps in a row that feel next to nothing
+  int lost_ = 0;                                            ///< consecutive steps with almost no force
   Eigen::Vector3d commanded_ = Eigen::Vector3d::Zero();     ///< along the surface, tool axes
-  Eigen::Vector3d before_ = Eigen::Vector3d::Zero();        ///< the measured place of the step before, base frame
+  Eigen::Vector3d before_ = Eigen::Vector3d::Zero();        ///< the measured position of the previous step, base frame
   Eigen::Vector3d displacement_ = Eigen::Vector3d::Zero();  ///< from there, smoothed, tool axes
   Eigen::Vector3d turned_ = Eigen::Vector3d::Zero();        ///< angular velocity commanded, tool axes
 };

@@ -9,23 +9,23 @@
 
 namespace mrroc {
 
-/// Writes down where a robot goes. It commands nothing itself: alone it lets the robot hold, beside another generator
-/// it goes along, as the hand of a person who teaches and the pencil of one who notes:
+/// Records the motion of a robot. It commands nothing itself: alone it lets the robot hold; with another generator it
+/// records that motion:
 ///
 ///   Move({arm}, {}, Together{LeadThrough{arm}, TeachIn{arm, path, 0.1}}.until(OperatorTrigger{*this}));
 ///
-/// The desired state is what is noted, joints and pose, so a replay commands what was commanded. Continuously: a timed
-/// path, which it begins again, a point every `interval` s (rounded up to whole steps); pauses are not part of its
-/// time. At the operator's triggers: a point for each, added to the path; leave `OperatorTrigger` out of such a Move, a
-/// trigger is taken once.
+/// It records the desired state, joints and pose, so a replay repeats the commands. Continuously: it starts a new timed
+/// path with a point every `interval` s (rounded up to whole steps); its time excludes pauses. At the operator's
+/// triggers: it adds one point per trigger to the path; do not use `OperatorTrigger` in such a Move, because a trigger
+/// is consumed once.
 ///
-/// Keeps on until a condition of `.until(...)` holds. (The original's `teach_in`.)
+/// Continues until a condition of `.until(...)` holds. (The original's `teach_in`.)
 class TeachIn : public Generator {
  public:
-  /// Points enough for hours at 10 / s.
+  /// Enough points for hours at 10 / s.
   static constexpr std::size_t kMost = 100000;
 
-  /// Continuously. `path` must outlive the Move; it has memory for `most` points. Throws
+  /// Continuously. `path` must outlive the Move; memory is reserved for `most` points. Throws
   /// NonFatalError(invalid_argument) unless `interval` is finite and above 0.
   TeachIn(Robot& robot, TaughtPath& path, double interval, std::size_t most = kMost);
   /// At triggers.
@@ -33,7 +33,7 @@ class TeachIn : public Generator {
 
   void start() override;
   void resume() override;
-  /// Notes; false. Throws NonFatalError(resources) when the path is full.
+  /// Records; returns false. Throws NonFatalError(resources) when the path is full.
   bool terminal_condition() override;
   void next_state() override {}
 
@@ -46,7 +46,7 @@ class TeachIn : public Generator {
   std::size_t most_;
   double time_ = 0;  // s since the start
   double next_ = 0;  // time of the next point
-  Tick last_ = 0;    // to which time_ belongs
+  Tick last_ = 0;    // of time_
 };
 
 }  // namespace mrroc

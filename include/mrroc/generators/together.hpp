@@ -11,16 +11,16 @@
 
 namespace mrroc {
 
-/// Several generators at once, each for robots of its own:
+/// Several generators at once, each for its own robots:
 ///
 ///   Move({arm, gripper}, {encoder}, Together{TrackFrame{arm, frame, above}, JointLine{gripper, open}});
 ///
-/// A part ends when it ends on its own or the condition of its own `until` holds; its robots then hold, while the
-/// others continue. The whole ends when all parts have ended, or by the condition of its own `until`. Two parts that
-/// command one robot: the later one has its way. Named after its parts: "TrackFrame + JointLine".
+/// A part ends on its own or when the condition of its own `until` holds; its robots then hold, while the others
+/// continue. The whole ends when all parts have ended, or by the condition of its own `until`. If two parts command one
+/// robot, the later one takes effect. The name lists the parts: "TrackFrame + JointLine".
 class Together : public Generator {
  public:
-  /// Parts that are temporaries are moved in; those that are variables, or come out of `until`, are referred to.
+  /// Temporary parts are moved in; variables, and results of `until`, are held by reference.
   template <class... Parts>
   requires(sizeof...(Parts) >= 2 &&
            (std::derived_from<std::remove_cvref_t<Parts>, Generator> && ...)) explicit Together(Parts&&... parts)

@@ -5,9 +5,9 @@
 
 namespace mrroc {
 
-/// Moves the tool at a constant velocity given in tool axes, until a condition of `.until(...)` holds: it has no end of
-/// its own. The twist goes smoothly from the desired one at the start, with its rate there (rest or not), to the given
-/// one,
+/// Moves the tool at a constant velocity given in tool axes, until a condition of `.until(...)` holds; it does not end
+/// on its own. The twist changes smoothly from the desired one at the start, with its rate there (rest or not), to the
+/// given one,
 ///   xi(u) = xi0 + (xi1 - xi0) u^2 (3 - 2u) + xi0' D u (1 - u)^2,  u = t / D,
 /// in tool axes, with D the least whole number of macrosteps in which its rate stays within `acceleration` (m/s^2, and
 /// rad/s^2; or what it is at the start) and the rate's own rate within 10 / s times that. The pose follows T(t + dt) =

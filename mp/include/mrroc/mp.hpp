@@ -27,10 +27,10 @@ namespace mrroc::mp {
 /// (`Irb6 left{*this, "left"};`), write `run()`, and end the file with `MRROC_MP(YourTask)`.
 ///
 /// Tight cooperation: `Move` and `Wait` over several robots; their ECPs are transparent. Loose: `start` ECPs, each runs
-/// its own program or one of its behaviours, and `wait_for_all` or `wait_for_any`; what ECPs have to tell each other
-/// goes through the MP (`take`, `tell`). Both at once: `concurrently`. The error of a started ECP that fails meanwhile
-/// is thrown by whatever the MP waits in, a Move too, once, with its class. The operator's pause, resume, trigger,
-/// end-motion and stop reach the MP's own instructions and every ECP that it has started.
+/// its own program or one of its behaviours, and `wait_for_all` or `wait_for_any`; messages between ECPs pass through
+/// the MP (`take`, `tell`). Both at once: `concurrently`. When a started ECP fails, its error is thrown once, with its
+/// class, by the call in which the MP waits, also a Move. The operator's pause, resume, trigger, end-motion and stop
+/// reach the MP's own instructions and every ECP that it has started.
 class Task : public process::TaskProcess {
  public:
   /// Called by the framework only.
@@ -41,7 +41,7 @@ class Task : public process::TaskProcess {
   /// Starts the program of the ECP of robot `name`; while the task is paused it waits first. Throws NonFatalError:
   /// invalid_argument when there is no such robot, busy when its ECP still runs.
   void start(const std::string& name) { start_with(name, {}); }
-  /// Starts its behaviour for this message; likewise. One that the ECP does not have ends as its error.
+  /// Starts its behaviour for this message, in the same manner. A missing behaviour is an error of the ECP.
   template <MessageType B>
   void start(const std::string& name, const B& behaviour) {
     start_with(name, pack(behaviour));
@@ -54,15 +54,15 @@ class Task : public process::TaskProcess {
   }
   /// Starts the program of every ECP.
   void start_all();
-  /// Whether what was started in the ECP of robot `name` continues. In a Move: .until(When{"belt has ended", [this] {
-  /// return !running("belt"); }}).
+  /// Whether the program or behaviour started in the ECP of robot `name` still runs. In a Move: .until(When{"belt has
+  /// ended", [this] { return !running("belt"); }}).
   bool running(const std::string& name);
   /// Ends the Move or Wait under way in the ECP of robot `name`, as if its condition had held; does nothing when
-  /// nothing runs there. Does not wait.
+  /// the ECP runs nothing. Does not wait.
   void end_motion(const std::string& name);
   /// Stops the program of the ECP of robot `name`, as the operator's stop does, and waits until it has ended and its
   /// robot rests; does nothing when it does not run. When it failed instead, its error is thrown here. Throws
-  /// NonFatalError when there is none, Stopped when the operator stops meanwhile.
+  /// NonFatalError when the robot does not exist, Stopped when the operator stops meanwhile.
   void stop(const std::string& name);
   /// Waits until every started ECP has ended. When one fails, the others are stopped and its error is thrown here, with
   /// its class and where it arose; when the operator stops, all are stopped and Stopped is thrown.
@@ -71,38 +71,38 @@ class Task : public process::TaskProcess {
   /// others continue. Throws NonFatalError when there is no such robot, Stopped.
   void wait_for_all(const std::vector<std::string>& names);
   /// Waits until one of them has ended, or none runs, and returns its name: the first in the list of those that do not
-  /// run. Likewise.
+  /// run. Throws as `wait_for_all`.
   std::string wait_for_any(const std::vector<std::string>& names);
 
-  /// Tells the program under way in the ECP of robot `name`, which gets it with `take<M>()`; lost when none runs. Does
-  /// not wait.
+  /// Sends a message to the program in the ECP of robot `name`, which gets it with `take<M>()`; lost when none runs.
+  /// Does not wait.
   template <MessageType M>
   void tell(const std::string& name, const M& message) {
     tell_parcel(name, pack(message));
   }
-  /// The oldest message of this type that the ECP of robot `name` has told since it was started and that was not taken;
+  /// The oldest message of this type that the ECP of robot `name` has sent since its start and that was not taken;
   /// also when it has ended since. Neither waits nor allocates.
   template <MessageType M>
   std::optional<M> take(const std::string& name) {
     Parcel parcel;
     return take_parcel(name, label_of<M>(), parcel) ? std::optional<M>(unpack<M>(parcel)) : std::nullopt;
   }
-  /// Whether there is one. For conditions.
+  /// Whether there is such a message. For conditions.
   template <MessageType M>
   bool heard(const std::string& name) {
     return heard_label(name, label_of<M>());
   }
 
-  /// Runs these parts of the task side by side until all have ended: each may Move and Wait, ask, start and wait for
+  /// Runs these parts of the task in parallel until all have ended: each may Move and Wait, ask, start and wait for
   /// ECPs. They take turns: a part continues until it waits for a reply, a tick or the operator. Two parts must not
-  /// have one robot, or one interactive sensor, at the same time (NonFatalError(busy)). When one throws, the others are
+  /// use one robot, or one interactive sensor, at the same time (NonFatalError(busy)). When one throws, the others are
   /// stopped at their next step, and the error is thrown here. Not within a part (NonFatalError(invalid_argument)).
   void concurrently(const std::vector<std::function<void()>>& parts);
 
   std::string robot_name(const std::string& requested) const override;
   OperatorRequest operator_request() override;
 
-  /// Handshakes with the ECPs and with everything the task uses.
+  /// Connects to the ECPs and to everything that the task uses.
   void connect();
 
  protected:
@@ -129,8 +129,8 @@ class Task : public process::TaskProcess {
   bool heard_label(const std::string& name, std::string_view label);
   Ecp& ecp(const std::string& name, const char* asked);
   [[noreturn]] static void rethrow(Ecp& failed);
-  /// Takes note of how an ECP stands. One that ends for a stop that no one here has asked for was ended from outside:
-  /// it has failed.
+  /// Records the state of an ECP. One that ends by a stop that this MP did not request was ended from outside: it has
+  /// failed.
   static void note(const std::string& name, Ecp& ecp, links::TaskStatus status);
   void wait_for_running();
   void command_running(links::TaskCommandKind kind);

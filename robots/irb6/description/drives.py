@@ -1,4 +1,4 @@
-"""The transmission at home: what armature, damping and effort of the joints follow from."""
+"""The transmission at home: the source of armature, damping and effort of the joints."""
 
 from math import cos, pi, sin, sqrt
 

@@ -1,4 +1,4 @@
-"""What a description is made of: links in a chain, each with its joint, mass and shapes. Lengths in m, angles in rad."""
+"""The elements of a description: links in a chain, each with its joint, mass and shapes. Lengths in m, angles in rad."""
 
 from dataclasses import dataclass, field
 from math import pi

@@ -7,7 +7,7 @@ CYLINDER_TURN = {"x": (0, pi / 2, 0), "y": (pi / 2, 0, 0), "z": (0, 0, 0)}
 
 
 def numbers(values):
-    """Each as short as it reads back, without the noise of sums."""
+    """The shortest text of each number that reads back the same, without the noise of sums."""
     tidy = (round(x, 12) if abs(x - round(x, 12)) < 1e-15 else x for x in values)
     return " ".join(repr(x + 0.0).removesuffix(".0") for x in tidy)
 

@@ -14,9 +14,9 @@ struct ColourRange {
 };
 
 /// The largest spot of one colour, measured on a known plane (`shape_on_plane`). A spot that touches the picture's
-/// border is left out, for its centroid is not known; so are those of less than `min_area` pixels and those that cannot
-/// lie on the plane. Holes do not count. Of the two directions of the greatest extent the pose's x axis is the one
-/// nearer to the x axis of the reference frame.
+/// border is ignored, because its centroid is unknown; so are those of less than `min_area` pixels and those that
+/// cannot lie on the plane. Holes do not count. Of the two directions of the greatest extent the pose's x axis is the
+/// one nearer to the x axis of the reference frame.
 class BlobDetector final : public Detector {
  public:
   /// `point`, `normal`: the plane in the reference frame.

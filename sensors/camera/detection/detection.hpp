@@ -10,7 +10,7 @@
 
 namespace mrroc::vsp {
 
-/// What was found in one picture, in the camera frame (z along the view, x right, y down).
+/// The detection in one picture, in the camera frame (z along the view, x right, y down).
 struct Detection {
   Pose pose = Pose::Identity();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the position, m^2
@@ -33,7 +33,7 @@ struct Plane {
   }
 };
 
-/// Finds one thing in pictures. One thread; it allocates, as OpenCV does.
+/// Finds one object in pictures. One thread; it allocates, as OpenCV does.
 class Detector {
  public:
   virtual ~Detector() = default;
@@ -41,7 +41,7 @@ class Detector {
   /// Throws cv::Exception.
   virtual std::optional<Detection> find(const cv::Mat& picture, const Intrinsics& intrinsics,
                                         const Pose& reference) const = 0;
-  /// Why a camera that sees its reference frame so can never find anything; empty when it can.
+  /// Why a camera with this pose of its reference frame can never find anything; empty when it can.
   virtual std::string_view obstacle(const Intrinsics& /*intrinsics*/, const Pose& /*reference*/) const { return {}; }
 };
 

@@ -15,10 +15,10 @@ namespace mrroc::vsp {
 ///
 ///     covariance = s^2 (J^T J)^-1        s^2 = sum |corner - reprojected|^2 / (8 - 6)
 ///
-/// When the other pose fits within kCornerDeviation as well, the marker is too small to tell which it is:
+/// When the other pose fits within kCornerDeviation as well, the marker is too small to decide between them:
 /// rotation_deviation is then at least the half of the angle between both.
 ///
-/// The number seen twice: the greater one is taken.
+/// When the number is seen twice, the larger marker is taken.
 class MarkerDetector final : public Detector {
  public:
   static constexpr double kCornerDeviation = 0.05;  ///< px
@@ -39,7 +39,7 @@ class MarkerDetector final : public Detector {
 };
 
 /// Pose and covariance of a square of side `size`, m, whose corners are seen at `corners` (px, without distortion):
-/// upper left, upper right, lower right, lower left, as it stands itself. None when no pose fits.
+/// upper left, upper right, lower right, lower left in its own orientation. Empty when no pose fits.
 std::optional<Detection> square_pose(const std::vector<Eigen::Vector2d>& corners, double size,
                                      const Intrinsics& intrinsics);
 

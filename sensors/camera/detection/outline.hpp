@@ -8,7 +8,7 @@
 
 namespace mrroc::vsp {
 
-/// A closed outline of pixels, seen on a plane and measured there: no perspective is left in it.
+/// A closed outline of pixels, projected onto a plane and measured there, without perspective.
 struct FlatShape {
   Eigen::Vector3d centroid;    ///< in the camera frame, m
   Eigen::Matrix3d axes;        ///< columns: greatest extent, across, the plane's normal towards the camera
@@ -25,7 +25,7 @@ struct FlatShape {
 ///     sigma_rotation^2 = sum_i (a_i x_i y_i / (mu_xx - mu_yy))^2 / 12          in the principal axes
 ///
 /// The area is scaled to that of the pixels themselves, whose borders are half a pixel further out (Pick's theorem).
-/// None when a pixel does not see the plane or the polygon has no area.
+/// Empty when a pixel does not see the plane or the polygon has no area.
 std::optional<FlatShape> shape_on_plane(const std::vector<Eigen::Vector2d>& outline, const Intrinsics& intrinsics,
                                         const Plane& plane);
 

@@ -30,7 +30,7 @@ std::optional<double> brightness(const cv::Mat& grey, const Eigen::Vector2d& at)
   return (1 - fy) * ((1 - fx) * pixel(0, 0) + fx * pixel(1, 0)) + fy * ((1 - fx) * pixel(0, 1) + fx * pixel(1, 1));
 }
 
-/// Where, from `point` along `outwards`, black becomes white: the centre of the gradient within `reach`.
+/// Position, from `point` along `outwards`, where black becomes white: the centre of the gradient within `reach`.
 std::optional<double> edge_offset(const cv::Mat& grey, const Eigen::Vector2d& point, const Eigen::Vector2d& outwards,
                                   double reach) {
   double sum = 0, moment = 0;

@@ -11,7 +11,7 @@ namespace mrroc::vsp {
 /// "AprilTag 2", IROS 2016). A corner's own neighbourhood, which a blur rounds off, does not count.
 ///
 /// `grey`: 8 bits. `corners`: of the square, clockwise in the picture, to a pixel. `cell`: width in which black and
-/// white next to the sides are plain, px. A side along which there is no edge leaves the corners as they are.
+/// white next to the sides are plain, px. A side without an edge leaves the corners unchanged.
 std::vector<Eigen::Vector2d> refine_square(const cv::Mat& grey, const std::vector<Eigen::Vector2d>& corners,
                                            double cell);
 

@@ -54,7 +54,7 @@ HardwareCamera hardware_camera(const config::SensorEntry& entry) {
 std::unique_ptr<PictureSource> open_device(const SourceContext& context, cv::Mat& picture) {
   const config::SensorEntry& entry = context.entry;
   HardwareCamera camera = hardware_camera(entry);
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // what matters is in our own message
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // our own message has all details
   const std::string& device = text(entry, "device");
   if (device.empty()) refuse(entry, "device", "missing", "a camera's number or address, or a video file");
   const std::filesystem::path file = context.deployment.file.parent_path() / device;

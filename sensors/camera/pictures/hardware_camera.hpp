@@ -7,7 +7,7 @@
 
 namespace mrroc::vsp {
 
-/// What the keys say of a camera of hardware, which cannot tell it on its own.
+/// The properties of a hardware camera from the keys, which the camera itself does not report.
 struct HardwareCamera {
   Intrinsics intrinsics;
   Pose mount = Pose::Identity();

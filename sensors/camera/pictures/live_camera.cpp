@@ -39,7 +39,7 @@ void LiveCamera::take_pictures() {
   }
 }
 
-/// Whether the device is alive; its newest picture is then in `picture_`.
+/// Whether the device works; then its newest picture is in `picture_`.
 bool LiveCamera::fetch() noexcept {
   const std::lock_guard lock(mutex_);
   if (taken_ != seen_) std::swap(newest_, *picture_);

@@ -8,9 +8,9 @@
 
 namespace mrroc::vsp {
 
-/// A camera of hardware. A thread of its own takes pictures as they come, so that `read` never waits for one: it gives
-/// the newest, as of the tick at which it was first seen here, at most one picture's time and one reading's period
-/// late. Silent when none has come for `silent_after` ticks, or the device has ended.
+/// A hardware camera. Its own thread takes pictures as they come, so that `read` never waits for one: it returns the
+/// newest, with the tick at which it was first seen here, at most one picture's time and one reading's period late.
+/// Silent when none has come for `silent_after` ticks, or the device has ended.
 class LiveCamera final : public PictureSource {
  public:
   /// Takes the next picture (8-bit BGR of the camera's size), waiting for it; false: the device has ended.

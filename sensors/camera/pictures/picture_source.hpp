@@ -8,8 +8,8 @@
 
 namespace mrroc::vsp {
 
-/// Where pictures come from. `read` leaves the picture of `raw.tick` in the matrix that the source was made with, 8-bit
-/// RGB; r itself counts pictures. Unlike other sources it takes milliseconds and allocates.
+/// A source of pictures. `read` stores the picture of `raw.tick` in the matrix given at construction, 8-bit
+/// RGB; r itself is the count of pictures. Unlike other sources it takes milliseconds and allocates.
 class PictureSource : public Source {
  public:
   virtual const Intrinsics& intrinsics() const noexcept = 0;

@@ -8,7 +8,7 @@ namespace mrroc::vsp {
 
 namespace {
 
-/// A tick at which a picture begins is not missed for a rounding.
+/// Tolerance, so that rounding does not miss the tick at which a picture begins.
 constexpr double kRounding = 1e-9;
 
 }  // namespace

@@ -34,7 +34,7 @@ double field_of_view(const config::SensorEntry& entry, const CameraMount& camera
   const double given = number(entry, "field_of_view");
   if (given > 0) return given;
   if (camera.field_of_view > 0) return camera.field_of_view;
-  refuse(entry, "field_of_view", "0", "that of the picture's height, rad: the MJCF has no camera that would tell it");
+  refuse(entry, "field_of_view", "0", "that of the picture's height, rad: the MJCF has no camera that gives it");
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ SimulatedCamera::SimulatedCamera(const SourceContext& context, cv::Mat& picture)
 }
 
 SourceState SimulatedCamera::read(Tick wanted, RawReading& raw) noexcept {
-  const bool there = slot_->load(snapshot_) || pictures_ > 0;  // in the middle of a write the one before stays
+  const bool there = slot_->load(snapshot_) || pictures_ > 0;  // during a write the previous state stays
   if (wanted > snapshot_.tick && wanted - snapshot_.tick > silent_after_) return SourceState::silent;
   if (!there) return SourceState::not_ready;
   if (snapshot_.tick != drawn_tick_) {

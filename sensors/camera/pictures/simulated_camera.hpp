@@ -8,9 +8,9 @@
 
 namespace mrroc::vsp {
 
-/// A camera of the simulated world. It draws the state that the simulator has stored last (in lockstep the present
-/// tick's; in real time the newest, `raw.tick` says which) in this process, 4 samples per pixel, without shadows, and
-/// adds noise that depends on (sensor, tick) only. The same state gives the same picture, bit for bit, on one machine.
+/// A camera of the simulated world. It draws the last stored state of the simulator (in lockstep the present tick's; in
+/// real time the newest, of tick `raw.tick`) in this process, 4 samples per pixel, without shadows, and adds noise that
+/// depends on (sensor, tick) only. The same state gives the same picture, bit for bit, on one machine.
 class SimulatedCamera final : public PictureSource {
  public:
   /// `picture` outlives it. Throws SystemError: no simulated world, no such camera, no OpenGL; ConfigurationError: a

@@ -8,7 +8,7 @@ namespace mrroc::clock {
 void PeerClock::add(const RoundTrip& trip) noexcept {
   const std::int64_t on_the_way = trip.received - trip.sent - trip.held;
   if (on_the_way < 0 || trip.held < 0) return;
-  // the answer left when the question had been held, half a way before it came
+  // the answer left after the question had been held, half a one-way time before it arrived
   const std::int64_t half = on_the_way / 2;
   const ClockOffset offset{trip.peer - (trip.received - half), on_the_way - half};
   if (in_window_ == 0 || offset.error_ns < best_.error_ns) best_ = offset;

@@ -5,8 +5,8 @@
 namespace mrroc::clock {
 
 /// Wall time: tick() = floor((now - epoch) / T) of CLOCK_MONOTONIC, 0 before the epoch. The host announces one epoch,
-/// a few periods ahead, to all processes at once; `start()` returns then, so that a servo thread can be set going
-/// before tick 0. Messages are visible at once and not counted.
+/// a few periods ahead, to all processes at once; `start()` returns then, so that a servo thread can be started before
+/// tick 0. Messages are visible at once and not counted.
 class RealClock final : public ParticipantClock {
  public:
   using ParticipantClock::ParticipantClock;

@@ -11,8 +11,8 @@ namespace mrroc::clock {
 
 namespace {
 
-/// With a finite limit that suffices now, what the process maps later, such as the stack of a thread, would be refused.
-/// So it is taken only without a limit. A limit of 0 applies to every process without CAP_IPC_LOCK.
+/// With a finite limit that suffices now, later mappings such as the stack of a thread would be refused. So memory is
+/// locked only without a limit. A limit of 0 applies to every process without CAP_IPC_LOCK.
 bool lock_memory() {
   rlimit limit{};
   if (::getrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;

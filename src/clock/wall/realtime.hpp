@@ -5,15 +5,15 @@
 namespace mrroc::clock {
 
 /// Makes the calling thread SCHED_FIFO at `priority` (1..99) and locks the process's memory, present and future, as
-/// pages are touched. Memory is locked only where no limit can refuse what is mapped later: with CAP_IPC_LOCK, or where
+/// pages are touched. Memory is locked only where no limit can refuse later mappings: with CAP_IPC_LOCK, or where
 /// RLIMIT_MEMLOCK is unlimited or may be raised so. Threads created by it afterwards inherit the class and priority.
-/// Returns an empty text when all was granted, otherwise a warning that names what was refused, why, and what to grant.
-/// To be called once, before the DDS domain is created and the servo thread is started.
+/// Returns an empty text when all was granted, otherwise a warning that names each refused request, the reason, and the
+/// privilege to grant. To be called once, before the DDS domain is created and the servo thread is started.
 std::string request_realtime(int priority);
 
 /// Pins the calling thread, and the threads and processes that it starts from now on, to the CPU on which it runs:
-/// lockstep is serial, and handing over on one CPU costs a fraction of waking another. Returns that CPU, or -1 when the
-/// system refuses.
+/// lockstep is serial, and a thread switch on one CPU costs a fraction of waking another. Returns that CPU, or -1 when
+/// the system refuses.
 int pin_to_one_cpu() noexcept;
 
 }  // namespace mrroc::clock

@@ -9,8 +9,8 @@
 namespace mrroc::clock {
 
 /// The real-time grid: lets one thread run once per servo period, tick k at epoch + k T of CLOCK_MONOTONIC, by absolute
-/// sleeps. The grid is never re-phased. A tick whose whole period has gone by before its thread could begin it is
-/// missed: counted, and not returned. So the tick returned is always the one that the wall clock shows.
+/// sleeps. The grid is never re-phased. A tick whose whole period has passed before its thread could begin it is
+/// missed: it is counted but not returned. So the returned tick is always the present one of the wall clock.
 ///
 /// For EDP servo threads and, in real time, the simulator. `wait_next` is called by that one thread and neither
 /// allocates nor locks; any thread may read the statistics.

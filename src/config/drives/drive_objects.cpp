@@ -20,7 +20,7 @@ namespace {
 using canopen::DriveMode;
 using canopen::Object;
 
-/// Where the value of an object comes from that the EDP writes into every drive; null: it writes none.
+/// The source of the value that the EDP writes into this object of every drive; null: the EDP does not write it.
 const char* source_of(Object object, bool absolute_encoders) {
   if (object == canopen::kConsumerHeartbeat) return "from the keys 'heartbeat' and 'master'";
   if (object == canopen::kProducerHeartbeat) return "from the key 'heartbeat'";
@@ -53,7 +53,7 @@ void refuse_own(const Table& table, const std::string& key, Object object, bool 
     table.fail(key, std::string("is written by the EDP itself, ") + source, "an object that it leaves alone");
 }
 
-/// Those that the PDOs carry.
+/// The objects that the PDOs carry.
 void check_objects(const Table& table, const canopen::EdsFile& eds, DriveMode mode) {
   const Object target = mode == DriveMode::cyclic_position   ? canopen::kTargetPosition
                         : mode == DriveMode::cyclic_velocity ? canopen::kTargetVelocity
@@ -66,7 +66,7 @@ void check_objects(const Table& table, const canopen::EdsFile& eds, DriveMode mo
                  "a drive for mode " + in_quotes(table.text("mode")) + ", which needs it in its PDOs");
 }
 
-/// What another part of the framework found wrong: "<problem>, expected <what>", or the problem alone.
+/// An error that another part of the framework reports: "<problem>, expected <what>", or the problem alone.
 [[noreturn]] void fail_with(const Table& table, const std::string& key, const std::string& message,
                             const std::string& usual) {
   constexpr std::string_view kExpected = ", expected ";
@@ -89,7 +89,7 @@ DriveSetting read_setting(const Table& table, const std::string& key, const Driv
   refuse_own(table, key, setting.object, drives.absolute_encoders);
   const std::size_t size = canopen::size_of(entry.type);
   if (size == 0 || entry.type == canopen::DataType::real32)
-    table.fail(key, "is of a type that is no whole number", "an object with a whole number");
+    table.fail(key, "is not of an integer type", "an object with an integer");
   setting.value = table.integer(key, canopen::least(entry.type), canopen::greatest(entry.type));
   setting.size = static_cast<std::uint8_t>(size);
   return setting;

@@ -18,7 +18,7 @@ using canopen::DriveMode;
 
 constexpr double kLongestServoPeriod = 0.02;      // s: of a deployment
 constexpr double kGreatestCurrentRatio = 32;      // of current_max to rated_current: a torque is 16 bits of per mille
-constexpr double kLeastCurrentRatio = 0.01;       // below: a unit was mistaken, mA for A
+constexpr double kLeastCurrentRatio = 0.01;       // below: mA instead of A
 constexpr double kGreatestPosition = 2147483647;  // a position is 32 bits with a sign
 
 DriveMode read_mode(const Table& table) {
@@ -27,27 +27,27 @@ DriveMode read_mode(const Table& table) {
   return mode == "velocity" ? DriveMode::cyclic_velocity : DriveMode::cyclic_torque;
 }
 
-/// Heartbeats are sent with the servo's ticks: none can be more frequent. And there must be some: nothing else stops
-/// the drives when the EDP dies.
+/// Heartbeats are sent with the servo's ticks and cannot be more frequent. They are required: nothing else stops the
+/// drives when the EDP dies.
 double read_heartbeat(const Table& table, double usual) {
   const double heartbeat = table.number_or("heartbeat", usual, {0, 10});
   const std::string range = number_text(kLongestServoPeriod) + " to 10 s";
-  if (heartbeat == 0) table.fail("heartbeat", "0, but without it drives run on when the EDP dies", range);
+  if (heartbeat == 0) table.fail("heartbeat", "0, but without it drives continue when the EDP dies", range);
   if (heartbeat < kLongestServoPeriod)
     table.fail("heartbeat", number_text(heartbeat) + " s is below a servo period", range);
   return heartbeat;
 }
 
-/// Onto the switch and off it as the robot's own synchronisation would: methods 3 and 5 take the first zero pulse off a
-/// switch that is closed up to the positive, or the negative, end of what the drive counts. An axis without one has no
-/// usual method: "here" must be said by someone who has looked.
+/// Onto the switch and off it, like the robot's own synchronisation: methods 3 and 5 use the first zero pulse off a
+/// switch that is closed up to the positive, or the negative, end of the drive's counts. An axis without a switch has
+/// no default method: homing at the present position must be requested explicitly.
 DriveHoming read_homing(const Table& table, const AxisParameters& axis, bool reversed) {
   DriveHoming homing;
   if (axis.synchro_coarse == 0 && !table.has("homing_method")) return homing;
   const auto method = table.integer_or("homing_method", (axis.synchro_coarse > 0) != reversed ? 3 : 5, -128, 127);
   // CiA 402-2: the others are reserved
   if (method == 0 || method == 15 || method == 16 || method == 31 || method == 32 || method == 36 || method > 37)
-    table.fail("homing_method", std::to_string(method) + " is none of CiA 402",
+    table.fail("homing_method", std::to_string(method) + " is not a homing method of CiA 402",
                "1 to 14, 17 to 30, 33 to 35, 37, or one of the maker's own below 0");
   homing.method = static_cast<std::int8_t>(method);
   homing.speed_switch = table.number_or("homing_speed_switch", std::abs(axis.synchro_coarse), {0, search_speed(axis)});
@@ -70,7 +70,7 @@ double read_units(const Table& table, const AxisParameters& axis) {
   return units;
 }
 
-/// A speed that becomes 0 would keep the drive looking for its switch forever.
+/// With a speed that becomes 0 the drive would never reach its switch.
 void check_homing_speed(const Table& table, const std::string& key, double speed, double units_per_turn) {
   if (speed == 0 || speed * units_per_turn / (2 * std::numbers::pi) >= 0.5) return;
   table.fail(
@@ -90,10 +90,9 @@ double read_rated_current(const Table& table, const AxisParameters& axis) {
   const double rated = table.number("rated_current", {1e-3, 1e4});
   const double least = axis.current_max / kGreatestCurrentRatio, greatest = axis.current_max / kLeastCurrentRatio;
   if (rated < least || rated > greatest)
-    table.fail(
-        "rated_current",
-        number_text(rated) + " A does not go with current_max " + number_text(axis.current_max) + " A of the axis",
-        expected_number({least, greatest}) + " (A, not mA)");
+    table.fail("rated_current",
+               number_text(rated) + " A does not fit current_max " + number_text(axis.current_max) + " A of the axis",
+               expected_number({least, greatest}) + " (A, not mA)");
   return rated;
 }
 
@@ -113,7 +112,7 @@ DriveEntry read_drive(const Table& table, const AxisParameters& axis, DriveMode 
   return drive;
 }
 
-/// The drive of each axis. A slip in a name is told before what follows from it.
+/// The drive of each axis. A misspelt name is reported before its consequences.
 std::vector<const Table*> by_axis(const Table& file, const std::vector<Table>& tables, const RobotParameters& robot) {
   std::vector<std::string> names;
   for (const AxisParameters& axis : robot.axes) names.push_back(axis.name);
@@ -137,7 +136,7 @@ void check_node(const Table& table, canopen::NodeId node, const DriveTable& driv
   for (const DriveEntry& drive : drives.drives)
     if (drive.node == node)
       table.fail("node", std::to_string(node) + " is the node of the drive of " + in_quotes(drive.axis),
-                 "a node of its own");
+                 "a unique node");
 }
 
 void read_drives(const Table& file, const RobotParameters& robot, DriveTable& drives) {
@@ -169,7 +168,7 @@ DriveTable read_drive_table(const std::filesystem::path& file, const RobotParame
   drives.answer_time = table.number_or("answer_time", drives.answer_time, {0.05, 0.9});
   drives.missed_max = static_cast<int>(table.integer_or("missed_max", drives.missed_max, 0, 100));
   drives.switch_on_time = table.number_or("switch_on_time", drives.switch_on_time, {0.1, 60});
-  // a loop that is closed here would have a tick of delay more in it
+  // otherwise a loop that is closed here would have one more tick of delay
   const std::string usual = drives.mode == DriveMode::cyclic_torque ? "at once" : "at sync";
   drives.target_at_sync =
       (table.has("set_points") ? table.choice("set_points", {"at sync", "at once"}) : usual) == "at sync";

@@ -16,14 +16,14 @@ namespace mrroc::config {
 /// A value that is written into a drive before it is used.
 struct DriveSetting {
   canopen::Object object;
-  std::string name;  ///< as the file has it
+  std::string name;  ///< as in the file
   std::int64_t value = 0;
   std::uint8_t size = 0;  ///< bytes
 };
 
-/// How a drive finds its position (CiA 402-2, homing mode).
+/// Homing of a drive (CiA 402-2, homing mode).
 struct DriveHoming {
-  std::int8_t method = 0;   ///< 0: it does not
+  std::int8_t method = 0;   ///< 0: no homing
   double speed_switch = 0;  ///< rad/s of the shaft
   double speed_zero = 0;    ///< rad/s of the shaft
 };
@@ -32,7 +32,7 @@ struct DriveHoming {
 struct DriveEntry {
   std::string axis;
   canopen::NodeId node = 0;
-  double units_per_turn = 0;  ///< position units (6064h) per revolution of the shaft; below 0: it counts backwards
+  double units_per_turn = 0;  ///< position units (6064h) per revolution of the shaft; below 0: reversed
   /// Velocity units (606Ch, 60FFh, 6099h) per revolution per second, with the same sign.
   double velocity_units_per_turn = 0;
   double rated_current = 0;  ///< A: 1000 per mille of torque (6071h, 6077h)
@@ -41,27 +41,26 @@ struct DriveEntry {
   std::vector<DriveSetting> settings;  ///< in the order of the file, those of all drives first
 };
 
-/// The drives of a robot on a CAN bus, one per axis in the axes' order: robots/<type>/<type>_drives.toml or a lab's own
+/// The drives of a robot on a CAN bus, one per axis in the axes' order: robots/<type>/<type>_drives.toml or a local
 /// file. docs/how-to/can.md explains every key.
 struct DriveTable {
   std::filesystem::path file;
   canopen::DriveMode mode = canopen::DriveMode::cyclic_position;
-  bool absolute_encoders = false;  ///< positions are right from the start; else they have to be synchronised
+  bool absolute_encoders = false;  ///< positions are absolute from the start; otherwise the robot must be synchronised
   canopen::NodeId master = 127;    ///< whose heartbeats the drives watch: ours
-  double heartbeat = 0.1;          ///< s between two of each node; it is lost after three times that
-  double answer_time = 0.5;        ///< of the servo period: how long the drives may take to answer a SYNC
-  int missed_max = 2;              ///< SYNCs in a row that a drive may leave unanswered
-  double switch_on_time = 2.0;     ///< s that a drive gets to be switched on, off, or reset
-  bool target_at_sync = true;      ///< the drives take a set-point at the next SYNC, else at once
+  double heartbeat = 0.1;          ///< s between two heartbeats of each node; it is lost after three times that
+  double answer_time = 0.5;        ///< of the servo period: the drives' maximum time to answer a SYNC
+  int missed_max = 2;              ///< consecutive SYNCs that a drive may leave unanswered
+  double switch_on_time = 2.0;     ///< s for a drive to switch on, off, or reset
+  bool target_at_sync = true;      ///< the drives apply a set-point at the next SYNC, else at once
   int status_every = 4;            ///< SYNCs between two PDOs of velocity and switches
   std::vector<DriveEntry> drives;
-  canopen::EdsFile eds;  ///< what a drive's dictionary has
+  canopen::EdsFile eds;  ///< a drive's object dictionary
 };
 
-/// Reads a table for a robot with these axes. Throws ConfigurationError: what is wrong in it or in the EDS file that it
-/// names; an axis without a drive, or with two; two drives with one node, or the master's; a rated current or a
-/// resolution that cannot be; an object that the EDS file does not have, that may not be written or that the EDP writes
-/// on its own.
+/// Reads a table for a robot with these axes. Throws ConfigurationError: an error in it or in the EDS file that it
+/// names; an axis without a drive or with two; two drives with one node, or with the master's; an impossible rated
+/// current or resolution; an object that is not in the EDS file, is read-only or is written by the EDP itself.
 DriveTable read_drive_table(const std::filesystem::path& file, const RobotParameters& robot);
 
 }  // namespace mrroc::config

@@ -22,7 +22,7 @@ constexpr std::size_t kInterfaceLength = IFNAMSIZ - 1;
 constexpr std::size_t kHubLength = 107;  // of a socket's path
 constexpr std::string_view kProcess = "_drives";
 
-/// A name of the kernel as it is; a hub's path from the folder of the deployment file.
+/// A kernel name is unchanged; a hub's path is relative to the folder of the deployment file.
 std::string read_interface(const Table& table) {
   const std::string name = table.text("interface");
   if (name.starts_with(kHub)) {
@@ -42,16 +42,16 @@ std::string read_interface(const Table& table) {
 void check_clock(const Table& table, const Deployment& deployment, const CanEntry& can) {
   if (can.simulated && !deployment.sim) table.fail("simulated", "true needs a simulator", "a table [sim]");
   if (!can.simulated && deployment.clock != ClockMode::real)
-    table.fail("", "real drives go on by themselves", "clock = \"real\", or simulated = true");
+    table.fail("", "real drives need the real clock", "clock = \"real\", or simulated = true");
 }
 
-/// The drives are told the period as a whole number of 8 bits and a power of ten (60C2h).
+/// The drives receive the period as a whole number of 8 bits and a power of ten (60C2h).
 void check_period(const Table& table, double period) {
   for (const double unit : {1e-3, 1e-4, 1e-5, 1e-6}) {
     const double number = period / unit;
     if (std::abs(number - std::round(number)) < 1e-6 && number < 255.5) return;
   }
-  table.fail("", "drives on a bus cannot be told a servo period of " + number_text(period) + " s",
+  table.fail("", "drives on a bus do not support a servo period of " + number_text(period) + " s",
              "a whole number up to 255 of 1 ms, 0.1 ms, 10 us or 1 us");
 }
 
@@ -59,7 +59,7 @@ void check_interface_is_free(const Table& table, const Deployment& deployment, c
   for (const RobotEntry& other : deployment.robots)
     if (other.can && other.can->interface == robot.can->interface && other.host == robot.host)
       table.fail("interface", in_quotes(robot.can->interface) + " is that of robot " + in_quotes(other.name),
-                 "a bus of its own for each robot: one sends the SYNC");
+                 "a separate bus for each robot: one robot sends the SYNC");
 }
 
 void check_process_name(const Table& table, const RobotEntry& robot) {
@@ -70,7 +70,7 @@ void check_process_name(const Table& table, const RobotEntry& robot) {
                "a robot's name of at most " + std::to_string(most) + " characters");
 }
 
-/// A robot whose encoders count from where the power came on must be synchronised first; a simulated one may be born
+/// A robot whose encoders count from their position at power-on must be synchronised first; a simulated one may start
 /// synchronised.
 void settle_synchronised(const Table& robot_table, const DriveTable& drives, RobotEntry& robot) {
   const bool counting = !robot.can->simulated && !drives.absolute_encoders;

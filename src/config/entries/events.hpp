@@ -7,8 +7,8 @@
 
 namespace mrroc::config {
 
-/// Reads the tables [[events]], by tick, those of one tick in file order; `deployment` holds the sensors, whom an
-/// `answer` may go to. Throws ConfigurationError.
+/// Reads the tables [[events]], by tick, those of one tick in file order; `deployment` holds the sensors, to which an
+/// `answer` may be sent. Throws ConfigurationError.
 std::vector<Event> read_events(const Table& root, const Deployment& deployment);
 
 }  // namespace mrroc::config

@@ -13,12 +13,12 @@ namespace {
 
 std::array<double, 3> three(const std::vector<double>& values) { return {values[0], values[1], values[2]}; }
 
-/// `fed`: the parts of the feeders before.
+/// `fed`: the parts of the previous feeders.
 std::vector<std::string> read_parts(const Table& table, std::set<std::string>& fed) {
   std::vector<std::string> parts = table.texts("parts");
   if (parts.empty()) table.fail("parts", "empty", "at least one body of the scene");
   for (const std::string& part : parts) {
-    if (!fed.insert(part).second) table.fail("parts", in_quotes(part) + " comes twice", "each body once");
+    if (!fed.insert(part).second) table.fail("parts", in_quotes(part) + " is listed twice", "each body once");
   }
   return parts;
 }

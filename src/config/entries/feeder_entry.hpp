@@ -7,8 +7,8 @@
 
 namespace mrroc::config {
 
-/// The feeders of the table `sim`, in file order. Throws ConfigurationError: a name that is none, no parts, a part that
-/// comes twice, times or spreads that are none. Whether the scene has the parts is seen when the world is built.
+/// The feeders of the table `sim`, in file order. Throws ConfigurationError: an invalid name, no parts, a part that is
+/// listed twice, invalid times or spreads. The parts are checked against the scene when the world is built.
 std::vector<FeederEntry> read_feeders(const Table& sim);
 
 }  // namespace mrroc::config

@@ -6,7 +6,7 @@
 namespace mrroc::config {
 
 /// Checks `force_sensor` of every robot of `deployment`, which was read from `root`: it names a sensor of type
-/// force_torque that the robot carries and that no one else's EDP reads. Throws ConfigurationError.
+/// force_torque that the robot carries and that no other robot's EDP reads. Throws ConfigurationError.
 void check_force_sensors(const Table& root, const Deployment& deployment);
 
 }  // namespace mrroc::config

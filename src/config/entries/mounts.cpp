@@ -8,7 +8,7 @@ namespace mrroc::config {
 
 namespace {
 
-/// nullptr: none, or none of that name.
+/// nullptr: not mounted, or there is no robot of that name.
 const RobotEntry* carrier(const RobotEntry& robot, const Deployment& deployment) {
   const auto named = [&robot](const RobotEntry& each) { return each.name == robot.mount; };
   const auto found = std::find_if(deployment.robots.begin(), deployment.robots.end(), named);
@@ -17,7 +17,7 @@ const RobotEntry* carrier(const RobotEntry& robot, const Deployment& deployment)
 
 bool carries_itself(const RobotEntry& robot, const Deployment& deployment) {
   const RobotEntry* each = carrier(robot, deployment);
-  // a ring that `robot` hangs on without being part of it is found at its own robots
+  // a ring that carries `robot` but does not contain it is reported at its own robots
   for (std::size_t i = 0; each != nullptr && i < deployment.robots.size(); ++i) {
     if (each == &robot) return true;
     each = carrier(*each, deployment);

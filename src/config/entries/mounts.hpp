@@ -6,7 +6,7 @@
 namespace mrroc::config {
 
 /// Checks `mount` of every robot of `deployment`, which was read from `root`: it names a robot, no robot carries itself
-/// by way of others, and a simulated robot is carried by a simulated one. Throws ConfigurationError.
+/// through others, and a simulated robot is carried by a simulated one. Throws ConfigurationError.
 void check_mounts(const Table& root, const Deployment& deployment);
 
 }  // namespace mrroc::config

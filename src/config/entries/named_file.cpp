@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where `program` may lie, in the order of search.
+/// The possible paths of `program`, in search order.
 std::vector<fs::path> places(const Table& table, const std::string& program) {
   if (program.find('/') != std::string::npos) return {beside(table.file(), program)};
   std::vector<fs::path> paths = program_directories();

@@ -12,10 +12,10 @@ namespace mrroc::config {
 /// read.
 std::filesystem::path require_file(const Table& table, std::string_view key);
 
-/// What `name` means in `file`, absolute: a relative path starts at the folder of the file.
+/// The absolute path of `name` in `file`: a relative path starts at the folder of the file.
 std::filesystem::path beside(const std::filesystem::path& file, const std::filesystem::path& name);
 
-/// The executable `program`, absolute: a plain name lies in one of `program_directories()`, one with a `/` is a path.
+/// The executable `program`, absolute: a plain name is searched in `program_directories()`, one with a `/` is a path.
 /// Throws ConfigurationError at `key` if it does not exist or may not be executed.
 std::string require_program(const Table& table, std::string_view key, const std::string& program);
 

@@ -7,10 +7,10 @@
 
 namespace mrroc::config {
 
-/// Whether the readings of this sensor are what the operator answers: type `operator_input`, and not a played file.
+/// Whether the readings of this sensor are the operator's answers: type `operator_input`, and not a replayed file.
 bool asks_operator(const SensorEntry& sensor);
 
-/// The answers that such a sensor takes: its parameters `min` and `max`, both included.
+/// The answers that such a sensor accepts: its parameters `min` and `max`, both included.
 Range answers_of(const SensorEntry& sensor);
 
 /// Whether `value` is one of them.

@@ -10,7 +10,7 @@ namespace mrroc::config {
 
 namespace {
 
-/// Whether a field of this kind can have so many bytes (FieldOf).
+/// Whether a field of this kind can have this number of bytes (FieldOf).
 bool fits(const MessageFieldEntry& field) {
   switch (field.kind) {
     case FieldKind::number:
@@ -44,7 +44,7 @@ MessageFieldEntry read_field(const std::string& word) {
       if (size && kind == describe(field.kind) && fits(field)) return field;
     }
   }
-  throw std::runtime_error(in_quotes(word) + " is no field, expected name:kind:bytes");
+  throw std::runtime_error(in_quotes(word) + " is not a field, expected name:kind:bytes");
 }
 
 /// Throws unless the fields together fit a parcel.
@@ -80,7 +80,7 @@ ProgramBehaviours read_behaviours(const std::string& text) {
     std::string what, label;
     words >> what >> label;
     if (label.empty() || (what != "on" && what != "tells"))
-      throw std::runtime_error(in_quotes(line) + " is no behaviour, expected 'on LABEL ...' or 'tells LABEL'");
+      throw std::runtime_error(in_quotes(line) + " is not a behaviour, expected 'on LABEL ...' or 'tells LABEL'");
     if (what == "tells") {
       behaviours.tells.push_back(label);
       continue;
@@ -107,7 +107,7 @@ ProgramsByRobot read_programs(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t end = line.find(' ');
-    if (end == std::string::npos) throw std::runtime_error(in_quotes(line) + " is no behaviour of a robot");
+    if (end == std::string::npos) throw std::runtime_error(in_quotes(line) + " is not a behaviour of a robot");
     texts[line.substr(0, end)] += line.substr(end + 1) + "\n";
   }
   ProgramsByRobot programs;

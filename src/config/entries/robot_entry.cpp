@@ -19,8 +19,8 @@ std::string read_hardware(const Table& table, const Deployment& deployment) {
   return hardware;
 }
 
-/// Whether the drives know their positions from the start. If not, every axis must have a switch to find them by, or a
-/// drive that has its own means.
+/// Whether the drives' absolute positions are known from the start. If not, every axis must have a switch to find its
+/// position, or a drive with its own homing.
 bool read_synchronised(const Table& table, const RobotEntry& robot) {
   if (table.boolean_or("synchronised", true)) return true;
   if (robot.hardware == "socketcan") return false;

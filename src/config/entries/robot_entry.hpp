@@ -7,8 +7,8 @@
 
 namespace mrroc::config {
 
-/// Reads [robots.NAME]; `deployment` holds the sections read before it, of which [sim] matters. Its `mount` is not
-/// looked at: `check_mounts` does, when all robots are known. Throws ConfigurationError.
+/// Reads [robots.NAME]; `deployment` holds the sections read before it, of which [sim] matters. It does not check
+/// `mount`: `check_mounts` does, when all robots are known. Throws ConfigurationError.
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment);
 
 }  // namespace mrroc::config

@@ -14,7 +14,7 @@ namespace {
 
 /// 166.667 Hz means every third servo period of 2 ms.
 constexpr double kRateTolerance = 1e-4;
-constexpr double kMostPeriods = 1e9;  // weeks: a rate that is a slip, and beyond what a tick can count
+constexpr double kMostPeriods = 1e9;  // weeks: a mistaken rate, and beyond the range of a tick
 
 std::string read_robot_of(const Table& table, const Deployment& deployment) {
   if (!table.has("robot")) return "";
@@ -27,7 +27,7 @@ std::string read_robot_of(const Table& table, const Deployment& deployment) {
   table.fail("robot", "no robot " + in_quotes(name), alternatives(known));
 }
 
-/// The rate that is exactly one reading in a whole number of servo periods.
+/// The exact rate of one reading in a whole number of servo periods.
 double read_rate(const Table& table, double servo_period) {
   const double rate = table.number("rate");
   const double periods = 1 / (rate * servo_period);

@@ -10,12 +10,12 @@ namespace mrroc::config {
 
 namespace {
 
-/// Keys that every sensor has.
+/// Keys of every sensor.
 constexpr std::array<std::string_view, 8> kCommonKeys{"type",   "robot",  "mode",         "rate",
                                                       "source", "replay", "frozen_after", "noise_max"};
 constexpr std::int64_t kMostNumbers = 1000;
 
-/// What the keys of one declaration allow.
+/// The values that the keys of one declaration allow.
 struct Declaration {
   std::string kind;
   std::size_t size = 0;
@@ -67,7 +67,7 @@ void read_own_parameters(const Table& type, const Table& table, SensorEntry& sen
     }
     const Table declared = parameters->table(key);
     const Declaration declaration = read_declaration(declared);
-    // the default is read even when it is not needed: a wrong one shall not wait for its first user
+    // the default is read even when it is not needed, so that a wrong one is reported early
     if (declared.has("default")) read_value(declaration, declared, "default", key, sensor);
     if (table.has(key) || !declared.has("default")) read_value(declaration, table, key, key, sensor);
   }
@@ -81,7 +81,7 @@ std::vector<Channel> read_channels(const Table& type, const char* kind) {
     const std::string& name = channels.back().name;
     const auto same = [&name](const Channel& channel) { return channel.name == name; };
     if (std::any_of(channels.begin(), channels.end() - 1, same))
-      table.fail("name", in_quotes(name) + " is the name of an earlier channel", "a name of its own");
+      table.fail("name", in_quotes(name) + " is the name of an earlier channel", "a unique name");
     table.finish();
   }
   return channels;
@@ -105,7 +105,7 @@ void read_effector_state(const Table& type, SensorEntry& sensor) {
   if (!key) return;
   const auto number = sensor.numbers.find(*key);
   if (number == sensor.numbers.end() || number->second.size() != 1)
-    type.fail("effector_state_with", in_quotes(*key) + " is no parameter of kind number", "one of this file");
+    type.fail("effector_state_with", in_quotes(*key) + " is not a parameter of kind number", "one of this file");
   sensor.wants_effector_state = sensor.wants_effector_state || number->second[0] != 0;
 }
 

@@ -5,16 +5,16 @@
 
 namespace mrroc::config {
 
-/// Reads what sensors/<type>/<type>.toml of the share folder says of the sensor's type, and the keys of [sensors.NAME]
-/// that are of its type's own into `sensor.numbers` and `sensor.texts`.
+/// Reads the declarations of the sensor's type in sensors/<type>/<type>.toml of the share folder, and the type's own
+/// keys of [sensors.NAME] into `sensor.numbers` and `sensor.texts`.
 ///
-///     [[channels]]                         # of its readings; [[raw_channels]], of the hardware's, likewise
+///     [[channels]]                         # of its readings; [[raw_channels]]: of the hardware's
 ///     name = "distance"
 ///     unit = "m"
 ///
-///     sources = ["simulated", "hardware"]  # that it can read; left out: simulated, replay
-///     effector_state = true                # its VSP needs the state of the sensor's robot at every tick; left out:
-///     false effector_state_with = "tool_mass"    # or only where this parameter of the type's is not 0
+///     sources = ["simulated", "hardware"]  # supported; left out: simulated, replay
+///     effector_state = true                # its VSP needs the robot's state at every tick; left out: false
+///     effector_state_with = "tool_mass"    # or only where this parameter of the type's is not 0
 ///
 /// The type's own keys are declared in one table each:
 ///
@@ -26,8 +26,8 @@ namespace mrroc::config {
 ///     unit = "m"
 ///     text = "farthest distance that the sensor measures"
 ///
-/// `size` fixes how many `numbers` there are. Throws ConfigurationError, which names the deployment file if a value is
-/// wrong there and the type's file if a declaration is.
+/// `size` fixes how many `numbers` there are. Throws ConfigurationError, which names the deployment file for a wrong
+/// value and the type's file for a wrong declaration.
 void read_sensor_type(const Table& table, SensorEntry& sensor);
 
 }  // namespace mrroc::config

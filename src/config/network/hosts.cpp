@@ -49,7 +49,7 @@ std::string in_words(const std::string& host) {
   return host.empty() ? "the machine of the runner" : "host " + in_quotes(host);
 }
 
-/// The first robot of the simulated world; null: none.
+/// The first robot of the simulated world; null if there is no such robot.
 const RobotEntry* simulated_robot(const Deployment& deployment) {
   const auto simulated = [](const RobotEntry& robot) { return robot.in_world(); };
   const auto found = std::find_if(deployment.robots.begin(), deployment.robots.end(), simulated);
@@ -102,7 +102,7 @@ std::string read_host(const Table& table, const Deployment& deployment) {
     if (entry.name == host) return host;
     known.push_back(entry.name);
   }
-  // elsewhere the runner's machine is not known by its names: the runner has checked them
+  // other hosts do not know the names of the runner's machine; the runner has checked them
   if (host.empty() || !deployment.here.empty() || locate_host(host) == HostPlace::local) return "";
   const std::string expected = known.empty() ? "a table [hosts." + host + "]" : alternatives(known);
   table.fail("host", "no host " + in_quotes(host), expected + ", or no key for this machine");

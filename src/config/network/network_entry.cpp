@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kMakeKeys = "keys = \"FOLDER\" made by `mrroc keys FOLDER`, or security = false";
 
-/// The first host that is another machine; null: there is none. One at a loopback address is this machine.
+/// The first host that is another machine, or null. A host at a loopback address is this machine.
 const HostEntry* first_remote(const Deployment& deployment) {
   const auto used = deployment.hosts_used();
   const auto remote = std::find_if(used.begin(), used.end(), [](const HostEntry* host) {
@@ -24,7 +24,7 @@ std::filesystem::path read_keys(const Table& table) {
   const std::string name = table.text("keys");
   const std::filesystem::path folder = beside(table.file(), name);
   if (!std::filesystem::is_directory(folder)) {
-    table.fail("keys", in_quotes(name) + " is no folder", "one made by `mrroc keys " + folder.string() + "`");
+    table.fail("keys", in_quotes(name) + " is not a folder", "one made by `mrroc keys " + folder.string() + "`");
   }
   return folder;
 }

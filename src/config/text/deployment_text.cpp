@@ -37,7 +37,7 @@ std::optional<int> named_descriptor(const fs::path& file) {
   return std::nullopt;
 }
 
-/// Up to its end; whoever waits for a writer can be interrupted by a signal.
+/// Reads up to the end; a signal can interrupt the wait for a writer.
 std::string read_stream(int fd, const fs::path& file) {
   std::string text;
   std::array<char, 65536> block;

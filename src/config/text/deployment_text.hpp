@@ -5,14 +5,14 @@
 
 namespace mrroc::config {
 
-/// A deployment as it was read, once.
+/// The text of a deployment, read once.
 struct DeploymentText {
   /// The name in messages; relative paths of the deployment start at its folder. Of a regular file its absolute path;
-  /// else in the working directory: `stdin`, `fd-3`, or the name of the FIFO.
+  /// otherwise in the working directory: `stdin`, `fd-3`, or the name of the FIFO.
   std::filesystem::path file;
   std::string text;
   bool is_file = true;      ///< false: it cannot be read again
-  bool from_stdin = false;  ///< the standard input is used up
+  bool from_stdin = false;  ///< the standard input has been consumed
 };
 
 /// Reads `file`; `-` is the standard input. A file that is not a regular one, a FIFO or `/dev/fd/N`, is read up to its

@@ -33,7 +33,7 @@ std::string number_text(double value) {
 std::string in_quotes(std::string_view text) {
   const bool cut = text.size() > kQuotedLength;
   std::size_t length = cut ? kQuotedLength : text.size();
-  while (cut && length > 0 && !starts_character(text[length])) --length;  // no half of a UTF-8 character
+  while (cut && length > 0 && !starts_character(text[length])) --length;  // no partial UTF-8 character
   std::string result = "'";
   result += core::shown(text.substr(0, length));
   return result += cut ? "...'" : "'";

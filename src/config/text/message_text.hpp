@@ -7,7 +7,7 @@
 
 #include "config/table.hpp"
 
-/// Words of the messages of configuration errors. The same in every locale.
+/// Text for the messages of configuration errors. The same in every locale.
 namespace mrroc::config {
 
 /// Shortest text that reads back as the same number: 0.002, 1e-09, inf.

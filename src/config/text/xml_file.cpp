@@ -31,7 +31,7 @@ void check_text(const std::filesystem::path& file, std::string_view text) {
   }
 }
 
-/// The line of a declaration behind something else; 0: there is none. Comments do not count.
+/// The line of a declaration that is not first; 0: no such line. Comments do not count.
 int late_declaration(std::string_view text) {
   constexpr std::string_view kDeclaration = "<?xml ", kComment = "<!--", kCommentEnd = "-->";
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);

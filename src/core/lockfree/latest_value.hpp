@@ -31,7 +31,7 @@ class LatestValue {
   static constexpr unsigned kFresh = 4, kIndex = 3;
   std::array<Value, 3> slots_{};
   std::uint8_t back_ = 0;            // writer's own
-  std::atomic<unsigned> middle_{1};  // on the way, kFresh when not yet seen
+  std::atomic<unsigned> middle_{1};  // in transit, kFresh when not yet read
   std::uint8_t front_ = 2;           // reader's own
   bool filled_ = false;              // reader's own
 };

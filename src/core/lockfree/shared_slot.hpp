@@ -10,8 +10,8 @@ namespace mrroc::core {
 
 /// One value in memory, shared by one writer and any number of readers, threads or processes: a sequence lock over
 /// atomic words (H.-J. Boehm, "Can seqlocks get along with programming language memory models?", MSPC 2012). The writer
-/// is wait-free and never sees the readers; a reader retries while a write is under way and never sees a torn value. No
-/// allocation, no system call. Zeroed memory is a valid slot that nothing has been stored in.
+/// is wait-free and independent of the readers; a reader retries while a write is under way and never reads a torn
+/// value. No allocation, no system call. Zeroed memory is a valid empty slot.
 template <class Value>
 class SharedSlot {
   static_assert(std::is_trivially_copyable_v<Value>);
@@ -23,7 +23,7 @@ class SharedSlot {
     std::memcpy(words.data(), &value, sizeof(Value));
     const std::uint64_t sequence = sequence_.load(std::memory_order_relaxed);
     sequence_.store(sequence + 1, std::memory_order_relaxed);
-    // release on each word instead of one fence: the thread sanitizer does not know fences
+    // release on each word instead of one fence: the thread sanitizer does not support fences
     for (std::size_t i = 0; i < kWords; ++i) words_[i].store(words[i], std::memory_order_release);
     sequence_.store(sequence + 2, std::memory_order_release);
   }

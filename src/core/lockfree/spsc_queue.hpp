@@ -33,7 +33,7 @@ class SpscQueue {
     return head == tail_.load(std::memory_order_acquire) ? nullptr : &values_[head % Capacity];
   }
 
-  /// Takes the oldest value off; there must be one. Consumer.
+  /// Removes the oldest value; the queue must not be empty. Consumer.
   void pop() noexcept { head_.store(head_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
  private:

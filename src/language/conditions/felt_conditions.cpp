@@ -1,4 +1,4 @@
-// What the tool feels: TorqueAbove, TouchingAlong.
+// Conditions on the measured wrench: TorqueAbove, TouchingAlong.
 #include <cmath>
 
 #include "core/require.hpp"

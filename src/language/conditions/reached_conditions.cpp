@@ -1,4 +1,4 @@
-// Where the tool and the joints are: PositionReached, JointsReached, PathTravelled.
+// Conditions on the positions of the tool and the joints: PositionReached, JointsReached, PathTravelled.
 #include <cmath>
 
 #include "core/require.hpp"
@@ -21,7 +21,7 @@ PositionReached::PositionReached(const Robot& robot, const Eigen::Vector3d& posi
 PositionReached::PositionReached(const Robot& robot, const Pose& pose, double tolerance, double angle)
     : PositionReached(robot, Eigen::Vector3d{pose.translation()}, tolerance) {
   require_above_zero("PositionReached", "angle", angle);
-  if (!is_rigid(pose)) throw NonFatalError(ErrorCode::invalid_argument, "PositionReached: no rigid pose");
+  if (!is_rigid(pose)) throw NonFatalError(ErrorCode::invalid_argument, "PositionReached: the pose is not rigid");
   pose_ = pose;
   angle_ = angle;
 }

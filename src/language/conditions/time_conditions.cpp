@@ -1,4 +1,4 @@
-// How much time has gone by, and how old a reading is: ElapsedTime, ReadingOlderThan.
+// Conditions on the elapsed time and the age of a reading: ElapsedTime, ReadingOlderThan.
 #include "core/require.hpp"
 #include "core/short_number.hpp"
 #include "mrroc/conditions/elapsed_time.hpp"

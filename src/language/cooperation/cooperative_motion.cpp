@@ -22,10 +22,10 @@ void check(const std::vector<CooperatingArm>& arms) {
   if (arms.empty()) refuse("CooperativeMotion without an arm");
   for (std::size_t i = 0; i < arms.size(); ++i) {
     if (arms[i].robot == nullptr) refuse("CooperativeMotion: an arm without a robot");
-    if (!is_rigid(arms[i].base)) refuse("CooperativeMotion: a base is no rigid pose");
+    if (!is_rigid(arms[i].base)) refuse("CooperativeMotion: a base is not a rigid pose");
     if (!arms[i].wrench != !arms[0].wrench) refuse("CooperativeMotion: a wrench of some arms only");
     for (std::size_t j = 0; j < i; ++j)
-      if (arms[i].robot == arms[j].robot) refuse("CooperativeMotion: an arm stands twice in the list");
+      if (arms[i].robot == arms[j].robot) refuse("CooperativeMotion: an arm is listed twice");
   }
 }
 

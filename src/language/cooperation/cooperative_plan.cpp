@@ -20,13 +20,13 @@ namespace {
 
 constexpr double kPlanDifference = 1e-4;  // s, for the derivatives of the poses
 constexpr double kReturn = 1.0;           // s, to the path after a pause
-constexpr double kRestSpeed = 1e-5;       // m/s: slower the arms may stop within one macrostep
+constexpr double kRestSpeed = 1e-5;       // m/s: below it the arms may stop within one macrostep
 constexpr double kRestRate = 1e-3;        // m/s^2
 constexpr double kPlanRounding = 1e-9;    // s
-constexpr double kPathSamples = 256;      // of the path, to look whether an arm can follow it, at least
+constexpr double kPathSamples = 256;      // of the path, to check whether an arm can follow it, at least
 constexpr double kSampleTime = 0.1;       // s between them, at most
 
-/// The pose in the middle of several that are near to each other.
+/// The mean of several poses that are close to each other.
 Pose middle_of(const std::vector<Pose>& poses) {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();
   for (const Pose& pose : poses) {
@@ -142,8 +142,8 @@ void CooperativePlan::take_motion(std::size_t arm) {
 }
 
 void CooperativePlan::resume() {
-  // where each arm has the object, what it has given way by taken into account; the rest of what they differ by is more
-  // of that
+  // the object's pose according to each arm, corrected for the displacement by which it has given way; the remaining
+  // difference is added to that displacement
   std::vector<Pose> seen;
   for (std::size_t i = 0; i < arms_.size(); ++i)
     seen.push_back(arms_[i].base * arms_[i].robot->state().desired_pose * grasp_at(i, 0).inverse());
@@ -217,7 +217,7 @@ void CooperativePlan::check_limits() const {
     const double way = std::max(of(given_, i).head<3>().norm(), of(given_, i).tail<3>().norm());
     if (way > force_.travel)
       throw NonFatalError(ErrorCode::force_limit,
-                          "for the wanted internal force the arm would have to give way by " +
+                          "for the desired internal force the arm would have to give way by " +
                               number_text(1000 * way, 1000 * force_.travel) + " mm, limit " +
                               number_text(1000 * force_.travel, 1000 * way) + " mm",
                           origin_of(arms_[i]));
@@ -230,7 +230,7 @@ void CooperativePlan::give_way() {
     for (Eigen::VectorXd* stack : {&speed_, &rate_, &jerk_}) stack->setZero();
     return;
   }
-  // linear to the rate that brings the speed to b (P h - wanted) within the lag; at the end of the path to rest
+  // linear to the rate that brings the speed to b (P h - wanted) within the lag; to rest at the end of the path
   const double gain = ends ? 0 : force_.admittance, lag = std::max(force_.lag, step_);
   jerk_ = ((gain * (excess_ - wanted_) - speed_) / lag - rate_) / step_;
 }

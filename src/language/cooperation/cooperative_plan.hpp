@@ -8,19 +8,19 @@
 
 namespace mrroc {
 
-/// What a CooperativeMotion knows from step to step: the way of the object, how the arms hold it, and what they give
-/// way by. Times t are in s after the start of the coming macrostep. The task's thread; allocates in `start` and
-/// `resume` only.
+/// The state of a CooperativeMotion from step to step: the path of the object, the grasps of the arms, and the
+/// displacements by which they give way. Times t are in s after the start of the coming macrostep. Task's thread;
+/// allocates in `start` and `resume` only.
 class CooperativePlan {
  public:
   CooperativePlan(std::vector<CooperatingArm> arms, const std::vector<Pose>& poses, const CooperativeLimits& limits,
                   const InternalForce& force);
 
-  /// The grasps from where the tools are. Throws NonFatalError as CooperativeMotion::start.
+  /// Computes the grasps from the tools' poses. Throws NonFatalError as CooperativeMotion::start.
   void start();
-  /// From where the arms have stopped.
+  /// Continues from the poses at which the arms have stopped.
   void resume();
-  /// From now on to rest, on the path.
+  /// Brings the object to rest on the path.
   void brake();
   /// Takes the wrenches. Throws as CooperativeMotion::next_state.
   void measure();
@@ -28,7 +28,7 @@ class CooperativePlan {
   void give_way();
   /// Commands arm `i` for the coming macrostep.
   void command(std::size_t i) const;
-  /// That macrostep is over.
+  /// Call at the end of that macrostep.
   void advance();
 
   /// The object is at the end of its path and the arms rest.
@@ -49,7 +49,7 @@ class CooperativePlan {
   bool over(double t) const;
   void check_limits() const;
   /// Throws NonFatalError where arm `i` cannot follow the object's path without giving way: out_of_workspace,
-  /// joint_limit, motor_limit, velocity_limit; what its EDP would refuse the motion with (MotionCheck).
+  /// joint_limit, motor_limit, velocity_limit; the error with which its EDP would refuse the motion (MotionCheck).
   void check_arm(std::size_t i) const;
   /// d of arms that still move: they are giving way.
   void take_motion(std::size_t arm);
@@ -69,7 +69,7 @@ class CooperativePlan {
   double step_ = 0;  // of a macrostep, s
   ObjectPath path_;
   double time_ = 0;            // since the path's start, at the start of the coming macrostep
-  double clock_ = 0;           // since start or resume, likewise
+  double clock_ = 0;           // since start or resume, at the same instant
   bool braking_ = false;       // the path ends where the object can come to rest
   Twist off_ = Twist::Zero();  // of the object from its path when it was resumed: translation, rotation vector
   Pose object_ = Pose::Identity();

@@ -6,9 +6,9 @@
 
 namespace mrroc {
 
-/// Splits the wrenches that n arms exchange with an object that they hold into those that move it and the internal
-/// ones, which do nothing to it. All in one set of axes. Stacks of 6 n: per arm force (N) and torque about its grasp
-/// divided by `length` (N), or translation (m) and rotation times `length` (m). With
+/// Splits the wrenches between n arms and the object that they hold into those that move it and the internal ones,
+/// which do not. All in one set of axes. Stacks of 6 n: per arm force (N) and torque about its grasp divided by
+/// `length` (N), or translation (m) and rotation times `length` (m). With
 ///
 ///   W = [ I  0 ; [r_1] / l  I  ...  I  0 ; [r_n] / l  I ]      [r]: the matrix of r x
 ///
@@ -16,8 +16,8 @@ namespace mrroc {
 ///
 ///   P = I - W^T (W W^T)^-1 W
 ///
-/// the orthogonal projection onto what has none, and onto displacements of the grasps that move no rigid object.
-/// Allocates in the constructor only; never throws.
+/// the orthogonal projection onto wrenches with zero total, and onto displacements of the grasps that do not move a
+/// rigid object. Allocates in the constructor only; never throws.
 class InternalWrench {
  public:
   InternalWrench() = default;
@@ -30,7 +30,7 @@ class InternalWrench {
   const Eigen::MatrixXd& matrix() const noexcept { return matrix_; }
 
   /// Every arm presses with `force` N towards the middle of the grasps: the internal part of the wrenches of the object
-  /// on the arms. Exact for two arms, and for those that stand evenly around the middle.
+  /// on the arms. Exact for two arms, and for grasps spaced evenly around the middle.
   Eigen::VectorXd squeeze(double force) const;
 
  private:

@@ -47,14 +47,14 @@ ObjectPath::ObjectPath(const std::vector<Pose>& poses, const CooperativeLimits& 
     Coordinates x;
     x << poses[i].translation(), rotation_vector(first_.transpose() * poses[i].linear());
     if (x.tail<3>().norm() > kMostTurn) {
-      refuse(number + " is turned by " + std::to_string(x.tail<3>().norm()) +
+      refuse(number + " is rotated by " + std::to_string(x.tail<3>().norm()) +
              " rad from the first, expected at most 3");
     }
     const auto way_from = [&](std::size_t k) { return (poses[i].translation() - poses[k].translation()).norm(); };
     const auto turn_from = [&](std::size_t k) {
       return rotation_vector(poses[k].linear().transpose() * poses[i].linear()).norm();
     };
-    if (i > 0 && way_from(i - 1) < kEqual && turn_from(i - 1) < kEqual) refuse(number + " is the one before");
+    if (i > 0 && way_from(i - 1) < kEqual && turn_from(i - 1) < kEqual) refuse(number + " equals the previous one");
     if (!std::binary_search(kept.begin(), kept.end(), i)) continue;
     double knot = 0;
     if (i > 0) knot = knots_.back() + std::max(way_from(last) / limits.speed, turn_from(last) / limits.angular_speed);
@@ -114,7 +114,7 @@ void ObjectPath::choose_speed(const CooperativeLimits& limits) {
       twist = std::max(twist, (second - first).norm() / (h * h));
     }
   }
-  // half of the acceleration for the curves, what they leave for gaining speed
+  // half of the acceleration for the curves, the remainder for gaining speed
   const double speed =
       kMargin * std::min({limits.speed / way, limits.angular_speed / turn, std::sqrt(0.5 * limits.acceleration / bend),
                           std::sqrt(0.5 * limits.angular_acceleration / twist)});
@@ -148,7 +148,7 @@ void ObjectPath::stop(double t) noexcept {
   trajectory_.at_time(std::clamp(t, 0.0, trajectory_.get_duration()), input.current_position, input.current_velocity,
                       input.current_acceleration);
   ruckig::Ruckig<1> ruckig;
-  ruckig.calculate(input, trajectory_);  // to rest there is always a way
+  ruckig.calculate(input, trajectory_);  // a trajectory to rest always exists
 }
 
 Pose ObjectPath::restart(double t, const Pose& pose, double ahead) {

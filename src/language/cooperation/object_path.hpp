@@ -7,30 +7,30 @@
 
 namespace mrroc {
 
-/// A frame's way through poses, from rest to rest. Its coordinates x = (p, phi), the rotation being R_0 exp(phi), are a
-/// natural cubic spline x(u) with the poses at its knots, less those that are one place with
-/// another (near_places.hpp); neighbouring knots are as far apart as the way between them
-/// would take at full speed. u(t) is jerk-limited (Ruckig; the jerk is 10 / s times the acceleration), with
+/// A frame's path through poses, from rest to rest. Its coordinates x = (p, phi), with the rotation R_0 exp(phi), are a
+/// natural cubic spline x(u) with the poses at its knots, without those that coincide with another (near_places.hpp);
+/// the distance of neighbouring knots is the time between them at full speed. u(t) is jerk-limited (Ruckig; the jerk is
+/// 10 / s times the acceleration), with
 ///
 ///   |x'| du/dt <= speed,   |x'| d2u/dt2 + |x''| (du/dt)^2 <= acceleration
 ///
-/// for position and rotation each, with the largest |x'|, |x''| of the whole spline. The task's thread; `at` and `stop`
+/// for position and rotation each, with the largest |x'|, |x''| of the whole spline. Task's thread; `at` and `stop`
 /// allocate nothing.
 class ObjectPath {
  public:
-  /// Throws NonFatalError(invalid_argument): no pose, one that is not rigid, equals the one before or is turned by more
-  /// than 3 rad from the first; a limit that is not above 0.
+  /// Throws NonFatalError(invalid_argument): no pose, one that is not rigid, equals the previous one or is rotated by
+  /// more than 3 rad from the first; a limit that is not above 0.
   ObjectPath(const std::vector<Pose>& poses, const CooperativeLimits& limits);
 
   /// s; 0 of a single pose.
   double duration() const noexcept { return knots_.size() > 1 ? trajectory_.get_duration() : 0; }
-  /// Where the frame is `t` s after the start; before it at the first pose, after the end at the last one.
+  /// The frame `t` s after the start; before the start the first pose, after the end the last one.
   Pose at(double t) const noexcept { return pose(parameter(t)); }
 
-  /// From now on the motion is that from the place of `t` to where it can come to rest first, within the limits.
+  /// Replaces the motion by the shortest stop within the limits from the point of `t`.
   void stop(double t) noexcept;
-  /// From now on the motion is that from the place nearest to `pose`, within what `ahead` s at full speed pass beyond
-  /// the place of `t`, at rest, to the end. Returns that place.
+  /// Replaces the motion by one to the end from rest at the point nearest to `pose`, searched up to `ahead` s at full
+  /// speed beyond the point of `t`. Returns that point.
   Pose restart(double t, const Pose& pose, double ahead);
 
  private:

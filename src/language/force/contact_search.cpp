@@ -16,10 +16,10 @@ namespace {
 
 constexpr double kTravelGain = 4;  // 1/s, towards a place
 constexpr double kArrived = 3e-4;  // m
-constexpr double kMostForce = 2;   // times the contact force, on the ways between
+constexpr double kMostForce = 2;   // times the contact force, between the probes
 constexpr double kSettled = 0.05;  // of the contact force
 constexpr int kSettledSteps = 5;
-constexpr int kPatience = 100;   // steps for settling, and at a place that is not quite reached
+constexpr int kPatience = 100;   // steps for settling, and near a position that is not quite reached
 constexpr double kTurnGain = 2;  // 1/s, back to the orientation
 
 }  // namespace
@@ -84,7 +84,7 @@ void ContactSearch::next_state() {
   Eigen::Vector3d wanted = Eigen::Vector3d::Zero();
   const Eigen::Vector3d place = robot_->state().pose.translation();
   if (phase_ == Phase::along) {
-    // along the line from the start, straight back onto it where it has been pushed off
+    // along the line from the start, and straight back onto it after a deviation
     const Eigen::Vector3d off = probe().start - place;
     wanted = probing_.speed * probe().direction + kTravelGain * (off - off.dot(probe().direction) * probe().direction);
   } else if (phase_ == Phase::out || phase_ == Phase::back) {
@@ -97,7 +97,7 @@ void ContactSearch::next_state() {
   command(velocity_);
 }
 
-/// What the measured state makes of the phase.
+/// Updates the phase from the measured state.
 void ContactSearch::look() {
   const RobotState& state = robot_->state();
   const Eigen::Vector3d place = state.pose.translation();

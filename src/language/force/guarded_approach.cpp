@@ -10,7 +10,7 @@ namespace mrroc {
 
 namespace {
 
-/// Of the acceleration, for the profile; the rest is for following it.
+/// Share of the acceleration for the profile; the remainder is for following it.
 constexpr double kShare = 0.5;
 constexpr double kApproachGain = 4;  // 1/s
 constexpr double kGainSteps = 0.2;   // the gain times the macrostep, at most

@@ -34,7 +34,7 @@ Impedance::Impedance(Robot& robot, const Pose& pose, const ImpedanceParameters& 
             return frame;
           },
           parameters) {
-  if (!is_rigid(pose)) throw NonFatalError(ErrorCode::invalid_argument, "Impedance about what is no rigid pose");
+  if (!is_rigid(pose)) throw NonFatalError(ErrorCode::invalid_argument, "Impedance: the pose is not rigid");
 }
 
 Impedance::Impedance(Robot& robot, SetPoint set_point, const ImpedanceParameters& parameters)

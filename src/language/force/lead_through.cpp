@@ -9,9 +9,9 @@ namespace mrroc {
 
 namespace {
 
-/// Of three axes that comply alike.
+/// Of three axes with the same compliance.
 struct Compliance {
-  Eigen::Vector3d ignored;  ///< what of the force moves nothing
+  Eigen::Vector3d ignored;  ///< the part of the force below the threshold
   double damping;           ///< D'
 };
 

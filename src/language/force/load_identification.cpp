@@ -13,7 +13,7 @@ namespace mrroc {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kClear = 3;  // standard deviations from 0 that make a mass one
+constexpr double kClear = 3;  // standard deviations from 0 of a significant mass
 
 }  // namespace
 
@@ -75,7 +75,7 @@ LoadEstimate LoadIdentification::estimate() const {
   load.centre = normal.ldlt().solve(turning) / load.mass;
   result.offset << mean_wrench.head<3>() - load.mass * mean_gravity,
       mean_wrench.tail<3>() - load.centre.cross(load.mass * mean_gravity);
-  double forces = 0, torques = 0;  // squares of what is left
+  double forces = 0, torques = 0;  // squares of the residuals
   for (const Reading& reading : readings_) {
     const Eigen::Vector3d weight = load.mass * reading.gravity;
     forces += (reading.wrench.head<3>() - weight - result.offset.head<3>()).squaredNorm();

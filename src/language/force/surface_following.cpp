@@ -10,10 +10,10 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kFelt = 0.1;        // of the force: less is no contact
+constexpr double kFelt = 0.1;        // of the force: less is not contact
 constexpr int kPatience = 10;        // steps without contact
 constexpr double kPathGain = 4;      // 1/s, back to the path
-constexpr double kMovesAlong = 0.3;  // of the commanded way: less tells nothing about the slope
+constexpr double kMovesAlong = 0.3;  // of the commanded path: less does not determine the slope
 
 }  // namespace
 
@@ -145,7 +145,7 @@ Eigen::Vector3d SurfaceFollowing::turning(const Wrench& felt) const {
   const Eigen::Vector3d along = commanded_ / speed, across = along.cross(Eigen::Vector3d::UnitZ());
   const double gone = displacement_.dot(along);
   if (gone < kMovesAlong * speed * robot_->step_duration()) return Eigen::Vector3d::Zero();
-  // the angle about `across` that brings x along to the way, and that about `along` that brings z to the force
+  // the angle about `across` that aligns x with the path, and that about `along` that aligns z with the force
   const double climb = std::atan2(displacement_.z(), gone);
   const double lean = std::atan2(-felt.head<3>().dot(across), pressed);
   return stepped(Eigen::Vector3d::Zero(), contact_.turning_gain * (climb * across + lean * along),

@@ -56,7 +56,7 @@ void WeightMeasurement::read() {
   const RobotState& state = robot_->state();
   const double period = robot_->task().servo_period();
   const Tick before = std::exchange(last_, state.tick);
-  if (!std::exchange(resting_, leg_->over(time_))) return;  // the step before still led there
+  if (!std::exchange(resting_, leg_->over(time_))) return;  // the previous step still moved there
   rest_ += static_cast<double>(last_ - before) * period;
   if (rest_ < weighing_.settling) return;
   sum_ += state.wrench;

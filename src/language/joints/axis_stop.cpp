@@ -33,7 +33,7 @@ void AxisStop::plan(double p, double v, double a, double acceleration_max, doubl
   fastest_ = start < 0 && std::abs(coasting) > std::abs(v) ? coasting : v;
   double time = 0;
   double position = p, velocity = v, acceleration = a;
-  if (v * coasting < 0) {  // turns once, in the first phase
+  if (v * coasting < 0) {  // reverses once, in the first phase
     const double t = first_zero(v, a, jerks[0]);
     const double turn = p + t * (v + t * (a / 2.0 + t * jerks[0] / 6.0));
     lowest_ = std::min(lowest_, turn);

@@ -18,7 +18,7 @@ void bring_to_rest(const std::vector<Robot*>& robots) {
       for (Robot* robot : moving) robot->receive();
       std::erase_if(moving, is_done);
     }
-  } catch (const Error&) {  // the next instruction meets it again
+  } catch (const Error&) {  // the next instruction throws it again
   }
 }
 

@@ -48,7 +48,7 @@ bool is_planned(ruckig::Result result) {
 
 struct JointLeg::Plan {
   explicit Plan(const Robot& robot) : check(robot) {
-    // Ruckig validates the numbers of disabled joints, too
+    // Ruckig also validates the numbers of disabled joints
     for (auto* each : {&input, &slowing_input}) {
       for (auto* values : {&each->current_position, &each->target_position, &each->max_velocity,
                            &each->max_acceleration, &each->max_jerk})
@@ -71,14 +71,14 @@ struct JointLeg::Plan {
   ruckig::Result result = ruckig::Result::Working;  // of the last calculation of `trajectory`
   std::size_t axes = 0;
   Motion start, slowed;
-  JointValues rest{};       // where the shortest stops end
+  JointValues rest{};       // ends of the shortest stops
   double slowing_time = 0;  // s, before the trajectory begins
-  double pace = 1;          // of the trajectory's time: it is planned `1 / pace` times as fast
+  double pace = 1;          // of the trajectory's time: planned `1 / pace` times as fast
   double least_time = 0;    // s, of the whole motion
   MotionPace slowness;      // of the whole motion
   MotionCheck check;
 
-  /// From `from` at `speed`; false when Ruckig finds nothing.
+  /// From `from` at `speed`; false when Ruckig finds no solution.
   bool run(const Motion& from, const std::vector<AxisParameters>& parameters, double speed) {
     pace = speed < kNaturalTime ? speed : 1;
     const JointLimits limits = limits_at(parameters, pace == 1 ? speed : 1);
@@ -96,8 +96,8 @@ struct JointLeg::Plan {
     return is_planned(result);
   }
 
-  /// As fast as the robot can, each axis on its own: to rest where `stopped` has it, else to the velocity of the first
-  /// moment without acceleration, but at most `speed` of the limits. Nothing when Ruckig finds nothing.
+  /// At the robot's limits, each axis on its own: to rest where `stopped` is set, else to the velocity at zero
+  /// acceleration, but at most `speed` of the limits. Nothing when Ruckig finds no solution.
   bool slow_down(const std::vector<AxisParameters>& parameters, AxisSet stopped, double speed) {
     const JointLimits full = limits_at(parameters, 1);
     for (std::size_t i = 0; i < axes; ++i) {
@@ -118,11 +118,11 @@ struct JointLeg::Plan {
     return true;
   }
 
-  /// Whether the start is one that a motion at `speed` could be in.
+  /// Whether the start is a possible state of a motion at `speed`.
   bool starts_within(const JointLimits& limits) const {
     for (std::size_t i = 0; i < axes; ++i) {
       const double v = start.velocity[i], a = start.acceleration[i];
-      const double later = v + 0.5 * a * std::abs(a) / limits.jerk[i];  // when the acceleration has gone
+      const double later = v + 0.5 * a * std::abs(a) / limits.jerk[i];  // when the acceleration has become 0
       if (std::max(std::abs(v), std::abs(later)) > kWithin * limits.velocity[i] ||
           std::abs(a) > kWithin * limits.acceleration[i])
         return false;
@@ -130,7 +130,7 @@ struct JointLeg::Plan {
     return true;
   }
 
-  /// The axes that leave the way between their start, their target and where their shortest stop would end.
+  /// The axes that leave the range of their start, their target and the end of their shortest stop.
   AxisSet beyond() const {
     std::array<ruckig::Bound, kMost> extrema;
     trajectory.get_position_extrema(extrema);
@@ -219,7 +219,7 @@ void JointLeg::calculate(double speed) {
     stopped = plan.beyond();
     if (stopped.none()) return;
   }
-  // those that would go too far with the scaled limits are stopped with the whole ones, as few as that takes
+  // axes that would overshoot with the scaled limits are stopped with the unscaled ones, as few as necessary
   while (stopped != all) {
     if (!plan.slow_down(axes, stopped, speed) || !plan.run(plan.slowed, axes, speed)) break;
     plan.slowness.from = plan.slowing_time;

@@ -7,15 +7,15 @@
 
 namespace mrroc {
 
-/// A motion in joint space to rest at a target, of `JointLine` and of generators that drive several: time-optimal under
-/// the shares of the limits scaled by speed, speed^2, speed^3 (Ruckig, phase-synchronised). A motion that the EDP would
-/// refuse takes longer where that helps (kSlower). Task's thread. Planning does not allocate, so a step may plan the
-/// next motion.
+/// A motion in joint space to rest at a target, for `JointLine` and for generators with several such motions:
+/// time-optimal under the shares of the limits scaled by speed, speed^2, speed^3 (Ruckig, phase-synchronised). A motion
+/// that the EDP would refuse takes longer where that helps (kSlower). Task's thread. Planning does not allocate, so a
+/// step may plan the next motion.
 ///
-/// A motion under way is driven on with the scaled limits where they hold at its start and no axis leaves the way
-/// between start, target and the end of its shortest stop. Else it is slowed down first, with the shares of the
-/// unscaled limits: to the scaled velocities, and the axes that would still go too far to rest. So no axis passes its
-/// target by more than its shortest braking distance, at any speed.
+/// A motion under way continues with the scaled limits if they hold at its start and no axis leaves the range of start,
+/// target and the end of its shortest stop. Otherwise it is first slowed down with the shares of the unscaled limits:
+/// to the scaled velocities, and to rest for the axes that would still overshoot. So no axis passes its target by more
+/// than its shortest braking distance, at any speed.
 class JointLeg {
  public:
   /// Allocates. `robot` must outlive it.
@@ -24,8 +24,8 @@ class JointLeg {
   JointLeg(JointLeg&&) noexcept;
   JointLeg& operator=(JointLeg&&) noexcept;
 
-  /// From the robot's desired state, in motion or not; `speed` as check_speed. Throws NonFatalError: invalid_argument;
-  /// what the EDP would refuse the motion with (MotionCheck).
+  /// From the robot's desired state, in motion or at rest; `speed` as check_speed. Throws NonFatalError:
+  /// invalid_argument; the error with which the EDP would refuse the motion (MotionCheck).
   void plan(const JointVector& target, double speed);
   /// From rest at `from`.
   void plan(const JointVector& from, const JointVector& target, double speed);

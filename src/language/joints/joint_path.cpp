@@ -10,7 +10,7 @@ namespace mrroc {
 namespace {
 
 constexpr const char* kName = "JointPath";
-constexpr int kLooks = 32;  // at the motors, from waypoint to waypoint on average
+constexpr int kLooks = 32;  // checks of the motors, from waypoint to waypoint on average
 
 void require_waypoints(bool there) {
   if (!there) throw NonFatalError(ErrorCode::invalid_argument, std::string{kName} + " without a waypoint");

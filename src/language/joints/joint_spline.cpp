@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSame = 1e-9;       // s at full speed
 constexpr double kMostSlope = 1.25;  // of a calmed joint
-constexpr int kHalvings = 6;         // of a piece, to see how far it swings
+constexpr int kHalvings = 6;         // of a piece, to bound its range
 constexpr double kSplineRounding = 1e-12;
 
 double full_speed_time(const RobotParameters& parameters, const JointVector& from, const JointVector& to) {
@@ -40,7 +40,7 @@ Bernstein bernstein(const QuinticPiece<Eigen::Dynamic, kMaxJoints>::State& from,
           b};
 }
 
-/// False also when some halvings (de Casteljau) do not show it: what grazes a bound, from outside perhaps.
+/// False also when some halvings (de Casteljau) cannot prove it: a curve that touches a bound, possibly from outside.
 bool stays_within(Bernstein left, double low, double high, int halvings) {
   const auto [least, greatest] = std::minmax_element(left.begin(), left.end());
   if (*least >= low && *greatest <= high) return true;

@@ -9,17 +9,17 @@ namespace mrroc {
 /// The joints' path through waypoints: a cubic spline over the time that a joint takes from waypoint to waypoint at
 /// full speed, of the slowest one. It has continuous first and second derivatives and no curvature at its ends.
 ///
-/// Where the spline would swing out of a position limit, or nearer to it than a stop needs (a^3 / j^2), and not because
-/// a waypoint is there, the joint is calmed at the two waypoints: second derivative 0, and first one 0 where the
-/// direction turns, else at most 1.25 times the smaller of the slopes. Then the piece's velocity does not change its
+/// Where the spline, but no waypoint, would exceed a position limit, or come closer to it than a stop needs (a^3 /
+/// j^2), the joint's tangents are flattened at the two waypoints: second derivative 0, and first one 0 where the
+/// direction reverses, else at most 1.25 times the smaller of the slopes. Then the piece's velocity does not change its
 /// sign (its Bernstein coefficients are d0, d0, 5 D - 2 d0 - 2 d1, d1, d1), so it stays between the waypoints.
 ///
-/// A joint that turns at its very limit would be carried a little beyond it by the EDP's polynomials between the
-/// macrosteps' ends, which replace |t|^3 there. So a waypoint on the way is passed at least j T^3 / 192 inside (T: a
-/// macrostep; 0.002 mrad for the IRb-6's wrist and 20 ms).
+/// If a joint reverses exactly at its limit, the EDP's polynomials between the macrosteps' ends, which replace |t|^3
+/// there, would exceed it a little. So an intermediate waypoint is passed at least j T^3 / 192 inside (T: a macrostep;
+/// 0.002 mrad for the IRb-6's wrist and 20 ms).
 class JointSpline : public RobotPath {
  public:
-  /// `waypoints` within the limits; one near to the one before (near_places.hpp) is left out, the last one never.
+  /// `waypoints` within the limits; one near the previous one (near_places.hpp) is dropped, the last one never.
   /// `speed`: as in JointLine; `step`: the duration of a macrostep, s.
   JointSpline(const RobotParameters& parameters, const std::vector<JointVector>& waypoints, double speed, double step);
 

@@ -53,7 +53,7 @@ namespace {
 
 ErrorOrigin origin_of(const Robot& robot) { return {robot.task().process_name(), robot.name(), 0, robot.state().tick}; }
 
-/// Why no posture is within the limits.
+/// The reason why no posture is within the limits.
 std::string refusal_text(const Robot& robot, const Posture& posture) {
   if (posture.code == ErrorCode::out_of_workspace) {
     if (posture.deviation.position == 0 && posture.deviation.rotation == 0) return "";
@@ -122,7 +122,7 @@ JointVector resting_joints(const Robot& robot) {
     input.current_acceleration[0] = state.desired_acceleration[row];
     input.max_acceleration[0] = kAccelerationShare * axis.acceleration_max;
     input.max_jerk[0] = kJerkShare * axis.jerk_max;
-    if (ruckig.calculate(input, trajectory) < 0) continue;  // stays where it is: planning from there will say why
+    if (ruckig.calculate(input, trajectory) < 0) continue;  // stays where it is: planning from there reports the reason
     std::array<double, 1> position{}, velocity{}, acceleration{};
     trajectory.at_time(trajectory.get_duration(), position, velocity, acceleration);
     rest[row] = std::clamp(position[0], std::min(axis.position_min, state.desired_joints[row]),

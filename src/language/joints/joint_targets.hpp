@@ -3,7 +3,7 @@
 #include "language/joints/nearest_posture.hpp"
 #include "mrroc/robot.hpp"
 
-/// What generators that plan in joint space share. Task's thread.
+/// Shared parts of generators that plan in joint space. Task's thread.
 namespace mrroc {
 
 /// Parts of a robot's limits that a motion in joint space is planned with. The EDP joins the points of the macrosteps'
@@ -28,19 +28,19 @@ void check_joints(const Robot& robot, const JointVector& joints, const std::stri
 Pose rigid_pose(const Robot& robot, const Pose& pose, const std::string& what);
 
 /// The posture of a tool pose that is nearest to `near`, on any branch and turn (`nearest_posture`). Throws
-/// NonFatalError: out_of_workspace, joint_limit or motor_limit with what the nearest one passes.
+/// NonFatalError: out_of_workspace, joint_limit or motor_limit with the limit that the nearest one exceeds.
 Posture posture_of(const Robot& robot, const Pose& pose, const JointVector& near, const std::string& what);
 
 /// " position (x, y, z) m", and " (the name of the branch that `joints` are on)" or nothing: for the text of an error.
 std::string place_text(const Pose& pose);
 std::string branch_text(const Robot& robot, const JointVector& joints);
 
-/// The joints of a tool pose on the branch nearest to `near`, whatever the limits: for paths of the tool. Throws
+/// The joints of a tool pose on the branch nearest to `near`, ignoring the limits: for paths of the tool. Throws
 /// NonFatalError: out_of_workspace, singular.
 JointVector joints_on_branch(const Robot& robot, const Pose& pose, const JointVector& near, const std::string& what);
 
-/// Where the joints come to rest when they brake from the desired state as fast as the shares of the limits allow, each
-/// on its own; not beyond the position limits.
+/// The joints at rest after each has braked on its own from the desired state, as fast as the shares of the limits
+/// allow; not beyond the position limits.
 JointVector resting_joints(const Robot& robot);
 
 }  // namespace mrroc

@@ -14,7 +14,8 @@ namespace {
 constexpr double kExact = 1e-9;  // m, rad: a pose that differs by less is the same
 constexpr int kTurns = 8;        // of an axis, tried beyond the nearest one
 
-/// Motor that passes its limit: -1 none, else its number; `joint_count` when the transmission cannot reach the joints.
+/// Motor that exceeds its limit: -1 no motor, else its number; `joint_count` when the transmission cannot reach the
+/// joints.
 int motor_beyond(const RobotModel& model, const JointVector& joints, double& value) noexcept {
   JointVector motors;
   const auto& axes = model.parameters().axes;
@@ -29,7 +30,7 @@ int motor_beyond(const RobotModel& model, const JointVector& joints, double& val
   return -1;
 }
 
-/// Takes the branches in and judges them from the nearest on: motors and tool poses of as few as that takes.
+/// Collects the branches and checks them from the nearest on: motors and tool poses of as few as necessary.
 class Choice final : public BranchReceiver {
  public:
   Choice(const ToolKinematics& kinematics, const Pose& pose, const JointVector& near) noexcept
@@ -94,7 +95,7 @@ class Choice final : public BranchReceiver {
     JointVector joints;
     double square = 0;
     bool exact = false;
-    bool may_turn = false;  // other turns of its joints are its branch, too
+    bool may_turn = false;  // other turns of its joints also belong to its branch
   };
 
   const AxisParameters& axis_of(int i) const noexcept { return axes_[i]; }
@@ -116,7 +117,7 @@ class Choice final : public BranchReceiver {
     return low <= high ? std::clamp(wanted, low, high) : wanted;
   }
 
-  /// Of equal ones the one that came first is judged first.
+  /// Of equal ones the first is checked first.
   void judge() noexcept {
     for (std::size_t judged = 0; judged < waiting_; ++judged) {
       std::size_t next = kWaiting;
@@ -134,13 +135,13 @@ class Choice final : public BranchReceiver {
     waiting_ = 0;
   }
 
-  /// Other turns of the joints from `from` on than those of `joints`, which are the nearest, but the motors cannot go
-  /// there.
+  /// Other turns of the joints from `from` on than those of `joints`, which are the nearest but not reachable by the
+  /// motors.
   void choose_turns(const JointVector& joints, int from, bool exact) noexcept {
     for (int i = from; i < joints.size(); ++i) {
       const double period = periods_[static_cast<std::size_t>(i)];
       const AxisParameters& axis = axis_of(i);
-      // an axis without limits has none of the motor either, as a rule: its nearest turn is enough
+      // an axis without limits usually has no motor limits either: its nearest turn is enough
       if (period == 0 || !std::isfinite(axis.position_max - axis.position_min)) continue;
       for (int turns = -kTurns; turns <= kTurns; ++turns) {
         JointVector other = joints;
@@ -152,7 +153,7 @@ class Choice final : public BranchReceiver {
     }
   }
 
-  /// Whether `joints`, within the joint limits and nearer than what was found, are the posture now.
+  /// Whether `joints`, within the joint limits and nearer than the present result, become the posture.
   bool is_taken(const JointVector& joints, double square, bool exact) noexcept {
     double value = 0;
     if (const int motor = motor_beyond(model_, joints, value); motor >= 0) {
@@ -179,7 +180,7 @@ class Choice final : public BranchReceiver {
     refusal_ = {joints, {}, code, axis, value};
   }
 
-  /// A pose within the tolerances goes before all that are not.
+  /// A pose within the tolerances is preferred to all others.
   void miss(const JointVector& joints, const PoseDeviation& off) noexcept {
     const bool tolerable = off.position <= kPositionTolerance && off.rotation <= kRotationTolerance;
     const double error = off.position / kPositionTolerance + off.rotation / kRotationTolerance;

@@ -15,20 +15,20 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kLegSpeed = 0.5;   // of the way to a timed path, as JointLine's
-constexpr double kRamp = 0.5;       // s in which ds/dt comes up
-constexpr double kSameTime = 0.02;  // s: points of one place that are nearer in time are one
+constexpr double kLegSpeed = 0.5;   // of the motion to a timed path, as JointLine's
+constexpr double kRamp = 0.5;       // s of the ramp of ds/dt
+constexpr double kSameTime = 0.02;  // s: points of one position that are closer in time are merged
 constexpr int kRateHalvings = 40;
 constexpr double kWholeRounding = 1e-9;  // macrosteps
 
-/// How s may change.
+/// Limits of s.
 struct Pace {
   explicit Pace(double rate) : speed(rate), acceleration(rate / (0.5 * kRamp)), jerk(acceleration / (0.5 * kRamp)) {}
   double speed, acceleration, jerk;
 };
 
-/// Whether the joints keep their limits where the way is `sample`, at any ds/dt up to the pace's: by the chain rule,
-/// every term at its worst.
+/// Whether the joints stay within their limits at `sample` of the path, at any ds/dt up to the pace's: by the chain
+/// rule, every term at its worst.
 bool keeps_limits(const RobotParameters& parameters, const NaturalSpline::Sample& sample, const Pace& pace) {
   for (std::size_t i = 0; i < parameters.axes.size(); ++i) {
     const AxisParameters& axis = parameters.axes[i];
@@ -53,12 +53,12 @@ struct Replay::Plan {
   MotionCheck check;
   double step;
   bool on_leg = true;
-  bool begun = false;     // the spline
-  double time = 0;        // since the start of the leg or of the run along the spline, at the end of what is commanded
+  bool begun = false;  // the spline
+  double time = 0;     // since the start of the leg or of the run along the spline, at the end of the commanded motion
   std::size_t point = 0;  // the next one
   NaturalSpline spline;
   double rate = 0;
-  double s = 0;  // on the spline, likewise
+  double s = 0;  // on the spline, at the same instant
   ruckig::Ruckig<1> ruckig;
   ruckig::InputParameter<1> input;
   ruckig::Trajectory<1> run;  // of s
@@ -72,7 +72,7 @@ struct Replay::Plan {
     plan_run();
   }
 
-  /// From rest at s to rest at the end. Throws NonFatalError: what the EDP would refuse the run with.
+  /// From rest at s to rest at the end. Throws NonFatalError: the error with which the EDP would refuse the run.
   void plan_run() {
     const Pace pace(rate);
     input.minimum_duration.reset();
@@ -114,7 +114,7 @@ Replay::Replay(Robot& robot, TaughtPath path, double speed)
     const std::string what = "taught point " + std::to_string(i + 1);
     if (path_.timed && i > 0)
       require(point.time > path_.points[i - 1].time, "Replay", "time of a point", point.time,
-              "later than the one before");
+              "later than the previous one");
     if (path_.space == TaughtPath::Space::joints)
       check_joints(robot, point.joints, what);
     else
@@ -155,7 +155,7 @@ void Replay::start() {
     plan.spline = NaturalSpline(times, positions);
     plan.s = plan.spline.begin();
     const auto possible = [&](double rate) {
-      // the shares of the limits leave room for what lies between
+      // the shares of the limits leave a margin between the samples
       for (std::size_t i = 1; i < times.size(); ++i)
         for (const double share : {0.0, 0.25, 0.5, 0.75, 0.999999}) {
           const double t = times[i - 1] + share * (times[i] - times[i - 1]);

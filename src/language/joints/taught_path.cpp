@@ -50,11 +50,11 @@ std::string text_of(double value) {
 
 [[noreturn]] void cannot_write(const std::string& file) {
   const std::string reason = errno != 0 ? std::string{": "} + std::strerror(errno) : "";
-  throw NonFatalError(ErrorCode::invalid_argument, file + ": cannot be written" + reason +
-                                                       ", expected a folder that is there and may be written to");
+  throw NonFatalError(ErrorCode::invalid_argument,
+                      file + ": cannot be written" + reason + ", expected an existing, writable folder");
 }
 
-/// An empty file with a name of its own: another run may save the same path at the same time.
+/// An empty file with a unique name: another run may save the same path at the same time.
 std::string new_file_beside(const std::string& file) {
   for (int number = 1;; ++number) {
     const std::string name = file + "." + std::to_string(::getpid()) + "-" + std::to_string(number) + ".new";
@@ -66,7 +66,7 @@ std::string new_file_beside(const std::string& file) {
   }
 }
 
-/// A file that is read, and the place in it.
+/// A file that is read, and the position in it.
 struct Reader {
   std::string file;
   int line = 0;
@@ -88,7 +88,7 @@ double number(const Reader& at, const std::string& column, std::string_view cell
   return *value;
 }
 
-/// Columns that a spreadsheet separates otherwise.
+/// Columns with another separator, from a spreadsheet.
 void refuse_separators(const Reader& at, std::string_view line) {
   if (line.find(',') != std::string_view::npos) return;
   for (const auto& [separator, name] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}})
@@ -96,7 +96,7 @@ void refuse_separators(const Reader& at, std::string_view line) {
       at.refuse("columns with " + std::string{name} + " between", "commas between the columns, and points in numbers");
 }
 
-/// Takes the line of column names.
+/// Reads the line of column names.
 TaughtPath begin(const Reader& at, const Robot& robot, std::string_view line, std::vector<std::string>& columns) {
   refuse_separators(at, line);
   const std::vector<std::string_view> names = core::cells_of(line, ',');
@@ -109,7 +109,7 @@ TaughtPath begin(const Reader& at, const Robot& robot, std::string_view line, st
       if (timed) known += (known.empty() ? "'" : " or '") + joined(good) + "'";
     }
   }
-  at.refuse("columns '" + joined(columns) + "' of no path of a robot " + robot.parameters().type,
+  at.refuse("columns '" + joined(columns) + "' are not those of a path of robot " + robot.parameters().type,
             known + ", each also without time");
 }
 
@@ -188,13 +188,13 @@ std::string content_of(const Reader& at) {
   return text;
 }
 
-/// The cells of a line, as many as there are columns; none: the line has no point.
+/// The cells of a line, one per column; empty: the line has no point.
 std::vector<std::string_view> values_of(const Reader& at, std::string_view line,
                                         const std::vector<std::string>& columns) {
   if (line.find_first_not_of(" \t,;") == std::string_view::npos) return {};
   std::vector<std::string_view> cells = core::cells_of(line, ',');
   const std::size_t found = cells.size();
-  if (found < columns.size() && line.ends_with(',')) cells.resize(columns.size());  // the empty ones get their errors
+  if (found < columns.size() && line.ends_with(',')) cells.resize(columns.size());  // the empty ones are reported
   if (cells.size() == columns.size()) return cells;
   const std::string hint = found > columns.size() ? "; numbers have a point, not a comma" : "";
   at.refuse(std::to_string(found) + " values",
@@ -241,8 +241,8 @@ TaughtPath read_path(Reader& at, const Robot& robot, core::TextLines lines) {
   return path;
 }
 
-/// The greatest share of its velocity limit that an axis needs between two points; of the tool at 1 m/s and 1 rad/s
-/// when the path is of poses.
+/// The largest share of its velocity limit that an axis needs between two points; of the tool at 1 m/s and 1 rad/s when
+/// the path is of poses.
 double greatest_speed(const Robot& robot, const TaughtPath& path) {
   double greatest = 0;
   for (std::size_t k = 1; k < path.points.size(); ++k) {
@@ -261,18 +261,19 @@ double greatest_speed(const Robot& robot, const TaughtPath& path) {
   return greatest;
 }
 
-/// Times in milliseconds would make a path of seconds one of hours.
+/// Times in milliseconds would turn a path of seconds into one of hours.
 void check_times(const Reader& at, const Robot& robot, const TaughtPath& path) {
   constexpr double kLong = 600;  // s
   constexpr double kCrawling = 1e-3;
   if (!path.timed || path.points.back().time - path.points.front().time < kLong) return;
   const double speed = greatest_speed(robot, path);
-  if (speed == 0 || speed >= kCrawling) return;  // a robot may also have stood still
+  if (speed == 0 || speed >= kCrawling) return;  // the robot may also have been at rest
   const double hours = (path.points.back().time - path.points.front().time) / 3600;
   at.refuse("time", text_of(path.points.back().time),
             "makes a path of " + text_of(std::round(100 * hours) / 100) + " h, nowhere faster than " +
                 text_of(std::round(1e6 * speed) / 1e4) + " % of the velocity limits",
-            "seconds, not milliseconds (a path that shall be this slow: faster times, and Replay with a low speed)");
+            "seconds, not milliseconds (for a path that is meant to be this slow: faster times, and Replay with a low "
+            "speed)");
 }
 
 }  // namespace

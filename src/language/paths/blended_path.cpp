@@ -13,9 +13,9 @@ namespace {
 
 constexpr const char* kName = "BlendedPath";
 constexpr double kShortShare = 0.5;  // of the radii at its ends: a shorter line is part of one blend
-constexpr double kShortTurn = 0.02;  // rad: on it the tool turns by less
+constexpr double kShortTurn = 0.02;  // rad: and the tool rotates by less on it
 
-/// A line between two corners, and how much of it its blends take, as times at full speed.
+/// A line between two corners and the parts of it that its blends use, as times at full speed.
 struct Line {
   Pose from, to;
   double length = 0;
@@ -73,12 +73,12 @@ std::vector<BlendPoint> BlendedPath::corners_from(const Pose& start) const {
     BlendPoint corner = points_[i];
     const bool last = i + 1 == points_.size();
     if (corner.radius < kSamePlace || last) corner.radius = 0;
-    // of two that are one place the one is kept that is passed more exactly
+    // of two coincident corners, keep the one that is passed more exactly
     while (corners.size() > 1 && are_near(corners.back().pose, corner.pose) &&
            (last || corner.radius <= corners.back().radius))
       corners.pop_back();
     if (!last && are_near(corners.back().pose, corner.pose)) continue;
-    // a small radius on a straight line is no corner
+    // a small radius on a straight line is not a corner
     const bool small = !last && corner.radius == 0 && points_[i].radius > 0;
     if (small && is_between(corners.back().pose, corner.pose, points_[i + 1].pose)) continue;
     corners.push_back(corner);
@@ -100,7 +100,7 @@ std::unique_ptr<RobotPath> BlendedPath::path_from(const JointVector& joints) {
   ToolPath::Plan plan;
   auto path = std::make_unique<PiecedPath>();
   plan.stops.push_back(0);
-  double begin = 0;  // of the line that is left, behind the blend before it
+  double begin = 0;  // of the remaining line, behind the previous blend
   for (std::size_t i = 0; i < lines.size();) {
     // the blend at the end of line i: to line `next`, over the short ones between them
     std::size_t next = i + 1;

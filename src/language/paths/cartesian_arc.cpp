@@ -13,30 +13,30 @@ namespace mrroc {
 namespace {
 
 constexpr const char* kArcName = "CartesianArc";
-constexpr double kStraight = 1e-6;    // sine of the angle between two chords: they make no circle
-constexpr double kShortChord = 1e-3;  // of the longest chord: its direction is not known
+constexpr double kStraight = 1e-6;    // sine of the angle between two chords: they do not define a circle
+constexpr double kShortChord = 1e-3;  // of the longest chord: its direction is undefined
 constexpr double kLeastChord = 1e-6;  // m, the same
 
 [[noreturn]] void refuse(const char* what) {
   throw NonFatalError(ErrorCode::invalid_argument, std::string{kArcName} + ": " + what);
 }
 
-/// The turn about the axis of the circle through three places, from the first to the last by way of the second.
+/// The rotation about the axis of the circle through three points, from the first to the last through the second.
 Circle circle_through(const Eigen::Vector3d& from, const Eigen::Vector3d& via, const Eigen::Vector3d& to) {
   const Eigen::Vector3d a = via - from, b = to - from, normal = a.cross(b);
   const double first_chord = a.norm(), second_chord = (to - via).norm(), whole_chord = b.norm();
   const double least = std::max(kLeastChord, kShortChord * std::max({first_chord, second_chord, whole_chord}));
   if (!(std::min({first_chord, second_chord, whole_chord}) > least))
     refuse(
-        "two of start, via and target are too near to each other to tell a circle, expected more than a thousandth "
+        "two of start, via and target are too close to define a circle, expected more than a thousandth "
         "of the longest distance between them, and a micrometre");
   if (!(normal.norm() > kStraight * first_chord * whole_chord))
-    refuse("start, via and target lie on a line, expected three places on a circle");
+    refuse("start, via and target lie on a line, expected three points on a circle");
   Circle circle;
   circle.axis = normal.normalized();
   circle.centre =
       from + (a.squaredNorm() * b.cross(normal) + b.squaredNorm() * normal.cross(a)) / (2 * normal.squaredNorm());
-  // going by via, the turn is in the sense of the normal
+  // through via, the rotation is in the sense of the normal
   const Eigen::Vector3d arm = from - circle.centre, last = to - circle.centre;
   const double angle = std::atan2(circle.axis.dot(arm.cross(last)), arm.dot(last));
   circle.angle = angle > 0 ? angle : angle + 2 * std::numbers::pi;

@@ -14,7 +14,7 @@ constexpr double kBrakeBeyond = 1.002;   // of the limits, as PathTiming
 constexpr double kBeyondEnd = 1e-9;      // of s
 constexpr double kBrakeRounding = 1e-9;  // s
 
-/// The greatest acceleration and jerk of s alone that the limits allow at a place.
+/// The maximum acceleration and jerk of s alone that the limits allow at a point.
 struct Reserve {
   double acceleration = std::numeric_limits<double>::infinity();
   double jerk = std::numeric_limits<double>::infinity();
@@ -50,7 +50,7 @@ std::optional<PathBrake> PathBrake::find(const RobotPath& path, const PathTiming
     ruckig::Ruckig<1> ruckig;
     const ruckig::Result result = ruckig.calculate(input, brake.motion_);
     if (result != ruckig::Result::Working && result != ruckig::Result::Finished) continue;
-    if (brake.at(brake.duration()).position > end + kBeyondEnd) return std::nullopt;  // a gentler one goes farther
+    if (brake.at(brake.duration()).position > end + kBeyondEnd) return std::nullopt;  // a gentler one overshoots more
     if (brake.keeps_limits(path, sample)) return brake;
   }
   return std::nullopt;

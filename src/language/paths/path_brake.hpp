@@ -7,13 +7,12 @@
 
 namespace mrroc {
 
-/// How a robot on its way along a path comes to rest on the path: its parameter s is led to rest with bounded
-/// acceleration and jerk (Ruckig), nearly as fast as the path's limits allow from there. The task's thread; allocates
-/// nothing and never throws.
+/// Brings a robot to rest on its path: the parameter s stops with bounded acceleration and jerk (Ruckig), nearly as
+/// fast as the path's limits allow from there. Task's thread; allocates nothing and never throws.
 class PathBrake {
  public:
-  /// From `now` on, to rest before `end`. `sample`: the time between two looks at the limits, s. Nothing when it cannot
-  /// be done within the limits.
+  /// From `now` on, to rest before `end`. `sample`: the time between two checks of the limits, s. Nothing when this is
+  /// impossible within the limits.
   static std::optional<PathBrake> find(const RobotPath& path, const PathTiming::Point& now, double end,
                                        double sample) noexcept;
 

@@ -7,8 +7,8 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kCurveShare = 0.85;               // of the acceleration, for what the curvature takes of it at most
-constexpr double kTwistShare = 0.6;                // of the jerk, for what the third derivative takes of it at most
+constexpr double kCurveShare = 0.85;               // of the acceleration: maximum share for the curvature
+constexpr double kTwistShare = 0.6;                // of the jerk: maximum share for the third derivative
 constexpr int kCells = 400;                        // of a path
 constexpr int kFewestCells = 12, kMostCells = 64;  // of a piece
 
@@ -40,7 +40,7 @@ PathGrid::PathGrid(const RobotPath& path, double begin, double end) : limits_(&p
   stretch_.assign(nodes_.size(), 1);
 }
 
-/// The acceleration that a limit leaves a cell when the window spreads a step of it over `window` s.
+/// The acceleration that a limit allows in a cell when the window spreads a step of it over `window` s.
 double PathGrid::acceleration(const PathLimit& limit, std::size_t cell, double window) const noexcept {
   const double f = stretch_of(cell);
   return std::min(limit.acceleration / (f * f), 0.5 * window * limit.jerk / (f * f * f));

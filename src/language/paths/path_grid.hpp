@@ -8,9 +8,9 @@
 
 namespace mrroc {
 
-/// What the limits of a path allow at places along it, for PathTiming: cells between nodes of the parameter s. The
-/// acceleration of row x is x' d2s/dt2 + x'' (ds/dt)^2, so under a limit a of its norm the greatest d2s/dt2 is a root
-/// of a square equation; a fixed share of a is left for it wherever the speed is the highest.
+/// The bounds that the limits of a path impose at points along it, for PathTiming: cells between nodes of the parameter
+/// s. The acceleration of row x is x' d2s/dt2 + x'' (ds/dt)^2, so under a limit a of its norm the greatest d2s/dt2 is a
+/// root of a square equation; a fixed share of a is left for it wherever the speed is the highest.
 ///
 /// Around each node time may be stretched by a factor f >= 1: the limits are 1/f, 1/f^2, 1/f^3 of the path's there.
 /// Task's thread.
@@ -38,7 +38,7 @@ class PathGrid {
   Bounds accelerations(std::size_t cell, double square, double window) const noexcept;
 
  private:
-  /// What a limit needs to know of a place: products of the derivatives of its rows, norm of the third one.
+  /// The data of a point that a limit needs: products of the derivatives of its rows, norm of the third one.
   struct Shape {
     double first_first, first_second, second_second, third;
   };

@@ -11,16 +11,16 @@ namespace mrroc {
 namespace {
 
 constexpr double kTimeRounding = 1e-9;  // s: sums of step durations are not exact
-constexpr double kSame = 1e-9;          // s at full speed: no way to go
+constexpr double kSame = 1e-9;          // s at full speed: no distance
 constexpr double kReturnSpeed = 0.5;    // back to the path, of the robot's limits
-constexpr double kFarthest = 2;         // the nearest point is sought so many times as far along the path as beside it
-constexpr double kSoon = 2;             // s: what is nearer its stop than it can brake rests there
-constexpr int kLooks = 64;              // of the search for it, each way
+constexpr double kFarthest = 2;  // the nearest point is searched up to this multiple of the deviation along the path
+constexpr double kSoon = 2;      // s: a robot closer to its stop than its braking distance rests there
+constexpr int kLooks = 64;       // of the search for it, in each direction
 constexpr int kHalvings = 40;
 constexpr double kDifference = 1e-4;                          // s
 constexpr int kPaceLooks = 256;                               // of a motion
-constexpr double kPaceReserve = 1.5;                          // for what lies between two of them
-constexpr double kFewestTimeLooks = 8, kMostTimeLooks = 400;  // at a piece of a path with times
+constexpr double kPaceReserve = 1.5;                          // for the motion between two of them
+constexpr double kFewestTimeLooks = 8, kMostTimeLooks = 400;  // checks of a piece of a path with times
 constexpr int kMostRests = 6;                                 // halvings of a path by rests in it
 
 }  // namespace
@@ -89,7 +89,7 @@ void PathRunner::check_times() const {
                       {robot_->task().process_name(), robot_->name(), 0, robot_->state().tick});
 }
 
-/// Stretches the motion where the EDP would refuse it; one with times by less than a macrostep.
+/// Stretches the motion if the EDP would refuse it; one with times by less than a macrostep.
 void PathRunner::check_limits(PathTiming& timing) {
   if (!check_) check_.emplace(*robot_);
   const MotionCheck::States states = [this, &timing](double time) { return state(timing, time); };
@@ -202,7 +202,7 @@ double PathRunner::nearest_point() const {
   double best = place_, least = here, width = 0;
   for (const double end : {next(path_->waypoints(), place_), last}) {
     const double ds = (end - place_) / kLooks;
-    double way = 0;  // along the path: one that comes near once more later is not cut short
+    double way = 0;  // along the path: a path that passes nearby again later is not cut short
     JointVector before = path_->joints(place_);
     for (int k = 1; k <= kLooks && way <= kFarthest * here; ++k) {
       const double s = k < kLooks ? place_ + k * ds : end;

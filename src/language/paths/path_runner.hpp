@@ -12,23 +12,25 @@
 
 namespace mrroc {
 
-/// Leads a robot along a RobotPath, for generators: from stop to stop as PathTiming says, each stop held at the end of
-/// a macrostep. Task's thread; `step`, `over` and `brake` allocate nothing.
+/// Moves a robot along a RobotPath, for generators: from stop to stop with PathTiming, each stop at the end of a
+/// macrostep. Task's thread; `step`, `over` and `brake` allocate nothing.
 class PathRunner {
  public:
   explicit PathRunner(Robot& robot) : robot_(&robot) {}
 
-  /// A new motion begins: the joints at which its path has to begin. Where the robot is desired to be; from a motion
-  /// under way where it comes to rest, which is commanded first. Throws NonFatalError when its state is not known.
+  /// Begins a new motion and returns the joints at which its path must begin: the robot's desired joints, or for a
+  /// moving robot those at which it comes to rest, which is commanded first. Throws NonFatalError when its state is
+  /// unknown.
   JointVector begin();
-  /// The path of the motion that has begun. Throws NonFatalError when it is timed and too fast (velocity_limit,
-  /// acceleration_limit, jerk_limit); what the EDP would refuse the motion with (MotionCheck).
+  /// Sets the path of the motion. Throws NonFatalError when it is timed and too fast (velocity_limit,
+  /// acceleration_limit, jerk_limit); the error with which the EDP would refuse the motion (MotionCheck).
   void follow(std::unique_ptr<RobotPath> path);
-  /// From now on the robot comes to rest on the path, until `resume`. False when it is not on the path, or cannot.
+  /// Brings the robot to rest on the path, until `resume`. False when it is not on the path, or when this is
+  /// impossible.
   bool brake() noexcept;
-  /// The robot has come to rest, on the path or beside it: it is led back to the nearest point (in joint space, in time
-  /// at full speed) of what lies between the last stop and the next waypoint, straight in joint space, and along the
-  /// rest from there.
+  /// Continues after the robot has come to rest, on the path or beside it: straight in joint space to the nearest point
+  /// (in joint space, in time at full speed) between the last stop and the next waypoint, and from there along the rest
+  /// of the path.
   void resume();
 
   bool over() const noexcept { return !leading_ && next_ == timings_.size(); }
@@ -41,10 +43,10 @@ class PathRunner {
   void check_times() const;
   void plan_from(double s);
   void check_limits(PathTiming& timing);
-  /// By samples, with a reserve for what lies between them.
+  /// By samples, with a reserve for the motion between them.
   MotionPace pace_of(const PathTiming& timing) const;
   DesiredState state(const PathTiming& timing, double time) const;
-  /// Adds a timing; or instead two with a rest between them where that takes less time, for each of them the same.
+  /// Adds a timing, or two with a rest between them if that takes less time, recursively.
   void add(PathTiming timing, int more_rests);
   double nearest_point() const;
   /// From the robot's desired joints to those at s, in seconds at full speed.
@@ -60,7 +62,7 @@ class PathRunner {
   std::size_t next_ = 0;             ///< of the timings
   double time_ = 0;                  ///< in it, at the end of what has been commanded
   double place_ = 0;                 ///< on the path, there
-  std::optional<JointLine> lead_;    ///< to where the path is taken up
+  std::optional<JointLine> lead_;    ///< to the point where the path continues
   bool leading_ = false;
   std::optional<PathBrake> brake_;
   double braked_ = 0;     ///< time in it, at the end of what has been commanded

@@ -11,15 +11,15 @@ namespace {
 constexpr double kWindows[] = {1, 0.6, 0.36, 0.22};  // of the longest ramp: a short one suits a short path
 constexpr int kRounds = 30;
 constexpr double kLargestChange = 1.5;    // of the grid's stretch, in a round
-constexpr double kHealedBeyond = 1.002;   // healed a little more than needed: else the rounds never end
+constexpr double kHealedBeyond = 1.002;   // corrected a little more than needed: otherwise the rounds never end
 constexpr double kExcessRounding = 1e-9;  // of the excess
 constexpr double kLooksPerWindow = 8;
 constexpr int kMostLooks = 4000;   // at equal distances
 constexpr int kLooksPerPiece = 8;  // at least
 constexpr int kLooksPerCell = 6;   // of the grid, on long motions
 constexpr int kTimeHalvings = 60;
-constexpr double kDip = 0.1;        // of the speeds before and after: slower is nearly a rest
-constexpr double kUnhealed = 1.05;  // a stretch of all the path that one place asks for
+constexpr double kDip = 0.1;        // of the speeds before and after: slower is almost a rest
+constexpr double kUnhealed = 1.05;  // a stretch of the whole path required by one point
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -93,7 +93,7 @@ bool PathTiming::slow_down(const RobotPath& path, PathGrid& grid, double sample)
     const double factor = excess_of(path, point.position, point.speed, point.acceleration, point.jerk).factor;
     if (factor <= 1 + kExcessRounding) return;
     over = true;
-    // what the window sees
+    // the part inside the window
     const auto from = std::lower_bound(times_.begin(), times_.end(), t - window_);
     const auto to = std::upper_bound(from, times_.end(), t);
     const auto first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(from - times_.begin() - 1, 0));

@@ -7,16 +7,16 @@
 
 namespace mrroc {
 
-/// When a robot is where on a part of its path: from rest to rest, as fast as the path's limits of velocity,
-/// acceleration and jerk allow, nearly.
+/// The timing along a part of a robot's path: from rest to rest, nearly as fast as the path's limits of velocity,
+/// acceleration and jerk allow.
 ///
-/// First without jerk: on a grid of the parameter s the speed ds/dt is led forward and backward with the greatest
-/// acceleration and deceleration that velocity and curvature leave, under the speed at which they leave a rest of it
-/// (the phase plane of Bobrow, Dubowsky and Gibson, 1985). Then s(t) is averaged over a window
-/// T, which bounds the jerk of s: constant speed stays constant, steps of the acceleration become ramps of duration T.
-/// Last the whole is looked at in time, with the limits of all rows; around what is over a limit the grid is made
-/// slower by as much, and all is done again. What is left after some rounds is healed by stretching time.
-/// The number of these checks depends on the grid, not on the duration.
+/// First without jerk: on a grid of the parameter s the speed ds/dt is integrated forward and backward with the maximum
+/// acceleration and deceleration that velocity and curvature allow, below the speed at which they still allow some (the
+/// phase plane of Bobrow, Dubowsky and Gibson, 1985). Then s(t) is averaged over a window T, which bounds the jerk of
+/// s: constant speed stays constant, steps of the acceleration become ramps of duration T. Last, the motion is checked
+/// in time with the limits of all rows; around each violation the grid is slowed down accordingly, and the computation
+/// is repeated. Violations that remain after some rounds are removed by stretching time. The number of these checks
+/// depends on the grid, not on the duration.
 ///
 /// Task's thread. The constructor allocates; `at` does not, and never throws.
 class PathTiming {
@@ -26,13 +26,13 @@ class PathTiming {
     double position = 0, speed = 0, acceleration = 0, jerk = 0;
   };
 
-  /// From `begin` to `end`, with nothing between them where the path has a corner. `sample`: the time between two looks
-  /// at the limits, at most, s.
+  /// From `begin` to `end`, with nothing between them where the path has a corner. `sample`: the maximum time between
+  /// two checks of the limits, s.
   PathTiming(const RobotPath& path, double begin, double end, double sample);
   /// Of a path whose parameter is the time.
   static PathTiming of_time(double begin, double end);
 
-  /// From now on the motion takes `duration` s, which is not shorter than it was: slower everywhere by the same factor.
+  /// Stretches the motion to `duration` s, which must not be shorter than before: slower everywhere by the same factor.
   void stretch_to(double duration) noexcept {
     if (!(duration_ > 0)) return;
     stretch_ *= duration / duration_;
@@ -44,8 +44,8 @@ class PathTiming {
   double duration() const noexcept { return duration_; }
   /// t of 0..duration().
   Point at(double t) const noexcept;
-  /// Where the motion is so much slower than before and after that a rest there may take less time; nothing when there
-  /// is no such place.
+  /// A point where the motion is so much slower than before and after it that a rest there may take less time; nothing
+  /// without such a point.
   std::optional<double> slow_place() const noexcept;
 
  private:
@@ -61,10 +61,10 @@ class PathTiming {
   Raw raw_at(double t) const noexcept;
   /// Calls `look` with times of the unstretched motion at which limits are to be checked: at most `sample` and a part
   /// of the window apart; on long motions instead several for every cell of the grid. On each piece of the path there
-  /// are at least some. Their number is bounded by the grid's size, whatever the duration.
+  /// are at least some. Their number is bounded by the grid's size, not by the duration.
   template <class Look>
   void for_looks(const RobotPath& path, double sample, double per_window, Look look) const;
-  /// When the unstretched motion passes s.
+  /// The time at which the unstretched motion passes s.
   double time_of(double s) const noexcept;
 
   double begin_ = 0, end_ = 0;
@@ -72,7 +72,7 @@ class PathTiming {
   double stretch_ = 1;
   double window_ = 0;                                       ///< T, s; 0: the parameter is the time
   std::vector<double> nodes_, speeds_, times_, integrals_;  ///< of the grid; of Raw, at the nodes
-  double worst_place_ = 0;                                  ///< s, where time had to be stretched for
+  double worst_place_ = 0;                                  ///< s at which time had to be stretched
 };
 
 }  // namespace mrroc

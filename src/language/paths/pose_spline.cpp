@@ -74,7 +74,7 @@ std::unique_ptr<RobotPath> PoseSpline::path_from(const JointVector& joints) {
   const auto pose = [&](std::size_t place) -> const Pose& {
     return place == 0 ? poses.front() : poses_[place - 1].pose;
   };
-  // poses with times are all passed: the times may say that the tool stays there
+  // poses with times are all passed: the times may hold the tool there
   const auto near = [&](std::size_t a, std::size_t b) { return !timed_ && are_near(pose(a), pose(b)); };
   std::vector<std::size_t> places = distinct_places(poses_.size(), near);
   places.erase(places.begin());

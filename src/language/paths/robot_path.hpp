@@ -7,39 +7,39 @@
 
 namespace mrroc {
 
-/// What of a robot moves along a path: position and orientation of its tool (rows 0..2, 3..5), its joints.
+/// The moving quantities of a robot on a path: position and orientation of its tool (rows 0..2, 3..5), its joints.
 inline constexpr int kPathRows = 6 + kMaxJoints;
 inline constexpr int kJointRow = 6;
 using PathRow = Eigen::Matrix<double, kPathRows, 1>;
 
-/// Derivatives by the path's parameter; of the orientation they are those of the turning.
+/// Derivatives by the path's parameter; those of the orientation are the angular rates.
 struct PathRates {
   PathRow first = PathRow::Zero(), second = PathRow::Zero(), third = PathRow::Zero();
 };
 
-/// What the norm of velocity, acceleration and jerk of some rows may be.
+/// Limits of the norms of velocity, acceleration and jerk of some rows.
 struct PathLimit {
   int row = 0, rows = 1;
   double velocity = 0, acceleration = 0, jerk = 0;
 };
 
-/// How fast the parameter itself may change, 1/s and 1/s^2: where nothing of the robot moves with it.
+/// Limits of the parameter itself, 1/s and 1/s^2, where the robot does not move with it.
 struct PathPace {
   double speed = 4, acceleration = 1000;
 };
 
-/// The way of one robot as a function of a parameter s: pieces, each from one of `breaks` to the next, without a corner
-/// inside. PathTiming says when it is where, PathRunner commands it. Task's thread; methods but the constructor and
-/// `joints` allocate nothing and never throw.
+/// The path of one robot as a function of a parameter s: pieces, each from one of `breaks` to the next, without a
+/// corner inside. PathTiming computes its timing, PathRunner commands it. Task's thread; methods but the constructor
+/// and `joints` allocate nothing and never throw.
 class RobotPath {
  public:
   virtual ~RobotPath() = default;
 
-  /// Where pieces begin and end: 0, ..., the length; ascending.
+  /// The ends of the pieces: 0, ..., the length; ascending.
   const std::vector<double>& breaks() const noexcept { return breaks_; }
-  /// Where the robot comes to rest on the way: 0 and the length are among them.
+  /// The points where the robot comes to rest: 0 and the length are among them.
   const std::vector<double>& stops() const noexcept { return stops_; }
-  /// What must not be left out after an interruption: the stops are among them.
+  /// The points that must not be skipped after an interruption: the stops are among them.
   const std::vector<double>& waypoints() const noexcept { return waypoints_; }
   const std::vector<PathLimit>& limits() const noexcept { return limits_; }
   const PathPace& pace() const noexcept { return pace_; }
@@ -50,8 +50,8 @@ class RobotPath {
 
   virtual PathRates rates(std::size_t piece, double s) const noexcept = 0;
   virtual JointVector joints(double s) const noexcept = 0;
-  /// Writes where the robot is to be with which velocity and acceleration, for s and its derivatives by time. Both 0:
-  /// at rest exactly there.
+  /// Writes the robot's desired position, velocity and acceleration for s and its derivatives by time. Both 0: exactly
+  /// at rest there.
   virtual void command(double s, double speed, double acceleration, RobotCommand& command) const noexcept = 0;
 
  protected:
@@ -61,8 +61,8 @@ class RobotPath {
   bool timed_ = false;
 };
 
-/// How much slower the path would have to be at s, with these derivatives of s by time, for its limits to hold: at most
-/// 1 where they do. Velocity counts as it is, acceleration by its root, jerk by its third root.
+/// The factor by which the path must be slower at s, with these derivatives of s by time, for its limits to hold: at
+/// most 1 where they do. Velocity counts directly, acceleration by its root, jerk by its third root.
 struct Excess {
   double factor = 0;
   std::size_t limit = 0;  ///< which

@@ -136,7 +136,7 @@ void ToolPath::differentiate(const JointVector& joints, const PathPose& tool, Pa
   std::array<JointVector, DifferenceStencils::kPoints> points;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double t = (static_cast<double>(i) - 2) * h;
-    // of the turning: Magnus' expansion
+    // of the rotation: Magnus' expansion
     Twist way = t * (first + t * (second / 2 + (t / 6) * third));
     way.tail<3>() -= (t * t * t / 12) * first.tail<3>().cross(second.tail<3>());
     Pose pose = tool.pose;

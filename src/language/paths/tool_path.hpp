@@ -10,38 +10,38 @@
 namespace mrroc {
 
 /// Throw NonFatalError(invalid_argument), `name` first: unless all limits are finite and above 0; unless the pose is a
-/// rigid motion. The pose comes back with its rotation made exact.
+/// rigid motion. The pose is returned with its rotation made exact.
 void check_limits(const PathLimits& limits, const char* name);
 Pose checked_pose(const Pose& pose, const char* name);
 
-/// A path of the tool that a robot goes along: its joints are followed through the inverse kinematics on a grid, so
-/// that their limits hold on the way, too, and so that a path which the robot cannot go is refused before it begins.
+/// A path of a robot's tool: the joints are computed by the inverse kinematics on a grid, so that their limits hold
+/// along it, and so that an infeasible path is refused before it begins.
 class ToolPath : public RobotPath {
  public:
-  /// What is to be known of a path beside its shape.
+  /// Properties of a path other than its shape.
   struct Plan {
     std::unique_ptr<PosePath> path;
     std::vector<double> stops;      ///< as of RobotPath
     std::vector<double> waypoints;  ///< as of RobotPath
     bool timed = false;             ///< as of RobotPath
-    PathLimits limits;              ///< of the tool; not looked at when timed
+    PathLimits limits;              ///< of the tool; ignored when timed
   };
 
   /// `near`: the joints at the path's start. Throws NonFatalError: out_of_workspace, singular, joint_limit,
   /// motor_limit, with the place on the path.
   ToolPath(const Robot& robot, const JointVector& near, Plan plan);
-  /// Of a path without a stop or a waypoint on the way.
+  /// For a path without an intermediate stop or waypoint.
   static std::unique_ptr<ToolPath> whole(const Robot& robot, const JointVector& near, std::unique_ptr<PosePath> path,
                                          const PathLimits& limits);
 
-  static constexpr double kShortest = 1e-9;  ///< s at full speed; what is shorter is no way to go
+  static constexpr double kShortest = 1e-9;  ///< s at full speed; a shorter path has no length
 
   PathRates rates(std::size_t piece, double s) const noexcept override;
   JointVector joints(double s) const noexcept override;
   void command(double s, double speed, double acceleration, RobotCommand& command) const noexcept override;
 
  private:
-  /// Of one piece: what is known at equal distances.
+  /// The data of one piece at equal distances.
   struct Table {
     std::vector<JointVector> joints;
     std::vector<PathRates> rates;

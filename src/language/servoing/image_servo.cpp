@@ -38,7 +38,7 @@ ImageServo::ImageServo(Robot& robot, Points points, const ImagePoints& wanted, c
   };
   if (!points_) refuse("no function for the points");
   if (wanted.cols() < 3) refuse(std::to_string(wanted.cols()) + " points, expected 3 to 8");
-  if (!wanted.allFinite()) refuse("a wanted point is not finite");
+  if (!wanted.allFinite()) refuse("a desired point is not finite");
   if (depths.cols() != wanted.cols())
     refuse(std::to_string(depths.cols()) + " depths, expected " + std::to_string(wanted.cols()));
   if (!depths.allFinite() || depths.minCoeff() <= 0) refuse("a depth that is not above 0");
@@ -67,7 +67,7 @@ void ImageServo::next_state() {
   if (!seen_) return servo_->step(std::nullopt);
   if (seen_->cols() != wanted_.cols()) {
     throw NonFatalError(ErrorCode::invalid_argument, "ImageServo: " + std::to_string(seen_->cols()) +
-                                                         " points are seen, expected " +
+                                                         " points are visible, expected " +
                                                          std::to_string(wanted_.cols()));
   }
   if (error() <= tolerance_) return servo_->step(Twist::Zero());

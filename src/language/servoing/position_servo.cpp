@@ -20,7 +20,7 @@ PositionServo::PositionServo(Robot& robot, Target target, In in, const Pose& wan
       servo_(std::make_unique<VisualServo>(robot, limits, "PositionServo")) {
   if (!target_) throw NonFatalError(ErrorCode::invalid_argument, "PositionServo without a function for the target");
   if (!is_rigid(wanted) || !is_rigid(camera))
-    throw NonFatalError(ErrorCode::invalid_argument, "PositionServo: the wanted or the camera's pose is not rigid");
+    throw NonFatalError(ErrorCode::invalid_argument, "PositionServo: the desired or the camera's pose is not rigid");
   if (!(tolerance > 0) || !(angular_tolerance > 0))
     throw NonFatalError(ErrorCode::invalid_argument, "PositionServo: tolerances " + std::to_string(tolerance) + ", " +
                                                          std::to_string(angular_tolerance) + ", expected above 0");

@@ -34,7 +34,7 @@ Eigen::Vector3d clamped(const Eigen::Vector3d& vector, double length) {
 
 }  // namespace
 
-/// What is planned: the leg of X under way, the estimate of F, the correction.
+/// The plan: the current leg of X, the estimate of F, the correction.
 struct TrackFrame::Plan {
   Frame frame;
   std::vector<FramePoint> path;
@@ -66,7 +66,7 @@ struct TrackFrame::Plan {
 
   void plan_leg(const Coordinates& position, const Coordinates& velocity, const Coordinates& acceleration) {
     input.target_position = coordinates(target());
-    for (std::size_t i = 0; i < 6; ++i) {  // no motions of the size of rounding errors: Ruckig would plan them
+    for (std::size_t i = 0; i < 6; ++i) {  // suppress motions of the size of rounding errors: Ruckig would plan them
       const bool there = std::abs(position[i] - input.target_position[i]) < 1e-12;
       input.current_position[i] = there ? input.target_position[i] : position[i];
       input.current_velocity[i] = std::abs(velocity[i]) < 1e-9 ? 0 : velocity[i];
@@ -74,8 +74,9 @@ struct TrackFrame::Plan {
     }
     const ruckig::Result result = ruckig.calculate(input, trajectory);
     if (result != ruckig::Result::Working && result != ruckig::Result::Finished) {
-      throw NonFatalError(ErrorCode::invalid_argument, "no way to the point in the moving frame (Ruckig result " +
-                                                           std::to_string(static_cast<int>(result)) + ")");
+      throw NonFatalError(ErrorCode::invalid_argument,
+                          "no trajectory to the point in the moving frame (Ruckig result " +
+                              std::to_string(static_cast<int>(result)) + ")");
     }
     time = 0;
     stayed = 0;
@@ -91,7 +92,7 @@ struct TrackFrame::Plan {
     return x;
   }
 
-  /// Its rate is continuous: the EDP's polynomials would make large jerks of steps.
+  /// Its rate is continuous: the EDP's polynomials would turn steps into large jerks.
   Eigen::Vector3d correction_at(double t) const {
     return correction + t * (correction_speed + t * (correction_rate / 2 + (t / 6) * correction_jerk));
   }
@@ -109,7 +110,8 @@ TrackFrame::TrackFrame(Robot& robot, Frame frame, std::vector<FramePoint> path, 
   if (!frame) throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame without a function for the frame");
   if (path.empty()) throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame without a point");
   for (const FramePoint& point : path) {
-    if (!is_rigid(point.pose)) throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame: a point is no rigid pose");
+    if (!is_rigid(point.pose))
+      throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame: a point is not a rigid pose");
     require(point.dwell >= 0, "dwell", point.dwell);
   }
   require(limits.speed > 0, "speed", limits.speed);
@@ -155,7 +157,7 @@ void TrackFrame::resume() {
                         {robot_->task().process_name(), robot_->name(), 0, state.tick});
   }
   const double period = robot_->task().servo_period();
-  // when the first macrostep begins; next_state says the same
+  // start of the first macrostep; next_state computes the same
   const Tick begin =
       std::max(state.desired_tick, robot_->task().tick() + (state.desired_velocity.isZero(0) ? kStartMargin : 0));
   const MovingFrame frame =
@@ -169,7 +171,7 @@ void TrackFrame::resume() {
   plan.correction_rate.setZero();
   plan.correction_jerk.setZero();
 
-  // the way of the tool in the frame, were both to continue as they do
+  // the path of the tool in the frame at the present motion of both
   const MovingPose tool = desired_motion(*robot_);
   const auto moved = [&](double t) { return plan.coordinates(frame.after(t).pose.inverse() * tool.after(t)); };
   const Coordinates before = moved(-kFrameDifference), at = moved(0), after = moved(kFrameDifference);
@@ -191,7 +193,7 @@ void TrackFrame::next_state() {
   Tick begin = state.desired_tick;
   if (plan.first && state.desired_velocity.isZero(0)) {
     begin = std::max(begin, robot_->task().tick() + kStartMargin);
-    command.start_tick = begin;  // the frame moves meanwhile: the tick has to be known
+    command.start_tick = begin;  // the frame moves: the start tick must be known
   }
   const auto seconds = [period](Tick from, Tick to) {
     return (static_cast<double>(to) - static_cast<double>(from)) * period;
@@ -240,7 +242,7 @@ void TrackFrame::next_state() {
   if (plan.stayed == 0 && !(plan.error.norm() <= plan.limits.tolerance)) return;
   plan.stayed += duration;
   if (plan.stayed >= plan.path[std::min(plan.point, plan.path.size() - 1)].dwell && ++plan.point < plan.path.size()) {
-    // from where the last leg ended, at rest
+    // from the end of the last leg, at rest
     const Pose x = plan.path[plan.point - 1].pose;
     plan.plan_leg(plan.coordinates(x), Coordinates{}, Coordinates{});
   }

@@ -15,7 +15,7 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kBrakeShare = 0.5;    // of the joints' shares: the rest is for the change of the posture
+constexpr double kBrakeShare = 0.5;    // of the joints' shares: the remainder is for the change of the posture
 constexpr double kMovingTwist = 1e-9;  // m/s, rad/s
 
 }  // namespace
@@ -74,7 +74,7 @@ void TwistFollower::find_brake() {
 }
 
 void TwistFollower::step(const Twist& wanted) {
-  if (!wanted.allFinite()) throw NonFatalError(ErrorCode::not_finite, "wanted tool velocity of " + robot_->name());
+  if (!wanted.allFinite()) throw NonFatalError(ErrorCode::not_finite, "desired tool velocity of " + robot_->name());
   ruckig::InputParameter<6>& input = plan_->input;
   const Eigen::Matrix3d back = axes_.transpose();
   Eigen::Map<Twist>(input.current_velocity.data()) = turned(back, motion_.twist);
@@ -93,12 +93,12 @@ void TwistFollower::step(const Twist& wanted) {
   if (result != ruckig::Result::Working && result != ruckig::Result::Finished) {
     throw NonFatalError(
         ErrorCode::invalid_argument,
-        "no way to the wanted tool velocity (Ruckig result " + std::to_string(static_cast<int>(result)) + ")",
+        "no trajectory to the desired tool velocity (Ruckig result " + std::to_string(static_cast<int>(result)) + ")",
         {robot_->task().process_name(), robot_->name(), 0, 0});
   }
   std::array<double, 6> way{}, velocity{}, acceleration{};
   plan_->trajectory.at_time(robot_->step_duration(), way, velocity, acceleration);
-  // the end itself, not what rounding makes of it: rest is rest
+  // the end itself, without rounding errors: rest is exact
   const bool there = plan_->trajectory.get_duration() <= robot_->step_duration();
   motion_.twist = there ? goal : turned(axes_, Eigen::Map<const Twist>(velocity.data()));
   motion_.rate = there ? Twist(Twist::Zero()) : turned(axes_, Eigen::Map<const Twist>(acceleration.data()));

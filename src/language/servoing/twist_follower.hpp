@@ -7,29 +7,29 @@
 
 namespace mrroc {
 
-/// The tool's way for a generator that wants another twist at every step. Each of its six components is
-/// brought to the wanted one in the shortest time with at most `acceleration` (m/s^2; rad/s^2 for the angular ones) and
-/// a jerk of 10 / s times that (Ruckig; in phase where the change allows it, so that a start from rest is straight).
-/// A motion under way at the start is first slowed down to what is wanted with what the robot's joints can do in this
-/// posture, if that is more: the given acceleration holds after that. The pose follows T(t + dt) = T(t) exp(integral of
-/// xi over dt). Task's thread; `step` allocates nothing.
+/// The tool's motion for a generator that requests another twist at every step. Each of its six components is brought
+/// to the requested value in the shortest time with at most `acceleration` (m/s^2; rad/s^2 for the angular ones) and a
+/// jerk of 10 / s times that (Ruckig; in phase where the change allows it, so that a start from rest is straight). A
+/// motion under way at the start is first slowed down to the requested twist with the acceleration that the robot's
+/// joints allow in this posture, if that is more; the given acceleration applies after that. The pose follows T(t + dt)
+/// = T(t) exp(integral of xi over dt). Task's thread; `step` allocates nothing.
 class TwistFollower {
  public:
-  /// `axes`: the columns, of length 1 and in tool axes, are the axes of the components; what is changed along one of
-  /// them stays on it exactly. Throws NonFatalError(invalid_argument) for an acceleration that is none.
+  /// `axes`: the columns, of length 1 and in tool axes, are the axes of the components; a change along one of them
+  /// stays exactly on it. Throws NonFatalError(invalid_argument) for an invalid acceleration.
   TwistFollower(Robot& robot, double acceleration, const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
   ~TwistFollower();
   TwistFollower(TwistFollower&&) noexcept;
   TwistFollower& operator=(TwistFollower&&) noexcept;
 
-  /// Begins with the desired motion of the robot: pose, twist and its rate. Throws NonFatalError when its state is not
-  /// known.
+  /// Begins with the desired motion of the robot: pose, twist and its rate. Throws NonFatalError when its state is
+  /// unknown.
   void start();
-  /// Writes the robot's command of the next macrostep, at whose end the twist is as near to `wanted` as the limits
+  /// Writes the robot's command of the next macrostep, at whose end the twist is as close to `wanted` as the limits
   /// allow. Throws NonFatalError(not_finite).
   void step(const Twist& wanted);
 
-  /// Desired at the end of what has been commanded; the twist in tool axes.
+  /// Desired values at the end of the commanded motion; the twist in tool axes.
   const Pose& pose() const noexcept { return pose_; }
   const Twist& twist() const noexcept { return motion_.twist; }
   bool at_rest() const noexcept { return motion_.twist.isZero(0) && motion_.rate.isZero(0); }
@@ -38,7 +38,7 @@ class TwistFollower {
 
  private:
   struct Plan;
-  /// What every component that moves may have at the same time under the joints' limits.
+  /// The limits of all moving components at the same time under the joints' limits.
   void find_brake();
   Robot* robot_;
   Eigen::Matrix3d axes_;

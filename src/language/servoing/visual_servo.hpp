@@ -7,15 +7,15 @@
 
 namespace mrroc {
 
-/// What the visual servos have in common: a wanted twist in tool axes, scaled as a whole until it keeps the limits,
-/// followed smoothly; without one (the target is lost) the tool comes to rest.
+/// Common part of the visual servos: the tool smoothly follows a desired twist in tool axes, scaled as a whole to the
+/// limits; without a twist (the target is lost) the tool comes to rest.
 class VisualServo {
  public:
   /// `name` of the generator, for messages. Throws NonFatalError(invalid_argument).
   VisualServo(Robot& robot, const ServoLimits& limits, const char* name);
 
   void start();
-  /// Writes the command. Throws NonFatalError(sensor_not_ready) after `patience` steps in a row without a twist.
+  /// Writes the command. Throws NonFatalError(sensor_not_ready) after `patience` consecutive steps without a twist.
   void step(const std::optional<Twist>& wanted);
 
   const Pose& pose() const noexcept { return follower_.pose(); }

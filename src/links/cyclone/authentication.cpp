@@ -13,11 +13,11 @@ struct dds_security_fsm;
 namespace mrroc::links {
 namespace {
 
-// of dds/security/dds_security_api.h, which is no C++, as dds_security_fsm.h
+// of dds/security/dds_security_api.h, which is not C++, as dds_security_fsm.h
 using InitFunction = int (*)(const char* argument, void** context, ddsi_domaingv* domain);
 using FinalizeFunction = int (*)(void* context);
 
-/// What Cyclone's plug-in does itself. Written by the first `authentication_library`, before Cyclone calls any of it.
+/// The functions of Cyclone's plug-in. Written by the first `authentication_library`, before Cyclone calls any of it.
 struct Plugin {
   InitFunction init = nullptr;
   FinalizeFunction finalize = nullptr;
@@ -40,8 +40,9 @@ void open_plugin(const std::filesystem::path& path) {
   }
   if (plugin.init == nullptr || plugin.finalize == nullptr) {
     const char* const error = ::dlerror();
-    throw SystemError(ErrorCode::resources,
-                      "DDS security: " + (error != nullptr ? error : path.string() + " is no authentication plug-in"));
+    throw SystemError(
+        ErrorCode::resources,
+        "DDS security: " + (error != nullptr ? error : path.string() + " is not an authentication plug-in"));
   }
 }
 
@@ -52,7 +53,7 @@ DDS_Security_ValidationResult_t validate_remote_identity(
     const DDS_Security_GUID_t* participant, DDS_Security_SecurityException* exception) {
   const auto result = plugin.validate_remote_identity(instance, remote, local_token, remote_token, local, identity,
                                                       participant, exception);
-  // Cyclone frees it with the token, by its own allocator
+  // Cyclone frees it with the token, with its own allocator
   if (local_token != nullptr && local_token->class_id == nullptr) local_token->class_id = ddsrt_strdup("");
   return result;
 }
@@ -61,7 +62,7 @@ DDS_Security_ValidationResult_t validate_remote_identity(
 
 AuthenticationLibrary authentication_library(const std::filesystem::path& library) {
   [[maybe_unused]] static const bool opened = (open_plugin(library), true);
-  // an empty name, here that of a file: URL, is for dlopen the program itself, which exports them (CMakeLists.txt)
+  // dlopen takes an empty name, here that of a file: URL, for the program itself, which exports them (CMakeLists.txt)
   return {.path = "file://", .init = "mrroc_init_authentication", .finalize = "mrroc_finalize_authentication"};
 }
 

@@ -23,7 +23,7 @@ Gap cyclone_gap() noexcept {
   return function;
 }
 
-/// A message of a hand-shake is data, whatever it says. Cyclone has the writer in our order of bytes.
+/// A hand-shake message always counts as data. Cyclone has the writer in our byte order.
 void take_handshake_for_data(const nn_rdata& first) noexcept {
   auto& submessage =
       *reinterpret_cast<Data_DataFrag_common_t*>(NN_RMSG_PAYLOADOFF(first.rmsg, NN_RDATA_SUBMSG_OFF(&first)));
@@ -36,7 +36,7 @@ void take_handshake_for_data(const nn_rdata& first) noexcept {
   submessage.smhdr.flags = static_cast<unsigned char>(flags);
 }
 
-/// Of the samples that are delivered now; a gap, which has no data, has no information either.
+/// Of the samples that are delivered now; a gap has neither data nor information.
 void mend(const nn_rsample_chain_elem* sample) noexcept {
   for (; sample != nullptr; sample = sample->next) {
     if (sample->sampleinfo == nullptr) continue;

@@ -4,13 +4,13 @@
 
 namespace mrroc::links {
 
-/// While it lives, every socket that Cyclone binds in this thread is limited to `interface` before it has a port, so
-/// that no datagram of another device is ever queued. Cyclone binds its receiving sockets to 0.0.0.0, whatever it is
-/// configured to. A socket of the loopback interface accepts what arrives on the loopback device; one of another
-/// interface accepts what arrives on its device, or on the loopback device: the datagrams of this machine's other
-/// processes to its own addresses arrive there.
+/// During its lifetime every socket that Cyclone binds in this thread is limited to `interface` before it has a port,
+/// so that no datagram of another device is ever queued. Cyclone always binds its receiving sockets to 0.0.0.0,
+/// independent of its configuration. A socket of the loopback interface accepts datagrams that arrive on the loopback
+/// device. A socket of another interface accepts those on its device and on the loopback device, where datagrams from
+/// other processes of this machine to its own addresses arrive.
 ///
-/// Cyclone (0.10.2) calls its function `ddsrt_bind` for it, which this class replaces. Needs no privilege, unlike
+/// Cyclone (0.10.2) calls its function `ddsrt_bind` for this, which this class replaces. Needs no privilege, unlike
 /// SO_BINDTODEVICE, which in addition would exclude the processes of this machine.
 class SocketLimit {
  public:

@@ -13,7 +13,7 @@ namespace mrroc::links {
 namespace {
 
 constexpr std::int64_t kRetry = 20'000'000;             // ns
-constexpr std::int64_t kSilence = 20 * clock::kSecond;  // no stall of a busy machine is so long
+constexpr std::int64_t kSilence = 20 * clock::kSecond;  // longer than any stall of a busy machine
 
 Entity create_writer(const Domain& domain, const Entity& topic, const std::string& name) {
   return {dds_create_writer(domain.participant(), topic.get(), link_writer_qos(domain).get(), nullptr), "writer", name};
@@ -78,7 +78,7 @@ BarePing::~BarePing() = default;
 void BarePing::connect(double timeout) {
   const std::int64_t end = clock::monotonic_ns() + static_cast<std::int64_t>(timeout * 1e9);
   while (!impl_->exchange(clock::monotonic_ns() + kRetry)) {
-    if (clock::monotonic_ns() > end) throw SystemError(ErrorCode::link_lost, "the bare ping-pong finds no echo");
+    if (clock::monotonic_ns() > end) throw SystemError(ErrorCode::link_lost, "the bare ping-pong receives no echo");
   }
 }
 

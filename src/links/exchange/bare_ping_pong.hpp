@@ -7,18 +7,18 @@
 
 namespace mrroc::links {
 
-// What an exchange costs with nothing of ours around it: Cyclone's C API, a listener given at the reader's creation,
-// and a futex that wakes the thread that takes. The yardstick of bench/link_roundtrip; no process of a deployment uses
-// it. The messages are those of a command and of a state (messages.idl), with the links' own domain and QoS.
+// An exchange without the framework: Cyclone's C API, a listener given at the reader's creation, and a futex that wakes
+// the taking thread. The reference of bench/link_roundtrip; no process of a deployment uses it. The messages are those
+// of a command and of a state (messages.idl), with the links' own domain and QoS.
 
-/// Asks. One thread calls it.
+/// The requesting side. One thread calls it.
 class BarePing {
  public:
   /// Topics `<prefix>/command` and `<prefix>/state`. Throws SystemError as `Writer` and `Reader` do.
   BarePing(Domain& domain, const std::string& prefix);
   ~BarePing();
 
-  /// Exchanges until one has succeeded, for about `timeout` s. Throws SystemError (link_lost).
+  /// Repeats exchanges until one succeeds, for about `timeout` s. Throws SystemError (link_lost).
   void connect(double timeout);
   /// Writes one command and waits for the state that answers it. Throws SystemError (link_lost) after 20 s.
   void exchange();
@@ -28,12 +28,12 @@ class BarePing {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Answers every command with a state, until it is destroyed.
+/// Replies to every command with a state, until it is destroyed.
 class BareEcho {
  public:
   enum class Where {
-    thread,   ///< a thread of its own, which the listener wakes: as an application does
-    listener  ///< Cyclone's receive thread: one hand-over less
+    thread,   ///< its own thread, which the listener wakes, as in an application
+    listener  ///< Cyclone's receive thread: one thread switch less
   };
   BareEcho(Domain& domain, const std::string& prefix, Where where);
   ~BareEcho();

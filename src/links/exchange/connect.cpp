@@ -17,7 +17,7 @@ void check(const std::string& problem) {
 }  // namespace
 
 void connect(WriterBase& to, const std::vector<ReaderBase*>& from, double timeout, const std::string& peer) {
-  constexpr int kPingEvery = 20;  // looks, one per millisecond: no clock is read
+  constexpr int kPingEvery = 20;  // checks, one per millisecond: no clock is read
   const auto silent = [](const ReaderBase* reader) { return reader->ponged() == 0; };
   for (ReaderBase* reader : from) reader->expect_pong();
   const auto looks = static_cast<long>(std::ceil(timeout * 1e3));

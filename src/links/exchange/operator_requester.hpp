@@ -9,7 +9,7 @@
 namespace mrroc::links {
 
 /// The asking end of an operator link, in a VSP or a task process: topics `<prefix>/question` and `<prefix>/answer`. It
-/// waits for no one: an operator takes his time. The participant's thread.
+/// never waits for the operator. The participant's thread.
 class OperatorRequester {
  public:
   /// `prefix`: "<deployment>/<sensor or process>".

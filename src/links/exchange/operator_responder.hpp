@@ -8,7 +8,7 @@
 
 namespace mrroc::links {
 
-/// The operator's end of an operator link, in the runner; it answers the VSP's hand-shake on its own. `take` and
+/// The operator's end of an operator link, in the runner; it answers the VSP's hand-shake automatically. `take` and
 /// `answer` may be called by two threads, each by one at a time.
 class OperatorResponder {
  public:

@@ -40,7 +40,7 @@ template <class Request, class Reply>
 bool Requester<Request, Reply>::poll(Reply& reply) {
   if (take_reply(reply)) return true;
   if (!clock_.simulated() && !reader_.peer_alive()) {
-    if (take_reply(reply)) return true;  // its last word
+    if (take_reply(reply)) return true;  // its last message
     throw_lost();
   }
   if (clock_.tick() >= deadline_) {

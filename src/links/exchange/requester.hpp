@@ -15,7 +15,7 @@ namespace mrroc::links {
 template <class Request, class Reply>
 class Requester {
  public:
-  /// `peer` is what errors call the other side.
+  /// `peer`: name of the other side in errors.
   Requester(Domain& domain, clock::Clock& clock, const std::string& request_topic, const std::string& reply_topic,
             std::string peer);
 
@@ -25,17 +25,17 @@ class Requester {
   /// Sends a request; does not wait. Its reply is due at `deadline`.
   void send(const Request& request, Tick deadline);
 
-  /// Waits on the clock for the reply to the last `send`. Every other message that comes is dropped and counted: a
-  /// reply to another request, to another process, or from before the peer's restart. Throws SystemError: process_died
-  /// (link_lost when other machines take part) when the peer is lost (in simulated time the clock's host notices that),
+  /// Waits on the clock for the reply to the last `send`. Every other message is dropped and counted: a reply to
+  /// another request, to another process, or from before the peer's restart. Throws SystemError: process_died
+  /// (link_lost when other machines take part) when the peer is lost (in simulated time the clock's host detects that),
   /// process_silent when the deadline has passed. Throws Stopped when the clock is interrupted.
   void receive(Reply& reply);
-  /// As `receive`, but does not wait: false when the reply has not come yet.
+  /// As `receive`, but does not wait: false when the reply has not arrived yet.
   bool poll(Reply& reply);
 
   bool peer_alive() const noexcept { return reader_.peer_alive(); }
   std::uint64_t stale_replies() const noexcept { return stale_replies_; }
-  /// What has come and could not be trusted.
+  /// Received messages that were refused.
   std::uint64_t malformed_replies() const noexcept { return reader_.counters().malformed; }
 
  private:

@@ -11,8 +11,8 @@
 
 namespace mrroc::links {
 
-/// The answering side of a link; it answers the requester's hand-shake on its own. The participant's thread calls it.
-/// <Request, Reply> as for `Requester`.
+/// The answering side of a link; it answers the requester's hand-shake automatically. The participant's thread calls
+/// it. <Request, Reply> as for `Requester`.
 template <class Request, class Reply>
 class Responder {
  public:
@@ -23,7 +23,7 @@ class Responder {
   /// The newest request not yet taken, and its number for `reply`; false when there is none. Does not wait.
   bool take(Request& request, std::uint64_t& sequence);
 
-  /// Answers the request taken last. One that has been overtaken by another is not answered any more: false.
+  /// Answers the request taken last. False when another request has overtaken it; it is then not answered.
   bool reply(const Reply& reply, std::uint64_t sequence);
 
   bool peer_alive() const noexcept { return reader_.peer_alive(); }

@@ -10,10 +10,10 @@ namespace mrroc::links {
 class RobotRequester final : public RobotLink {
  public:
   static constexpr Tick kTimeout = 500;
-  static constexpr Tick kSynchronisation = 150'000;  ///< what a robot may take to find its positions
+  static constexpr Tick kSynchronisation = 150'000;  ///< maximum duration of a robot's synchronisation
 
-  /// `prefix`: "<deployment>/<robot>"; `peer`: the other process's name, for errors; `timeout`: how many ticks a reply
-  /// may be late.
+  /// `prefix`: "<deployment>/<robot>"; `peer`: the other process's name, for errors; `timeout`: maximum lateness of a
+  /// reply, ticks.
   RobotRequester(Domain& domain, clock::Clock& clock, const std::string& prefix, std::string peer,
                  Tick timeout = kTimeout);
 
@@ -21,7 +21,7 @@ class RobotRequester final : public RobotLink {
   void connect(double timeout) { exchange_.connect(timeout); }
 
   /// The reply is due at the command's tick v, counted from the present, from `start_tick` or from the end of the
-  /// macrostep under way as the last state tells it, whichever comes last; `timeout` ticks later it is missed.
+  /// macrostep under way according to the last state, whichever comes last; `timeout` ticks later it is missed.
   void send(const RobotCommand& command) override { send(command, timeout_); }
   void send(const RobotCommand& command, Tick timeout);
   void receive(RobotState& state) override;

@@ -9,7 +9,7 @@ namespace mrroc::links {
 /// The other end of `RobotRequester`, in the EDP or in a transparent ECP. The participant's thread calls it.
 class RobotResponder {
  public:
-  /// s; an older command moves nothing. For tests: the processes give the deployment's `heartbeat_timeout`
+  /// s; an older command is dropped. For tests: the processes use the deployment's `heartbeat_timeout`
   /// (docs/decisions/0013-one-patience.md).
   static constexpr double kMaxAge = 0.25;
 
@@ -22,7 +22,7 @@ class RobotResponder {
   bool reply(const RobotState& state, std::uint64_t sequence) { return exchange_.reply(state, sequence); }
 
   bool peer_alive() const noexcept { return exchange_.peer_alive(); }
-  /// Commands that were thrown away, and why.
+  /// Dropped commands, by reason.
   ReaderCounters counters() const noexcept { return exchange_.counters(); }
 
  private:

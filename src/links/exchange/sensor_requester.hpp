@@ -9,8 +9,8 @@ namespace mrroc::links {
 
 struct SensorRequesterOptions {
   bool published = false;  ///< reads the published readings too (`latest`)
-  bool polled = false;     ///< what `polled()` says
-  Tick timeout = 500;      ///< how many ticks a reply may be late (real time only)
+  bool polled = false;     ///< the value of `polled()`
+  Tick timeout = 500;      ///< maximum lateness of a reply, ticks (real time only)
 };
 
 /// The link of a `Sensor` to its VSP. Topics: `<prefix>/<client>/request`, `<prefix>/<client>/reading`, and, published
@@ -24,16 +24,16 @@ class SensorRequester final : public SensorLink {
   /// Hand-shake with the VSP on all topics, about `timeout` s at most; before the clock starts.
   void connect(double timeout);
 
-  /// The reply is due at `measure_at`, or at once; the time-out later it is missed.
+  /// The reply is due at `measure_at`, or at once; `timeout` ticks later it is missed.
   void request(const SensorRequest& request) override;
   void receive(SensorReading& reading) override { exchange_.receive(reading); }
   bool polled() const noexcept override { return polled_; }
   bool poll(SensorReading& reading) override { return exchange_.poll(reading); }
-  /// False also when `published` was not asked for. Neither waits, locks nor allocates.
+  /// False also when `published` is off. Neither waits, locks nor allocates.
   bool latest(SensorReading& reading) override { return published_ && published_->latest(reading); }
 
-  /// Waits until a published reading has come, at most until tick `until`; at once true when it was there before, false
-  /// when none has come or `published` was not asked for. Throws Stopped.
+  /// Waits until a published reading has arrived, at most until tick `until`. Returns true at once when there was one
+  /// before, false when none has arrived or `published` is off. Throws Stopped.
   bool await_published(Tick until);
 
   bool peer_alive() const noexcept { return exchange_.peer_alive(); }

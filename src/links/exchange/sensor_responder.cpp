@@ -14,7 +14,7 @@ SensorResponder::SensorResponder(Domain& domain, clock::Clock& clock, const std:
     published_ = std::make_unique<Writer<SensorReading>>(domain, clock, topic_name(prefix, "published"));
     also.push_back(published_.get());
   }
-  constexpr double kAnyAge = std::numeric_limits<double>::infinity();  // a late reading moves nothing
+  constexpr double kAnyAge = std::numeric_limits<double>::infinity();  // a late request for a reading is harmless
   for (const std::string& client : clients) {
     clients_.push_back(std::make_unique<Responder<SensorRequest, SensorReading>>(
         domain, clock, topic_name(prefix, client + "/request"), topic_name(prefix, client + "/reading"), kAnyAge,

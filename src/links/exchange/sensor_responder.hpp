@@ -12,7 +12,7 @@ namespace mrroc::links {
 /// The VSP's end of its clients' `SensorRequester`s. The participant's thread calls it.
 class SensorResponder {
  public:
-  /// Which request a reply answers.
+  /// The request that a reply answers.
   struct Ticket {
     std::size_t client = 0;
     std::uint64_t sequence = 0;
@@ -25,14 +25,15 @@ class SensorResponder {
 
   /// A request not yet taken, of the first client that has one; false when there is none. Does not wait.
   bool take(SensorRequest& request, Ticket& ticket);
-  /// Answers the request that the client made last; false, and nothing sent, for one that has been overtaken.
+  /// Answers the request that the client made last; false, without sending, when another request has overtaken it.
   bool reply(const SensorReading& reading, const Ticket& ticket);
-  /// Sends a reading to every client that reads published readings. Throws SystemError when it was built without.
+  /// Sends a reading to every client that reads published readings. Throws SystemError when it was constructed without
+  /// them.
   void publish(const SensorReading& reading);
 
   std::size_t client_count() const noexcept { return clients_.size(); }
   bool peer_alive(std::size_t client) const { return clients_.at(client)->peer_alive(); }
-  /// Requests of a client that were thrown away, and why.
+  /// Dropped requests of a client, by reason.
   ReaderCounters counters(std::size_t client) const { return clients_.at(client)->counters(); }
 
  private:

@@ -6,14 +6,15 @@
 
 namespace mrroc::links {
 
-/// The commanded end of a task link, in the MP or an ECP; it answers the superior's hand-shake on its own. One thread.
+/// The commanded end of a task link, in the MP or an ECP; it answers the superior's hand-shake automatically. One
+/// thread.
 class TaskSubordinate {
  public:
   TaskSubordinate(Domain& domain, clock::Clock& clock, const std::string& prefix);
 
   /// The oldest command not yet taken. Neither waits, locks nor allocates.
   bool take(TaskCommand& command);
-  /// Tells the superior, who sees which command was the last taken. Throws SystemError when DDS refuses it.
+  /// Reports to the superior, with the number of the command taken last. Throws SystemError when DDS refuses it.
   void report(const TaskStatus& status);
 
   /// Any thread.

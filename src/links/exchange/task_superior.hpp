@@ -20,7 +20,7 @@ class TaskSuperior {
   std::uint64_t send(TaskCommandKind kind, const Parcel& parcel = {});
 
   /// The oldest status not yet taken; `last_command` is the number of the last command that the subordinate had taken
-  /// when it reported, so that a status from before a command is known as such. Neither waits, locks nor allocates.
+  /// when it reported, so that a status sent before a command can be recognised. Neither waits, locks nor allocates.
   bool take(TaskStatus& status, std::uint64_t& last_command);
 
   /// Any thread.

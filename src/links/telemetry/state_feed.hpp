@@ -10,13 +10,13 @@
 namespace mrroc::links {
 
 /// The EDP's end of one sensor's `StateFollower`: carries the state e_l of the robot to the VSP, at every servo tick,
-/// and answers the hand-shake on its own. The participant's thread calls it, never a servo thread.
+/// and answers the hand-shake automatically. The participant's thread calls it, never a servo thread.
 class StateFeed {
  public:
   /// `prefix`: "<deployment>/<robot>"; `sensor`: name of the sensor. Throws as `Writer`.
   StateFeed(Domain& domain, clock::Clock& clock, const std::string& prefix, const std::string& sensor);
 
-  /// Sends a state; does not wait for anybody. Throws SystemError (link_lost) when DDS refuses it.
+  /// Sends a state; never waits. Throws SystemError (link_lost) when DDS refuses it.
   void send(const RobotState& state) { state_.write(state, ++sent_); }
 
  private:

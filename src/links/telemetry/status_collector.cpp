@@ -36,7 +36,7 @@ void StatusCollector::poll() {
       }
       processes_[std::string(status.process.view())].status = status;
     }
-    // the key is there even when the sample says no more than that its writer is gone
+    // the key is valid even in a sample that only reports the loss of its writer
     const std::string name(sample.process, ::strnlen(sample.process, sizeof sample.process));
     const auto process = processes_.find(name);
     if (process != processes_.end()) process->second.alive = info.instance_state == DDS_ALIVE_INSTANCE_STATE;

@@ -9,24 +9,24 @@
 
 namespace mrroc::links {
 
-/// The telemetry of all processes of a deployment, for operators: it looks when it is asked and wakes no one. One
-/// thread; it allocates.
+/// The telemetry of all processes of a deployment, for operators. It is polled and wakes no thread. One thread; it
+/// allocates.
 class StatusCollector {
  public:
   struct Process {
-    ProcessStatus status;  ///< the last that came
+    ProcessStatus status;  ///< the last one received
     bool alive = true;     ///< false once its publisher has ended or has been silent for the lease
   };
 
-  /// Throws SystemError: a bad topic name (configuration), what DDS refuses (resources).
+  /// Throws SystemError: a bad topic name (configuration), an error of DDS (resources).
   StatusCollector(Domain& domain, const std::string& deployment);
   ~StatusCollector();
 
-  /// Takes in what has come since the last call. Does not wait.
+  /// Takes the statuses that have arrived since the last call. Does not wait.
   void poll();
-  /// Every process heard of so far, by name.
+  /// Every process seen so far, by name.
   const std::map<std::string, Process>& processes() const noexcept { return processes_; }
-  /// Statuses that could not be trusted.
+  /// Number of refused statuses.
   std::uint64_t malformed() const noexcept { return malformed_; }
 
  private:

@@ -6,8 +6,8 @@
 
 namespace mrroc::links {
 
-/// What Cyclone DDS has to say goes here instead of to stderr, where one malformed datagram is one line and a flood of
-/// them fills a disk: every message is counted and the last 32, cut to 200 characters, are kept. One log per process;
+/// The log of Cyclone DDS. It replaces stderr, where each malformed datagram would be one line and a flood of them
+/// would fill a disk: every message is counted and the last 32, cut to 200 characters, are kept. One log per process;
 /// `Domain` installs it.
 void install_dds_log();
 

@@ -20,10 +20,11 @@ namespace mrroc::links {
 namespace {
 
 constexpr int kLastId = 230;              // the ports of domain 231 end beyond 65535
-constexpr int kLastIndex = 60;            // of a process; each has two ports of its own
+constexpr int kLastIndex = 60;            // of a process; each has its own two ports
 constexpr double kSimulatedLease = 3600;  // Cyclone's longest
 
-/// What a cable loses is asked for again within a few ms; Cyclone's own pace of 100 ms would stop the robots each time.
+/// Messages lost on a cable are requested again within a few ms; Cyclone's default of 100 ms would stop the robots each
+/// time.
 constexpr const char* kRepairOverCables =
     "<NackDelay>1ms</NackDelay><PreEmptiveAckDelay>1ms</PreEmptiveAckDelay>"
     "<HeartbeatInterval min=\"2ms\" minsched=\"5ms\" max=\"1s\">5ms</HeartbeatInterval>";
@@ -76,8 +77,8 @@ std::string dds_configuration(const DomainOptions& options, const NetworkInterfa
   if (!options.hosts.empty() && options.interface.empty()) {
     throw SystemError(ErrorCode::configuration, "hosts are named, but no network interface to reach them by");
   }
-  // never left to Cyclone: it adds its own address only to an interface that has no flag MULTICAST, and only when no
-  // peer is given
+  // Cyclone's default is not sufficient: it adds its own address only to an interface without the flag MULTICAST, and
+  // only when no peer is given
   std::string peers = "<Peer Address=\"" + interface.address + "\"/>";
   for (const std::string& host : options.hosts) {
     check_host(host);
@@ -87,13 +88,14 @@ std::string dds_configuration(const DomainOptions& options, const NetworkInterfa
   return "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface address=\"" + interface.address +
          "\" multicast=\"false\"/></Interfaces><AllowMulticast>false</AllowMulticast></General>"
          "<SharedMemory><Enable>false</Enable></SharedMemory>"
-         // without multicast an index of its own is what lets a process be found, and its number is the last index
+         // without multicast a process is found by its own index, and its number is the last index
          "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
          "<MaxAutoParticipantIndex>" +
          std::to_string(kLastIndex) + "</MaxAutoParticipantIndex><LeaseDuration>" +
          std::to_string(static_cast<long>(lease * 1000)) + "ms</LeaseDuration><Peers>" + peers +
          "</Peers></Discovery>"
-         // how long a writer that ends waits for readers to acknowledge: a dead peer shall not hold it for a second
+         // maximum time for which an ending writer waits for acknowledgements: a dead peer must not block it for a
+         // second
          "<Internal><WriterLingerDuration>100ms</WriterLingerDuration>" +
          (options.hosts.empty() ? "" : kRepairOverCables) + "</Internal></Domain></CycloneDDS>";
 }
@@ -109,7 +111,7 @@ Domain::Domain(DomainOptions options)
   domain_ = dds_create_domain(static_cast<dds_domainid_t>(options_.id), configuration.c_str());
   if (domain_ < 0) refuse("creation", options_.id, domain_);
   try {
-    // before any process learns of this one
+    // before any process discovers this one
     seal_descriptors(before);
     create_participant();
     seal_descriptors(before);

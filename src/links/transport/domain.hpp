@@ -13,27 +13,27 @@ struct DomainOptions {
   int id = 0;  ///< DDS domain, 0..230
   /// The device, or this machine's own IPv4 address, by which the peers are reached; empty: loopback, this machine only
   std::string interface = {};
-  /// Names or addresses of the machines that take part; this one may be among them. Only beside `interface`.
+  /// Names or addresses of the machines that take part; may include this one. Only together with `interface`.
   std::vector<std::string> hosts = {};
-  /// s of silence of a peer's whole process after which it counts as lost; 0: never, for simulated time, where the
-  /// clock's host watches the processes and a busy machine must not look like a death.
+  /// s of silence of a peer's whole process after which it counts as lost; 0: never. For simulated time, where the
+  /// clock's host watches the processes and a busy machine must not count as a death.
   double lease = 0.5;
-  /// Folder of the deployment's keys (security.hpp): only who has them is talked to and every message is signed; empty:
-  /// everybody who reaches the interface is believed.
+  /// Folder of the deployment's keys (security.hpp): only participants with these keys are accepted, and every message
+  /// is signed; empty: every participant that reaches the interface is accepted.
   std::filesystem::path keys = {};
 };
 
 /// This process's participation in DDS, configured by the framework alone: the environment is ignored. One per process
-/// and domain number. Unicast; its sockets hear the chosen interface only, without one the loopback device; at most 61
-/// processes per machine; no shared memory; descriptors close on exec; what Cyclone logs goes to dds_log.hpp.
+/// and domain number. Unicast; its sockets receive only from the chosen interface, by default the loopback device; at
+/// most 61 processes per machine; no shared memory; descriptors close on exec; dds_log.hpp receives Cyclone's log.
 ///
 /// Cyclone's threads inherit the scheduling class and priority of the thread that constructs this: set them before.
-/// Start children before, and no other thread may open descriptors meanwhile. Construct and destroy in one thread; it
-/// must outlive its readers and writers.
+/// Start children before, and open no descriptors in other threads during construction. Construct and destroy in one
+/// thread; it must outlive its readers and writers.
 class Domain {
  public:
-  /// Throws SystemError: a bad option, interface or key folder (configuration), or what Cyclone refuses (resources),
-  /// with its own words.
+  /// Throws SystemError: a bad option, interface or key folder (configuration), or an error of Cyclone (resources),
+  /// with its text.
   explicit Domain(DomainOptions options);
   ~Domain();
   Domain(const Domain&) = delete;
@@ -45,7 +45,7 @@ class Domain {
   bool secured() const noexcept { return !options_.keys.empty(); }
   double lease() const noexcept { return options_.lease; }
   /// Number of this start of the process: random in the low half; the high half names the machine and its start-up, so
-  /// that a receiver can tell whose CLOCK_MONOTONIC is its own. Never 0.
+  /// that a receiver can recognise processes with the same CLOCK_MONOTONIC. Never 0.
   std::uint64_t boot() const noexcept { return boot_; }
   /// The DDS participant.
   std::int32_t participant() const noexcept { return participant_; }
@@ -63,7 +63,7 @@ class Domain {
 /// Whether both boots are of processes of one machine, so that their monotonic clocks are one.
 constexpr bool same_machine(std::uint64_t boot, std::uint64_t other) noexcept { return boot >> 32 == other >> 32; }
 
-/// The configuration that Cyclone DDS is given on `interface`. Throws SystemError for a bad option.
+/// The configuration for Cyclone DDS on `interface`. Throws SystemError for a bad option.
 std::string dds_configuration(const DomainOptions& options, const NetworkInterface& interface);
 
 }  // namespace mrroc::links

@@ -34,7 +34,7 @@ Qos status_qos(dds_duration_t lease) {
   dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, 1, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED,
                               DDS_LENGTH_UNLIMITED);
   dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, 1);
-  dds_qset_writer_data_lifecycle(qos.get(), false);  // a process that ends leaves its last word
+  dds_qset_writer_data_lifecycle(qos.get(), false);  // the last message of a process that ends remains
   return qos;
 }
 

@@ -43,14 +43,14 @@ struct ListenerDeleter {
 using Qos = std::unique_ptr<dds_qos_t, QosDeleter>;
 using Listener = std::unique_ptr<dds_listener_t, ListenerDeleter>;
 
-// The lease that counts is the one that the writer promises to keep; readers ask for none, so that no two can disagree.
+// The writer's lease applies; readers request no lease, so that the two always match.
 
 /// Of every link: reliable, volatile, a few messages kept for retransmission, liveliness by the domain's lease.
 /// latency_budget is never set: above 0 it loses messages in lockstep.
 Qos link_writer_qos(const Domain& domain);
 Qos link_reader_qos();
 
-/// Of telemetry: the newest sample of each process is kept for whoever comes later.
+/// Of telemetry: the newest sample of each process is kept for later readers.
 Qos status_writer_qos(const Domain& domain);
 Qos status_reader_qos();
 

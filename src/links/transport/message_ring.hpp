@@ -9,10 +9,10 @@
 
 namespace mrroc::links {
 
-/// The last `depth` messages, from the listener's thread (one producer) to the participant's (one consumer): message n
-/// (n = 0, 1, ...) lies in slot n modulo depth until message n + depth overwrites it. The producer never waits and
-/// never sees the consumer, so that after a pause the newest messages are there, not the oldest. No lock; no allocation
-/// after construction.
+/// The last `depth` messages, passed from the listener's thread (one producer) to the participant's (one consumer):
+/// message n (n = 0, 1, ...) lies in slot n modulo depth until message n + depth overwrites it. The producer never
+/// waits for the consumer, so that after a pause the ring holds the newest messages, not the oldest. No lock; no
+/// allocation after construction.
 template <class Value>
 class MessageRing {
  public:
@@ -32,7 +32,7 @@ class MessageRing {
     pushed_.store(entry.number + 1, std::memory_order_release);
   }
 
-  /// How many messages have been pushed. Any thread.
+  /// Number of messages pushed. Any thread.
   std::uint64_t pushed() const noexcept { return pushed_.load(std::memory_order_acquire); }
 
   /// Copies message `number` (< pushed()); false when it has been overwritten. Consumer.

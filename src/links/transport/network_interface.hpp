@@ -12,10 +12,10 @@ struct NetworkInterface {
   bool loopback = false;
 };
 
-/// The interface that `name` means: a device, of which the first IPv4 address is taken, or one of this machine's own
-/// IPv4 addresses; empty: the loopback device, with 127.0.0.1 where it has that. The device's flags MULTICAST and
+/// The interface with this name: a device, whose first IPv4 address is used, or one of this machine's own IPv4
+/// addresses; empty: the loopback device, with 127.0.0.1 where it has that. The device's flags MULTICAST and
 /// POINTOPOINT, its network mask and its MTU do not matter. Throws SystemError (configuration) that names the device
-/// when it is down or has no IPv4 address, and otherwise lists what there is. Any thread.
+/// when it is down or has no IPv4 address, and otherwise lists the valid names. Any thread.
 NetworkInterface find_interface(const std::string& name);
 
 }  // namespace mrroc::links

@@ -28,7 +28,7 @@ struct Reader<T>::Impl {
       : boot(d.boot()), clock(c), topic(t), options(std::move(o)), ring(std::max<std::size_t>(options.depth, 1)) {
     dds_topic = create_topic(d, WireOf<T>::descriptor(), topic);
     if (options.counted) receiver = clock.register_receiver(topic);
-    // given at creation: one that is set when data has come is never called
+    // set at creation: a listener set after data has arrived is not called for it
     Listener listener{dds_create_listener(this)};
     dds_lset_data_available(listener.get(), &on_data);
     dds_lset_liveliness_changed(listener.get(), &on_liveliness);
@@ -43,7 +43,7 @@ struct Reader<T>::Impl {
     Impl& self = *static_cast<Impl*>(arg);
     std::array<dds_sample_info_t, 2> infos;
     void* samples[] = {&self.incoming[0].value, &self.incoming[1].value};
-    // room for one more than there mostly is: when it stays empty nothing else is there
+    // room for one more than usual: if it stays empty there is nothing else
     for (dds_return_t count = 2; count == 2;) {
       count = dds_take(reader, samples, infos.data(), 2, 2);
       for (dds_return_t i = 0; i < count; ++i) {
@@ -86,7 +86,7 @@ struct Reader<T>::Impl {
 
   // ---- the participant's thread ------------------------------------------------------------------------------------
 
-  /// Steps over what has been overwritten since the last look.
+  /// Skips messages that have been overwritten since the last call.
   void skip_overwritten(std::uint64_t pushed) noexcept {
     if (pushed - next <= ring.depth()) return;
     overwritten += pushed - ring.depth() - next;

@@ -11,28 +11,28 @@
 namespace mrroc::links {
 
 struct ReaderOptions {
-  /// Messages kept between two looks; when more come the oldest are overwritten and counted.
+  /// Messages kept between two calls; when more arrive the oldest are overwritten and counted.
   std::size_t depth = 16;
   bool counted = true;  ///< as the topic's writer
-  /// Writers through which a ping that comes here is answered; they outlive the reader.
+  /// Writers through which a received ping is answered; they must outlive the reader.
   std::vector<WriterBase*> answer_through = {};
 };
 
-/// What a reader has thrown away, since its creation.
+/// Messages that a reader has dropped since its creation.
 struct ReaderCounters {
-  std::uint64_t malformed = 0;    ///< values out of range: never trusted
+  std::uint64_t malformed = 0;    ///< values out of range
   std::uint64_t stale = 0;        ///< overtaken by a newer message, or too old
-  std::uint64_t overwritten = 0;  ///< no one looked in time
+  std::uint64_t overwritten = 0;  ///< not taken in time
 };
 
-/// A reader of a topic: a listener (Cyclone's receive thread) stores each message and tells the clock; the
-/// participant's thread takes them. Messages under simulated time are seen in the delta after their own. T as for
+/// A reader of a topic: a listener (Cyclone's receive thread) stores each message and notifies the clock; the
+/// participant's thread takes them. Under simulated time a message becomes visible in the delta after its own. T as for
 /// `Writer`. Construct before the clock starts; the domain and the clock outlive it. One thread calls the taking
-/// functions: they neither wait, lock nor allocate, and when they return false they leave their arguments alone.
+/// functions: they neither wait, lock nor allocate, and when they return false their arguments are unchanged.
 template <class T>
 class Reader final : public ReaderBase {
  public:
-  /// Throws SystemError: a bad topic name (configuration), what DDS refuses (resources).
+  /// Throws SystemError: a bad topic name (configuration), an error of DDS (resources).
   Reader(Domain& domain, clock::Clock& clock, const std::string& topic, ReaderOptions options = {});
   ~Reader() override;
 
@@ -40,15 +40,15 @@ class Reader final : public ReaderBase {
   bool take(T& message, Header& header);
   /// The newest message; those before it are dropped as stale.
   bool take_newest(T& message, Header& header);
-  /// As `take_newest`, but a message sent more than `max_age` s ago is stale too: what may move a robot, because a
-  /// process that was stopped is handed everything that queued up. Stamps count from tick 0, which machines have in
-  /// common; under simulated time, and from another machine before tick 0, every message counts as fresh.
+  /// As `take_newest`, but a message sent more than `max_age` s ago is stale too. For messages that may move a robot: a
+  /// process that was stopped receives everything that has queued up. Stamps count from tick 0, which is common to all
+  /// machines; under simulated time, and from another machine before tick 0, every message counts as fresh.
   bool take_fresh(T& message, Header& header, double max_age);
-  /// The newest message so far, however often it is asked for.
+  /// The newest message so far; may be called repeatedly.
   bool latest(T& message);
 
-  /// Whether a writer of the topic is alive. It is lost when it says so or its process is silent for the domain's
-  /// lease; the clock is notified of every change. Any thread.
+  /// Whether a writer of the topic is alive. It is lost when it ends or its process is silent for the domain's lease;
+  /// the clock is notified of every change. Any thread.
   bool peer_alive() const noexcept;
   ReaderCounters counters() const noexcept;
 

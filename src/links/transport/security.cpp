@@ -29,10 +29,11 @@ void check_file(const fs::path& folder, const char* name) {
   if (::access(path.c_str(), R_OK) != 0) refuse(path, "cannot be read", "a file of the user who runs the deployment");
 }
 
-/// The folder of Cyclone's security plug-ins: Debian keeps them in one beside the library, Cyclone itself beside it.
+/// The folder of Cyclone's security plug-ins: in Debian a folder beside the library, in Cyclone's own installation that
+/// of the library.
 fs::path plugins() {
   Dl_info library{};
-  // not the function's name as such: its address may be a stub in this program
+  // not through the function's name: its address may be a stub in this program
   void* address = ::dlsym(RTLD_DEFAULT, "dds_create_domain");
   if (address == nullptr || ::dladdr(address, &library) == 0) {
     throw SystemError(ErrorCode::resources, "DDS security: Cyclone DDS is not a shared library here");

@@ -5,7 +5,7 @@
 namespace mrroc::links {
 namespace {
 
-constexpr std::size_t kLongest = 95;  // what the clock's memory has room for
+constexpr std::size_t kLongest = 95;  // the capacity of the clock's memory
 
 bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool digit(char c) { return c >= '0' && c <= '9'; }

@@ -6,7 +6,7 @@
 namespace mrroc::links {
 
 /// `prefix`/`name`, checked: letters, digits, `_` and `/` only, beginning with a letter or `_`, no empty part, at most
-/// 95 characters. Throws SystemError (configuration) that quotes the name and says what is wrong with it.
+/// 95 characters. Throws SystemError (configuration) that quotes the name and the problem.
 std::string topic_name(std::string_view prefix, std::string_view name);
 
 /// The same check for a whole name.

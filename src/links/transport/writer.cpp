@@ -27,7 +27,7 @@ struct Writer<T>::Impl {
     static_cast<Impl*>(arg)->refused_policy.store(status.last_policy_id);
   }
 
-  /// A message that is none: only its header counts. On the stack, so that any thread may send one.
+  /// A message without content: only its header counts. On the stack, so that any thread may send one.
   void control(std::uint32_t kind, std::uint64_t answers) noexcept {
     Wire<T> message{};
     message.header.boot = boot;

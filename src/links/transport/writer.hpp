@@ -9,7 +9,7 @@
 namespace mrroc::links {
 
 struct WriterOptions {
-  bool counted = true;  ///< the clock counts its messages; false for what simulated time need not wait for
+  bool counted = true;  ///< the clock counts its messages; false if simulated time need not wait for them
 };
 
 /// The one writer of a topic. T is a message of src/links/wire/messages.idl: RobotCommand, RobotState, SensorRequest,
@@ -18,13 +18,13 @@ struct WriterOptions {
 template <class T>
 class Writer final : public WriterBase {
  public:
-  /// Throws SystemError: a bad topic name (configuration), what DDS refuses (resources).
+  /// Throws SystemError: a bad topic name (configuration), an error of DDS (resources).
   Writer(Domain& domain, clock::Clock& clock, const std::string& topic, WriterOptions options = {});
   ~Writer() override;
 
-  /// Sends one message; does not wait for anybody. `answers`: boot of the process whose request this answers. One
-  /// thread. Nothing is allocated here, but Cyclone allocates twice: never from a servo tick. Throws SystemError
-  /// (link_lost) when DDS refuses it.
+  /// Sends one message; never waits. `answers`: boot of the process whose request this answers. One thread. Nothing is
+  /// allocated here, but Cyclone allocates twice: never from a servo tick. Throws SystemError (link_lost) when DDS
+  /// refuses it.
   void write(const T& message, std::uint64_t sequence, std::uint64_t answers = 0);
 
   const std::string& topic() const noexcept override;

@@ -64,15 +64,15 @@ struct WireOf<ProcessStatus> {
 template <class T>
 using Wire = typename WireOf<T>::Type;
 
-/// Header kinds. A ping asks the responder's process for a pong: the proof that both directions are connected.
+/// Header kinds. A ping requests a pong from the responder's process: the proof that both directions are connected.
 inline constexpr std::uint32_t kData = 0;
 inline constexpr std::uint32_t kPing = 1;
 inline constexpr std::uint32_t kPong = 2;
 
 // encode writes the content of a message, all but its header, into `wire`. decode does the reverse when the wire form
-// can be trusted: every enum and boolean in range, counts within bounds, text terminated; otherwise it returns false
-// and leaves `message` alone. Numbers are copied bit by bit, NaN too: what a value means is the receiver's to judge and
-// to answer. Of joint vectors only the axes in use are touched. No allocation.
+// is valid: every enum and boolean in range, counts within bounds, text terminated; otherwise it returns false and
+// leaves `message` unchanged. Numbers are copied bit by bit, NaN too: the receiver checks their values. Of joint
+// vectors only the axes in use are copied. No allocation.
 
 void encode(const RobotCommand& message, mrroc_wire_RobotCommand& wire) noexcept;
 void encode(const RobotState& message, mrroc_wire_RobotState& wire) noexcept;

@@ -8,15 +8,15 @@
 
 namespace mrroc::links {
 
-/// What kind of answer is expected.
+/// The kind of the expected answer.
 enum class QuestionKind : std::uint8_t {
-  none = 0,    ///< none: it is a message
+  none = 0,    ///< no answer: it is a message
   number = 1,  ///< from `minimum` to `maximum`
   yes_no = 2,  ///< 1 or 0
   choice = 3   ///< the index of one of `choices`
 };
 
-/// From a VSP or a task program to the operator: what a task program wants to know, or wants him to know.
+/// A question or a message from a VSP or a task program to the operator.
 struct OperatorQuestion {
   static constexpr std::size_t kChoices = 8;
 
@@ -31,7 +31,7 @@ struct OperatorQuestion {
 
 /// The operator's answer.
 struct OperatorAnswer {
-  /// Number of the question; 0: whichever is open when it arrives, for one who answers by a script and sees none.
+  /// Number of the question; 0: the open question at its arrival, for scripts that answer without reading the question.
   std::uint64_t question = 0;
   double value = 0;
 };

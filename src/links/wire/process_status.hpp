@@ -24,7 +24,7 @@ struct Counters {
   double execution_max_us = 0;
 };
 
-/// Telemetry of one process, for operators. Nothing decides by it.
+/// Telemetry of one process, for operators. No decision depends on it.
 struct ProcessStatus {
   FixedText<kNameLength> process;
   ProcessRole role = ProcessRole::mp;
@@ -33,7 +33,7 @@ struct ProcessStatus {
   std::uint64_t beat = 0;  ///< counts the statuses of this process: its heartbeat
   std::int32_t pid = 0;
   Tick tick = 0;
-  std::uint64_t instruction = 0;  ///< number of the Move or Wait that is under way
+  std::uint64_t instruction = 0;  ///< number of the current Move or Wait
   FixedText<63> activity;         ///< its text, e.g. "Move ToolVelocity"
   std::uint64_t step = 0;         ///< its step i
   ErrorReport error;

@@ -24,16 +24,16 @@ struct TaskCommand {
 
 enum class TaskState : std::uint8_t { idle = 0, running = 1, paused = 2, succeeded = 3, failed = 4, stopped = 5 };
 
-/// The subordinate's answer, and its word of its own accord whenever its state changes.
+/// The subordinate's answer; it also sends one whenever its state changes.
 struct TaskStatus {
   TaskState state = TaskState::idle;
-  ErrorReport error;  ///< why it failed
-  /// Where and when the error arose; `device`: robot or sensor, empty when it was at none.
+  ErrorReport error;  ///< the reason of a failure
+  /// Where and when the error arose; `device`: robot or sensor, may be empty.
   FixedText<63> process, device;
   std::uint64_t step = 0;
   Tick error_tick = 0;
-  Tick tick = 0;  ///< at which this is said
-  Parcel parcel;  ///< a message of the program under way; without one, this is news of its state
+  Tick tick = 0;  ///< at which this is sent
+  Parcel parcel;  ///< a message of the program under way; without one, this is a change of its state
 };
 
 }  // namespace mrroc::links

@@ -9,13 +9,13 @@
 #include "messages.h"
 #include "mrroc/robot_state.hpp"
 
-/// What several messages are made of, in its wire form and back: `encode_...` writes it, `valid_...` says whether it
-/// can be trusted, `decode_...` reads what can. Any thread; never allocates or throws.
+/// Common parts of several messages and their wire form: `encode_...` writes one, `valid_...` checks it, `decode_...`
+/// reads a valid one. Any thread; never allocates or throws.
 namespace mrroc::links {
 
 using RowMajorFrame = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
 
-/// A code is known when it has a text: errors.cpp keeps the one list of them.
+/// A code is known when it has a text: errors.cpp has the only list of them.
 inline bool known(ErrorCode code) noexcept { return describe(code) != describe(static_cast<ErrorCode>(0xFFFF)); }
 
 template <class Enum>

@@ -17,7 +17,7 @@ namespace mrroc::process {
 
 namespace {
 
-/// A simulated clock may be another one than the deployment's: for the rules of a trace they are alike.
+/// A simulated clock may differ from the deployment's: for the rules of a trace they are equivalent.
 const char* clock_of(const config::Deployment& deployment, bool simulated) noexcept {
   if (!simulated) return "real";
   return deployment.clock == config::ClockMode::paced ? "paced" : "lockstep";
@@ -52,7 +52,7 @@ std::uint64_t write_black_box(const std::filesystem::path& folder, const BlackBo
 
 std::uint64_t write_black_box(const std::filesystem::path& folder, const std::vector<TextLine>& lines,
                               const config::Deployment& deployment, const std::string& process, bool simulated) {
-  std::error_code ignored;  // the file says what is wrong with its folder
+  std::error_code ignored;  // opening the file reports the problem of its folder
   std::filesystem::create_directories(folder, ignored);
   const auto name = [&](std::uint64_t number) { return black_box_path(folder, deployment, process, number); };
   ClaimedFile file = ClaimedFile::create(name, "the black box");

@@ -11,18 +11,18 @@
 
 namespace mrroc::process {
 
-/// Where the black box of a process is written: FOLDER/DEPLOYMENT-PROCESS.trace, the next ones, of number 2, 3, ...,
+/// The path of a black box of a process: FOLDER/DEPLOYMENT-PROCESS.trace; with number 2, 3, ...
 /// FOLDER/DEPLOYMENT-PROCESS-2.trace, ...
 std::filesystem::path black_box_path(const std::filesystem::path& folder, const config::Deployment& deployment,
                                      const std::string& process, std::uint64_t number = 1);
 
-/// Writes the steps of a black box as a trace (docs/reference/trace.md) whose first line says that it begins in the
-/// middle of a run. The file is a new one, of the least number that is free: no black box is overwritten, whichever
-/// processes and runs write at the same time. Makes a missing folder. `simulated`: the clock that the process runs by.
+/// Writes the steps of a black box as a trace (docs/reference/trace.md) whose first line marks that it begins in the
+/// middle of a run. The file is new and has the lowest free number: no black box is overwritten, even when several
+/// processes and runs write at the same time. Creates a missing folder. `simulated`: whether the process's clock is.
 /// Returns the number. Throws std::runtime_error when it cannot be written; then no file remains.
 std::uint64_t write_black_box(const std::filesystem::path& folder, const BlackBox& box,
                               const config::Deployment& deployment, const std::string& process, bool simulated);
-/// The same with steps that are lines of a trace already.
+/// The same with steps that are already lines of a trace.
 std::uint64_t write_black_box(const std::filesystem::path& folder, const std::vector<TextLine>& lines,
                               const config::Deployment& deployment, const std::string& process, bool simulated);
 

@@ -36,7 +36,7 @@ std::string command_of(const std::string& pid) {
   return words.empty() ? "" : " (" + command::printable(words.substr(0, 200)) + ")";
 }
 
-/// The process that holds the lock, by the kernel's list (proc(5), /proc/locks).
+/// The process that holds the lock, from the kernel's list (proc(5), /proc/locks).
 std::string holder_of(const FileIdentity& file) {
   std::ifstream locks("/proc/locks");
   for (std::string line; std::getline(locks, line);) {
@@ -53,7 +53,7 @@ std::string holder_of(const FileIdentity& file) {
   return "another process";  // in another container, or on another host
 }
 
-/// A new description of what `fd` is open on; -1: the kernel opens it no second time, as a socket.
+/// A new description of the file of `fd`; -1: the kernel cannot open it a second time, as for a socket.
 int reopen(int fd, int flags) {
   return ::open(("/proc/self/fd/" + std::to_string(fd)).c_str(), flags | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
 }

@@ -11,7 +11,7 @@
 
 namespace mrroc::process {
 
-/// Which file a path or a descriptor leads to, by whatever links.
+/// Identity of the file of a path or a descriptor, through any links.
 struct FileIdentity {
   dev_t device = 0;
   ino_t number = 0;
@@ -24,37 +24,37 @@ class FileInUse : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A file that this object alone writes: opened, not emptied, and locked (flock(2)) against every other claim, of this
-/// process, of another one and, where the file system tells its hosts, of another host. The kernel releases the lock
-/// when the last process that has the descriptor ends, however it ends: a file that was left behind is free. Devices
-/// (/dev/null, a terminal) are not locked. Any thread.
+/// A file that only this object writes: opened, not emptied, and locked (flock(2)) against every other claim, in this
+/// process, in another one and, if the file system supports it, on another host. The kernel releases the lock when the
+/// last process with the descriptor ends or dies, so a remaining file is free. Devices (/dev/null, a terminal) are not
+/// locked. Any thread.
 class ClaimedFile {
  public:
-  /// Opens a file for writing, and creates it when it is missing. Does not wait for the reader of a FIFO: `waits` tells
-  /// that there is none. `/dev/fd/N`, `/dev/stdout` and their like are the open descriptor itself, from where it is.
-  /// `what` is what the caller calls it, "the trace". Throws std::runtime_error that names it, the file and the reason;
-  /// FileInUse that names the process that has it.
+  /// Opens a file for writing, and creates it when it is missing. Does not wait for the reader of a FIFO: `waits` is
+  /// then true. `/dev/fd/N`, `/dev/stdout` and the like are the open descriptor itself, at its present position. `what`
+  /// is the caller's name for it, "the trace". Throws std::runtime_error with that name, the file and the reason;
+  /// FileInUse with the process that writes it.
   ClaimedFile(std::filesystem::path path, const std::string& what);
-  /// Creates the first of `name(1)`, `name(2)`, ... that does not exist. Throws std::runtime_error when none can be.
+  /// Creates the first of `name(1)`, `name(2)`, ... that does not exist. Throws std::runtime_error when this fails.
   static ClaimedFile create(const std::function<std::filesystem::path(std::uint64_t number)>& name,
                             const std::string& what);
-  /// A folder that exists: what is written into it by other names than its own is the caller's to keep apart.
+  /// A folder that exists: the caller must separate the files that are written into it under other names.
   static ClaimedFile folder(std::filesystem::path path, const std::string& what);
   ~ClaimedFile();
   ClaimedFile(ClaimedFile&& other) noexcept;
   ClaimedFile& operator=(ClaimedFile&&) = delete;
 
-  /// -1: it is a FIFO without a reader.
+  /// -1: a FIFO without a reader.
   int fd() const noexcept { return fd_; }
   bool waits() const noexcept { return fd_ < 0; }
   const std::filesystem::path& path() const noexcept { return path_; }
   /// Of `create`: the number of the name.
   std::uint64_t number() const noexcept { return number_; }
   const FileIdentity& identity() const noexcept { return identity_; }
-  /// A regular file of its own name, not what a descriptor leads to: it may be emptied.
+  /// A regular file under its own name, not the file of a descriptor: it may be emptied.
   bool is_own_regular_file() const noexcept { return own_ && S_ISREG(mode_); }
   mode_t mode() const noexcept { return mode_; }
-  /// The path still leads to this file: nothing has removed or replaced it.
+  /// Whether the path still leads to this file: it has not been removed or replaced.
   bool in_place() const noexcept;
   /// Closes it, which may be when a file system reports a full disk. Returns 0, or the errno.
   int close() noexcept;
@@ -76,7 +76,7 @@ class ClaimedFile {
 /// The descriptor that `/dev/stdout`, `/dev/fd/N`, `/proc/self/fd/N` or a symbolic link to one names; -1: another path.
 int named_descriptor(const std::filesystem::path& path);
 
-/// Which file the path leads to; nothing that exists: all zero.
+/// Identity of the file of the path; all zero when it does not exist.
 FileIdentity identity_of(const std::filesystem::path& path) noexcept;
 FileIdentity identity_of(int fd) noexcept;
 

@@ -17,11 +17,11 @@
 
 namespace mrroc::process {
 
-/// All zero, as the kernel gives it, is an empty one.
+/// All zero, as provided by the kernel, is an empty one.
 struct SharedBlackBox::Memory {
   std::atomic<std::uint64_t> written;                ///< lines since the task began
   std::atomic<std::uint64_t> file;                   ///< number of the task's own black box file
-  std::array<TextLine, BlackBox::kSteps + 1> lines;  ///< one more than is kept: that one may be half written
+  std::array<TextLine, BlackBox::kSteps + 1> lines;  ///< one more than is kept: one may be half written
 };
 
 namespace {
@@ -33,7 +33,7 @@ namespace {
 }  // namespace
 
 SharedBlackBox::Memory* SharedBlackBox::map(int fd) noexcept {
-  // all pages now: the first step on a fresh one would wait for the kernel
+  // touch all pages now: the first step on a new one would wait for the kernel
   void* memory = mmap(nullptr, sizeof(Memory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_POPULATE, fd, 0);
   return memory == MAP_FAILED ? nullptr : static_cast<Memory*>(memory);
 }
@@ -53,7 +53,7 @@ SharedBlackBox SharedBlackBox::create() {
 SharedBlackBox SharedBlackBox::attach(int fd) {
   struct stat status {};
   if (fstat(fd, &status) != 0 || status.st_size != static_cast<off_t>(sizeof(Memory)))
-    refuse("descriptor " + std::to_string(fd) + " is none");
+    refuse("descriptor " + std::to_string(fd) + " is not such a memory");
   Memory* memory = map(fd);
   if (memory == nullptr) refuse(std::strerror(errno));
   return {memory, -1};

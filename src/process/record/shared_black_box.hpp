@@ -8,14 +8,14 @@
 
 namespace mrroc::process {
 
-/// The last steps of one process as lines of a trace, in memory that outlives it: what is left of a task that is
-/// killed, crashes, or is ended because another has. The runner creates it, the process attaches through the inherited
-/// descriptor; it is anonymous (memfd), so nothing is left behind.
+/// The last steps of one process as lines of a trace, in memory that outlives it: for a task that is killed, crashes,
+/// or is ended because of another process. The runner creates it, the process attaches through the inherited
+/// descriptor; it is anonymous (memfd), so it leaves no file.
 class SharedBlackBox {
  public:
   /// Throws SystemError(resources) when there is no memory.
   static SharedBlackBox create();
-  /// Throws SystemError(resources) when `fd` is no such memory. The descriptor stays the caller's.
+  /// Throws SystemError(resources) when `fd` is not such a memory. The descriptor stays the caller's.
   static SharedBlackBox attach(int fd);
   ~SharedBlackBox();
   SharedBlackBox(SharedBlackBox&& other) noexcept;
@@ -24,17 +24,17 @@ class SharedBlackBox {
   /// Descriptor of a memory that was created here; -1 otherwise. Closed with this object.
   int fd() const noexcept { return fd_; }
 
-  /// Keeps a copy of the line in place of the oldest one. The task's thread; neither allocates nor blocks.
+  /// Replaces the oldest line by a copy of this one. Task's thread; neither allocates nor blocks.
   void record(const TextLine& line) noexcept;
 
-  /// The number of the file that the task has written its black box to (black_box_path); 0: none.
+  /// The number of the file to which the task has written its black box (black_box_path); 0: not written.
   void note_file(std::uint64_t number) noexcept;
   std::uint64_t file() const noexcept;
   /// Bytes of memory of each.
   static std::size_t memory_size() noexcept;
 
-  /// The last lines that are whole, at most BlackBox::kSteps, the oldest first. Anywhere, once the process that wrote
-  /// them has ended.
+  /// The last complete lines, at most BlackBox::kSteps, the oldest first. Any thread, after the writing process has
+  /// ended.
   std::vector<TextLine> lines() const;
 
  private:

@@ -41,7 +41,7 @@ const char* name_of(CommandKind kind) noexcept {
   }
 }
 
-/// What a generator wrote may be none of them: the EDP refuses it after it is reported.
+/// A generator may write an invalid value: the EDP refuses it after it has been reported.
 constexpr const char* letter_of(AxisBehaviour behaviour) noexcept {
   switch (behaviour) {
     case AxisBehaviour::unguarded:

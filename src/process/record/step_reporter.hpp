@@ -10,13 +10,13 @@
 
 namespace mrroc::process {
 
-/// Tells the operator which step a task is at, keeps the last ones where they outlive the process, and writes the trace
-/// when one is asked for: one line per step, documented in docs/reference/trace.md. Neither allocates nor blocks (but
-/// for a trace under a simulated clock, which loses nothing).
+/// Reports the current step of a task to the operator, keeps the last steps in memory that outlives the process, and
+/// writes the trace on request: one line per step, documented in docs/reference/trace.md. Neither allocates nor blocks
+/// (except for a trace under a simulated clock, which loses nothing).
 class StepReporter : public StepObserver {
  public:
   explicit StepReporter(Process& process);
-  /// A trace that is not complete becomes the failure of its process.
+  /// An incomplete trace becomes the failure of its process.
   ~StepReporter() override;
   StepReporter(const StepReporter&) = delete;
   StepReporter& operator=(const StepReporter&) = delete;

@@ -9,8 +9,8 @@
 
 namespace mrroc::process {
 
-/// One line of text in a fixed buffer: appending never allocates and never throws; what does not fit is cut. Numbers
-/// are written in the shortest form that reads back exactly (std::to_chars), independent of the locale.
+/// One line of text in a fixed buffer: appending never allocates and never throws; excess text is cut. Numbers are
+/// written in the shortest form that reads back exactly (std::to_chars), independent of the locale.
 class TextLine {
  public:
   static constexpr std::size_t kCapacity = 16384;
@@ -19,7 +19,7 @@ class TextLine {
     size_ = 0;
     cut_ = false;
   }
-  /// Also of a line in shared memory whose writer has run wild: never more than its buffer.
+  /// Never more than its buffer, even for a corrupted line in shared memory.
   std::string_view view() const noexcept { return {data_.data(), std::min(size_, kCapacity)}; }
   bool cut() const noexcept { return cut_; }
 

@@ -4,8 +4,8 @@
 
 namespace mrroc::process {
 
-/// A text in anonymous, sealed memory (memfd) that processes inherit: the same for all of them, whatever becomes of the
-/// file it was read from. Any thread.
+/// A text in anonymous, sealed memory (memfd) that processes inherit: the same for all of them, independent of later
+/// changes of the source file. Any thread.
 class TextMemory {
  public:
   /// Throws SystemError(resources) with the reason when there is no memory.

@@ -22,7 +22,7 @@ constexpr double kGripInWrist = 0.285;                                      // m
 constexpr double kToolMass = 2.04;                                          // kg, of gripper and adapter by their MJCF
 constexpr std::array<double, 3> kToolCentre{0.002157, 0.002059, 0.136078};  // m, in the wrist's frame
 
-/// The numbers behind `field`, from `from` on; none when the line does not have it.
+/// The numbers after `field`, from `from` on; empty when the line does not have it.
 std::vector<double> numbers(const std::string& line, const std::string& field, std::size_t from = 0) {
   std::vector<double> values;
   const std::size_t at = line.find(field, from);
@@ -46,7 +46,7 @@ Pose pose_of(const std::vector<double>& v) {
   return pose;
 }
 
-/// That the bar exerts on an arm's grip, in the world's axes (those of both bases), without the tool's weight.
+/// The bar's wrench on an arm's grip, in the world's axes (those of both bases), without the tool's weight.
 Wrench wrench_of(const std::string& line, const std::string& arm) {
   const Eigen::Matrix3d axes = pose_of(numbers_of(line, "robot=" + arm, "pose")).linear();
   const Eigen::Vector3d weight(0, 0, -9.81 * kToolMass);
@@ -114,7 +114,7 @@ Report read_report(const std::filesystem::path& trace) {
     ReportStep step;
     step.tick = tick;
     step.time = (static_cast<double>(tick) - static_cast<double>(first)) * kServoPeriod;
-    if (moves < parts.size() + 1) {  // not while it is put down: it stops on the stands
+    if (moves < parts.size() + 1) {  // not while it is put down: the stands stop it
       step.way = (bar.translation() - wanted.translation()).norm();
       step.turn = angle(bar, wanted);
       step.way_off = (bar.translation() - there.translation()).norm();

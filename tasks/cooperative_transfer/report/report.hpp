@@ -11,17 +11,16 @@ namespace mrroc::transfer {
 struct ReportStep {
   double time = 0;  ///< s, since the bar was lifted
   Tick tick = 0;
-  double way = 0, turn = 0;          ///< m, rad: off its path, as it was gripped
-  double way_off = 0, turn_off = 0;  ///< the same with the error of the grasp
-  Eigen::Vector3d internal =
-      Eigen::Vector3d::Zero();  ///< N, in the bar's axes: what the left arm feels of the right one
+  double way = 0, turn = 0;                            ///< m, rad: off its path, as it was gripped
+  double way_off = 0, turn_off = 0;                    ///< the same with the error of the grasp
+  Eigen::Vector3d internal = Eigen::Vector3d::Zero();  ///< N, in the bar's axes: force of the right arm on the left one
   Eigen::Vector3d internal_torque = Eigen::Vector3d::Zero();  ///< N m, half of the difference of the torques
-  double weight = 0;                                          ///< N, that both arms bear
+  double weight = 0;                                          ///< N, borne by both arms
 };
 
-/// What a run of the task has come to, read from its trace: the bar's pose by the tracker against the path at the same
+/// The result of a run of the task, read from its trace: the bar's pose by the tracker against the path at the same
 /// tick, and the wrenches in both wrists. Internal force: half of the difference of the forces of the bar on the arms
-/// (Uchiyama and Dauchez), from the trace's raw sensor values, all steps from the lift to where it is put down.
+/// (Uchiyama and Dauchez), from the trace's raw sensor values, all steps from the lift until it is put down.
 struct Report {
   std::vector<ReportStep> steps;
   std::uint64_t skew = 0;  ///< ticks, worst of all Moves
@@ -36,7 +35,7 @@ struct Report {
   double worst_internal_torque() const;  ///< N m
 };
 
-/// Throws std::runtime_error when the file is no trace of the task.
+/// Throws std::runtime_error when the file is not a trace of the task.
 Report read_report(const std::filesystem::path& trace);
 
 }  // namespace mrroc::transfer

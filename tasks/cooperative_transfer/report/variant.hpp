@@ -6,7 +6,7 @@
 
 namespace mrroc::transfer {
 
-/// The deployment of the task cooperative_transfer with another bar, lying elsewhere than the task believes.
+/// The deployment of the task cooperative_transfer with another bar at another pose than the task assumes.
 struct Variant {
   double mass = 1.5;  ///< kg
   Pose error =

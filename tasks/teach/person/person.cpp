@@ -4,7 +4,7 @@
 
 using namespace mrroc;
 
-/// The person who teaches, played by a second arm: stands aside until the lamp is on, takes the handle, which springs
+/// The teaching person, played by a second arm: waits aside until the lamp is on, takes the handle, which springs
 /// hold to its hand while its outputs 0 to 2 are on, leads it about, lets go and presses the button.
 class Person : public ecp::Task {
   Irb6 arm{*this};

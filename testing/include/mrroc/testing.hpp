@@ -6,9 +6,9 @@
 
 namespace mrroc::task_test {
 
-/// A GoogleTest fixture for a task of one's own: runs its deployment in lockstep, with real processes, real links and
-/// real physics, injects faults at ticks or steps, and asserts on what the robots did. `mrroc_add_task_test` in CMake
-/// builds such a test (docs/how-to/fault-injection.md):
+/// A GoogleTest fixture for a user's own task. It runs a deployment in lockstep, with real processes, links and
+/// physics, injects faults at ticks or steps, and checks what the robots did. `mrroc_add_task_test` in CMake builds
+/// such a test (docs/how-to/fault-injection.md):
 ///
 ///     using Press = mrroc::task_test::DeploymentTest;
 ///
@@ -19,17 +19,18 @@ namespace mrroc::task_test {
 ///     }
 class DeploymentTest : public ::testing::Test {
  protected:
-  /// A run of this deployment file; a relative path is one in the folder of the test's CMakeLists.txt.
+  /// A run of this deployment file; a relative path is relative to the folder of the test's CMakeLists.txt.
   static DeploymentRun deployment(const std::filesystem::path& file) {
     return {MRROC_COMMAND, std::filesystem::path(MRROC_TEST_FOLDER) / file};
   }
 
-  /// At the end every robot of the simulated world stands, none has exceeded a limit, of velocity by more than
-  /// `tolerance` of it, and no process is left. Fails when there is no robot. After a fault by which a motor does not
-  /// obey or its encoder lies (`freeze`, `disconnect`, `runaway`, `jump` of an EDP) the tolerance is kDisobedience.
+  /// Checks that at the end every robot of the simulated world is at rest, no robot has exceeded a limit, that of
+  /// velocity by more than `tolerance` of it, and no process remains. Fails when there is no robot. After a fault by
+  /// which a motor does not obey or its encoder reports wrong positions (`freeze`, `disconnect`, `runaway`, `jump` of
+  /// an EDP) the tolerance is kDisobedience.
   static void expect_safe(const RunResult& run, double tolerance = kOvershoot) {
     EXPECT_EQ(run.leftovers, std::vector<std::string>{}) << run.output;
-    EXPECT_FALSE(run.motion.empty()) << "no motion to look at\n" << run.output;
+    EXPECT_FALSE(run.motion.empty()) << "no motion was recorded\n" << run.output;
     for (const auto& [robot, motion] : run.motion) {
       EXPECT_FALSE(motion.ticks.empty()) << robot << " has not been recorded\n" << run.output;
       EXPECT_NE(motion.standstill(), kNever) << robot << " moved to the end\n" << run.output;

@@ -28,7 +28,7 @@ Frame pdo(std::uint32_t id, const PdoMapping& mapping, const std::vector<std::in
   return frame;
 }
 
-/// Frames of one cycle of the IRb-6's first drive, which counts 4000 units in a turn.
+/// Frames of one cycle of the IRb-6's first drive, which has 4000 units per revolution.
 struct Cycle {
   config::DriveTable table = irb6_drives();
   edp::DrivePdos pdos = edp::drive_pdos(table.mode);
@@ -59,7 +59,7 @@ TEST(FrameWords, NameDrivesByTheirAxes) {
   EXPECT_EQ(words.line(sync_frame()), "SYNC");
 }
 
-TEST(FrameWords, ReadAStatuswordByTheModeThatWasCommanded) {
+TEST(FrameWords, ReadAStatuswordInTheCommandedMode) {
   Cycle cycle;
   FrameWords words(cycle.table);
   words.line(pdo(0x201, cycle.pdos.command, {kEnableOperation | kStartHoming, 0, 6}));
@@ -67,7 +67,7 @@ TEST(FrameWords, ReadAStatuswordByTheModeThatWasCommanded) {
             "column TPDO 1: operation enabled, target reached, homing attained; 0.00000 rad, 0.000 A");
 }
 
-TEST(FrameWords, OfADriveThatCountsBackwards) {
+TEST(FrameWords, DriveWithReversedCounter) {
   Cycle cycle;
   cycle.table.drives[0].units_per_turn *= -1;
   FrameWords words(cycle.table);
@@ -75,7 +75,7 @@ TEST(FrameWords, OfADriveThatCountsBackwards) {
             "column TPDO 1: operation enabled, target reached, follows command; 6.28319 rad, -2.500 A");
 }
 
-TEST(FrameWords, OfADriveThatTellsRevolutionsPerMinute) {
+TEST(FrameWords, DriveThatReportsRevolutionsPerMinute) {
   Cycle cycle;
   cycle.table.drives[0].velocity_units_per_turn = 60;
   cycle.table.mode = DriveMode::cyclic_velocity;
@@ -86,7 +86,7 @@ TEST(FrameWords, OfADriveThatTellsRevolutionsPerMinute) {
             "column RPDO 1: enable operation; cyclic synchronous velocity, 9.4248 rad/s");
 }
 
-TEST(FrameWords, OfOtherModes) {
+TEST(FrameWords, OtherModes) {
   Cycle cycle;
   cycle.table.mode = DriveMode::cyclic_torque;
   const auto torque = edp::drive_pdos(cycle.table.mode).command;
@@ -98,11 +98,11 @@ TEST(FrameWords, OfOtherModes) {
             "column RPDO 1: enable operation; cyclic synchronous velocity, 6.2832 rad/s");
 }
 
-TEST(FrameWords, WithoutATableAreThoseOfTheNetwork) {
+TEST(FrameWords, NetworkTextWithoutATable) {
   EXPECT_EQ(FrameWords().line(Frame{0x181, {0x37, 0x16}}), "node 1 TPDO 1: 37 16");
 }
 
-TEST(FrameWords, AreOnePrintableLineWhateverTheFrame) {
+TEST(FrameWords, OnePrintableLineForAnyFrame) {
   FrameWords words(irb6_drives());
   EXPECT_TRUE(rc::check("any frame", [&words](Frame frame) {
     if (*rc::gen::arbitrary<bool>()) frame.id = (frame.id & 0x780) | *rc::gen::inRange<std::uint32_t>(1, 7);
@@ -141,7 +141,7 @@ class CanMonitor : public testing::Test {
   std::string program(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"can", "monitor", hub_->name()});
     Child child("mrroc", std::string(MRROC_BINARY_DIR) + "/bin/mrroc", arguments);
-    while (!child.ended()) {  // it may not listen yet
+    while (!child.ended()) {  // the monitor may not receive yet
       sender_->send(Cycle().feedback);
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
@@ -160,7 +160,7 @@ TEST_F(CanMonitor, EndsWithItsBus) {
   EXPECT_THROW(monitor(*bus, words, {}, stop, [](std::string_view) {}), std::runtime_error);
 }
 
-TEST_F(CanMonitor, EndsWhenItIsToldTo) {
+TEST_F(CanMonitor, EndsOnRequest) {
   const auto bus = can::open_bus(hub_->name());
   FrameWords words;
   const auto stop = [] { return true; };

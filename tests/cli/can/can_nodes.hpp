@@ -24,7 +24,7 @@ inline config::DriveTable irb6_drives() {
                                   irb6_parameters());
 }
 
-/// The IRb-6's simulated drives on a bus, with motors that stand; a thread serves them.
+/// The IRb-6's simulated drives on a bus, with motors at rest; a thread serves them.
 class CanNodes {
  public:
   explicit CanNodes(const std::string& bus) : bus_(can::open_bus(bus)) {

@@ -45,7 +45,7 @@ TEST_F(CanScan, FindsEveryDrive) {
   }
 }
 
-TEST_F(CanScan, ANodeThatOnlyBeatsIsFoundToo) {
+TEST_F(CanScan, FindsANodeThatOnlySendsHeartbeats) {
   const auto bus = can::open_bus(hub_.name()), other = can::open_bus(hub_.name());
   std::atomic<bool> stop{false};
   std::thread beats([&] {
@@ -63,7 +63,7 @@ TEST_F(CanScan, ANodeThatOnlyBeatsIsFoundToo) {
             "9     stopped  no answer  -     -       -        -         -\n");
 }
 
-TEST_F(CanScan, AsksEachNodeOnceAndNothingElse) {
+TEST_F(CanScan, QueriesEachNodeOnceAndNothingElse) {
   const auto bus = can::open_bus(hub_.name()), listener = can::open_bus(hub_.name());
   EXPECT_TRUE(scan(*bus, clock::kSecond / 10).nodes.empty());
   for (unsigned node = 1; node <= kMaxNode; ++node) {
@@ -75,7 +75,7 @@ TEST_F(CanScan, AsksEachNodeOnceAndNothingElse) {
   EXPECT_FALSE(listener->receive(none, 0));
 }
 
-TEST_F(CanScan, ReportsWhatTheBusReports) {
+TEST_F(CanScan, PassesOnBusReports) {
   const auto bus = can::open_bus(hub_.name()), other = can::open_bus(hub_.name());
   can::Frame error{0x40, {0, 0, 0, 0, 0, 0, 0, 0}};
   error.error = true;
@@ -97,7 +97,7 @@ TEST_F(CanScan, TheProgramPrintsATable) {
   EXPECT_EQ(std::count(output.begin(), output.end(), '\n'), 7) << output;
 }
 
-TEST_F(CanScan, TheProgramSaysThatNobodyAnswers) {
+TEST_F(CanScan, TheProgramReportsThatNoNodeAnswers) {
   Child child = program({"can", "scan", hub_.name(), "--patience", "0.1"});
   const std::string output = child.wait_for_output();
   EXPECT_EQ(child.exit_code(), 1);

@@ -32,7 +32,7 @@ class CanTest(unittest.TestCase):
         for line in lines[1:]:
             self.assertIn('402 (drive)  "CiA 402 servo drive"', line)
 
-    def test_nobody(self):
+    def test_no_node(self):
         found = run("scan", "can1", "--patience", "0.1")
         self.assertEqual(found.returncode, 1)
         self.assertTrue(found.stderr.startswith("can1: no node has answered within 0.1 s\nLook at\n"), found.stderr)
@@ -46,7 +46,7 @@ class CanTest(unittest.TestCase):
         self.start_drives("3")
         command = [MRROC, "can", "monitor", "can0", "--robot", "irb6", "--count", "400"]
         with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as monitor:
-            while monitor.poll() is None:  # what one scan sends is fewer frames
+            while monitor.poll() is None:  # one scan sends fewer frames
                 run("scan", "can0", "--patience", "0.3")
             said = monitor.stdout.read()
         self.assertEqual((monitor.returncode, len(said.splitlines())), (0, 400))

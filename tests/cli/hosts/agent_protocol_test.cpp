@@ -24,12 +24,12 @@ AgentOrder some_order() {
   return order;
 }
 
-TEST(AgentOrder, ComesOutAsItWentIn) {
+TEST(AgentOrder, RoundTrips) {
   const AgentOrder order = some_order();
   EXPECT_EQ(order_of_lines(to_lines(order)), order);
 }
 
-TEST(AgentOrder, NoLineMayBeMissing) {
+TEST(AgentOrder, RequiresEveryLine) {
   const auto lines = to_lines(some_order());
   for (const std::string needed : {"host", "deployment", "machine", "beat_port", "key"}) {
     std::vector<std::string> rest;
@@ -39,7 +39,7 @@ TEST(AgentOrder, NoLineMayBeMissing) {
   }
 }
 
-RC_GTEST_PROP(AgentOrder, AnyOtherLineIsRefused, (std::vector<std::string> lines)) {
+RC_GTEST_PROP(AgentOrder, RefusesAnyOtherLine, (std::vector<std::string> lines)) {
   auto order = to_lines(some_order());
   const std::string line = *rc::gen::element<std::string>("", "domain", "domain 231", "domain -1", "beat_port x",
                                                           "key 00", "start 5", "hosts cell");
@@ -65,14 +65,14 @@ TEST(FilesOfARun, IncludeTheParametersThatTheDeploymentNames) {
   EXPECT_NE(files_of(deployment)[1], before[1]);
 }
 
-TEST(WholeNumber, IsTheWholeText) {
+TEST(WholeNumber, AcceptsOnlyAWholeText) {
   EXPECT_EQ(whole_number("-12"), -12);
   EXPECT_EQ(whole_number("9223372036854775807"), INT64_MAX);
   for (const char* text : {"", " 1", "1 ", "1x", "x", "9223372036854775808", "0x1"})
     EXPECT_FALSE(whole_number(text)) << text;
 }
 
-TEST(AgentCommand, IsSshUnlessTheDeploymentSaysOtherwise) {
+TEST(AgentCommand, IsSshByDefault) {
   config::HostEntry host;
   host.address = "pc-2";
   host.mrroc = "/opt/it's here/mrroc";

@@ -31,7 +31,7 @@ class RunningAgent {
   LineChannel& channel() { return channel_; }
   Child& process() { return agent_; }
 
-  /// Hears it until a line begins so, or it has ended.
+  /// Reads its output until a line starts with the text, or it has ended.
   void hear(const std::string& begin) {
     for (bool ended = false; !ended && !has_said(begin);) {
       ended = agent_.ended();
@@ -43,7 +43,7 @@ class RunningAgent {
   bool has_said(const std::string& begin) const {
     return std::any_of(said_.begin(), said_.end(), [&](const std::string& line) { return line.starts_with(begin); });
   }
-  /// Hears it to its end; what it has said in all.
+  /// Reads its output to the end; returns all of it.
   const Lines& hear_out() {
     while (!agent_.ended()) hear("\n");
     hear("\n");
@@ -68,7 +68,7 @@ TEST(Agent, EndsBySignalBeforeItHasAnOrder) {
   agent.hear("mrroc-agent");
   agent.process().signal(SIGTERM);
   EXPECT_EQ(agent.hear_out(),
-            (Lines{std::string{kAgentGreeting}, "failed 4 its agent was told to end by signal 15", "ended"}));
+            (Lines{std::string{kAgentGreeting}, "failed 4 its agent was ended by signal 15", "ended"}));
   EXPECT_EQ(agent.process().exit_code(), 4);
 }
 
@@ -80,15 +80,15 @@ TEST(Agent, EndsWhenItsRunnerGoesBeforeTheOrder) {
   EXPECT_EQ(agent.process().exit_code(), 2);
 }
 
-TEST(Agent, DoesNotWaitForEverForItsOrder) {
+TEST(Agent, TimesOutWithoutAnOrder) {
   RunningAgent agent({"agent", "--order-within", "0.25"});
-  agent.channel().write("host cell");  // it begins, and never says `go`
+  agent.channel().write("host cell");  // the order begins, but `go` never comes
   EXPECT_EQ(agent.hear_out(), (Lines{std::string{kAgentGreeting}, "failed 4 no order within 0.25 s", "ended"}));
   EXPECT_EQ(agent.process().exit_code(), 4);
 }
 
-/// A simulator meets no one before the start, who might be missed.
-TEST(Agent, DoesNotWaitForEverForItsStart) {
+/// A simulator waits for no other process before the start.
+TEST(Agent, TimesOutWithoutAStart) {
   const task_test::ScratchFolder folder;
   AgentOrder order;
   order.host = "cell";

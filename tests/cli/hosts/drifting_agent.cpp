@@ -1,5 +1,5 @@
-// An agent that does nothing but beat, a thousand times a second, and whose clock goes ahead by as many milliseconds as
-// its first argument says when its runner says `start`.
+// An agent that only sends heartbeats, a thousand times a second. At the runner's `start` its clock jumps ahead by the
+// milliseconds of its first argument.
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -28,7 +28,7 @@ cli::AgentOrder take_order(cli::LineChannel& runner) {
   std::exit(1);
 }
 
-/// Of any port of 127.0.0.1, connected to the runner's.
+/// A socket on any port of 127.0.0.1, connected to the runner's.
 int open_socket(int runner) {
   const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   sockaddr_in peer{};
@@ -71,6 +71,6 @@ int main(int, char** arguments) {
     const std::int64_t now = clock::monotonic_ns();
     own = {false, own.sequence + 1, now + ahead, heard.sent, heard.sent == 0 ? 0 : now - heard_at};
     const auto sealed = cli::seal(own, order.key);
-    if (send(fd, sealed.data(), sealed.size(), 0) < 0) continue;  // the runner's end is on its way
+    if (send(fd, sealed.data(), sealed.size(), 0) < 0) continue;  // the runner is closing its end
   }
 }

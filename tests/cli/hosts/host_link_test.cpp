@@ -28,7 +28,7 @@ RC_GTEST_PROP(Beat, OpensAsItWasSealed,
   RC_ASSERT(beat->presses == presses && beat->resets == resets);
 }
 
-RC_GTEST_PROP(Beat, IsNoneWithABitTurnedOver, (std::uint64_t sequence)) {
+RC_GTEST_PROP(Beat, RejectsAFlippedBit, (std::uint64_t sequence)) {
   const BeatKey key = new_beat_key();
   auto datagram = seal({true, sequence, 1, 2, 3}, key);
   const auto bit = *rc::gen::inRange<std::size_t>(0, 8 * datagram.size());
@@ -36,17 +36,17 @@ RC_GTEST_PROP(Beat, IsNoneWithABitTurnedOver, (std::uint64_t sequence)) {
   RC_ASSERT(!open(datagram.data(), datagram.size(), key));
 }
 
-RC_GTEST_PROP(Beat, AnyBytesAreNone, (std::vector<std::uint8_t> bytes)) {
+RC_GTEST_PROP(Beat, RejectsRandomBytes, (std::vector<std::uint8_t> bytes)) {
   RC_ASSERT(!open(bytes.data(), bytes.size(), new_beat_key()));
 }
 
-TEST(Beat, OfAnotherKeyIsNone) {
+TEST(Beat, RejectsAnotherKey) {
   const auto datagram = seal({true, 1, 2, 3, 4}, new_beat_key());
   EXPECT_FALSE(open(datagram.data(), datagram.size(), new_beat_key()));
   EXPECT_FALSE(open(datagram.data(), datagram.size() - 1, new_beat_key()));
 }
 
-TEST(Beat, KeysAreToldInHexadecimal) {
+TEST(Beat, KeyIsSentInHexadecimal) {
   const BeatKey key = new_beat_key();
   EXPECT_EQ(key_of_hex(to_hex(key)), key);
   EXPECT_FALSE(key_of_hex(to_hex(key) + "0"));
@@ -70,19 +70,19 @@ TEST(HostLink, LearnsThePeersClock) {
   for (const HostLink* link : {&a, &b}) {
     for (int look = 0; look < kPatience && !link->offset(); ++look) poll(nullptr, 0, 1);
     ASSERT_TRUE(link->offset());
-    EXPECT_LE(std::abs(link->offset()->ns), link->offset()->error_ns) << "both are one clock";
+    EXPECT_LE(std::abs(link->offset()->ns), link->offset()->error_ns) << "both use the same clock";
   }
   EXPECT_FALSE(a.lost());
 }
 
-TEST(HostLink, NoticesSilenceOnceItIsWatched) {
+TEST(HostLink, ReportsSilenceOnceItIsWatched) {
   const in_addr here = ipv4_of("127.0.0.1");
   clock::EmergencyStop nobodys;
   const BeatKey key = new_beat_key();
   HostLink a(here, kDomain, key, true, 0.2, nobodys);
   auto b = std::make_unique<HostLink>(here, kDomain, key, false, 0.2, nobodys);
   a.start(here, b->port());
-  EXPECT_FALSE(readable(a.event_fd(), 500)) << "nobody watches yet";
+  EXPECT_FALSE(readable(a.event_fd(), 500)) << "it is not watched yet";
   b->start(here, a.port());
   for (int look = 0; look < kPatience && a.figures().heard == 0; ++look) poll(nullptr, 0, 1);
   a.watch();
@@ -107,7 +107,7 @@ TEST(HostLink, IsNotKeptAliveByAnotherKey) {
   EXPECT_FALSE(a.offset());
 }
 
-TEST(HostLink, TellsTheEmergencyStopOfTheRunner) {
+TEST(HostLink, TransmitsTheEmergencyStopOfTheRunner) {
   const in_addr here = ipv4_of("127.0.0.1");
   const BeatKey key = new_beat_key();
   clock::EmergencyStop runners, agents;
@@ -122,7 +122,7 @@ TEST(HostLink, TellsTheEmergencyStopOfTheRunner) {
     EXPECT_EQ(agents.presses(), presses);
     EXPECT_EQ(agents.resets(), resets);
   };
-  await(1, 0);  // what was pressed before the first beat, too
+  await(1, 0);  // also a stop from before the first heartbeat
   runners.reset();
   await(1, 1);
   runners.press();

@@ -22,7 +22,7 @@ struct Pair {
   std::unique_ptr<LineChannel> a, b;
 };
 
-RC_GTEST_PROP(LineChannel, LinesComeOutAsTheyWentIn, (std::vector<std::string> lines)) {
+RC_GTEST_PROP(LineChannel, TransmitsLinesUnchanged, (std::vector<std::string> lines)) {
   Pair pair;
   for (std::string& line : lines) {
     std::replace(line.begin(), line.end(), '\n', ' ');
@@ -32,7 +32,7 @@ RC_GTEST_PROP(LineChannel, LinesComeOutAsTheyWentIn, (std::vector<std::string> l
   RC_ASSERT(!pair.b->closed());
 }
 
-TEST(LineChannel, APeerThatDoesNotReadHoldsNobody) {
+TEST(LineChannel, PeerThatDoesNotReadDoesNotBlock) {
   Pair pair;
   const std::string line(1000, 'x');
   constexpr std::size_t kLines = 5000;
@@ -49,7 +49,7 @@ TEST(LineChannel, APeerThatDoesNotReadHoldsNobody) {
   for (const std::string& each : read) ASSERT_EQ(each, line);
 }
 
-TEST(LineChannel, WhatWaitsKeepsItsOrderWhileMoreComes) {
+TEST(LineChannel, WaitingLinesKeepTheirOrder) {
   Pair pair;
   std::size_t written = 0;
   std::size_t read = 0;
@@ -65,20 +65,20 @@ TEST(LineChannel, WhatWaitsKeepsItsOrderWhileMoreComes) {
   EXPECT_EQ(pair.a->waiting(), 0U);
 }
 
-TEST(LineChannel, ALineBreakWithinALineIsNone) {
+TEST(LineChannel, IgnoresALineBreakWithinALine) {
   Pair pair;
   pair.a->write("one\ntwo");
   EXPECT_EQ(pair.b->read(), (Lines{"one two"}));
 }
 
-TEST(LineChannel, SeesTheEndOfThePeer) {
+TEST(LineChannel, DetectsTheEndOfThePeer) {
   Pair pair;
   pair.a->write("last");
   pair.a->finish();
   EXPECT_EQ(pair.b->read(), (Lines{"last"}));
   EXPECT_TRUE(pair.b->closed());
-  pair.b->write("still heard");
-  EXPECT_EQ(pair.a->read(), (Lines{"still heard"}));
+  pair.b->write("still received");
+  EXPECT_EQ(pair.a->read(), (Lines{"still received"}));
   pair.b.reset();
   EXPECT_EQ(pair.a->read(), (Lines{}));
   EXPECT_TRUE(pair.a->closed());

@@ -12,8 +12,8 @@
 namespace mrroc::cli {
 namespace {
 
-/// The runner's end of another host, whose agent's clock goes ahead at the start. The times are so long that no busy
-/// machine can come near them.
+/// The runner's end of another host, whose agent's clock jumps ahead at the start. The times are far longer than the
+/// delays of a busy machine.
 class HostWithAClock {
  public:
   explicit HostWithAClock(int milliseconds_ahead) {
@@ -51,7 +51,7 @@ class HostWithAClock {
   std::optional<RemoteHost> host_;
 };
 
-TEST(RemoteHost, FailsWhenTheClocksAreCertainlyFartherApartThanMayBe) {
+TEST(RemoteHost, FailsWhenTheClocksCertainlyDifferTooMuch) {
   HostWithAClock host(3000);
   while (host.failures().empty()) host.look();
   EXPECT_TRUE(host.failures().front().starts_with("4 host cell: clock lost: its clock has moved by "))
@@ -60,7 +60,7 @@ TEST(RemoteHost, FailsWhenTheClocksAreCertainlyFartherApartThanMayBe) {
       << host.failures().front();
 }
 
-TEST(RemoteHost, BearsADriftWithinTheLimit) {
+TEST(RemoteHost, ToleratesADriftWithinTheLimit) {
   HostWithAClock host(300);
   while (host.failures().empty() && host.summary().find("drift 0 us") != std::string::npos) host.look();
   EXPECT_EQ(host.failures(), std::vector<std::string>{}) << host.summary();

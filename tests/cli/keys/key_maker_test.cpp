@@ -43,7 +43,7 @@ class KeyMaker : public testing::Test {
   task_test::ScratchFolder scratch_;
 };
 
-TEST_F(KeyMaker, OnlyTheOwnerMayReadThemWhateverTheMask) {
+TEST_F(KeyMaker, OnlyTheOwnerMayReadThemWithAnyUmask) {
   const mode_t mask = ::umask(0);
   make_keys(scratch_ / "keys", "cell");
   ::umask(mask);
@@ -54,7 +54,7 @@ TEST_F(KeyMaker, OnlyTheOwnerMayReadThemWhateverTheMask) {
   EXPECT_NO_THROW(links::check_keys(scratch_ / "keys"));
 }
 
-TEST_F(KeyMaker, TheKeyThatSignedThemIsNotKept) {
+TEST_F(KeyMaker, DiscardsTheSigningKey) {
   make_keys(scratch_ / "keys", "cell");
   int private_keys = 0;
   const auto files = contents(scratch_ / "keys");
@@ -87,7 +87,7 @@ TEST_F(KeyMaker, NeverOverwrites) {
   EXPECT_EQ(contents(scratch_.path()).at("file"), "precious");
 }
 
-TEST_F(KeyMaker, SaysWhyAFolderCannotBeMade) {
+TEST_F(KeyMaker, ReportsWhyAFolderCannotBeMade) {
   EXPECT_EQ(refusal(scratch_ / "no" / "keys"),
             "keys: " + (scratch_ / "no" / "keys").string() + " cannot be made: No such file or directory");
 }

@@ -40,7 +40,7 @@ links::OperatorQuestion number(const char* text, Tick tick) {
   return question;
 }
 
-/// The desk, and the VSPs of two sensors, in one process: a message is there when it is sent.
+/// The console and the VSPs of two sensors, in one process: a message arrives when it is sent.
 class OperatorDeskTest : public testing::Test {
  protected:
   OperatorDeskTest() { EXPECT_EQ(pipe2(ends_.data(), O_CLOEXEC), 0); }
@@ -84,7 +84,7 @@ class OperatorDeskTest : public testing::Test {
 
 using Lines = std::vector<std::string>;
 
-TEST_F(OperatorDeskTest, AQuestionIsShownAndTheLineTypedIsItsAnswer) {
+TEST_F(OperatorDeskTest, TypedLineAnswersTheQuestion) {
   open();
   desk->look();
   EXPECT_FALSE(desk->waits_for_line());
@@ -99,7 +99,7 @@ TEST_F(OperatorDeskTest, AQuestionIsShownAndTheLineTypedIsItsAnswer) {
   expect_answer(*parts, 1, 3);
 }
 
-TEST_F(OperatorDeskTest, ABadAnswerIsRefusedAndTheQuestionStaysOpen) {
+TEST_F(OperatorDeskTest, BadAnswerIsRefusedAndTheQuestionStaysOpen) {
   open();
   parts->ask(number("How many?", 5));
   type("10\nx\n");
@@ -127,7 +127,7 @@ TEST_F(OperatorDeskTest, QuestionsAreAskedOneAfterTheOther) {
   expect_answer(*parts, 1, 7);
 }
 
-TEST_F(OperatorDeskTest, AQuestionAskedAnewTakesThePlaceOfTheEarlierOne) {
+TEST_F(OperatorDeskTest, RepeatedQuestionReplacesTheEarlierOne) {
   open();
   parts->ask(number("How many?", 5));
   desk->look();
@@ -141,7 +141,7 @@ TEST_F(OperatorDeskTest, AQuestionAskedAnewTakesThePlaceOfTheEarlierOne) {
   expect_answer(*parts, 2, 2);
 }
 
-TEST_F(OperatorDeskTest, AnEventAnswersWhateverIsOpenAndIsWaitedFor) {
+TEST_F(OperatorDeskTest, EventAnswersAnyOpenQuestionAndIsWaitedFor) {
   const config::Event event{100, "answer", "parts", 6};
   open(config::ClockMode::lockstep, {event});
   parts->ask(number("How many?", 99));
@@ -152,28 +152,28 @@ TEST_F(OperatorDeskTest, AnEventAnswersWhateverIsOpenAndIsWaitedFor) {
   expect_answer(*parts, 0, 6);
 }
 
-TEST_F(OperatorDeskTest, AnEventOfTheQuestionsOwnTickOrOfAnotherSensorIsNoAnswerToIt) {
+TEST_F(OperatorDeskTest, EventOfTheSameTickOrOfAnotherSensorAnswersNothing) {
   open(config::ClockMode::lockstep, {{100, "answer", "parts", 6}, {200, "answer", "weight", 6}});
   type("3\n");  // what is typed would come at another tick on every run
   parts->ask(number("How many?", 100));
   EXPECT_THROW(desk->look(), NonFatalError);
 }
 
-TEST_F(OperatorDeskTest, AQuestionOpenWhenTheOperatorLeavesIsAnError) {
+TEST_F(OperatorDeskTest, QuestionOpenAtTheEndOfInputIsAnError) {
   open();
   parts->ask(number("How many?", 5));
   desk->look();
   leave();
   try {
     desk->look();
-    FAIL() << "nobody can answer";
+    FAIL() << "the question cannot be answered";
   } catch (const NonFatalError& error) {
     EXPECT_EQ(error.code(), ErrorCode::sensor_not_ready);
-    EXPECT_NE(std::string{error.what()}.find("parts: How many? Nobody is left to answer"), std::string::npos);
+    EXPECT_NE(std::string{error.what()}.find("parts: How many? No operator is left to answer"), std::string::npos);
   }
 }
 
-TEST_F(OperatorDeskTest, AnEmergencyStopWaitsForNoQuestionAndAnswersNone) {
+TEST_F(OperatorDeskTest, EmergencyStopWaitsForNoQuestionAndAnswersNone) {
   open();
   const clock::EmergencyStop& stop = clock_.emergency_stop();
   desk->look();
@@ -202,36 +202,36 @@ std::string refusal(const config::Deployment& deployment, bool attended) {
   }
 }
 
-TEST(SomebodyAnswers, SomebodyAtATerminalOrAnEventForEverySensor) {
+TEST(SomebodyAnswers, TerminalOrEventForEverySensorIsAccepted) {
   for (const auto clock : {config::ClockMode::lockstep, config::ClockMode::paced, config::ClockMode::real}) {
     config::Deployment deployment = deployment_of(clock);
     EXPECT_EQ(refusal(deployment, true).empty(), clock != config::ClockMode::lockstep);
     deployment.events = {{100, "answer", "parts", 6}};
-    EXPECT_NE(refusal(deployment, false).find("sensors.weight: asks the operator, and nobody answers"),
+    EXPECT_NE(refusal(deployment, false).find("sensors.weight: asks the operator, and no answer can be typed"),
               std::string::npos);
     deployment.events.push_back({100, "answer", "weight", 6});
     EXPECT_EQ(refusal(deployment, false), "");
   }
 }
 
-TEST(SomebodyAnswers, PlayedSensorsAskNobody) {
+TEST(SomebodyAnswers, ReplayedSensorsNeedNoOperator) {
   config::Deployment deployment = deployment_of(config::ClockMode::lockstep);
   for (config::SensorEntry& sensor : deployment.sensors) sensor.source = "replay";
   EXPECT_EQ(refusal(deployment, false), "");
 }
 
-TEST_F(OperatorDeskTest, AProgramAsksAndTellsAsASensorDoes) {
+TEST_F(OperatorDeskTest, ProgramAsksLikeASensor) {
   open();
   links::OperatorRequester mp(net_.domain, clock_, "t/mp");
   mp.connect(links::kPatience);
   links::OperatorQuestion question = number("Three parts are done.", 3);
   question.kind = links::QuestionKind::none;
   mp.ask(question);
-  question = number("Go on?", 4);
+  question = number("Continue?", 4);
   question.kind = links::QuestionKind::yes_no;
   mp.ask(question);
   desk->look();
-  EXPECT_EQ(shown, (Lines{"mp: Three parts are done.", "mp: Go on? (yes or no)"}));
+  EXPECT_EQ(shown, (Lines{"mp: Three parts are done.", "mp: Continue? (yes or no)"}));
   type("no\n");
   desk->look();
   expect_answer(mp, 2, 0);

@@ -42,7 +42,7 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-TEST(TypedLines, ComeWholeAndInOrderHoweverTheyWereWritten) {
+TEST(TypedLines, ComeWholeAndInOrder) {
   Pipe pipe;
   TypedLines lines(pipe.fd());
   EXPECT_TRUE(lines.attended());
@@ -60,7 +60,7 @@ TEST(TypedLines, ComeWholeAndInOrderHoweverTheyWereWritten) {
   EXPECT_FALSE(lines.attended());
 }
 
-TEST(TypedLines, AWordIsTakenOutFromAmongTheLinesThatWait) {
+TEST(TypedLines, WordIsTakenFromTheWaitingLines) {
   Pipe pipe;
   TypedLines lines(pipe.fd());
   EXPECT_FALSE(lines.next_of({"stop", "go"}));
@@ -76,7 +76,7 @@ TEST(TypedLines, AWordIsTakenOutFromAmongTheLinesThatWait) {
   EXPECT_FALSE(lines.next());
 }
 
-TEST(TypedLines, AWordIsHeardWhateverItsCaseAndBehindLinesThatNobodyTakes) {
+TEST(TypedLines, WordIsFoundInAnyCaseAndBehindUnreadLines) {
   Pipe pipe;
   TypedLines lines(pipe.fd());
   for (int i = 0; i < 8; ++i) {
@@ -85,16 +85,16 @@ TEST(TypedLines, AWordIsHeardWhateverItsCaseAndBehindLinesThatNobodyTakes) {
   }
   pipe.write("EStop\n");
   EXPECT_EQ(lines.next_of({"estop"}), "estop");
-  EXPECT_EQ(lines.next(), "a line that no question has asked for") << "whole ones are kept";
+  EXPECT_EQ(lines.next(), "a line that no question has asked for") << "whole lines are kept";
 }
 
-TEST(TypedLines, TheEndOfALineAtATerminalIsNotTheEndOfTyping) {
+TEST(TypedLines, EndOfALineAtATerminalIsNotTheEndOfInput) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   ASSERT_EQ(grantpt(terminal), 0);
   ASSERT_EQ(unlockpt(terminal), 0);
   const int slave = open(ptsname(terminal), O_RDONLY | O_NOCTTY | O_CLOEXEC);
   ASSERT_GE(slave, 0);
-  // of another process: a terminal is read from its foreground only
+  // in another process: a terminal is read only from its foreground
   const pid_t typist = fork();
   if (typist == 0) {
     setsid();
@@ -119,7 +119,7 @@ TEST(TypedLines, TheEndOfALineAtATerminalIsNotTheEndOfTyping) {
   close(terminal);
 }
 
-TEST(TypedLines, NobodyIsAtTheNullDeviceNorAtAClosedDescriptor) {
+TEST(TypedLines, NullDeviceAndClosedDescriptorHaveNoInput) {
   const int null = open("/dev/null", O_RDONLY | O_CLOEXEC);
   EXPECT_FALSE(TypedLines(null).attended());
   close(null);
@@ -138,7 +138,7 @@ TEST(TypedAnswer, EveryNumberInRangeIsTaken) {
   }));
 }
 
-TEST(TypedAnswer, WhatIsNoneIsRefusedWithTheReason) {
+TEST(TypedAnswer, RefusesInvalidAnswersWithTheReason) {
   for (const char* line : {"", "  ", "three", "3 4", "3,5", "0x10", "nan", "inf", "1e999", "--1", "3;"}) {
     std::string refusal;
     EXPECT_FALSE(read_answer(parts(), line, refusal)) << line;
@@ -158,10 +158,10 @@ TEST(TypedAnswer, YesAndNo) {
   for (const char* line : {"yes", " y ", "yes\r"}) EXPECT_EQ(read_answer(question, line, refusal), 1.0) << line;
   for (const char* line : {"no", "n\t"}) EXPECT_EQ(read_answer(question, line, refusal), 0.0) << line;
   for (const char* line : {"", "1", "maybe", "yes no"}) EXPECT_FALSE(read_answer(question, line, refusal)) << line;
-  EXPECT_EQ(refusal, "'yes no' is no answer, expected yes or no");
+  EXPECT_EQ(refusal, "'yes no' is not an answer, expected yes or no");
 }
 
-TEST(TypedAnswer, AChoiceByItsNameOrItsNumber) {
+TEST(TypedAnswer, AChoiceIsItsNameOrItsNumber) {
   links::OperatorQuestion question;
   question.kind = links::QuestionKind::choice;
   question.choice_count = 3;
@@ -173,7 +173,7 @@ TEST(TypedAnswer, AChoiceByItsNameOrItsNumber) {
   EXPECT_EQ(read_answer(question, " 2", refusal), 1.0);
   EXPECT_EQ(read_answer(question, "neither of them ", refusal), 2.0);
   for (const char* line : {"", "0", "4", "1.5", "lef"}) EXPECT_FALSE(read_answer(question, line, refusal)) << line;
-  EXPECT_EQ(refusal, "'lef' is no answer, expected 'left', 'right' or 'neither of them'");
+  EXPECT_EQ(refusal, "'lef' is not an answer, expected 'left', 'right' or 'neither of them'");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class OutputTest : public testing::Test {
     for (const int fd : ends_) close(fd);
   }
 
-  /// All that has come to `fd`, which does not block.
+  /// All available data of `fd`, which does not block.
   static std::string read_all(int fd) {
     std::string text;
     char buffer[65536];
@@ -38,7 +38,7 @@ class OutputTest : public testing::Test {
   int ends_[2] = {-1, -1};
 };
 
-TEST_F(OutputTest, WritesAtOnceWhatIsTaken) {
+TEST_F(OutputTest, WritesAtOnceWhenPossible) {
   Output output(ends_[1]);
   output.write("one\n");
   output.write("two\n");
@@ -46,7 +46,7 @@ TEST_F(OutputTest, WritesAtOnceWhatIsTaken) {
   EXPECT_EQ(read_all(ends_[0]), "one\ntwo\n");
 }
 
-TEST_F(OutputTest, APipeThatNobodyReadsHoldsNobody) {
+TEST_F(OutputTest, UnreadPipeDoesNotBlock) {
   constexpr int kLines = 5000;
   Output output(ends_[1]);
   for (int i = 0; i < kLines; ++i) output.write("line " + std::to_string(i) + std::string(500, '.') + "\n");
@@ -57,10 +57,10 @@ TEST_F(OutputTest, APipeThatNobodyReadsHoldsNobody) {
     output.flush();
   }
   text += read_all(ends_[0]);
-  EXPECT_EQ(text.find("line 0."), 0U) << "what was taken before";
+  EXPECT_EQ(text.find("line 0."), 0U) << "the lines accepted before";
   const std::size_t told = text.find(" lines are lost");
   ASSERT_NE(told, std::string::npos);
-  EXPECT_EQ(told, text.rfind(" lines are lost")) << "said once";
+  EXPECT_EQ(told, text.rfind(" lines are lost")) << "printed once";
   const auto shown = std::count(text.begin(), text.end(), '\n') - 1;
   EXPECT_LT(shown, 2000);
   EXPECT_EQ(text.substr(text.rfind('(', told) + 1, told - text.rfind('(', told) - 1), std::to_string(kLines - shown));
@@ -72,7 +72,7 @@ TEST_F(OutputTest, APipeThatNobodyReadsHoldsNobody) {
   }
 }
 
-TEST_F(OutputTest, ATextLongerThanAPipeIsWrittenInPieces) {
+TEST_F(OutputTest, WritesALongTextInPieces) {
   const std::string text(200'000, 'x');
   Output output(ends_[1]);
   output.write(text);
@@ -86,7 +86,7 @@ TEST_F(OutputTest, ATextLongerThanAPipeIsWrittenInPieces) {
   EXPECT_EQ(taken, text);
 }
 
-TEST_F(OutputTest, IsSilentWhenNobodyIsLeftToRead) {
+TEST_F(OutputTest, IsSilentWithoutAReader) {
   Output output(ends_[1]);
   close(ends_[0]);
   output.write("one\n");
@@ -107,14 +107,14 @@ TEST_F(OutputTest, IsSilentWhenTheDiskIsFull) {
   close(full);
 }
 
-TEST_F(OutputTest, ATerminalThatStandsStillHoldsNobody) {
+TEST_F(OutputTest, StoppedTerminalDoesNotBlock) {
   const int master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
   ASSERT_GE(master, 0);
   ASSERT_EQ(grantpt(master), 0);
   ASSERT_EQ(unlockpt(master), 0);
   const int terminal = open(ptsname(master), O_RDWR | O_NOCTTY | O_CLOEXEC);
   ASSERT_GE(terminal, 0);
-  ASSERT_EQ(tcflow(terminal, TCOOFF), 0);  // what Ctrl-S does
+  ASSERT_EQ(tcflow(terminal, TCOOFF), 0);  // as Ctrl-S does
   {
     Output output(terminal);
     for (int i = 0; i < 100; ++i) output.write(std::string(1000, 'x').append("\n"));
@@ -132,7 +132,7 @@ TEST_F(OutputTest, ATerminalThatStandsStillHoldsNobody) {
   close(master);
 }
 
-TEST_F(OutputTest, WritesToAFileBehindWhatOthersHaveWritten) {
+TEST_F(OutputTest, AppendsToAFileBehindOtherWriters) {
   const task_test::ScratchFolder folder;
   const int file = open((folder / "output").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   ASSERT_GE(file, 0);

@@ -29,7 +29,7 @@ class Trace : public testing::Test {
   task_test::ScratchFolder folder_;
 };
 
-TEST_F(Trace, WhatAKilledRunHasLeftIsNoPartOfTheNext) {
+TEST_F(Trace, IgnoresTheRemainsOfAKilledRun) {
   const std::string text = "tick=1 process=arm step=0\n";
   const auto stale = write("t.arm.part", text);
   const PlannedProcess arm{.name = "arm", .program = {}, .has_task = true};
@@ -40,7 +40,7 @@ TEST_F(Trace, WhatAKilledRunHasLeftIsNoPartOfTheNext) {
   ASSERT_EQ(::write(parts.fd_of("arm"), own.data(), own.size()), static_cast<ssize_t>(own.size()));
   parts.join(output, config::ClockMode::lockstep, [](double) { return true; });
   EXPECT_EQ(test::text_of(folder_ / "t"), "# mrroc trace 2 clock=lockstep\n" + own);
-  EXPECT_EQ(test::text_of(stale), text) << "it is not this run's to remove";
+  EXPECT_EQ(test::text_of(stale), text) << "the file belongs to another run";
   EXPECT_FALSE(std::filesystem::exists(folder_ / "t.arm.2.part"));
 }
 
@@ -85,7 +85,7 @@ TEST_F(Trace, ALineWithAnOlderTickStaysBelowTheOneBefore) {
             "# mrroc trace 2 clock=real\ntick=4 process=b step=0\ntick=5 process=a step=0\ntick=3 process=a step=1\n");
 }
 
-TEST_F(Trace, AnyPartsAreMergedAsIfAllTheirLinesHadBeenSorted) {
+TEST_F(Trace, MergedPartsEqualAllLinesSorted) {
   EXPECT_TRUE(rc::check([this] {
     struct Sorted {
       int tick;
@@ -97,7 +97,7 @@ TEST_F(Trace, AnyPartsAreMergedAsIfAllTheirLinesHadBeenSorted) {
     for (int part = 0; part < count; ++part) {
       std::string text;
       int newest = 0;
-      for (const int tick : *rc::gen::container<std::vector<int>>(rc::gen::inRange(-2, 12))) {  // below 0: none
+      for (const int tick : *rc::gen::container<std::vector<int>>(rc::gen::inRange(-2, 12))) {  // below 0: no tick
         newest = std::max(newest, tick);
         all.push_back({newest, tick < 0 ? "# a remark\n"
                                         : "tick=" + std::to_string(tick) + " process=" + std::to_string(part) +
@@ -115,7 +115,7 @@ TEST_F(Trace, AnyPartsAreMergedAsIfAllTheirLinesHadBeenSorted) {
   }));
 }
 
-TEST_F(Trace, ALineThatAKilledProcessHasNotFinishedIsLeftOut) {
+TEST_F(Trace, IgnoresAnUnfinishedLineOfAKilledProcess) {
   const auto a = write("t.a.part", "tick=5 process=a step=0\ntick=15 proc");
   merge({a}, folder_ / "t", config::ClockMode::lockstep);
   EXPECT_EQ(test::text_of(folder_ / "t"), "# mrroc trace 2 clock=lockstep\ntick=5 process=a step=0\n");
@@ -136,13 +136,13 @@ TEST_F(Trace, EqualTracesHaveEqualHashesAndOthersDiffer) {
   EXPECT_NE(hash_trace(ab), hash_trace(one)) << "so does the last line";
 }
 
-TEST_F(Trace, AFileThatIsNoTraceIsRefusedWithItsLine) {
+TEST_F(Trace, RefusesAFileThatIsNotATraceWithItsLine) {
   const auto wrong = write("wrong", "hello\n");
   try {
     hash_trace(wrong);
     FAIL() << "hashed";
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string{error.what()}.find("wrong:1: is no trace"), std::string::npos);
+    EXPECT_NE(std::string{error.what()}.find("wrong:1: is not a trace"), std::string::npos);
   }
 }
 

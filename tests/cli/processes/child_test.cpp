@@ -28,7 +28,7 @@ TEST(Child, GivesItsOutputByLinesAndItsExitCode) {
   EXPECT_EQ(child.last_line(), "three");
 }
 
-TEST(Child, ALineWithoutEndComesInPieces) {
+TEST(Child, LineWithoutEndComesInPieces) {
   constexpr std::size_t kBytes = 1'000'000;
   Child child("talker", "/bin/sh", {"-c", "head -c 1000000 /dev/zero | tr '\\0' x"});
   std::size_t total = 0;
@@ -41,13 +41,13 @@ TEST(Child, ALineWithoutEndComesInPieces) {
     pollfd descriptor{child.output_fd(), POLLIN, 0};
     poll(&descriptor, 1, 20);
   }
-  // what its pipe holds at its end
+  // the rest in its pipe at its end
   for (std::vector<std::string> lines; !(lines = child.read_lines()).empty();)
     for (const std::string& line : lines) total += line.size();
   EXPECT_EQ(total, kBytes);
 }
 
-TEST(Child, TellsTheSignalThatEndedIt) {
+TEST(Child, ReportsTheSignalThatEndedIt) {
   Child child("sleeper", "/bin/sleep", {"60"});
   child.signal(SIGKILL);
   run_to_end(child);
@@ -55,7 +55,7 @@ TEST(Child, TellsTheSignalThatEndedIt) {
   EXPECT_EQ(child.exit_code(), std::nullopt);
 }
 
-TEST(Child, AMissingProgramEndsWith127) {
+TEST(Child, MissingProgramEndsWith127) {
   Child child("ghost", "/no/such/program", {});
   run_to_end(child);
   EXPECT_EQ(child.how_it_ended(), "exit code 127");
@@ -65,7 +65,7 @@ void wait_while_at_work(const Child& child) {
   while (child.is_at_work()) usleep(200);
 }
 
-TEST(Child, IsNotAtWorkOnceItIsLost) {
+TEST(Child, IsNotRunningOnceItIsLost) {
   for (const int number : {SIGKILL, SIGSTOP}) {
     Child child("sleeper", "/bin/sleep", {"60"});
     EXPECT_TRUE(child.is_at_work());
@@ -73,14 +73,14 @@ TEST(Child, IsNotAtWorkOnceItIsLost) {
     child.signal(number);
     wait_while_at_work(child);
     EXPECT_TRUE(child.lost()) << "signal " << number;
-    EXPECT_FALSE(child.is_at_work()) << "the main thread has been told of signal " << number;
+    EXPECT_FALSE(child.is_at_work()) << "the main thread has received signal" << number;
     child.signal(SIGCONT);
-    EXPECT_EQ(child.lost(), number == SIGKILL) << "a stopped one goes on";
+    EXPECT_EQ(child.lost(), number == SIGKILL) << "a stopped process continues";
   }
 }
 
-TEST(Child, IsAtWorkWhileAThreadOutlivesTheFirst) {
-  // its first thread is a zombie in /proc, and no one can wait for it yet
+TEST(Child, IsRunningWhileAThreadOutlivesTheFirst) {
+  // its first thread is a zombie in /proc, and cannot be waited for yet
   Child child("threads", "/usr/bin/env",
               {"python3", "-c",
                "import ctypes, threading, time\n"
@@ -106,7 +106,7 @@ TEST(Child, GetsTheDescriptorsThatAreHandedToItAndNoOthers) {
   const std::vector<std::string> test{"-c", "for fd do test -e /proc/self/fd/$fd && echo open || echo closed; done",
                                       "sh", std::to_string(ends[0]), std::to_string(ends[1])};
   EXPECT_EQ(Child("heir", "/bin/sh", test, -1, {ends[1]}).wait_for_output(), "closed\nopen\n");
-  EXPECT_EQ(fcntl(ends[1], F_GETFD), FD_CLOEXEC) << "here it goes on closing";
+  EXPECT_EQ(fcntl(ends[1], F_GETFD), FD_CLOEXEC) << "closes further descriptors here";
   close(ends[0]);
   close(ends[1]);
 }

@@ -13,10 +13,10 @@ PlannedProcess shell(const std::string& name) {
   return process;
 }
 
-TEST(Crew, NamesTheSuspectAmongThoseThatHaveEnded) {
+TEST(Crew, NamesTheSuspectAmongEndedProcesses) {
   Crew crew([](const std::string&, const std::string&) {});
   for (const char* name : {"first", "struck", "last"}) crew.start(shell(name), {"-c", "exec sleep 60"});
-  EXPECT_EQ(crew.first_lost({"struck"}), nullptr) << "all are at work";
+  EXPECT_EQ(crew.first_lost({"struck"}), nullptr) << "all are running";
   crew.signal(SIGKILL);
   while (!crew.all_ended()) crew.wait(1, -1);
   EXPECT_EQ(crew.first_lost({"struck", "nobody"})->name(), "struck");
@@ -24,7 +24,7 @@ TEST(Crew, NamesTheSuspectAmongThoseThatHaveEnded) {
   EXPECT_EQ(crew.first_lost({"nobody"})->name(), "first");
 }
 
-TEST(Crew, NamesAnyOtherWhileTheSuspectIsAtWork) {
+TEST(Crew, NamesAnotherWhileTheSuspectRuns) {
   Crew crew([](const std::string&, const std::string&) {});
   crew.start(shell("suspect"), {"-c", "exec sleep 60"});
   crew.start(shell("other"), {"-c", "exit 3"});

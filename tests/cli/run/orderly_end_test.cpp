@@ -12,7 +12,7 @@
 namespace mrroc::cli {
 namespace {
 
-/// A crew of one EDP that takes part in its clock, which runs, until a test has it leave.
+/// A process group of one EDP that takes part in its clock, which runs, until a test makes it leave.
 class OrderlyEnd : public testing::Test {
  protected:
   void SetUp() override {
@@ -38,7 +38,7 @@ class OrderlyEnd : public testing::Test {
     return options;
   }
 
-  /// What its process does when it is asked to end.
+  /// The reaction of the process to the request to end.
   virtual std::string at_end() const { return "kill $!; exit 0"; }
 
   clock::ClockHost clock_{options()};
@@ -47,7 +47,7 @@ class OrderlyEnd : public testing::Test {
   Crew crew_{[this](const std::string&, const std::string& line) { ready_ = ready_ || line == "ready"; }};
 };
 
-TEST_F(OrderlyEnd, TellsOfAClockThatFailsMeanwhile) {
+TEST_F(OrderlyEnd, ReportsAClockThatFailsMeanwhile) {
   std::vector<std::string> told;
   end_in_order(crew_, clock_, true,
                {.turn =
@@ -61,7 +61,7 @@ TEST_F(OrderlyEnd, TellsOfAClockThatFailsMeanwhile) {
   EXPECT_TRUE(crew_.all_ended());
 }
 
-/// Ends the crew, whose EDP leaves the clock at the first turn. Gives what is reported as failed.
+/// Ends the processes; the EDP leaves the clock at the first pass. Returns the failures that are reported.
 std::vector<std::string> failures_after_leaving(Crew& crew, clock::ClockHost& clock,
                                                 std::unique_ptr<clock::Clock>& edp) {
   std::vector<std::string> failures;
@@ -78,7 +78,7 @@ std::vector<std::string> failures_after_leaving(Crew& crew, clock::ClockHost& cl
   return failures;
 }
 
-TEST_F(OrderlyEnd, ARobotHasStoppedWhenItsProcessHasLeftTheClock) {
+TEST_F(OrderlyEnd, RobotHasStoppedWhenItsProcessHasLeftTheClock) {
   EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_), std::vector<std::string>{});
 }
 
@@ -86,7 +86,7 @@ class SlowEnd : public OrderlyEnd {
   std::string at_end() const override { return "sleep 0.3; kill $!; exit 0"; }
 };
 
-TEST_F(SlowEnd, OfAProcessThatHasLeftTheClockIsNoFailure) {
+TEST_F(SlowEnd, AfterLeavingTheClockIsNoFailure) {
   EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_), std::vector<std::string>{});
 }
 
@@ -94,7 +94,7 @@ class FailingEnd : public OrderlyEnd {
   std::string at_end() const override { return "kill $!; echo the disk is full; exit 3"; }
 };
 
-TEST_F(FailingEnd, OfAProcessThatHasLeftTheClockIsReported) {
+TEST_F(FailingEnd, AfterLeavingTheClockIsReported) {
   EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
             (std::vector<std::string>{"process arm_edp failed at the end: exit code 3: the disk is full"}));
 }
@@ -103,7 +103,7 @@ class CrashAtTheEnd : public OrderlyEnd {
   std::string at_end() const override { return "kill $!; kill -SEGV $$"; }
 };
 
-TEST_F(CrashAtTheEnd, OfAProcessThatHasLeftTheClockIsReported) {
+TEST_F(CrashAtTheEnd, AfterLeavingTheClockIsReported) {
   EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
             (std::vector<std::string>{"process arm_edp failed at the end: signal 11 (Segmentation fault)"}));
 }
@@ -112,7 +112,7 @@ class NoEnd : public OrderlyEnd {
   std::string at_end() const override { return ":"; }
 };
 
-TEST_F(NoEnd, OfAProcessThatHasLeftTheClockIsReportedWhenItIsKilled) {
+TEST_F(NoEnd, AfterLeavingTheClockIsReportedOnKill) {
   EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
             (std::vector<std::string>{"process arm_edp failed at the end: signal 9 (Killed)"}));
 }

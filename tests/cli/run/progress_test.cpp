@@ -5,8 +5,8 @@
 namespace mrroc::cli {
 namespace {
 
-// a process that had begun its first instruction when it was first seen to run was never shown at it
-TEST(Progress, TellsOfTheStateAndTheInstructionThatOneStatusBrings) {
+// the first status of a process may already contain its first instruction
+TEST(Progress, ShowsStateAndInstructionOfOneStatus) {
   testing::internal::CaptureStdout();
   {
     Progress progress({"arm"}, 0.002, false);
@@ -28,7 +28,7 @@ TEST(Progress, TellsOfTheStateAndTheInstructionThatOneStatusBrings) {
   EXPECT_EQ(shown.find("never", at + 1), std::string::npos) << "once";
 }
 
-TEST(Progress, WhatATaskPrintsCommandsNoTerminal) {
+TEST(Progress, PrintedTextCannotControlTheTerminal) {
   testing::internal::CaptureStdout();
   {
     Progress progress({"arm"}, 0.002, false);

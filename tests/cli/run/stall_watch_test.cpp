@@ -20,7 +20,7 @@ HostOptions with(Mode mode) {
   return options;
 }
 
-/// A member that computes without waiting until it is instructed to end, and one that waits.
+/// One process that computes without waiting until it is instructed to end, and one that waits.
 class Stalled {
  public:
   explicit Stalled(Mode mode) : deployment_({"busy", "idle"}, with(mode)) {
@@ -45,7 +45,7 @@ class Stalled {
   Stalled& operator=(const Stalled&) = delete;
 
   const clock::ClockHost& clock() const { return deployment_.host; }
-  /// Until everybody waits.
+  /// Waits until every process waits.
   void calm_down() {
     done_ = true;
     while (!deployment_.host.at_work().empty() || deployment_.host.waits_for_somebody()) {
@@ -57,7 +57,7 @@ class Stalled {
   ThreadDeployment deployment_;
 };
 
-TEST(StallWatch, UnderTheRealClockWhoWaitsForNothingIsNamedEverLessOften) {
+TEST(StallWatch, RealClockNamesAComputingProcessEverLessOften) {
   Stalled stalled(Mode::real);
   StallWatch watch(stalled.clock());
   EXPECT_EQ(watch.look(10), "");
@@ -68,10 +68,10 @@ TEST(StallWatch, UnderTheRealClockWhoWaitsForNothingIsNamedEverLessOften) {
   EXPECT_EQ(watch.look(14), "busy has waited for nothing for 4 s: it computes, or is blocked outside of MRROC++");
   EXPECT_EQ(watch.look(17.9), "");
   stalled.calm_down();
-  EXPECT_EQ(watch.look(100), "") << "waiting for a message for long is no stall";
+  EXPECT_EQ(watch.look(100), "") << "a long wait for a message is not a stall";
 }
 
-TEST(StallWatch, WhileSimulatedTimeStandsStillWhoIsAtWorkIsNamed) {
+TEST(StallWatch, NamesTheRunningProcessWhileSimulatedTimeStandsStill) {
   Stalled stalled(Mode::lockstep);
   StallWatch watch(stalled.clock());
   EXPECT_EQ(watch.look(10), "");

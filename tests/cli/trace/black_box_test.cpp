@@ -1,5 +1,4 @@
-// A black box is the end of a process's trace, wherever that begins: the rules hold there, and still find what is
-// wrong.
+// A black box is the end of a process's trace and may begin anywhere: the rules hold there, and still find errors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +32,7 @@ TEST(BlackBoxOfATrace, WithoutTheMarkItsBeginningIsAViolation) {
   EXPECT_TRUE(check_text(box.text()).rules.contains("step-count"));
 }
 
-TEST(BlackBoxOfATrace, WhatIsWrongInItIsFound) {
+TEST(BlackBoxOfATrace, FindsErrors) {
   const TraceText whole = example_trace();
   const std::size_t lines = line_count(whole, "arm");
   std::size_t steps = 0, missing = 0, targets = 0;
@@ -69,7 +68,7 @@ TEST(BlackBoxOfATrace, WhatIsWrongInItIsFound) {
 TEST(BlackBoxOfATrace, ATraceOfAnotherMarkIsRefused) {
   TraceText box = black_box_of(example_trace(), "arm", 0, 4);
   box.clock = "lockstep white_box";
-  EXPECT_NE(check_text(box.text()).malformed.find(":1: is no trace"), std::string::npos);
+  EXPECT_NE(check_text(box.text()).malformed.find(":1: is not a trace"), std::string::npos);
 }
 
 }  // namespace

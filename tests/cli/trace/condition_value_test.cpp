@@ -54,14 +54,14 @@ std::vector<ConditionEntry> parts_of(const Condition& condition) {
   return parts;
 }
 
-TEST(ConditionValue, IsThatOfTheLanguageOrLeftOpen) {
+TEST(ConditionValue, EqualsThatOfTheLanguageOrIsUnknown) {
   fakes::check_property(2000, [] {
     int number = 0;
     const Tree tree = random_tree(*rc::gen::inRange(1, 8), number);
     const bool value = tree.condition->evaluate();
     const PossibleValues found = value_of_condition(tree.condition->name(), parts_of(*tree.condition));
     RC_ASSERT((value ? found.may_be_true : found.may_be_false));
-    // where only one of `and` and `or` stands the brackets do not matter
+    // brackets do not matter where only one of `and` and `or` occurs
     if (!tree.has_and || !tree.has_or) RC_ASSERT((value ? found.is_true() : found.is_false()));
   });
 }
@@ -70,7 +70,7 @@ PossibleValues value_of(const std::string& name, bool a, bool b, bool c) {
   return value_of_condition(name, {{"a", a}, {"b", b}, {"c", c}});
 }
 
-TEST(ConditionValue, BracketsThatANameDoesNotTellAreSetInEveryWay) {
+TEST(ConditionValue, AmbiguousBracketsAreTriedInEveryWay) {
   const PossibleValues open = value_of("a and b or c", false, true, true);
   EXPECT_TRUE(open.may_be_true);   // (a and b) or c
   EXPECT_TRUE(open.may_be_false);  // a and (b or c)
@@ -79,7 +79,7 @@ TEST(ConditionValue, BracketsThatANameDoesNotTellAreSetInEveryWay) {
   EXPECT_TRUE(value_of("not (a and b) or c", true, true, false).is_false());
 }
 
-TEST(ConditionValue, OfAConditionWithANameOfItsOwnNothingIsKnown) {
+TEST(ConditionValue, ConditionWithItsOwnNameIsUnknown) {
   const PossibleValues open = value_of("seen", true, true, true);
   EXPECT_TRUE(open.may_be_true && open.may_be_false);
   const PossibleValues part = value_of("seen or c", false, false, false);

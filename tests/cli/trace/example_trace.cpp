@@ -1,4 +1,4 @@
-// A cell that obeys the laws of Move and Wait, and writes what a deployment would.
+// A cell that follows the laws of Move and Wait, and writes the trace of a deployment.
 #include <algorithm>
 #include <map>
 
@@ -74,7 +74,7 @@ class Cell {
     read_sensors(false);
   }
 
-  /// The robots held for so many macrosteps; the next line tells.
+  /// The robots held for so many macrosteps; the next line reports it.
   void pause(std::uint64_t macrosteps) {
     for (std::uint64_t i = 0; i < macrosteps; ++i)
       for (const std::string& name : list_) now_ = answer(robots_[name], hold(), false);

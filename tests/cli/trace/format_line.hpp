@@ -7,7 +7,7 @@
 
 namespace mrroc::cli::trace {
 
-/// A line as a process writes it: what `parse_line` reads, to the last bit.
+/// The line that a process writes for the values that `parse_line` reads, to the last bit.
 std::string format_line(const Line& line);
 std::string format_remark(const Remark& remark);
 

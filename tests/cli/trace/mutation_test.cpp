@@ -1,4 +1,4 @@
-// Every way to spoil a trace is found, and every rule finds something.
+// Every mutation of a trace is found, and every rule finds one.
 #include <gtest/gtest.h>
 
 #include "cli/trace/format_line.hpp"
@@ -38,7 +38,7 @@ TEST_P(EveryMutation, IsFound) {
   fakes::check_property(kCases, [&] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     TraceText spoilt = original;
-    if (!mutation.apply(spoilt, random)) RC_FAIL(std::string{mutation.name} + ": the example has no place for it");
+    if (!mutation.apply(spoilt, random)) RC_FAIL(std::string{mutation.name} + ": the example has no suitable line");
     if (check_text(spoilt.text()).rules.empty())
       RC_FAIL(std::string{mutation.name} + " is not found:\n" + difference(original.text(), spoilt.text()));
   });

@@ -10,26 +10,26 @@ namespace mrroc::cli::trace {
 
 using Random = std::mt19937_64;
 
-/// One way to spoil a trace that keeps every rule. It is applied where the rules can see it; why they cannot see it
-/// elsewhere stands with each.
+/// A mutation of a trace that keeps every rule. It is applied where the rules can detect it; each mutation documents
+/// why they cannot detect it elsewhere.
 struct Mutation {
   const char* name;
-  /// Spoils the trace at a random place; false: it has none.
+  /// Changes the trace at a random place; false: it has no suitable place.
   std::function<bool(TraceText&, Random&)> apply;
 };
 
-/// Of the lines as such: which there are, in which order, what they are called.
+/// Mutations of the lines as such: which there are, their order, their names.
 std::vector<Mutation> mutations_of_lines();
-/// Of what the robots were commanded, and of their answers.
+/// Mutations of the commands of robots, and of their answers.
 std::vector<Mutation> mutations_of_robots();
-/// Of readings, conditions and endings.
+/// Mutations of readings, conditions and endings.
 std::vector<Mutation> mutations_of_conditions();
 
 std::vector<Mutation> all_mutations();
 
 inline constexpr std::size_t kNoLine = ~std::size_t{0};
 
-/// The line of the step before, or behind, in the same instruction; kNoLine when there is none.
+/// The line of the step before, or behind, in the same instruction; kNoLine when it does not exist.
 std::size_t line_before(const TraceText& trace, std::size_t i);
 std::size_t line_behind(const TraceText& trace, std::size_t i);
 

@@ -22,8 +22,9 @@ PossibleValues value_of(const Line& line) {
   return value_of_condition(line.is_move ? line.until.value_or("") : line.name, line.conditions);
 }
 
-/// A part whose other value would decide: the condition would hold where the instruction continues, or not where it
-/// ended by it. A part of an `and` whose other parts are false, of an `or` that holds anyway, decides nothing.
+/// A part whose other value would decide: the condition would hold where the instruction continues, or not hold where
+/// it ended the instruction. A part of an `and` whose other parts are false, or of an `or` that holds anyway, decides
+/// nothing.
 std::vector<std::size_t> deciding_parts(const Line& line) {
   std::vector<std::size_t> parts;
   for (std::size_t i = 0; i < line.conditions.size(); ++i) {
@@ -50,8 +51,7 @@ bool goes_on_with_robots(const TraceText& trace, std::size_t i) {
   return !trace.line(i).ends() && !trace.line(i).robots.empty() && line_behind(trace, i) != kNoLine;
 }
 
-/// The end of a Move without a condition by its generator may as well be one by the operator, or by an error of its
-/// own.
+/// The end of a Move without a condition by its generator may also be an end by the operator, or by its own error.
 bool shows_parts_at_end(const TraceText& trace, std::size_t i) {
   return ends(trace, i) && !trace.line(i).conditions.empty();
 }

@@ -9,7 +9,7 @@ namespace {
 
 bool everywhere(std::size_t) { return true; }
 
-/// Spoils any line.
+/// Changes any line.
 Mutation of_any_line(const char* name, std::function<void(Line&, Random&)> change) {
   return {name, [change](TraceText& trace, Random& random) {
             const auto place = pick_line(trace, random, everywhere);
@@ -18,7 +18,7 @@ Mutation of_any_line(const char* name, std::function<void(Line&, Random&)> chang
           }};
 }
 
-/// Spoils one of several lines of an instruction. What is said once only cannot be compared with anything.
+/// Changes one of several lines of an instruction. A value that occurs only once cannot be compared.
 Mutation of_one_of_several(const char* name, std::function<void(Line&, Random&)> change) {
   return {name, [change](TraceText& trace, Random& random) {
             const auto place = pick_line(trace, random, [&trace](std::size_t i) {
@@ -50,8 +50,8 @@ bool share_a_robot(const Line& a, const Line& b) {
   return false;
 }
 
-/// Not an end and the beginning behind it of an instruction with other robots, or none: a process may run the two at a
-/// time.
+/// Not the end of an instruction and the beginning of the next one with other robots, or without robots: a process may
+/// run both at the same time.
 bool swap(TraceText& trace, Random& random) {
   const auto place = pick_line(trace, random, [&trace](std::size_t i) {
     if (i + 1 >= trace.items.size() || !trace.is_line(i + 1)) return i + 1 < trace.items.size();
@@ -74,7 +74,7 @@ bool drop_instruction(TraceText& trace, Random& random) {
   return true;
 }
 
-/// All lines of a process once more, as those of another one: both command the same robots at the same ticks.
+/// All lines of a process repeated as those of another one: both command the same robots at the same ticks.
 bool second_commander(TraceText& trace, Random& random) {
   const auto place = pick_line(trace, random, [&trace](std::size_t i) {
     const Line& line = trace.line(i);
@@ -114,7 +114,7 @@ bool spoil_remark(TraceText& trace, Random& random) {
   return true;
 }
 
-/// Not where an instruction was broken off: that may be at a step, or between two.
+/// Not where an instruction was interrupted: that may be at a step, or between two.
 bool change_step(TraceText& trace, Random& random) {
   const auto place = pick_line(trace, random, [&trace](std::size_t i) { return !trace.line(i).broken_off(); });
   if (place) trace.line(*place).step += pick(random, 1, 5);

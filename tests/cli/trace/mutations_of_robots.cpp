@@ -40,15 +40,15 @@ bool commanded_kind(const TraceText& trace, std::size_t i, std::size_t k, Comman
   return is_answered(trace, i, k) && trace.line(i).robots[k].command->kind == kind;
 }
 
-/// The reply leaves within the macrostep. After it the macrostep has become as long as it had to.
+/// The reply leaves within the macrostep. Afterwards the macrostep has its final length.
 bool replies_within(const CommandEntry& command) { return command.reply_step <= command.motion_steps; }
 
 bool answers_within(const TraceText& trace, std::size_t i, std::size_t k) {
   return answers_in(trace, i, k) && replies_within(*trace.line(line_before(trace, i)).robots[k].command);
 }
 
-/// Where what was desired was commanded. Elsewhere it is where the robot was before the instruction, where a stop, a
-/// velocity or a force leads, or joints of a pose: the trace does not hold what would tell.
+/// Where the desired position was commanded. Elsewhere it is the position before the instruction, or results from a
+/// stop, a velocity, a force or the joints of a pose: the trace does not contain it.
 bool desired_is_commanded(const TraceText& trace, std::size_t i, std::size_t k) {
   return answers_in(trace, i, k) && answered_kind(trace, i, k) == CommandKind::joint;
 }
@@ -66,7 +66,7 @@ bool follows_force(const TraceText& trace, std::size_t i, std::size_t k) {
   return false;
 }
 
-/// Where a force motion leads, and how long a stop behind it takes, the trace does not tell.
+/// The trace contains neither the path of a force motion nor the duration of the stop behind it.
 bool answers_no_force(const TraceText& trace, std::size_t i, std::size_t k) {
   return answers_within(trace, i, k) && answered_kind(trace, i, k) != CommandKind::force &&
          !follows_force(trace, line_before(trace, i), k);
@@ -89,7 +89,7 @@ bool has_common_start(const TraceText& trace, std::size_t i, std::size_t k) {
   return trace.line(i).robots.size() > 1 && is_answered(trace, i, k);
 }
 
-/// Not where it is the last word of its process on the robot: a later count is not contradicted there.
+/// Not where it is the last value of its process about the robot: no later count contradicts it.
 bool is_told_again(const TraceText& trace, std::size_t i, std::size_t /*k*/) {
   return line_behind(trace, i) != kNoLine;
 }
@@ -102,12 +102,12 @@ bool steps_count(const TraceText& trace, std::size_t i, std::size_t k) {
   return is_answered(trace, i, k) && answers_no_force(trace, line_behind(trace, i), k);
 }
 
-/// A target that the next step has to desire.
+/// A target that the next step must desire.
 bool target_counts(const TraceText& trace, std::size_t i, std::size_t k) {
   return commanded_kind(trace, i, k, CommandKind::joint) || commanded_kind(trace, i, k, CommandKind::pose);
 }
 
-/// An increment would be one on what the line desires: the robot has not stopped first.
+/// Not an increment on the desired position of the line: the robot has not stopped first.
 bool increment_counts(const TraceText& trace, std::size_t i, std::size_t k) {
   if (!target_counts(trace, i, k) || follows_force(trace, i, k)) return false;
   return !trace.line(i).robots[k].moving ||

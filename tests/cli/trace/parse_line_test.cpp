@@ -28,7 +28,7 @@ TEST(ParseLine, ReadsEveryFieldToTheLastBit) {
   }
 }
 
-TEST(ParseLine, ReadsWhatSeldomOccurs) {
+TEST(ParseLine, ReadsRareFields) {
   const std::string text =
       "tick=9 process=mp instruction=3 move=\"a \"quoted\" name\" until=\"x or y\" step=4 held=2 robot=arm tick=9 "
       "macrostep=1 joints=1e-07,-2.5 pose=0,0,0,0,1,0,0 desired_tick=11 desired=0,0 desired_pose=0,0,0,0,0,0,-1 moving "
@@ -49,7 +49,7 @@ TEST(ParseLine, ReadsWhatSeldomOccurs) {
   EXPECT_EQ(line.skew, 7U);
 }
 
-TEST(ParseLine, RefusesWhatIsNotOfTheFormatWithFieldValueAndExpectation) {
+TEST(ParseLine, RefusesInvalidFieldsWithValueAndExpectation) {
   const std::string head = "tick=1 process=arm instruction=1 wait=\"gate\" step=0";
   const std::string state = " robot=arm tick=1 macrostep=0 joints=0 pose=0,0,0,1,0,0,0 desired_tick=2 desired=0";
   const std::string robot = state + " desired_pose=0,0,0,1,0,0,0";
@@ -107,7 +107,7 @@ TEST(ParseLine, AnyChangeOfOneCharacterIsReadOrRefused) {
   });
 }
 
-TEST(ParseLine, OfALineThatWasCutTheBeginningIsRead) {
+TEST(ParseLine, ReadsTheBeginningOfACutLine) {
   const std::string text = format_line(example_trace().line(5)).substr(0, 200);
   const Line line = parse_line(text, 200);
   EXPECT_TRUE(line.cut);

@@ -12,16 +12,17 @@
 namespace mrroc::cli::trace {
 namespace {
 
-TEST(TraceReader, AFileThatIsNoTraceIsRefused) {
+TEST(TraceReader, RefusesAFileThatIsNotATrace) {
   for (const char* text : {"", "hello\n", "# mrroc trace 1\n", "# mrroc trace 2 clock=sun\n"})
-    EXPECT_NE(check_text(text).malformed.find(".trace:1: is no trace, expected the line \"# mrroc trace 2 clock=..."),
-              std::string::npos)
+    EXPECT_NE(
+        check_text(text).malformed.find(".trace:1: is not a trace, expected the line \"# mrroc trace 2 clock=..."),
+        std::string::npos)
         << text;
   EXPECT_THROW(Reader("/no/such/trace"), std::runtime_error);
   EXPECT_THROW(Reader("/"), std::runtime_error) << "a folder";
 }
 
-TEST(TraceReader, ALineThatIsNotOfTheFormatIsNamed) {
+TEST(TraceReader, NamesAnInvalidLine) {
   const std::string text = example_trace().text();
   const std::size_t third = text.find('\n', text.find('\n') + 1) + 1;
   const std::string broken = text.substr(0, third) + "tick=abc\n" + text.substr(third);
@@ -33,7 +34,7 @@ TEST(TraceReader, ALineThatIsNotOfTheFormatIsNamed) {
             std::string::npos);
 }
 
-TEST(TraceReader, BearsWhatEditorsAdd) {
+TEST(TraceReader, AcceptsAdditionsOfEditors) {
   const std::string text = example_trace().text();
   const Found plain = check_text(text);
   ASSERT_EQ(plain.malformed, "");
@@ -50,13 +51,13 @@ TEST(TraceReader, BearsWhatEditorsAdd) {
   EXPECT_NE(check_text(zero).malformed.find("a byte \\x00 at column 5"), std::string::npos);
 }
 
-TEST(TraceReader, AnEmptyTraceHolds) {
+TEST(TraceReader, EmptyTraceKeepsTheRules) {
   const Found found = check_text("# mrroc trace 2 clock=real\n# process=arm lines=0 dropped=0 cut=0\n");
   EXPECT_EQ(found.text(), "");
   EXPECT_EQ(found.verdict.lines, 0U);
 }
 
-TEST(TraceReader, ALineThatWasCutIsLeftOutAndTold) {
+TEST(TraceReader, ReportsAndIgnoresACutLine) {
   TraceText trace = example_trace();
   const std::string before = format_line(trace.line(6));
   std::string cut = before;
@@ -66,7 +67,7 @@ TEST(TraceReader, ALineThatWasCutIsLeftOutAndTold) {
   EXPECT_TRUE(check_text(text).rules.empty()) << check_text(text).text();
 }
 
-/// kB that this process has had in memory at most.
+/// Peak memory of this process, kB.
 long peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

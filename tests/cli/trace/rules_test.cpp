@@ -1,4 +1,4 @@
-// Each rule at a place made for it: it is the one that is found, and says what was expected.
+// Each rule at a suitable place: exactly this rule is reported, with the expected value.
 #include <gtest/gtest.h>
 
 #include "cli/trace/trace_text.hpp"
@@ -48,17 +48,17 @@ TEST_F(TraceRule, LineTick) {
   expect_only("line-tick", "the newest in the line");
 }
 
-TEST_F(TraceRule, TicksGoOnFromOneInstructionToTheNext) {
+TEST_F(TraceRule, TicksContinueFromOneInstructionToTheNext) {
   arm(2, 0).macrostep = 1;
   expect_only("ticks-go-on", "macrostep 1 of robot arm, expected at least ");
 }
 
-TEST_F(TraceRule, ReadingsGoOn) {
+TEST_F(TraceRule, ReadingsContinue) {
   line("arm", 8, 1).sensors[0].tick = line("arm", 8, 0).sensors[0].tick - 1;
   expect_only("readings-go-on", "of sensor eye, expected at least ");
 }
 
-TEST_F(TraceRule, OfTwoInstructionsSideBySideOneMayHoldAnOlderReading) {
+TEST_F(TraceRule, OneOfTwoSimultaneousInstructionsMayHoldAnOlderReading) {
   Line other = line("arm", 6, 2);
   other.instruction = 9;
   other.step = 0;
@@ -86,7 +86,7 @@ TEST_F(TraceRule, StepCount) {
   expect("step-count", "step 3, expected step 2");
 }
 
-TEST_F(TraceRule, ARepeatedStepIsOneWhoseExchangeWasBrokenOff) {
+TEST_F(TraceRule, RepeatedStepIsOneWhoseExchangeWasInterrupted) {
   line("arm", 8, 3).ending = StepEnding::generator;
   expect("step-count", "step 2, expected step 3");
 }
@@ -101,12 +101,12 @@ TEST_F(TraceRule, Lists) {
   expect("lists", "sensor gate twice");
 }
 
-TEST_F(TraceRule, AnInstructionEndsBeforeTheNextOneWithItsRobotBegins) {
+TEST_F(TraceRule, InstructionEndsBeforeTheNextOneWithItsRobotBegins) {
   erase(begin_of(trace, "arm", 2) - 1);
   expect("lists", "the end of instruction 1 before");
 }
 
-TEST_F(TraceRule, InstructionsWithOtherRobotsMayGoOnAtTheSameTime) {
+TEST_F(TraceRule, InstructionsWithOtherRobotsMayRunAtTheSameTime) {
   const std::size_t end = begin_of(trace, "arm", 6) - 1;
   std::swap(trace.items[end], trace.items[end + 1]);
   trace.line(end + 1).tick = trace.line(end).tick;
@@ -126,7 +126,7 @@ TEST_F(TraceRule, AllEnd) {
   expect_only("all-end", "without end=");
 }
 
-TEST_F(TraceRule, AProcessWithoutARemarkWasKilled) {
+TEST_F(TraceRule, ProcessWithoutARemarkWasKilled) {
   trace.items.pop_back();
   erase(trace.items.size() - 1);
   const Found found = check_text(trace.text());
@@ -146,30 +146,30 @@ TEST_F(TraceRule, EndOrCommand) {
   expect_only("end-or-command", "no command to arm");
 }
 
-TEST_F(TraceRule, AConditionThatHoldsEndsAtThatStep) {
+TEST_F(TraceRule, ConditionThatHoldsEndsAtThatStep) {
   line("arm", 2, 2).conditions[1].value = true;
-  expect_only("condition-decides", "it goes on, \"wrist above 10 N or travelled 0.1 m\"");
+  expect_only("condition-decides", "it continues, \"wrist above 10 N or travelled 0.1 m\"");
 }
 
-TEST_F(TraceRule, AConditionThatDoesNotHoldDoesNotEnd) {
+TEST_F(TraceRule, ConditionThatDoesNotHoldDoesNotEnd) {
   line("arm", 1, 3).conditions[0].value = false;
   expect_only("condition-decides", "end=condition, \"gate closer than 0.1 m\"");
 }
 
-TEST_F(TraceRule, TheSameValuesDecideTheSame) {
+TEST_F(TraceRule, EqualValuesDecideEqually) {
   for (std::size_t i = begin_of(trace, "mp", 2); trace.is_line(i); ++i) trace.line(i).name = "a name of its own";
   expect_none();
   line("mp", 2, 3).conditions[0].value = false;
-  expect_only("condition-decides", "it went on with the same values before");
+  expect_only("condition-decides", "it continued with the same values before");
 }
 
-TEST_F(TraceRule, AWaitHasNoGenerator) {
+TEST_F(TraceRule, WaitHasNoGenerator) {
   line("arm", 1, 3).conditions[0].value = false;
   line("arm", 1, 3).ending = StepEnding::generator;
   expect_only("wait-has-no-generator");
 }
 
-TEST_F(TraceRule, TheGravestErrorDecides) {
+TEST_F(TraceRule, MostSevereErrorDecides) {
   arm(7, 2).error = ErrorClass::hardware;
   expect_only("error-decides", "an error of arm");
 }
@@ -205,7 +205,7 @@ TEST_F(TraceRule, PoseTarget) {
   expect_only("pose-target", "the commanded pose");
 }
 
-TEST_F(TraceRule, PoseTargetKnowsTheSignOfAQuaternion) {
+TEST_F(TraceRule, PoseTargetIgnoresTheSignOfAQuaternion) {
   for (std::size_t i = 3; i < 7; ++i) arm(3, 0).command->target[i] *= -1;
   expect_none();
 }
@@ -225,7 +225,7 @@ TEST_F(TraceRule, ReplyTick) {
   expect_only("reply-tick", "tick 7 of the macrostep");
 }
 
-TEST_F(TraceRule, NAndVAreInTheirRanges) {
+TEST_F(TraceRule, NAndVAreInRange) {
   arm(1, 2).command->reply_step = 12;
   expect("reply-tick", "an answer to N=10, v=12, expected an error");
 }
@@ -237,10 +237,10 @@ TEST_F(TraceRule, MacrostepEnd) {
 
 TEST_F(TraceRule, RestBeforeResume) {
   arm(3, 3).moving = true;
-  expect_only("rest-before-resume", "rest before the motion goes on after a pause");
+  expect_only("rest-before-resume", "rest before the motion continues after a pause");
 }
 
-TEST_F(TraceRule, AfterALateCommandTheRobotsRest) {
+TEST_F(TraceRule, RobotsRestAfterALateCommand) {
   for (std::size_t instruction = 2; instruction <= 5; ++instruction)
     for (std::size_t i = begin_of(trace, "arm", instruction); i < begin_of(trace, "arm", instruction + 1); ++i)
       if (instruction > 2 || trace.line(i).step >= 2) trace.line(i).robots[0].late = 1;
@@ -300,7 +300,7 @@ TEST_F(TraceRule, OneCommander) {
   expect_only("one-commander", "robot arm is commanded by other too");
 }
 
-TEST_F(TraceRule, UnderTheRealClockARemarkExplainsStepsThatAreMissing) {
+TEST_F(TraceRule, RemarkExplainsMissingStepsUnderTheRealClock) {
   trace.clock = "real";
   erase(begin_of(trace, "arm", 3) + 2);
   std::size_t remark = 0;
@@ -313,7 +313,7 @@ TEST_F(TraceRule, UnderTheRealClockARemarkExplainsStepsThatAreMissing) {
   EXPECT_NE(found.text().find("has dropped 1 lines"), std::string::npos) << found.text();
 }
 
-TEST_F(TraceRule, UnderTheRealClockAStateMayBeOfALaterTick) {
+TEST_F(TraceRule, StateMayBeOfALaterTickUnderTheRealClock) {
   ++line("mp", 2, 3).robots[1].tick;
   ++line("mp", 2, 3).tick;
   expect_only("reply-tick");
@@ -321,7 +321,7 @@ TEST_F(TraceRule, UnderTheRealClockAStateMayBeOfALaterTick) {
   expect_none();
 }
 
-TEST(TraceRules, HaveNamesOfTheirOwnAndAreListed) {
+TEST(TraceRules, HaveDistinctNamesAndAreListed) {
   std::set<std::string> names;
   for (const Rule& rule : all_rules()) {
     EXPECT_TRUE(names.insert(rule.name).second) << rule.name;

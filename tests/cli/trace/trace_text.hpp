@@ -27,22 +27,22 @@ TraceText read_trace(const std::filesystem::path& file);
 
 /// How many lines this process has in a trace.
 std::size_t line_count(const TraceText& whole, const std::string& process);
-/// Its lines from the `begin`-th to before the `end`-th, as if they were the black box that it has written then.
+/// Its lines from the `begin`-th to before the `end`-th, as if they were its black box.
 TraceText black_box_of(const TraceText& whole, const std::string& process, std::size_t begin, std::size_t end);
 
-/// What a check of this text finds.
+/// The result of a check of this text.
 struct Found {
   Verdict verdict;
   std::vector<std::string> violations;
-  std::set<std::string> rules;  ///< by name, those that do not hold
-  std::string malformed;        ///< what was thrown, empty when nothing was
+  std::set<std::string> rules;  ///< names of the violated rules
+  std::string malformed;        ///< the error that was thrown; empty: there was none
   std::string text() const;
 };
 Found check_text(const std::string& text);
 
-/// A trace that keeps every rule and has what rules are about: two processes, instructions with one robot, several
-/// robots and none, published, polled and interactive sensors with periods, conditions alone and combined, joint, pose
-/// and force commands, holds in between, every way to end.
+/// A trace that keeps every rule and contains every case: two processes, instructions with one robot, several robots
+/// and none, published, polled and interactive sensors with periods, conditions alone and combined, joint, pose and
+/// force commands, holds in between, every way to end.
 TraceText example_trace();
 
 }  // namespace mrroc::cli::trace

@@ -8,12 +8,12 @@
 namespace mrroc::clock {
 namespace {
 
-/// One round trip to a peer whose clock is `offset` ahead, with these times on the way there and back.
+/// One round trip to a peer whose clock is `offset` ahead, with these durations there and back.
 RoundTrip trip(std::int64_t sent, std::int64_t offset, std::int64_t there, std::int64_t held, std::int64_t back) {
   return {sent, sent + there + held + back, sent + there + held + offset, held};
 }
 
-RC_GTEST_PROP(PeerClock, IsNeverFurtherOffThanItSays, (std::int32_t raw_offset)) {
+RC_GTEST_PROP(PeerClock, ErrorNeverExceedsItsBound, (std::int32_t raw_offset)) {
   const std::int64_t offset = std::int64_t{raw_offset} * 1'000'000;
   PeerClock clock;
   std::int64_t now = 1'000'000;
@@ -28,7 +28,7 @@ RC_GTEST_PROP(PeerClock, IsNeverFurtherOffThanItSays, (std::int32_t raw_offset))
   RC_ASSERT(std::abs(clock.offset()->ns - offset) <= clock.offset()->error_ns);
 }
 
-TEST(PeerClock, SaysNothingBeforeAWindowIsFull) {
+TEST(PeerClock, HasNoEstimateBeforeAWindowIsFull) {
   PeerClock clock;
   for (int i = 0; i < PeerClock::kWindow - 1; ++i) clock.add(trip(i, 7, 10, 0, 10));
   EXPECT_FALSE(clock.offset());
@@ -45,13 +45,13 @@ TEST(PeerClock, TheShortestTripOfAWindowCounts) {
   EXPECT_EQ(clock.offset()->error_ns, 20);
 }
 
-TEST(PeerClock, LeavesOutWhatCannotBe) {
+TEST(PeerClock, IgnoresImpossibleTrips) {
   PeerClock clock;
   for (int i = 0; i < 2 * PeerClock::kWindow; ++i) clock.add({100, 150, 0, 60});  // held for longer than it took
   EXPECT_FALSE(clock.offset());
 }
 
-TEST(PeerClock, ALaterWindowMayOnlyImproveTheOffset) {
+TEST(PeerClock, LaterWindowMayOnlyImproveTheOffset) {
   PeerClock clock;
   for (const std::int64_t way : {100, 10, 50})
     for (int i = 0; i < PeerClock::kWindow; ++i) clock.add(trip(i, way, way, 0, way));
@@ -59,14 +59,14 @@ TEST(PeerClock, ALaterWindowMayOnlyImproveTheOffset) {
   EXPECT_EQ(clock.offset()->ns, 10);
 }
 
-/// Processes that take 15 s to be ready: the offset that was known at first is that of another time.
-TEST(PeerClock, AnOldOffsetGivesWayToANewer) {
+/// Processes may take 15 s to be ready: the first offset is then out of date.
+TEST(PeerClock, OldOffsetIsReplaced) {
   PeerClock clock;
   const auto window = [&clock](std::int64_t at, std::int64_t offset, std::int64_t way) {
     for (int i = 0; i < PeerClock::kWindow; ++i) clock.add(trip(at, offset, way, 0, way));
   };
   window(0, 0, 50'000);
-  window(1'000'000'000, 50'000, 200'000);  // it may have moved by 100 us, and is better known for all that
+  window(1'000'000'000, 50'000, 200'000);  // it may have moved by 100 us, but is still known better
   EXPECT_EQ(clock.offset()->error_ns, 50'000);
   window(15'000'000'000, 1'500'000, 200'000);
   EXPECT_EQ(clock.offset()->ns, 1'500'000);
@@ -86,12 +86,12 @@ TEST(PeerClock, DriftIsCertainBeyondBothErrorsOnly) {
   EXPECT_EQ(clock.worst_drift_ns(), 0);
   window(1030, 25);
   EXPECT_EQ(clock.worst_drift_ns(), 30);
-  EXPECT_EQ(clock.certain_drift_ns(), 0) << "30 apart, but known to 10 and 25 only";
+  EXPECT_EQ(clock.certain_drift_ns(), 0) << "30 apart, but with errors of 10 and 25";
   window(940, 15);
   EXPECT_EQ(clock.worst_drift_ns(), 60);
   EXPECT_EQ(clock.certain_drift_ns(), 35);
   window(1000, 10);
-  EXPECT_EQ(clock.certain_drift_ns(), 35) << "the worst is kept";
+  EXPECT_EQ(clock.certain_drift_ns(), 35) << "the worst value is kept";
   EXPECT_EQ(clock.offset()->ns, 1000);
 }
 

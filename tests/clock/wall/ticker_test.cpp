@@ -25,7 +25,7 @@ void delay_until(std::int64_t ns) {
   }
 }
 
-TEST(Ticker, EveryTickIsReturnedOrCountedAsMissedOnAGridThatStays) {
+TEST(Ticker, ReturnsOrCountsEveryTickOnAFixedGrid) {
   const std::int64_t epoch = monotonic_ns() + 2 * kPeriod;
   Ticker ticker(epoch, kPeriod);
   Tick last = ticker.wait_next();
@@ -34,7 +34,7 @@ TEST(Ticker, EveryTickIsReturnedOrCountedAsMissedOnAGridThatStays) {
   EXPECT_EQ(last, ticker.missed());  // the grid begins with tick 0
   for (int i = 0; i < 60; ++i) {
     const std::uint64_t missed = ticker.missed();
-    // a tick that overruns four periods and a little: at least three are lost whole
+    // a tick that overruns four periods and a little: at least three are lost entirely
     const bool overrun = i % 20 == 10;
     if (overrun) delay_until(epoch + static_cast<std::int64_t>(last) * kPeriod + kPeriod * 201 / 50);
     const auto present = static_cast<Tick>((monotonic_ns() - epoch) / kPeriod);
@@ -55,11 +55,11 @@ TEST(Ticker, EveryTickIsReturnedOrCountedAsMissedOnAGridThatStays) {
   EXPECT_GE(ticker.execution().max(), static_cast<std::uint64_t>(3 * kPeriod));
 }
 
-TEST(Ticker, MadeAfterTheEpochItBeginsWithTheNextTick) {
+TEST(Ticker, BeginsWithTheNextTickAfterTheEpoch) {
   const std::int64_t epoch = monotonic_ns() - 100 * kPeriod;
   Ticker ticker(epoch, kPeriod);
   EXPECT_GE(ticker.wait_next(), 101U);
-  EXPECT_LT(ticker.missed(), 100U);  // those before it was made are none of its own
+  EXPECT_LT(ticker.missed(), 100U);  // ticks before its construction do not count
 }
 
 TEST(Histogram, IsEmptyAtFirst) {
@@ -69,7 +69,7 @@ TEST(Histogram, IsEmptyAtFirst) {
   EXPECT_EQ(histogram.percentile(0.5), 0U);
 }
 
-RC_GTEST_PROP(Histogram, APercentileIsAtMostOneSixteenthTooLarge, ()) {
+RC_GTEST_PROP(Histogram, PercentileIsAtMostOneSixteenthTooLarge, ()) {
   const auto values = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::int64_t>>(
       rc::gen::withSize([](int size) { return rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << (size % 40)); })));
   const double p = *rc::gen::element(0.01, 0.5, 0.99, 1.0);
@@ -84,7 +84,7 @@ RC_GTEST_PROP(Histogram, APercentileIsAtMostOneSixteenthTooLarge, ()) {
   RC_ASSERT(histogram.max() == static_cast<std::uint64_t>(sorted.back()));
 }
 
-TEST(Realtime, EitherItIsGrantedOrTheWarningSaysWhatIsMissing) {
+TEST(Realtime, IsGrantedOrWarnsWhatIsMissing) {
   Child asking([] {
     const std::string warning = request_realtime(10);
     const bool fifo = ::sched_getscheduler(0) == SCHED_FIFO;

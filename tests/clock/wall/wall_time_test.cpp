@@ -32,7 +32,7 @@ TEST(Paced, NoTickBeginsBeforeItsTime) {
     EXPECT_GE(begun[k], epoch + static_cast<std::int64_t>(k) * 1'000'000) << "tick " << k;
 }
 
-TEST(Paced, AnOverrunIsCountedAndNoTickIsLost) {
+TEST(Paced, CountsAnOverrunAndLosesNoTick) {
   ThreadDeployment deployment({"a"}, with(Mode::paced, 0.001));
   std::vector<Tick> ticks;
   deployment.add("a", [&ticks](Clock& clock) {
@@ -122,7 +122,7 @@ TEST(Real, EarlyMailOpensNoBarrierAndIsFoundByTheFirstWait) {
   deployment.join();
 }
 
-TEST(Real, EventsRunInTheirTurnAndNotBeforeTheirTime) {
+TEST(Real, EventsRunInOrderAndNotBeforeTheirTime) {
   ThreadDeployment deployment({"a"}, with(Mode::real, 0.001));
   std::vector<Tick> scheduled;
   deployment.add("a", [](Clock& clock) { EXPECT_EQ(clock.wait(kNever), Wake::interrupted); });

@@ -25,7 +25,7 @@ inline AxisParameters axis(const std::string& name, double coarse, double fine) 
   return parameters;
 }
 
-/// A robot of three axes, the last without a switch; line 1 of every table is that of its EDS file.
+/// A robot of three axes, the last one without a switch; line 1 of every table names its EDS file.
 class DriveTableTest : public testing::Test {
  protected:
   DriveTableTest() {
@@ -37,7 +37,7 @@ class DriveTableTest : public testing::Test {
   static std::string drive(const std::string& name, int node, const std::string& more = "") {
     return "[[drives]]\naxis = '" + name + "'\nnode = " + std::to_string(node) + "\nrated_current = 10\n" + more;
   }
-  /// Lines 3 and following are `general`, then comes the first drive with `first` at its end.
+  /// Lines 3 and following are `general`; the first drive follows, with `first` at its end.
   static std::string table(const std::string& general = "", const std::string& first = "",
                            const std::string& mode = "position") {
     return "eds = 'drive.eds'\nmode = '" + mode + "'\n" + general + drive("column", 1, first) + drive("arm", 2) +

@@ -3,7 +3,7 @@
 namespace mrroc::config {
 namespace {
 
-TEST_F(DriveTableTest, RefusesASlipInAKeyFirst) {
+TEST_F(DriveTableTest, ReportsAMisspeltKeyFirst) {
   EXPECT_EQ(message(table("heartbeet = 0.1\n")),
             "crane_drives.toml:3: heartbeet: unknown key, did you mean 'heartbeat'?");
   EXPECT_EQ(message(table("", "nod = 4\n")), "crane_drives.toml:7: drives[0].nod: unknown key, did you mean 'node'?");
@@ -16,7 +16,7 @@ TEST_F(DriveTableTest, RefusesASlipInAKeyFirst) {
       "'velocity_units_per_turn'");
 }
 
-TEST_F(DriveTableTest, RefusesWhatIsMissing) {
+TEST_F(DriveTableTest, RefusesMissingKeys) {
   EXPECT_EQ(message(""), "crane_drives.toml:1: mode: missing, expected 'position', 'velocity' or 'torque'");
   EXPECT_EQ(message("mode = 'position'\n"), "crane_drives.toml:1: eds: missing, expected a text");
   EXPECT_EQ(message("eds = 'drive.eds'\nmode = 'position'\n"),
@@ -33,22 +33,23 @@ TEST_F(DriveTableTest, RefusesWhatIsMissing) {
             "crane_drives.toml:3: drives[0].position_gain: missing, expected a number from 0 to 10000");
 }
 
-TEST_F(DriveTableTest, RefusesWordsItDoesNotKnow) {
+TEST_F(DriveTableTest, RefusesUnknownWords) {
   EXPECT_EQ(message(table("", "", "speed")),
             "crane_drives.toml:2: mode: unknown value 'speed', expected 'position', 'velocity' or 'torque'");
   EXPECT_EQ(message(table("set_points = 'later'\n")),
             "crane_drives.toml:3: set_points: unknown value 'later', expected 'at sync' or 'at once'");
 }
 
-TEST_F(DriveTableTest, RefusesNumbersThatMakeNoSense) {
+TEST_F(DriveTableTest, RefusesInvalidNumbers) {
   EXPECT_EQ(message(table("master = 128\n")),
             "crane_drives.toml:3: master: 128 is out of range, expected an integer from 1 to 127");
   EXPECT_EQ(message(table("heartbeat = 11\n")),
             "crane_drives.toml:3: heartbeat: 11 is out of range, expected a number from 0 to 10");
   EXPECT_EQ(message(table("heartbeat = 0.01\n")),
             "crane_drives.toml:3: heartbeat: 0.01 s is below a servo period, expected 0.02 to 10 s");
-  EXPECT_EQ(message(table("heartbeat = 0\n")),
-            "crane_drives.toml:3: heartbeat: 0, but without it drives run on when the EDP dies, expected 0.02 to 10 s");
+  EXPECT_EQ(
+      message(table("heartbeat = 0\n")),
+      "crane_drives.toml:3: heartbeat: 0, but without it drives continue when the EDP dies, expected 0.02 to 10 s");
   EXPECT_EQ(message(table("answer_time = 1\n")),
             "crane_drives.toml:3: answer_time: 1 is out of range, expected a number from 0.05 to 0.9");
   EXPECT_EQ(message(table("missed_max = -1\n")),
@@ -70,10 +71,12 @@ TEST_F(DriveTableTest, RefusesNumbersThatMakeNoSense) {
             "of the drive, expected at least 0.053 rad/s, or finer units");
   EXPECT_EQ(message(table("", "velocity_units_per_turn = 60\n")), "");
   EXPECT_EQ(message(table("", "homing_method = 0\n")),
-            "crane_drives.toml:7: drives[0].homing_method: 0 is none of CiA 402, expected 1 to 14, 17 to 30, 33 to 35, "
+            "crane_drives.toml:7: drives[0].homing_method: 0 is not a homing method of CiA 402, expected 1 to 14, 17 "
+            "to 30, 33 to 35, "
             "37, or one of the maker's own below 0");
   EXPECT_EQ(message(table("", "homing_method = 38\n")),
-            "crane_drives.toml:7: drives[0].homing_method: 38 is none of CiA 402, expected 1 to 14, 17 to 30, 33 to "
+            "crane_drives.toml:7: drives[0].homing_method: 38 is not a homing method of CiA 402, expected 1 to 14, 17 "
+            "to 30, 33 to "
             "35, 37, or one of the maker's own below 0");
   EXPECT_EQ(message(table("", "homing_method = 300\n")),
             "crane_drives.toml:7: drives[0].homing_method: 300 is out of range, expected an integer from -128 to 127");
@@ -92,26 +95,26 @@ TEST_F(DriveTableTest, RefusesNumbersThatMakeNoSense) {
             "crane_drives.toml:7: drives[0].reversed: 'yes' is a text, expected true or false");
 }
 
-TEST_F(DriveTableTest, ARatedCurrentInMilliamperesIsFoundOut) {
+TEST_F(DriveTableTest, DetectsARatedCurrentInMilliamperes) {
   const auto with = [&](const std::string& current) {
     return message("eds = 'drive.eds'\nmode = 'position'\n[[drives]]\naxis = 'column'\nnode = 1\nrated_current = " +
                    current + "\n" + drive("arm", 2) + drive("belt", 3));
   };
   EXPECT_EQ(with("7.5"), "");
   EXPECT_EQ(with("7500"),
-            "crane_drives.toml:6: drives[0].rated_current: 7500 A does not go with current_max 15 A of the axis, "
+            "crane_drives.toml:6: drives[0].rated_current: 7500 A does not fit current_max 15 A of the axis, "
             "expected a number from 0.46875 to 1500 (A, not mA)");
   EXPECT_EQ(with("0.1"),
-            "crane_drives.toml:6: drives[0].rated_current: 0.1 A does not go with current_max 15 A of the axis, "
+            "crane_drives.toml:6: drives[0].rated_current: 0.1 A does not fit current_max 15 A of the axis, "
             "expected a number from 0.46875 to 1500 (A, not mA)");
   EXPECT_EQ(with("0"),
             "crane_drives.toml:6: drives[0].rated_current: 0 is out of range, expected a number from 0.001 to 10000");
 }
 
-TEST_F(DriveTableTest, RefusesNodesThatAreTaken) {
+TEST_F(DriveTableTest, RefusesNodesInUse) {
   const std::string head = "eds = 'drive.eds'\nmode = 'position'\n";
   EXPECT_EQ(message(head + drive("column", 1) + drive("arm", 2) + drive("belt", 1)),
-            "crane_drives.toml:13: drives[2].node: 1 is the node of the drive of 'column', expected a node of its own");
+            "crane_drives.toml:13: drives[2].node: 1 is the node of the drive of 'column', expected a unique node");
   EXPECT_EQ(message(head + drive("column", 1) + drive("arm", 2) + drive("belt", 127)),
             "crane_drives.toml:13: drives[2].node: 127 is the master's, expected another one, or another 'master' of "
             "the table");
@@ -124,7 +127,7 @@ TEST_F(DriveTableTest, RefusesNodesThatAreTaken) {
             "crane_drives.toml:5: drives[0].node: 0 is out of range, expected an integer from 1 to 127");
 }
 
-TEST_F(DriveTableTest, RefusesDrivesThatAreNotOnePerAxis) {
+TEST_F(DriveTableTest, RefusesOtherThanOneDrivePerAxis) {
   const std::string head = "eds = 'drive.eds'\nmode = 'position'\n";
   EXPECT_EQ(message(head + drive("column", 1) + drive("arm", 2)),
             "crane_drives.toml:3: drives: no drive of axis 'belt', expected one for each axis");
@@ -134,7 +137,7 @@ TEST_F(DriveTableTest, RefusesDrivesThatAreNotOnePerAxis) {
             "crane_drives.toml:4: drives[0].axis: unknown value 'colum', expected 'column', 'arm' or 'belt'");
 }
 
-TEST_F(DriveTableTest, RefusesEdsFilesThatDoNotFit) {
+TEST_F(DriveTableTest, RefusesUnsuitableEdsFiles) {
   EXPECT_EQ(
       message(table().replace(7, 9, "other.eds")),
       "crane_drives.toml:1: eds: 'other.eds' is not there, expected an EDS file beside this one, or 'cia402.eds'");
@@ -155,14 +158,16 @@ TEST_F(DriveTableTest, RefusesEdsFilesThatDoNotFit) {
             "its PDOs");
 }
 
-TEST_F(DriveTableTest, RefusesSettingsThatNoDriveWouldTake) {
+TEST_F(DriveTableTest, RefusesInvalidSettings) {
   const auto with = [&](const std::string& setting) { return message(table("[objects]\n" + setting + "\n")); };
-  EXPECT_EQ(with("'Maxi torque' = 1"),
-            "crane_drives.toml:4: objects.'Maxi torque': 'Maxi torque' is no object of the EDS file, expected a name "
-            "of it or an address like 0x6040 or 0x1018:1");
+  EXPECT_EQ(
+      with("'Maxi torque' = 1"),
+      "crane_drives.toml:4: objects.'Maxi torque': 'Maxi torque' is not an object of the EDS file, expected a name "
+      "of it or an address like 0x6040 or 0x1018:1");
   EXPECT_EQ(
       with("'torque' = 1"),
-      "crane_drives.toml:4: objects.torque: 'torque' is no object of the EDS file, expected a name of it (Max torque, "
+      "crane_drives.toml:4: objects.torque: 'torque' is not an object of the EDS file, expected a name of it (Max "
+      "torque, "
       "Motor rated torque, Target torque, Torque actual value, Torque offset) or an address like 0x6040 or 0x1018:1");
   EXPECT_EQ(
       with("'0x5fff' = 1"),
@@ -180,7 +185,7 @@ TEST_F(DriveTableTest, RefusesSettingsThatNoDriveWouldTake) {
             "motor_synchro of the robot's axis, expected an object that it leaves alone");
 }
 
-TEST_F(DriveTableTest, RefusesSettingsThatTheEdpWritesItself) {
+TEST_F(DriveTableTest, RefusesSettingsThatTheEdpWrites) {
   const auto with = [&](const std::string& object) { return message(table("[objects]\n'" + object + "' = 1\n")); };
   EXPECT_EQ(with("Modes of operation"),
             "crane_drives.toml:4: objects.'Modes of operation': is written by the EDP itself, from the key 'mode', "
@@ -201,7 +206,8 @@ TEST_F(DriveTableTest, RefusesSettingsThatTheEdpWritesItself) {
   EXPECT_EQ(with("Home offset"),
             "crane_drives.toml:4: objects.'Home offset': is written by the EDP itself, as 0, and adds "
             "motor_synchro of the robot's axis, expected an object that it leaves alone");
-  EXPECT_EQ(message(table("absolute_encoders = true\n[objects]\n'Home offset' = 1\n")), "") << "it is the drive's own";
+  EXPECT_EQ(message(table("absolute_encoders = true\n[objects]\n'Home offset' = 1\n")), "")
+      << "the drive's own setting";
   EXPECT_EQ(with("Homing method"),
             "crane_drives.toml:4: objects.'Homing method': is written by the EDP itself, from the drive's key "
             "'homing_method', expected an object that it leaves alone");

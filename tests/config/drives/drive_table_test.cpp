@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using canopen::DriveMode;
 using canopen::Object;
 
-TEST_F(DriveTableTest, MostMayBeLeftOut) {
+TEST_F(DriveTableTest, MostKeysAreOptional) {
   const DriveTable drives = read(table());
   EXPECT_EQ(drives.file, scratch_.path() / "crane_drives.toml");
   EXPECT_EQ(drives.mode, DriveMode::cyclic_position);
@@ -68,7 +68,7 @@ TEST_F(DriveTableTest, ReadsEveryKey) {
   EXPECT_EQ(belt.homing.speed_zero, 1.5);
 }
 
-TEST_F(DriveTableTest, HomingIsThatOfTheAxisUnlessTold) {
+TEST_F(DriveTableTest, HomingDefaultsToThatOfTheAxis) {
   const DriveTable drives = read(table());
   EXPECT_EQ(drives.drives[0].homing.method, 5);  // its switch is closed up to the negative end
   EXPECT_EQ(drives.drives[0].homing.speed_switch, 15);
@@ -76,12 +76,13 @@ TEST_F(DriveTableTest, HomingIsThatOfTheAxisUnlessTold) {
   EXPECT_EQ(drives.drives[1].homing.method, 3);
   EXPECT_EQ(drives.drives[1].homing.speed_switch, 20);
   EXPECT_EQ(drives.drives[1].homing.speed_zero, 2);
-  EXPECT_EQ(drives.drives[2].homing.method, 0) << "without a switch it has none";
+  EXPECT_EQ(drives.drives[2].homing.method, 0) << "without a switch it has no method";
   EXPECT_EQ(read(table("", "homing_method = -3\n")).drives[0].homing.method, -3);
-  EXPECT_EQ(read(table("", "reversed = true\n")).drives[0].homing.method, 3) << "methods are of the drive's counting";
+  EXPECT_EQ(read(table("", "reversed = true\n")).drives[0].homing.method, 3)
+      << "methods follow the drive's direction of counting";
 }
 
-TEST_F(DriveTableTest, ALoopThatTheEdpClosesGetsItsSetPointsAtOnce) {
+TEST_F(DriveTableTest, LoopClosedByTheEdpGetsItsSetPointsAtOnce) {
   EXPECT_FALSE(read(table("", "", "torque")).target_at_sync);
   EXPECT_TRUE(read(table("set_points = 'at sync'\n", "", "torque")).target_at_sync);
 }
@@ -103,12 +104,12 @@ TEST_F(DriveTableTest, SettingsAreNamedAsInTheEdsFileOrByAddress) {
   EXPECT_EQ(own[3].object, (Object{0x607d, 1}));
   EXPECT_EQ(own[3].value, -900);
   EXPECT_EQ(own[4].object, (Object{0x607d, 2}));
-  EXPECT_EQ(own[5].object, (Object{0x6072}));  // the drive's own comes last and holds
+  EXPECT_EQ(own[5].object, (Object{0x6072}));  // the drive's own comes last and takes effect
   EXPECT_EQ(own[5].value, 800);
   EXPECT_EQ(drives.drives[1].settings.size(), 2u);
 }
 
-TEST_F(DriveTableTest, DrivesComeInTheOrderOfTheAxes) {
+TEST_F(DriveTableTest, DrivesAreInTheOrderOfTheAxes) {
   const DriveTable drives =
       read("eds = 'drive.eds'\nmode = 'torque'\n" + drive("belt", 7) + drive("column", 9) + drive("arm", 8));
   ASSERT_EQ(drives.drives.size(), 3u);
@@ -117,7 +118,7 @@ TEST_F(DriveTableTest, DrivesComeInTheOrderOfTheAxes) {
   EXPECT_EQ(drives.drives[2].node, 7);
 }
 
-TEST_F(DriveTableTest, TheFrameworksEdsFileIsFoundInEveryShare) {
+TEST_F(DriveTableTest, FindsTheFrameworksEdsFileInEveryShare) {
   const task_test::ScratchFolder framework;
   framework.write("canopen/standard/general.eds", "");
   fs::copy_file(scratch_.path() / "drive.eds", framework.path() / "canopen/standard/general.eds",

@@ -24,7 +24,7 @@ class CanEntryTest : public DeploymentFixture {
   task_test::ScratchFolder scratch_;
 };
 
-TEST_F(CanEntryTest, RealDrivesAreThoseOfTheTypesTable) {
+TEST_F(CanEntryTest, RealDrivesUseTheTableOfTheType) {
   const Deployment deployment = load("interface = 'can0'\n");
   const RobotEntry& arm = deployment.robot("arm");
   ASSERT_TRUE(arm.can);
@@ -33,10 +33,10 @@ TEST_F(CanEntryTest, RealDrivesAreThoseOfTheTypesTable) {
   EXPECT_FALSE(arm.can->simulated);
   EXPECT_EQ(arm.can->program, "");
   EXPECT_FALSE(arm.in_world());
-  EXPECT_FALSE(arm.synchronised);  // its encoders count from where the power came on
+  EXPECT_FALSE(arm.synchronised);  // its encoders count from their position at power-on
 }
 
-TEST_F(CanEntryTest, SimulatedDrivesHaveAProgramAndMayBeBornSynchronised) {
+TEST_F(CanEntryTest, SimulatedDrivesHaveAProgramAndMayStartSynchronised) {
   const Deployment deployment = load("interface = 'can0'\nsimulated = true\n");
   const RobotEntry& arm = deployment.robot("arm");
   EXPECT_TRUE(arm.can->simulated);
@@ -46,7 +46,7 @@ TEST_F(CanEntryTest, SimulatedDrivesHaveAProgramAndMayBeBornSynchronised) {
   EXPECT_FALSE(load("interface = 'can0'\nsimulated = true\n", "synchronised = false\n").robot("arm").synchronised);
 }
 
-TEST_F(CanEntryTest, ALabHasATableOfItsOwn) {
+TEST_F(CanEntryTest, DeploymentMayHaveItsOwnTable) {
   scratch_.write("cell/cabinet.toml", "eds = '" MRROC_SOURCE_DIR
                                       "/src/canopen/cia402.eds'\nmode = 'torque'\nabsolute_encoders = true\n"
                                       "[[drives]]\naxis = 'column'\nnode = 11\nrated_current = 6\n");
@@ -55,19 +55,19 @@ TEST_F(CanEntryTest, ALabHasATableOfItsOwn) {
   EXPECT_TRUE(deployment.robot("arm").synchronised);
 }
 
-TEST_F(CanEntryTest, AMistakeInTheTableIsToldWithItsFile) {
+TEST_F(CanEntryTest, ReportsAnErrorInTheTableWithItsFile) {
   scratch_.write("cell/cabinet.toml", "eds = 'none.eds'\nmode = 'torque'\n");
   EXPECT_EQ(message_of(scratch_.path() / "cell", [&] { load("interface = 'can0'\ndrives = 'cabinet.toml'\n"); }),
             "cabinet.toml:1: eds: 'none.eds' is not there, expected an EDS file beside this one, or 'cia402.eds'");
 }
 
-TEST_F(CanEntryTest, AHubLiesBesideTheDeploymentFile) {
+TEST_F(CanEntryTest, HubIsBesideTheDeploymentFile) {
   EXPECT_EQ(load("interface = 'unix:hub'\n").robot("arm").can->interface,
             "unix:" + (scratch_.path() / "cell/hub").string());
   EXPECT_EQ(load("interface = 'unix:/run/hub'\n").robot("arm").can->interface, "unix:/run/hub");
 }
 
-TEST_F(CanEntryTest, TheDescriptionNamesBusAndDrives) {
+TEST_F(CanEntryTest, DescriptionNamesBusAndDrives) {
   const std::string text = replaced(
       replaced(describe(load("interface = 'can0'\nsimulated = true\n")), programs_.path().string(), "PROGRAMS"),
       MRROC_SOURCE_DIR, "SOURCE");
@@ -92,9 +92,9 @@ TEST_F(CanEntryTest, SimulatedDrivesCountAsProcesses) {
             "simulator), expected at most 60");
 }
 
-/// Every robot type of the project has a nominal table, with nodes from 1. Drives that only count must have switches to
-/// be synchronised by.
-TEST(RobotDrives, EveryTypeHasATableThatReads) {
+/// Every robot type of the project has a nominal table, with nodes from 1. Drives with incremental encoders need
+/// switches for the synchronisation.
+TEST(RobotDrives, EveryTypeHasAValidTable) {
   setenv("MRROC_SHARE", MRROC_BINARY_DIR "/share/mrroc", 1);
   EXPECT_GE(robot_types().size(), 8u);
   for (const std::string& type : robot_types()) {

@@ -28,7 +28,7 @@ class NamedFile : public testing::Test {
   Table deployment_ = Table::load(own_.write("deployment.toml", "program = 'any'\n"));
 };
 
-TEST_F(NamedFile, AProgramIsTakenFromTheFirstFolderThatHasIt) {
+TEST_F(NamedFile, FirstFolderWithTheProgramIsUsed) {
   const std::string common = add_program(own_, "common");
   add_program(framework_, "common");
   const std::string stock = add_program(framework_, "stock");
@@ -36,7 +36,7 @@ TEST_F(NamedFile, AProgramIsTakenFromTheFirstFolderThatHasIt) {
   EXPECT_EQ(find("stock"), stock);
 }
 
-TEST_F(NamedFile, EveryPlaceOfAMissingProgramIsNamed) {
+TEST_F(NamedFile, NamesEverySearchedFolderForAMissingProgram) {
   EXPECT_EQ(message_of(own_.path(), [this] { find("missing"); }),
             "deployment.toml:1: program: no program 'missing', expected the executable " +
                 (own_.path() / "missing").string() + " or " + (framework_.path() / "missing").string());

@@ -14,7 +14,7 @@ class SensorTypeTest : public testing::Test {
   SensorTypeTest() { setenv("MRROC_SHARE", scratch_.path().c_str(), 1); }
   ~SensorTypeTest() override { unsetenv("MRROC_SHARE"); }
 
-  /// The sensor that keys `text` give under the declarations `type_text`.
+  /// The sensor of the keys `text` under the declarations `type_text`.
   SensorEntry read(const std::string& type_text, const std::string& text = "") {
     scratch_.write("sensors/sonar/sonar.toml", type_text);
     SensorEntry sensor;
@@ -32,19 +32,19 @@ class SensorTypeTest : public testing::Test {
   task_test::ScratchFolder scratch_;
 };
 
-TEST_F(SensorTypeTest, ATypeMayHaveOtherTablesAndNoParameters) {
+TEST_F(SensorTypeTest, TypeMayHaveOtherTablesAndNoParameters) {
   const SensorEntry sensor = read("[other]\nkey = 1\n");
   EXPECT_TRUE(sensor.numbers.empty());
   EXPECT_TRUE(sensor.texts.empty());
 }
 
-TEST_F(SensorTypeTest, ADefaultFillsInAndAValueReplacesIt) {
+TEST_F(SensorTypeTest, ValueReplacesTheDefault) {
   const std::string type = "[parameters.range]\nkind = 'number'\ndefault = 4\nunit = 'm'\ntext = 'how far'\n";
   EXPECT_EQ(read(type).numbers.at("range"), std::vector<double>{4});
   EXPECT_EQ(read(type, "range = 2.5").numbers.at("range"), std::vector<double>{2.5});
 }
 
-TEST_F(SensorTypeTest, WithoutDefaultTheKeyIsRequired) {
+TEST_F(SensorTypeTest, KeyWithoutADefaultIsRequired) {
   EXPECT_EQ(message("[parameters.port]\nkind = 'text'\n"), "d.toml:1: port: missing, expected a text");
   EXPECT_EQ(message("[parameters.gain]\nkind = 'number'\nmin = 0\n"),
             "d.toml:1: gain: missing, expected a number of at least 0");
@@ -52,7 +52,7 @@ TEST_F(SensorTypeTest, WithoutDefaultTheKeyIsRequired) {
             "d.toml:1: offset: missing, expected an array of 6 numbers");
 }
 
-TEST_F(SensorTypeTest, WrongDeclarationsNameTheTypesFile) {
+TEST_F(SensorTypeTest, InvalidDeclarationsNameTheTypesFile) {
   const auto refused = [this](const std::string& keys) { return message("[parameters.a]\n" + keys, "a = 1"); };
   const std::string place = "sensors/sonar/sonar.toml:";
   EXPECT_EQ(refused(""), place + "1: parameters.a.kind: missing, expected 'number', 'numbers' or 'text'");
@@ -75,7 +75,7 @@ TEST_F(SensorTypeTest, WrongDeclarationsNameTheTypesFile) {
   EXPECT_EQ(message("parameters = 3"), place + "1: parameters: 3 is an integer, expected a table [parameters]");
 }
 
-TEST_F(SensorTypeTest, SourcesAreTheTypes) {
+TEST_F(SensorTypeTest, SourcesAreThoseOfTheType) {
   EXPECT_EQ(read("").sources, (std::vector<std::string>{"simulated", "replay"}));
   const SensorEntry camera = read("sources = ['hardware', 'simulated']\n");
   EXPECT_EQ(camera.sources, (std::vector<std::string>{"hardware", "simulated"}));
@@ -86,16 +86,15 @@ TEST_F(SensorTypeTest, SourcesAreTheTypes) {
   EXPECT_EQ(message("sources = []\n"), "sensors/sonar/sonar.toml:1: sources: none, expected at least one");
 }
 
-TEST_F(SensorTypeTest, ATypeSaysWhenItNeedsTheStateOfItsRobot) {
+TEST_F(SensorTypeTest, TypeDeclaresWhenItNeedsTheStateOfItsRobot) {
   const std::string mass = "[parameters.mass]\nkind = 'number'\ndefault = 0\n";
   EXPECT_FALSE(read(mass).wants_effector_state);
   EXPECT_TRUE(read("effector_state = true\n" + mass).wants_effector_state);
   EXPECT_FALSE(read("effector_state_with = 'mass'\n" + mass).wants_effector_state);
   EXPECT_TRUE(read("effector_state_with = 'mass'\n" + mass, "mass = 2").wants_effector_state);
-  EXPECT_EQ(
-      message("effector_state_with = 'mas'\n" + mass),
-      "sensors/sonar/sonar.toml:1: effector_state_with: 'mas' is no parameter of kind number, expected one of this "
-      "file");
+  EXPECT_EQ(message("effector_state_with = 'mas'\n" + mass),
+            "sensors/sonar/sonar.toml:1: effector_state_with: 'mas' is not a parameter of kind number, expected one of "
+            "this file");
 }
 
 TEST_F(SensorTypeTest, ChannelsAreDeclared) {
@@ -107,10 +106,9 @@ TEST_F(SensorTypeTest, ChannelsAreDeclared) {
   EXPECT_EQ(sensor.raw_channels[0].unit, "s");
   EXPECT_EQ(message("[[channels]]\nname = 'x'\n"),
             "sensors/sonar/sonar.toml:1: channels[0].unit: missing, expected a text");
-  EXPECT_EQ(
-      message(two + "[[channels]]\nname = 'x'\nunit = 's'\n"),
-      "sensors/sonar/sonar.toml:8: channels[2].name: 'x' is the name of an earlier channel, expected a name of its "
-      "own");
+  EXPECT_EQ(message(two + "[[channels]]\nname = 'x'\nunit = 's'\n"),
+            "sensors/sonar/sonar.toml:8: channels[2].name: 'x' is the name of an earlier channel, expected a unique "
+            "name");
 }
 
 }  // namespace

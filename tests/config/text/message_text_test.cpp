@@ -27,7 +27,7 @@ TEST(MessageText, AlternativesReadAsASentence) {
   EXPECT_EQ(alternatives({"a", "b", "c"}), "'a', 'b' or 'c'");
 }
 
-TEST(MessageText, EditDistanceCountsSlips) {
+TEST(MessageText, EditDistanceCountsTypingErrors) {
   EXPECT_EQ(edit_distance("", "abc"), 3u);
   EXPECT_EQ(edit_distance("abc", "abc"), 0u);
   EXPECT_EQ(edit_distance("hardware", "hardwear"), 2u);

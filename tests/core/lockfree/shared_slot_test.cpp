@@ -13,7 +13,7 @@
 namespace mrroc::clock {
 namespace {
 
-// large, so that loads and stores are mostly interrupted half-way
+// large, so that loads and stores are mostly interrupted half way
 using Value = std::array<std::uint64_t, 1000>;
 
 Value all(std::uint64_t number) {
@@ -22,7 +22,7 @@ Value all(std::uint64_t number) {
   return value;
 }
 
-/// Loads values until `done`; the number of torn ones and of those older than one before.
+/// Loads values until `done`; returns the number of torn values and of values older than one before.
 int watch(const core::SharedSlot<Value>& slot, const std::atomic<int>& done) {
   int wrong = 0;
   std::uint64_t newest = 0;
@@ -60,7 +60,7 @@ TEST(SharedSlot, IsEmptyUntilTheFirstStore) {
   EXPECT_EQ(slot.sequence(), 2U);
 }
 
-TEST(SharedSlot, ThreadsNeverSeeATornOrOlderValue) {
+TEST(SharedSlot, ThreadsNeverLoadATornOrOlderValue) {
   core::SharedSlot<Value> slot;
   std::vector<std::thread> readers;
   std::atomic<int> wrong{0};
@@ -72,7 +72,7 @@ TEST(SharedSlot, ThreadsNeverSeeATornOrOlderValue) {
   EXPECT_EQ(wrong.load(), 0);
 }
 
-TEST_F(SharedSlotOfProcesses, AReaderThatWasHeldUpInTheMiddleReadsAgain) {
+TEST_F(SharedSlotOfProcesses, InterruptedReaderReadsAgain) {
   Child reader([this] { memory_.wrong.store(watch(memory_.slot, memory_.done)); });
   for (std::uint64_t number = 1; number <= 200; ++number) {
     stray(200);
@@ -85,7 +85,7 @@ TEST_F(SharedSlotOfProcesses, AReaderThatWasHeldUpInTheMiddleReadsAgain) {
   EXPECT_EQ(memory_.wrong.load(), 0);
 }
 
-TEST_F(SharedSlotOfProcesses, NothingIsReadFromAWriterThatStandsStillInTheMiddle) {
+TEST_F(SharedSlotOfProcesses, LoadsNothingWhileAWriterIsStopped) {
   Child writer([this] {
     for (std::uint64_t number = 1;; ++number) memory_.slot.store(all(number));
   });

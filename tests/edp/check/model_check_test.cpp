@@ -12,7 +12,8 @@
 namespace mrroc::edp {
 namespace {
 
-/// motor = gear sin(joint): its dead centres are at a right angle either way. `Fault` makes it another transmission.
+/// motor = gear sin(joint): its dead centres are at plus and minus a right angle. `Fault` makes it another
+/// transmission.
 class SineModel final : public RobotModel {
  public:
   enum class Fault { none, stuck, other_way_back, turned_round };
@@ -67,7 +68,7 @@ std::string file_of(const Numbers& numbers) {
          "regulator_current_gain = 0.2\ntorque_constant = 0.1\nrotor_inertia = 0.001\nviscous_friction = 0.01\n";
 }
 
-/// What is wrong with a robot of these numbers and a gear of 10; a second model has `other_gear`.
+/// The error in a robot of these numbers and a gear of 10; a second model has `other_gear`.
 std::string mistake(const Numbers& numbers, SineModel::Fault fault = SineModel::Fault::none, double other_gear = 10) {
   const task_test::ScratchFolder scratch;
   const auto table = config::Table::load(scratch.write("swing.toml", file_of(numbers)));
@@ -77,27 +78,27 @@ std::string mistake(const Numbers& numbers, SineModel::Fault fault = SineModel::
   return config::message_of(scratch.path(), [&] { check_models(models, table); });
 }
 
-TEST(ModelCheck, NumbersThatGoTogetherPass) {
+TEST(ModelCheck, AcceptsConsistentNumbers) {
   EXPECT_EQ(mistake({}), "");
   EXPECT_EQ(mistake({.home = -0.9}), "");
   EXPECT_EQ(mistake({.position_min = -1.1, .position_max = 1.1, .motor_min = -9.9, .motor_max = 9.9}), "");
 }
 
-TEST(ModelCheck, HomeBeyondAMotorLimitIsRefused) {
+TEST(ModelCheck, RefusesHomeBeyondAMotorLimit) {
   const std::string message = mistake({.home = 0.5, .motor_max = 4});
   EXPECT_EQ(message.find("swing.toml:2: home: the motor of axis 'swing' is at 4.79"), 0U) << message;
   EXPECT_NE(message.find("rad there, expected a number from -9 to 4"), std::string::npos) << message;
 }
 
-TEST(ModelCheck, AMotorLimitThatTheTransmissionDoesNotReachIsRefused) {
+TEST(ModelCheck, RefusesAMotorLimitBeyondTheTransmission) {
   EXPECT_EQ(mistake({.motor_max = 12}).find("swing.toml:8: axes[0].motor_max: 12: no joint position belongs to the "),
             0U);
   EXPECT_EQ(mistake({.motor_min = -12}).find("swing.toml:7: axes[0].motor_min: -12: no joint position belongs to the "),
             0U);
-  EXPECT_EQ(mistake({.motor_max = HUGE_VAL}).find("swing.toml:8: axes[0].motor_max: "), 0U) << "a turn is too much";
+  EXPECT_EQ(mistake({.motor_max = HUGE_VAL}).find("swing.toml:8: axes[0].motor_max: "), 0U) << "one turn is too much";
 }
 
-TEST(ModelCheck, ADeadCentreWithinTheJointLimitsIsRefused) {
+TEST(ModelCheck, RefusesADeadCentreWithinTheJointLimits) {
   const std::string message = mistake({.position_max = 2.5});
   EXPECT_EQ(message.find("swing.toml:3: axes[0]: the transmission of model 'nominal' turns back within the limits: -"),
             0U)
@@ -106,27 +107,27 @@ TEST(ModelCheck, ADeadCentreWithinTheJointLimitsIsRefused) {
   EXPECT_NE(message.find("expected the sign of 10, as at home"), std::string::npos) << message;
 }
 
-TEST(ModelCheck, ATransmissionThatCannotBeInvertedOrChangesItsSignIsRefused) {
+TEST(ModelCheck, RefusesATransmissionThatIsNotInvertibleOrChangesSign) {
   EXPECT_EQ(mistake({}, SineModel::Fault::stuck),
             "swing.toml:2: home: the transmission of model 'nominal' cannot be inverted there, expected motors that "
             "move every joint");
   EXPECT_EQ(mistake({}, SineModel::Fault::turned_round).find("swing.toml:3: axes[0]: the transmission"), 0U);
 }
 
-TEST(ModelCheck, AModelThatIsNotItsOwnInverseIsRefused) {
+TEST(ModelCheck, RefusesAModelThatIsNotItsOwnInverse) {
   const std::string message = mistake({}, SineModel::Fault::other_way_back);
   EXPECT_EQ(message.find("swing.toml:7: axes[0].motor_min: -9: the joints give other motor positions back at "), 0U)
       << message;
 }
 
-TEST(ModelCheck, AJointLimitOutOfTheMotorsReachIsRefused) {
+TEST(ModelCheck, RefusesAJointLimitBeyondTheMotors) {
   EXPECT_EQ(mistake({.motor_max = 8}),
             "swing.toml:6: axes[0].position_max: 1 is out of the motors' reach, expected a position that some posture "
             "has within motor_min and motor_max");
   EXPECT_EQ(mistake({.motor_min = -8}).find("swing.toml:5: axes[0].position_min: -1 is out of the motors' reach"), 0U);
 }
 
-TEST(ModelCheck, EveryModelIsLookedAt) {
+TEST(ModelCheck, ChecksEveryModel) {
   EXPECT_EQ(mistake({}, SineModel::Fault::none, 9.5), "");
   const std::string limit = mistake({}, SineModel::Fault::none, 8.5);
   EXPECT_EQ(limit.find("swing.toml:7: axes[0].motor_min: -9: no joint position belongs to the motor at -8."), 0U)

@@ -13,8 +13,7 @@
 #include "edp/every_robot.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-// every number of every robot's parameter file, made wrong: what an EDP reads and checks at its start refuses it by
-// name
+// Each number of every robot's parameter file is made invalid: the checks of an EDP's start refuse it by name.
 namespace mrroc::edp {
 namespace {
 
@@ -27,7 +26,7 @@ Lines lines_of(const std::filesystem::path& file) {
   return lines;
 }
 
-/// One robot's file, and what is wrong with it when lines of it are others.
+/// One robot's file, and the errors when lines of it are replaced.
 class RobotFile {
  public:
   explicit RobotFile(const KnownRobot& robot) : robot_(robot), lines_(lines_of(robot.file("toml"))) {}
@@ -53,14 +52,14 @@ class RobotFile {
   Lines lines_;
 };
 
-/// `key = number` and where it is.
+/// `key = number` and its location.
 struct Entry {
   std::size_t line;
   std::string key;
   std::string value;
 };
 
-/// Entries whose values match `pattern`, but for what only describe.py reads.
+/// Entries whose values match `pattern`, except those that only describe.py reads.
 std::vector<Entry> entries(const Lines& lines, const std::string& pattern) {
   const std::regex entry("^(\\w+) = (" + pattern + ").*");
   std::vector<Entry> found;
@@ -88,13 +87,13 @@ class RobotFiles : public testing::TestWithParam<KnownRobot> {
   const RobotFile file_{GetParam()};
 };
 
-TEST_P(RobotFiles, AsTheyAreTheyPassAndSoDoTheirDescriptions) {
+TEST_P(RobotFiles, UnchangedFilesAndTheirDescriptionsAreValid) {
   EXPECT_EQ(file_.mistake(file_.lines()), "");
   EXPECT_NO_THROW(check_robot(GetParam().load(GetParam().file("toml")), GetParam().type,
                               config::robot_files(GetParam().type, GetParam().file("toml"))));
 }
 
-TEST_P(RobotFiles, NoNumberMayBeLeftOut) {
+TEST_P(RobotFiles, NoNumberMayBeMissing) {
   const std::vector<std::string> optional{"current_max_time", "encoder_increments", "regulator_output_max",
                                           "stuck_current", "stuck_max"};
   int numbers = 0;
@@ -110,7 +109,7 @@ TEST_P(RobotFiles, NoNumberMayBeLeftOut) {
   EXPECT_GT(numbers, 15);
 }
 
-TEST_P(RobotFiles, NoNumberMayBeNoNumber) {
+TEST_P(RobotFiles, NoNumberMayBeNan) {
   for (const Entry& entry : entries(file_.lines(), kNumber)) {
     for (const char* wrong : {"nan", "\"1\"", "[1.0]"}) {
       EXPECT_TRUE(names(file_.with(entry.line, entry.key + " = " + wrong), entry)) << wrong;
@@ -139,7 +138,7 @@ TEST_P(RobotFiles, ArraysHaveTheirSizeAndNumbers) {
   EXPECT_GE(arrays, 1);
 }
 
-TEST_P(RobotFiles, AGearIsNotZero) {
+TEST_P(RobotFiles, GearIsNotZero) {
   int gears = 0;
   for (const Entry& entry : entries(file_.lines(), kNumber + "|" + kNumbers)) {
     if (entry.key.find("gear") == std::string::npos) continue;
@@ -164,12 +163,12 @@ TEST_P(RobotFiles, LimitsDoNotCross) {
     crossed[high.line] = high.key + " = " + (low.value == "-inf" ? "-1.0" : low.value);
     EXPECT_TRUE(names(file_.mistake(crossed), high));
     crossed[high.line] = high.key + " = " + (high.value == "inf" ? "1.0" : high.value);
-    EXPECT_TRUE(names(file_.mistake(crossed), high)) << "no room between them";
+    EXPECT_TRUE(names(file_.mistake(crossed), high)) << "no range between them";
   }
   EXPECT_EQ(pairs, 2 * GetParam().load(GetParam().file("toml")).front()->joint_count());
 }
 
-TEST_P(RobotFiles, PositionsOutsideTheirLimitsAreRefused) {
+TEST_P(RobotFiles, RefusesPositionsOutsideTheirLimits) {
   const auto models = GetParam().load(GetParam().file("toml"));
   const RobotParameters& parameters = models.front()->parameters();
   const auto found = entries(file_.lines(), kNumber + "|" + kNumbers);

@@ -12,7 +12,7 @@
 namespace mrroc::edp {
 namespace {
 
-/// What is wrong with the URDF of a robot when the first `from` in it is `to`.
+/// The errors in the URDF of a robot when the first `from` in it is replaced by `to`.
 std::string mistake(const std::string& type, const std::string& from, const std::string& to) {
   const auto robots = every_robot();
   const auto robot = std::find_if(robots.begin(), robots.end(), [&type](const auto& r) { return r.type == type; });
@@ -31,7 +31,7 @@ testing::AssertionResult has(const std::string& message, const std::vector<std::
   return testing::AssertionSuccess();
 }
 
-TEST(UrdfCheck, ALengthOfAnotherMachineIsRefusedWithBothPositionsAndThePosture) {
+TEST(UrdfCheck, RefusesAWrongLengthWithBothPositionsAndThePosture) {
   const std::string message = mistake("irb6", "xyz=\"0.67 0 0\"", "xyz=\"0.6702 0 0\"");
   EXPECT_TRUE(has(message, {"r.urdf:", ": link 'flange': is at (", " m, the model has it at (", ", 0.0002 m and ",
                             " rad apart, at joints (0, -1.74778, 0.476819, -0.299834, 4.71239, 1.5708)",
@@ -41,20 +41,20 @@ TEST(UrdfCheck, ALengthOfAnotherMachineIsRefusedWithBothPositionsAndThePosture) 
                   {"link 'flange'", "2e-06 m"}));
 }
 
-TEST(UrdfCheck, AToolThatIsNotTheDefaultOneIsRefused) {
+TEST(UrdfCheck, RefusesAToolThatIsNotTheDefaultOne) {
   EXPECT_TRUE(has(mistake("irb6", "xyz=\"0 0 0.16\"", "xyz=\"0 0 0.15\""), {"link 'tool_frame'", "0.01 m and "}));
   EXPECT_TRUE(has(mistake("two_finger_gripper", "xyz=\"0 0 0.125\"", "xyz=\"0 0 0.126\""), {"link 'tool_frame'"}));
   EXPECT_TRUE(has(mistake("conveyor", "xyz=\"1 0 0\"", "xyz=\"1 0.001 0\""), {"link 'tool_frame'"}));
 }
 
-TEST(UrdfCheck, AnAxisThatTurnsTheOtherWayIsRefused) {
+TEST(UrdfCheck, RefusesAnAxisWithTheWrongDirection) {
   EXPECT_TRUE(
       has(mistake("irb60", "<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 -1\"/>"), {"link 'flange'", " rad apart"}));
   EXPECT_TRUE(
       has(mistake("irb6_five_axis", "<axis xyz=\"0 1 0\"/>", "<axis xyz=\"0 1 0.001\"/>"), {"link 'tool_frame'"}));
 }
 
-TEST(UrdfCheck, AJointThatIsMissingOrCannotMoveIsRefused) {
+TEST(UrdfCheck, RefusesAJointThatIsMissingOrCannotMove) {
   EXPECT_EQ(mistake("irb6", "<joint name=\"tool_roll\"", "<joint name=\"roll\""),
             "r.urdf: no joint 'tool_roll', expected one for every axis");
   EXPECT_TRUE(
@@ -62,7 +62,7 @@ TEST(UrdfCheck, AJointThatIsMissingOrCannotMoveIsRefused) {
           {"r.urdf:", "joint 'tool_roll': is fixed, expected a joint that moves"}));
 }
 
-TEST(UrdfCheck, LimitsThatDisagreeAreRefused) {
+TEST(UrdfCheck, RefusesLimitsThatDisagree) {
   EXPECT_TRUE(has(mistake("irb6", "lower=\"-2.94\"", "lower=\"-2.95\""),
                   {"joint 'column': lower -2.95, expected the axis's -2.94"}));
   EXPECT_TRUE(has(mistake("irb6", "upper=\"2.93\"", ""), {"joint 'tool_roll': upper 0, expected the axis's 2.93"}));
@@ -77,13 +77,13 @@ TEST(UrdfCheck, LimitsThatDisagreeAreRefused) {
                   {"joint 'belt': lower 1e+09, expected the axis's -inf"}));
 }
 
-TEST(UrdfCheck, AFingerThatDoesNotFollowIsRefused) {
+TEST(UrdfCheck, RefusesAFingerThatDoesNotFollow) {
   EXPECT_TRUE(has(mistake("two_finger_gripper", "multiplier=\"0.5\"", "multiplier=\"0.4\""), {"link 'tool_frame'"}));
   EXPECT_TRUE(has(mistake("two_finger_gripper", "<mimic joint=\"opening\" multiplier=\"0.5\" offset=\"0\"/>", ""),
-                  {"joint 'centring': nothing says where it is"}));
+                  {"joint 'centring': its position is not determined"}));
 }
 
-TEST(UrdfCheck, LoopsThatDoNotCloseAreRefused) {
+TEST(UrdfCheck, RefusesLoopsThatDoNotClose) {
   EXPECT_EQ(mistake("serial_parallel", "xyz=\"0 -0.05 0\"", "xyz=\"0 -0.05 0.0\""), "");
   EXPECT_TRUE(has(mistake("serial_parallel", "xyz=\"0 -0.05 0\"", "xyz=\"0 -0.051 0\""), {"link 'flange'", "0.001 m"}));
   EXPECT_TRUE(
@@ -91,10 +91,10 @@ TEST(UrdfCheck, LoopsThatDoNotCloseAreRefused) {
           {"link 'head_b': is at (", "link 'joint_b', to which it is joined, at (", "0.001 m apart, at joints ("}));
   EXPECT_TRUE(has(mistake("serial_parallel", "xyz=\"0.086 0 0\"", "xyz=\"0.087 0 0\""), {"link 'head_b'"}));
   EXPECT_TRUE(has(mistake("serial_parallel", "<joint name=\"lean_a\"", "<joint name=\"lean\""),
-                  {"joint 'lean': nothing says where it is"}));
+                  {"joint 'lean': its position is not determined"}));
 }
 
-TEST(UrdfCheck, AUrdfWithNothingToCompareIsRefused) {
+TEST(UrdfCheck, RefusesAUrdfWithNothingToCompare) {
   const task_test::ScratchFolder scratch;
   std::string text =
       changed_file(every_robot().front().file("urdf"), "<link name=\"tool_frame\"/>", "<link name=\"mark\"/>");

@@ -58,7 +58,7 @@ std::string mistake(const std::string& text) {
   return config::message_of(scratch.path(), [&] { Urdf::load(file); });
 }
 
-TEST(Urdf, KnowsItsJoints) {
+TEST(Urdf, ReadsItsJoints) {
   const Urdf urdf = load(kCrane);
   EXPECT_TRUE(urdf.has_link("weight"));
   EXPECT_FALSE(urdf.has_link("turn"));
@@ -73,7 +73,7 @@ TEST(Urdf, KnowsItsJoints) {
   EXPECT_EQ(turn->velocity, 0.5);
   EXPECT_FALSE(turn->mimic);
   EXPECT_EQ(urdf.joint("reach")->lower, 0);
-  EXPECT_EQ(urdf.joint("back")->axis, Eigen::Vector3d::UnitX()) << "the axis of a joint that names none";
+  EXPECT_EQ(urdf.joint("back")->axis, Eigen::Vector3d::UnitX()) << "the default axis";
   EXPECT_EQ(urdf.joint("boom"), nullptr);
   EXPECT_EQ(urdf.joint_above("hook")->name, "rope");
   EXPECT_EQ(urdf.joint_above("base"), nullptr);
@@ -91,16 +91,16 @@ TEST(Urdf, PlacesItsLinks) {
   EXPECT_LT((urdf.pose("weight", positions).translation() - Eigen::Vector3d(0, -0.225, 1)).norm(), 1e-12);
 }
 
-TEST(Urdf, AJointThatNothingMovesIsRefused) {
+TEST(Urdf, RefusesAJointThatNothingMoves) {
   const task_test::ScratchFolder scratch;
   const Urdf urdf = Urdf::load(scratch.write("c.urdf", kCrane));
-  EXPECT_EQ(
-      config::message_of(scratch.path(),
-                         [&] {
-                           urdf.pose("weight", {{"turn", 0.0}});
-                         }),
-      "c.urdf:16: joint 'back': nothing says where it is, expected an axis of the robot, a joint that follows one, "
-      "or a fixed one");
+  EXPECT_EQ(config::message_of(scratch.path(),
+                               [&] {
+                                 urdf.pose("weight", {{"turn", 0.0}});
+                               }),
+            "c.urdf:16: joint 'back': its position is not determined, expected an axis of the robot, a joint that "
+            "follows one, "
+            "or a fixed one");
 }
 
 TEST(Urdf, MistakesNameFileLineAndElement) {
@@ -121,9 +121,9 @@ TEST(Urdf, MistakesNameFileLineAndElement) {
   EXPECT_EQ(mistake(crane("child link=\"mast\"", "child link=\"mest\"")),
             "c.urdf:7: <joint> name='turn': no link 'mest', expected links of this file");
   EXPECT_EQ(mistake(crane("name=\"reach\"", "name=\"turn\"")),
-            "c.urdf:12: <joint> name: 'turn' is the name of an earlier joint, expected a name of its own");
+            "c.urdf:12: <joint> name: 'turn' is the name of an earlier joint, expected a unique name");
   EXPECT_EQ(mistake(crane("<link name=\"mast\"/>", "<link name=\"base\"/>")),
-            "c.urdf:3: <link> name: 'base' is the name of an earlier link, expected a name of its own");
+            "c.urdf:3: <link> name: 'base' is the name of an earlier link, expected a unique name");
   EXPECT_EQ(mistake("<robot name=\"none\"/>"), "c.urdf:1: <robot>: no <link>, expected links");
 }
 
@@ -141,7 +141,7 @@ TEST(Urdf, HasTheDefaultsOfItsSpecification) {
   EXPECT_EQ(load(crane(" multiplier=\"-0.5\" offset=\"-0.1\"", "")).joint("back")->mimic->offset, 0);
 }
 
-TEST(Urdf, WhatAJointsTypeMakesMeaninglessIsNotJudged) {
+TEST(Urdf, IgnoresValuesThatTheJointTypeDoesNotUse) {
   for (const char* const more :
        {"<axis xyz='0 0 0'/>", "<axis xyz='none'/>", "<limit/>", "<limit lower='far' upper='nan'/>", "<mimic/>",
         "<dynamics damping='much'/>", "<limit effort='0' velocity='0'/><axis xyz='1e200 0 0'/>"}) {
@@ -161,14 +161,14 @@ TEST(Urdf, WhatAJointsTypeMakesMeaninglessIsNotJudged) {
                              "<g:extra xmlns:g='u'/>")));
 }
 
-TEST(Urdf, AJointThatMovesHasEffortAndVelocity) {
+TEST(Urdf, MovingJointNeedsEffortAndVelocity) {
   EXPECT_EQ(mistake(crane("velocity=\"0.5\" ", "")), "c.urdf:10: <limit> velocity: missing, expected a number");
   EXPECT_EQ(mistake(crane("effort=\"1\"/>", "/>")), "c.urdf:10: <limit> effort: missing, expected a number");
   EXPECT_EQ(mistake(crane("<limit effort=\"1\" velocity=\"0.2\"/>", "")),
             "c.urdf:12: <joint> name='reach': no <limit>, expected one with effort and velocity");
 }
 
-TEST(Urdf, NumbersAreWrittenInManyWays) {
+TEST(Urdf, AcceptsManySpellingsOfNumbers) {
   for (const char* const good : {"1.e-3 0 0", "+1 0 0", " 1\n2\t3 ", ".5 -.5 1E3", "1e-400 0 0"})
     EXPECT_NO_THROW(load(crane("0 0 1\" rpy", std::string(good) + "\" rpy"))) << good;
   EXPECT_EQ(mistake(crane("0 0 1\" rpy", "1,0 0 0\" rpy")),
@@ -186,7 +186,7 @@ TEST(Urdf, NumbersAreWrittenInManyWays) {
       "file");
 }
 
-TEST(Urdf, BearsWhatEditorsAdd) {
+TEST(Urdf, AcceptsAdditionsOfEditors) {
   std::string crlf;
   for (const char c : kCrane) crlf += c == '\n' ? "\r\n" : std::string(1, c);
   for (const std::string& text :
@@ -205,7 +205,7 @@ TEST(Urdf, BearsWhatEditorsAdd) {
   EXPECT_NE(mistake(kCrane + std::string(1, '\0')).find("\\x00"), std::string::npos);
 }
 
-TEST(Urdf, LinksThatAreNoTreeAreRefused) {
+TEST(Urdf, RefusesLinksThatAreNotATree) {
   EXPECT_EQ(mistake(crane("child link=\"weight\"", "child link=\"boom\"")),
             "c.urdf:16: <joint> name='back': link 'boom' has two parents, expected a tree");
   EXPECT_EQ(mistake(crane("<link name=\"hook\"/>", "<link name=\"hook\"/><link name=\"lost\"/>")),
@@ -214,8 +214,8 @@ TEST(Urdf, LinksThatAreNoTreeAreRefused) {
             std::string::npos);
 }
 
-TEST(Urdf, WhatIsNoUrdfIsRefused) {
-  EXPECT_EQ(mistake("<mujoco/>"), "c.urdf:1: is no URDF, expected <robot>");
+TEST(Urdf, RefusesFilesThatAreNotUrdf) {
+  EXPECT_EQ(mistake("<mujoco/>"), "c.urdf:1: is not a URDF, expected <robot>");
   EXPECT_NE(mistake("<robot><link name=\"a\"></robot>"), "");
   EXPECT_NE(mistake(""), "");
   const task_test::ScratchFolder scratch;

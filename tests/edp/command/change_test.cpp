@@ -1,4 +1,4 @@
-// What a task may change of a robot: tool, kinematic model; and the way back from a fault.
+// Changes of a robot by a task: tool, kinematic model; and the recovery from a fault.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace mrroc::edp {
 namespace {
 
-/// A planar arm whose links are longer, whose gears have another zero.
+/// A planar arm with longer links and gears with another zero.
 class Measured : public PlanarArm {
  public:
   std::string_view name() const noexcept override { return "measured"; }
@@ -59,7 +59,7 @@ RobotCommand use_model(std::uint8_t model) {
   return command;
 }
 
-TEST(Change, AnotherModelSeesTheSameShaftsAsOtherJointsAndNothingMoves) {
+TEST(Change, AnotherModelGivesOtherJointsForTheSameShaftsWithoutMotion) {
   TwoModels rig;
   const RobotState before = rig.exchange(RobotCommand{}).state;
   const RobotState after = rig.exchange(use_model(1)).state;
@@ -75,7 +75,7 @@ TEST(Change, AnotherModelSeesTheSameShaftsAsOtherJointsAndNothingMoves) {
   EXPECT_NEAR(back.desired_joints[0], before.desired_joints[0], 1e-12);
 }
 
-TEST(Change, ACommandThatCameBeforeTheModelChangedIsPlannedWithTheNewOne) {
+TEST(Change, CommandFromBeforeTheChangeIsPlannedWithTheNewModel) {
   TwoModels rig;
   const RobotState before = rig.exchange(RobotCommand{}).state;
   Reply answer;
@@ -89,14 +89,14 @@ TEST(Change, ACommandThatCameBeforeTheModelChangedIsPlannedWithTheNewOne) {
               1e-4);
 }
 
-TEST(Change, AnUnknownModelIsRefused) {
+TEST(Change, RefusesAnUnknownModel) {
   TwoModels rig;
   const RobotState state = rig.exchange(use_model(2)).state;
   EXPECT_EQ(state.error.code, ErrorCode::invalid_argument);
   EXPECT_EQ(state.error.detail.view(), "model 2, expected 0..1");
 }
 
-TEST(Change, PosesAreOfTheToolThatTheRobotWears) {
+TEST(Change, PosesAreOfTheCurrentTool) {
   Rig<PlanarArm> rig;
   const RobotState bare = rig.query();
   RobotCommand command;
@@ -112,13 +112,13 @@ TEST(Change, PosesAreOfTheToolThatTheRobotWears) {
   pose.motion_steps = pose.reply_step = 1000;
   pose.pose = Pose(Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitZ()));
   rig.send(pose);
-  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::out_of_workspace);  // a plane arm cannot turn on the spot
+  EXPECT_EQ(rig.answer.state.error.code, ErrorCode::out_of_workspace);  // a planar arm cannot turn without moving
   command.pose.linear() *= 2;
   ASSERT_TRUE(rig.send(command));
   EXPECT_EQ(rig.answer.state.error.code, ErrorCode::invalid_argument);
 }
 
-TEST(Change, WaitsForNothingButRefusesARobotThatGoesOnMoving) {
+TEST(Change, DoesNotWaitAndRefusesAMovingRobot) {
   Rig<Slide> rig;
   RobotCommand run_up = joint_command(one(0.4), 200, 100);
   run_up.joint_velocity = one(0.5);
@@ -130,7 +130,7 @@ TEST(Change, WaitsForNothingButRefusesARobotThatGoesOnMoving) {
   EXPECT_EQ(rig.answer.state.error.code, ErrorCode::busy);
 }
 
-TEST(Change, ComesAfterTheStopThatAHoldHasOnlyBegun) {
+TEST(Change, FollowsTheStopThatAHoldHasBegun) {
   TwoModels rig;
   RobotCommand away = joint_command(rig.exchange(RobotCommand{}).state.desired_joints, 100, 100);
   away.joints[0] += 0.05;
@@ -211,7 +211,7 @@ TEST(Change, NoRecoveryPowersDrivesThatHaveLostTheirPositions) {
   EXPECT_TRUE(rig.hardware.powered);
 }
 
-TEST(Change, AStartTickThatNeverComesIsRefused) {
+TEST(Change, RefusesAStartTickThatNeverComes) {
   Rig<Slide> rig;
   for (const CommandKind kind : {CommandKind::use_regulators, CommandKind::use_model, CommandKind::joint}) {
     RobotCommand command = joint_command(one(0.3), 100, 100);
@@ -222,7 +222,7 @@ TEST(Change, AStartTickThatNeverComesIsRefused) {
   }
 }
 
-TEST(Change, OutputsAreSetAtAnyTimeAndSeenInTheState) {
+TEST(Change, OutputsAreSetAtAnyTimeAndReportedInTheState) {
   Rig<Slide> rig(false);  // the drives are off
   RobotCommand set;
   set.kind = CommandKind::set_outputs;
@@ -233,13 +233,13 @@ TEST(Change, OutputsAreSetAtAnyTimeAndSeenInTheState) {
   rig.tick();
   EXPECT_EQ(rig.query().outputs, set.outputs);
   rig.tick();
-  EXPECT_EQ(rig.query().inputs, set.outputs) << "the loopback's terminals are wired back";
+  EXPECT_EQ(rig.query().inputs, set.outputs) << "the loopback's outputs are wired to its inputs";
   set.outputs.analog[5] = std::nan("");
   ASSERT_TRUE(rig.send(set));
   EXPECT_EQ(rig.answer.state.error.code, ErrorCode::not_finite);
 }
 
-TEST(Change, OutputsOfAMotionComeWithItsMacrostep) {
+TEST(Change, OutputsOfAMotionAreSetWithItsMacrostep) {
   Rig<Slide> rig;
   ASSERT_FALSE(rig.send(joint_command(one(0.3), 200, 200)));
   RobotCommand next = joint_command(one(0.25), 200, 200);
@@ -276,13 +276,13 @@ TEST(Change, AnotherRegulatorSetIsInForceFromThenOn) {
     EXPECT_EQ(rig.replies.at(0).state.regulators, soft ? 1 : 0);
     EXPECT_FALSE(rig.send(joint_command(one(0.5), 300, 300)));
     rig.run(600);
-    EXPECT_NEAR(rig.seen().joints[0], 0.5, 1e-3) << "it gets there all the same";
+    EXPECT_NEAR(rig.seen().joints[0], 0.5, 1e-3) << "it still reaches its target";
     return rig.seen().counters.following_error[0];
   };
   EXPECT_GT(largest_error(true), 1.5 * largest_error(false));
 }
 
-TEST(Change, ARegulatorSetThatIsNotThereIsRefusedAndOneInMotionToo) {
+TEST(Change, RefusesAnUnknownRegulatorSetAndAnyInMotion) {
   Rig<TwoServos> rig;
   RobotCommand use;
   use.kind = CommandKind::use_regulators;

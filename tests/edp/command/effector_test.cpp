@@ -27,7 +27,7 @@ void run_up(Rig<Slide>& rig) {
   rig.replies.clear();
 }
 
-TEST(Effector, AnswersAQueryAtOnceAndChangesNothing) {
+TEST(Effector, AnswersAQueryAtOnceWithoutAChange) {
   Rig<Slide> rig;
   ASSERT_TRUE(rig.send(RobotCommand{}));
   EXPECT_EQ(rig.answer.command, 1u);
@@ -72,7 +72,7 @@ TEST(Effector, TheReplyLeavesAtTickVExactly) {
   }
 }
 
-TEST(Effector, ASuccessorThatComesInTimeContinuesWithoutAGap) {
+TEST(Effector, SuccessorInTimeContinuesWithoutAGap) {
   for (const Tick delay : {0, 1, 2}) {  // v = 198: until tick 200, whose set-point is the common boundary
     Rig<Slide> rig;
     run_up(rig);
@@ -139,7 +139,7 @@ TEST(Effector, ALateCommandIsCountedAndPlannedFromTheEndOfTheStop) {
   EXPECT_EQ(rig.replies[0].state.late_commands, 1u);
   EXPECT_EQ(rig.replies[0].state.desired_joints[0], 0.42);
   EXPECT_EQ(rig.replies[0].state.desired_velocity[0], 0.5);
-  // its successor fits again
+  // its successor is in time again
   while (rig.seen().tick + 2 < rig.replies[0].state.desired_tick) rig.tick();
   ASSERT_FALSE(rig.send(cruise(0.44, 20, 18)));
   rig.run(10);
@@ -147,7 +147,7 @@ TEST(Effector, ALateCommandIsCountedAndPlannedFromTheEndOfTheStop) {
   EXPECT_EQ(rig.effector.counters().late, 1u);
 }
 
-TEST(Effector, ACommandThatKnowsOfTheStopIsNotLate) {
+TEST(Effector, CommandAfterTheReportedStopIsNotLate) {
   Rig<Slide> rig;
   run_up(rig);
   rig.run(10);
@@ -162,8 +162,8 @@ TEST(Effector, ACommandThatKnowsOfTheStopIsNotLate) {
   EXPECT_NEAR(rig.seen().desired.position[0], state.desired_joints[0] + 0.05, 1e-15);
 }
 
-// real time: the comms side looks only after the robot has begun to brake
-TEST(Effector, AReplyFromBeforeTheStopDoesNotTellOfIt) {
+// real time: the comms side runs only after the robot has begun to brake
+TEST(Effector, ReplyFromBeforeTheStopDoesNotReportIt) {
   Rig<Slide> rig;
   ASSERT_FALSE(rig.send(cruise(0.4, 200, 198)));
   while (rig.now < 210) rig.servo.tick(rig.now++);
@@ -203,7 +203,7 @@ class Overtaken : public Slide {
   mutable std::function<void()> meanwhile;
 };
 
-TEST(Effector, WhatBeganLaterThanPlannedEndsLaterInEveryAnswer) {
+TEST(Effector, DelayedStartDelaysTheEndInEveryAnswer) {
   for (const bool waiting : {false, true}) {  // a successor, before the first reply
     Rig<Overtaken> rig;
     rig.run(3);
@@ -232,7 +232,7 @@ TEST(Effector, WhatBeganLaterThanPlannedEndsLaterInEveryAnswer) {
   }
 }
 
-TEST(Effector, TheStartTickIsHonoured) {
+TEST(Effector, StartTickIsKept) {
   Rig<Slide> rig;
   RobotCommand command = joint_command(one(0.3), 100, 10);
   command.start_tick = 40;
@@ -252,7 +252,7 @@ TEST(Effector, TheStartTickIsHonoured) {
   EXPECT_EQ(rig.answer.state.error.code, ErrorCode::invalid_argument);
 }
 
-TEST(Effector, AStartTickAfterTheEndOfAMotionLetsTheRobotStopFirst) {
+TEST(Effector, StartTickAfterTheEndOfAMotionLetsTheRobotStopFirst) {
   Rig<Slide> rig;
   run_up(rig);
   RobotCommand command = joint_command(one(0.6), 300, 300);
@@ -267,7 +267,7 @@ TEST(Effector, AStartTickAfterTheEndOfAMotionLetsTheRobotStopFirst) {
   EXPECT_EQ(rig.replies[0].state.tick, 700u);
 }
 
-TEST(Effector, AHoldShorterThanItsStopIsContinuedOrTakenOver) {
+TEST(Effector, HoldShorterThanItsStopIsContinuedOrReplaced) {
   for (const bool continued : {true, false}) {
     Rig<Slide> rig;
     run_up(rig);
@@ -292,7 +292,7 @@ TEST(Effector, AHoldShorterThanItsStopIsContinuedOrTakenOver) {
     hold.motion_steps = 200;
     ASSERT_FALSE(whole.send(hold));
     whole.run(250);
-    EXPECT_NEAR(rest, whole.seen().desired.position[0], 1e-9) << "the same stop, in pieces";
+    EXPECT_NEAR(rest, whole.seen().desired.position[0], 1e-9) << "the same stop, in parts";
   }
 }
 
@@ -359,7 +359,7 @@ TEST(Effector, AMotionOfManyMacrostepsHasNoLongestDuration) {
 }
 
 /// Real time: the servo moves on between the planning and the hand-over.
-TEST(Effector, AMacrostepOfAnOldEpochIsRefusedAndPlannedAnew) {
+TEST(Effector, MacrostepOfAnOldEpochIsRefusedAndPlannedAgain) {
   Rig<Slide> rig;
   run_up(rig);
   rig.run(2);

@@ -1,4 +1,4 @@
-// What the original did differently in motor space (MIM) and in task space (TCIM) is the same here in every space.
+// The original differed between motor space (MIM) and task space (TCIM); here every space behaves the same.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -78,7 +78,7 @@ TEST(InEverySpace, RelativeIsRelativeToTheDesiredState) {
       const JointVector start = rig.desired();
       ASSERT_FALSE(rig.send(by(rig, kind, space, kIncrement, true))) << rig.answer.state.error.detail.view();
       rig.run(kSteps);
-      EXPECT_GT((rig.seen().joints - rig.desired()).norm(), 1e-6) << "or the two are not told apart";
+      EXPECT_GT((rig.seen().joints - rig.desired()).norm(), 1e-6) << "otherwise the two cannot be distinguished";
       ASSERT_FALSE(rig.send(by(rig, kind, space, kIncrement, true))) << rig.answer.state.error.detail.view();
       rig.run(kSteps);
       EXPECT_LT((rig.desired() - start - 2 * kIncrement).norm(), 1e-12);
@@ -101,7 +101,7 @@ TEST(InEverySpace, RelativeAndAbsoluteFollowTheSamePath) {
         if (i == kSteps / 4) middles.push_back(absolute.desired());
       }
     }
-    EXPECT_GT((middles[0] - middles[2]).norm(), 1e-4) << "joint space and task space are different ways";
+    EXPECT_GT((middles[0] - middles[2]).norm(), 1e-4) << "joint space and task space have different paths";
   }
 }
 

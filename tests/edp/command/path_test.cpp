@@ -20,7 +20,7 @@ DesiredState moving(const JointVector& position, double speed) {
   return {position, random_vector(count, speed), random_vector(count, speed)};
 }
 
-/// Follows the path tick by tick as the servo does; `look` sees every state.
+/// Follows the path tick by tick as the servo does; `look` receives every state.
 template <class Look>
 void follow(const Path& path, const DesiredState& from, int steps, Look look) {
   DesiredState state = from;
@@ -32,7 +32,7 @@ void follow(const Path& path, const DesiredState& from, int steps, Look look) {
   }
 }
 
-TEST(Path, InMotorSpaceTheShaftsFollowTheirQuintic) {
+TEST(Path, ShaftsFollowTheirQuinticInMotorSpace) {
   EXPECT_TRUE(rc::check([] {
     Slide model;
     const DesiredState from = moving(random_vector(1, 0.5), 0.2), to = moving(random_vector(1, 0.5), 0.2);
@@ -50,7 +50,7 @@ TEST(Path, InMotorSpaceTheShaftsFollowTheirQuintic) {
   }));
 }
 
-TEST(Path, InTaskSpaceTheToolGoesStraightAndTurnsAboutOneAxis) {
+TEST(Path, ToolMovesStraightAndTurnsAboutOneAxisInTaskSpace) {
   EXPECT_TRUE(rc::check([] {
     Gantry model;
     Pose tool = Pose::Identity();
@@ -75,7 +75,7 @@ TEST(Path, InTaskSpaceTheToolGoesStraightAndTurnsAboutOneAxis) {
   }));
 }
 
-TEST(Path, InTaskSpaceItContinuesTheMotionOfTheJoints) {
+TEST(Path, TaskSpacePathContinuesTheMotionOfTheJoints) {
   EXPECT_TRUE(rc::check([] {
     PlanarArm model;
     const ToolKinematics kinematics(model);
@@ -119,7 +119,7 @@ TEST(Path, AVelocityIsReachedUnderTheLimitsAndKept) {
   }));
 }
 
-TEST(Path, AToolThatWouldTurnTooFarIsRefused) {
+TEST(Path, RefusesAToolThatWouldTurnTooFar) {
   Gantry model;
   const ToolKinematics kinematics(model);
   JointVector target = JointVector::Zero(4);
@@ -134,7 +134,7 @@ TEST(Path, AToolThatWouldTurnTooFarIsRefused) {
   EXPECT_EQ(path.plan_task(kinematics, from, to, 1, kServoPeriod), ErrorCode::invalid_argument);
 }
 
-TEST(Path, ItEndsWhereTheInverseKinematicsDoes) {
+TEST(Path, EndsAtTheInverseKinematics) {
   PlanarArm model;
   const ToolKinematics kinematics(model);
   const DesiredState from = DesiredState::resting_at((JointVector(2) << 0.3, 1.0).finished());

@@ -36,7 +36,7 @@ TEST(Planner, RefusesStepsOutOfRange) {
   EXPECT_EQ(p.plan(joint_command(target, kMaxMotionSteps, kMaxMotionSteps)).code, ErrorCode::none);
 }
 
-TEST(Planner, RefusesValuesThatAreNotFiniteAndVectorsOfTheWrongSize) {
+TEST(Planner, RefusesNonFiniteValuesAndVectorsOfTheWrongSize) {
   Planning<Gantry> p;
   RobotCommand command = joint_command(JointVector::Zero(4), 100, 100);
   command.joints[2] = std::numeric_limits<double>::quiet_NaN();
@@ -85,7 +85,7 @@ TEST(Planner, RefusesAPathThatLeavesTheLimitsBetweenItsEnds) {
   EXPECT_EQ(report.code, ErrorCode::joint_limit) << report.detail.view();
 }
 
-TEST(Planner, RefusesAMotionFromWhichTheRobotCouldNotStopInTime) {
+TEST(Planner, RefusesAMotionWithoutAStopInTime) {
   Planning<Slide> p;
   DesiredState from = DesiredState::resting_at(one(1.9));
   from.velocity[0] = 0.5;
@@ -111,7 +111,7 @@ class CoupledModel : public PlanarArm {
 
 TEST(Planner, ChecksTheMotorsAtEveryTickOfTheStop) {
   for (const double motor_max : {250.0, 0.2}) {
-    // the first joint stops at once, the second slowly: their sum swings out before it comes back
+    // the first joint stops at once, the second slowly: their sum overshoots before it returns
     CoupledModel model;
     model.change().axes[1].acceleration_max = 0.4;
     model.change().axes[1].motor_max = motor_max;
@@ -135,7 +135,7 @@ TEST(Planner, NoAcceptedMotionHasAStopWhoseMotorsLeaveTheirLimits) {
   int accepted = 0, refused = 0;
   EXPECT_TRUE(rc::check([&] {
     CoupledModel model;
-    // mostly as above: the sum swings out and comes back
+    // mostly as above: the sum overshoots and returns
     model.change().axes[1].acceleration_max = number(0.3, 1);
     model.change().axes[1].motor_max = number(0.05, 1);
     Planner planner(model, kPeriod);
@@ -174,7 +174,7 @@ TEST(Planner, ChecksTheMotorsToo) {
   EXPECT_EQ(report.detail.view(), "axis 1 (x), tick 2000: motor position 110, limit 100");
 }
 
-TEST(Planner, ARobotOutsideItsLimitsMayMoveInwardsOnly) {
+TEST(Planner, RobotOutsideItsLimitsMayOnlyMoveInwards) {
   Planning<Slide> p;
   const DesiredState outside = DesiredState::resting_at(one(2.1));
   EXPECT_EQ(p.plan(joint_command(one(2.0), 1000, 1), outside).code, ErrorCode::none);
@@ -182,7 +182,7 @@ TEST(Planner, ARobotOutsideItsLimitsMayMoveInwardsOnly) {
 }
 
 // nothing may hide between the ticks of a short macrostep
-TEST(Planner, AStepOfOneTickIsNoLoophole) {
+TEST(Planner, OneTickStepIsCheckedToo) {
   Planning<Slide> p;
   p.model.change().axes[0].jerk_max = 1e5;
   EXPECT_EQ(p.plan(joint_command(one(0.2515), 1, 1)).code, ErrorCode::acceleration_limit);
@@ -214,7 +214,7 @@ TEST(Planner, RelativeIsRelativeToDesiredForJointsAndForPoses) {
   }));
 }
 
-TEST(Planner, ATwistBecomesTheJointVelocityThatHasIt) {
+TEST(Planner, TwistGivesTheJointVelocity) {
   EXPECT_TRUE(rc::check([] {
     Planning<PlanarArm> p;
     const JointVector near = (JointVector(2) << number(-1, 1), number(0.5, 1.2)).finished();
@@ -233,7 +233,7 @@ TEST(Planner, ATwistBecomesTheJointVelocityThatHasIt) {
   }));
 }
 
-TEST(Planner, APoseOutOfReachIsRefused) {
+TEST(Planner, RefusesAPoseOutOfReach) {
   Planning<PlanarArm> p;
   RobotCommand command;
   command.kind = CommandKind::pose;
@@ -243,7 +243,7 @@ TEST(Planner, APoseOutOfReachIsRefused) {
   EXPECT_EQ(report.detail.view(), "position (1, 0.2, 0)");
 }
 
-TEST(Planner, AStretchedMotionTakesLongerUntilTheLimitsHold) {
+TEST(Planner, MotionIsStretchedUntilTheLimitsHold) {
   Planning<Slide> p;
   RobotCommand command = joint_command(one(0.75), 10, 11);
   const DesiredState from = DesiredState::resting_at(one(0.25));
@@ -254,13 +254,13 @@ TEST(Planner, AStretchedMotionTakesLongerUntilTheLimitsHold) {
   EXPECT_EQ(p.macrostep.reply_step, p.macrostep.steps + 1);
   EXPECT_EQ(p.macrostep.to.position[0], 0.75);
 
-  command.joint_velocity = one(0.4);  // a run-up finds room
+  command.joint_velocity = one(0.4);  // there is room for a run-up
   EXPECT_EQ(p.plan(command, from, Pace::stretched).code, ErrorCode::none);
   EXPECT_EQ(p.macrostep.to.velocity[0], 0.4);
   command.joints = one(-1.99);  // no room for a run-up: ends at rest
   EXPECT_EQ(p.plan(command, DesiredState::resting_at(one(-1.98)), Pace::stretched).code, ErrorCode::none);
   EXPECT_TRUE(p.macrostep.to.at_rest());
-  command.joints = one(3);  // no duration heals that
+  command.joints = one(3);  // no duration is long enough
   EXPECT_EQ(p.plan(command, from, Pace::stretched).code, ErrorCode::joint_limit);
 }
 

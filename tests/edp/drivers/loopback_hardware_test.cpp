@@ -23,7 +23,7 @@ TEST(LoopbackHardware, StartsAtHomeWithinOneEncoderIncrement) {
 }
 
 // J dw/dt = k_t i - b w with constant current: w = k_t i / b (1 - exp(-b t / J))
-TEST(LoopbackHardware, TurnsAsItsDifferentialEquationSays) {
+TEST(LoopbackHardware, FollowsItsDifferentialEquation) {
   const Slide model;
   LoopbackHardware hardware(model, kPeriod);
   HardwareInput input;
@@ -40,7 +40,7 @@ TEST(LoopbackHardware, TurnsAsItsDifferentialEquationSays) {
   }
 }
 
-TEST(LoopbackHardware, TheBrakesHoldWhileItIsDisabled) {
+TEST(LoopbackHardware, BrakesHoldWhileItIsDisabled) {
   const Slide model;
   LoopbackHardware hardware(model, kPeriod);
   HardwareInput input;
@@ -52,7 +52,7 @@ TEST(LoopbackHardware, TheBrakesHoldWhileItIsDisabled) {
   EXPECT_EQ(input.current[0], 0);
 }
 
-TEST(LoopbackHardware, TheCurrentIsHeldWithinTheMotorsLimit) {
+TEST(LoopbackHardware, CurrentIsKeptWithinTheMotorLimit) {
   const Slide model;
   LoopbackHardware hardware(model, kPeriod);
   HardwareInput input;
@@ -63,7 +63,7 @@ TEST(LoopbackHardware, TheCurrentIsHeldWithinTheMotorsLimit) {
   EXPECT_EQ(input.current[0], 20);
 }
 
-TEST(LoopbackHardware, AMotorWithoutInertiaIsRefused) {
+TEST(LoopbackHardware, RefusesAMotorWithoutInertia) {
   Slide model;
   model.change().axes[0].rotor_inertia = 0;
   EXPECT_THROW(LoopbackHardware(model, kPeriod), SystemError);

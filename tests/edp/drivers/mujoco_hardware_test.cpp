@@ -69,7 +69,7 @@ TEST_F(MujocoHardwareTest, ReadsShaftPositionsToHalfAnIncrement) {
   });
 }
 
-TEST_F(MujocoHardwareTest, WritesTheDrivesSeenFromTheJoints) {
+TEST_F(MujocoHardwareTest, WritesTheDrivesInJointCoordinates) {
   fakes::check_property(200, [&] {
     const JointVector q = pair(joint_value(), joint_value()), v = pair(joint_value(), joint_value());
     const JointVector current = pair(joint_value(), joint_value());
@@ -101,7 +101,7 @@ TEST_F(MujocoHardwareTest, WritesTheDrivesSeenFromTheJoints) {
   });
 }
 
-TEST_F(MujocoHardwareTest, CurrentsAreCutAndReportedAndZeroWhileDisabled) {
+TEST_F(MujocoHardwareTest, CurrentsAreLimitedReportedAndZeroWhileDisabled) {
   measure(1, pair(0, 0), pair(0, 0));
   MujocoHardware drives = hardware();
   HardwareInput input;
@@ -116,7 +116,7 @@ TEST_F(MujocoHardwareTest, CurrentsAreCutAndReportedAndZeroWhileDisabled) {
   EXPECT_EQ(input.current, pair(10, -10));
 }
 
-TEST_F(MujocoHardwareTest, InLockstepOnlyTheVeryTickIsFresh) {
+TEST_F(MujocoHardwareTest, OnlyTheCurrentTickIsFreshInLockstep) {
   MujocoHardware drives = hardware();
   HardwareInput input;
   drives.read(0, input);
@@ -133,7 +133,7 @@ TEST_F(MujocoHardwareTest, InLockstepOnlyTheVeryTickIsFresh) {
   }
 }
 
-TEST_F(MujocoHardwareTest, JointsOutOfTheTransmissionsReachAreADriveFault) {
+TEST_F(MujocoHardwareTest, JointsBeyondTheTransmissionAreADriveFault) {
   MujocoHardware drives = hardware();
   HardwareInput input;
   measure(1, pair(0, 11), pair(0, 0));
@@ -141,7 +141,7 @@ TEST_F(MujocoHardwareTest, JointsOutOfTheTransmissionsReachAreADriveFault) {
   EXPECT_EQ(input.fault, ErrorCode::drive_fault);
 }
 
-TEST_F(MujocoHardwareTest, AServoTickAllocatesNothing) {
+TEST_F(MujocoHardwareTest, ServoTickDoesNotAllocate) {
   for (const auto timing : {MujocoHardware::Timing::lockstep, MujocoHardware::Timing::real}) {
     MujocoHardware drives{model_, *memory_, 3, timing};
     drives.enable(true);
@@ -160,7 +160,7 @@ TEST_F(MujocoHardwareTest, AServoTickAllocatesNothing) {
 }
 
 /// Largest change of the energy of links and rotors while the arm swings for a second with its drives without current;
-/// `with_bias` false leaves c out.
+/// `with_bias` = false omits c.
 double energy_error(double period, bool with_bias) {
   BentModel model;
   model.take_friction_away();
@@ -196,13 +196,13 @@ double energy_error(double period, bool with_bias) {
   return worst;
 }
 
-TEST(MujocoHardwareEnergy, IsKeptToFirstOrderWithATransmissionThatChanges) {
+TEST(MujocoHardwareEnergy, IsKeptToFirstOrderWithAVariableTransmission) {
   const double coarse = energy_error(1e-3, true), fine = energy_error(1e-4, true);
   const double without_bias = energy_error(1e-4, false);
   std::cout << "energy error at 1 ms: " << coarse << " J, at 0.1 ms: " << fine
             << " J, at 0.1 ms without c: " << without_bias << " J\n";
   EXPECT_NEAR(coarse / fine, 10.0, 2.0);
-  // without c the error is not the integration's: it does not shrink with the step
+  // without c the error is not that of the integration: it does not shrink with the step
   EXPECT_GT(without_bias, 20 * fine);
 }
 

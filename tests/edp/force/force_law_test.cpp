@@ -26,7 +26,7 @@ ForceLaw any_law() {
 }
 
 // MRROC++ 2012, edp_e_manip.cc: increments per step, and the force that the tool exerts
-TEST(ForceLaw, IsTheOriginals) {
+TEST(ForceLaw, EqualsThatOfTheOriginal) {
   EXPECT_TRUE(rc::check([] {
     const ForceLaw law = any_law();
     const Twist velocity = any_six(0.5), previous = any_six(0.5);
@@ -53,7 +53,7 @@ TEST(ForceLaw, IsTheOriginals) {
   }));
 }
 
-TEST(ForceLaw, ADefaultLawIsTheOriginalsAndGuardsNothing) {
+TEST(ForceLaw, DefaultLawIsTheOriginalsWithoutGuards) {
   const ForceLaw law;
   for (const AxisBehaviour behaviour : law.behaviour) EXPECT_EQ(behaviour, AxisBehaviour::unguarded);
   for (int i = 0; i < 3; ++i) {
@@ -64,7 +64,7 @@ TEST(ForceLaw, ADefaultLawIsTheOriginalsAndGuardsNothing) {
   }
 }
 
-TEST(ForceLaw, AgainstASpringTheForceSettlesAtTheDesiredOne) {
+TEST(ForceLaw, ForceAgainstASpringSettlesAtTheDesiredOne) {
   EXPECT_TRUE(rc::check([] {
     const double stiffness = number(100, 5000), desired = number(-30, -1), dt = 0.002;
     ForceLaw law;
@@ -86,7 +86,7 @@ TEST(ForceLaw, AgainstASpringTheForceSettlesAtTheDesiredOne) {
   }));
 }
 
-TEST(ForceLaw, TheSameWrenchSeenFromElsewhereDoesTheSamePower) {
+TEST(ForceLaw, WrenchInAnotherFrameDoesTheSamePower) {
   EXPECT_TRUE(rc::check([] {
     const Twist place = any_six(1);
     Pose frame = Pose::Identity();
@@ -101,7 +101,7 @@ TEST(ForceLaw, TheSameWrenchSeenFromElsewhereDoesTheSamePower) {
   }));
 }
 
-TEST(ForceLaw, WhatIsNoLawIsRefusedWithItsAxis) {
+TEST(ForceLaw, RefusesInvalidLawsWithTheirAxis) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto code = [](ForceLaw law, const Twist& velocity = Twist::Zero()) {
     const ErrorReport report = check_force_law(law, velocity);

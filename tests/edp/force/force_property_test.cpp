@@ -25,7 +25,7 @@ class SmoothGantry : public Gantry {
   }
 };
 
-/// What the whole suite of cases has gone through.
+/// Statistics of all cases of the suite.
 struct Totals {
   std::uint64_t ticks = 0, forced = 0, interrupted = 0, replies = 0;
 };
@@ -70,7 +70,7 @@ class Driver {
   }
 
   void send() {
-    const int left = chance(0.05) ? integer(0, 40) : 0;  // now and then late
+    const int left = chance(0.05) ? integer(0, 40) : 0;  // occasionally late
     for (int i = 0; i < left; ++i) {
       rig_.tick();
       look();
@@ -126,7 +126,7 @@ class Driver {
   std::size_t waiting_ = 0;
 };
 
-TEST(ForceProperty, EveryTickKeepsTheLimitsWhateverTheForce) {
+TEST(ForceProperty, EveryTickKeepsTheLimitsUnderAnyForce) {
   Totals totals;
   EXPECT_TRUE(rc::check([&totals] {
     const auto seed = static_cast<std::uint64_t>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1 << 30)));

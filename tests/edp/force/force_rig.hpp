@@ -4,7 +4,7 @@
 
 namespace mrroc::edp {
 
-/// A wall at x >= `wall` that pushes back along -x; what else the sensor says is the test's.
+/// A wall at x >= `wall` that pushes back along -x; the test sets the sensor's other values.
 class WallSensor : public ForceSensor {
  public:
   const Pose& mount() const noexcept override { return mount_; }
@@ -47,7 +47,7 @@ struct ForceRig : Rig<Model> {
     for (int i = 0; i < 20'000 && this->replies.empty(); ++i) this->tick();
     return this->replies.at(0).state;
   }
-  /// The same command over and over, as a generator sends it; the last state, or the first with an error.
+  /// Repeats the same command, like a generator; returns the last state, or the first with an error.
   RobotState repeat(const RobotCommand& command, int times) {
     RobotState state;
     for (int i = 0; i < times && state.error.error_class == ErrorClass::none; ++i) state = exchange(command);
@@ -57,7 +57,7 @@ struct ForceRig : Rig<Model> {
   WallSensor sensor;
 };
 
-/// Presses along x with `newtons` (or, without them, moves at `speed`, giving way), free of the other axes.
+/// Presses along x with `newtons` (or, without them, moves compliantly at `speed`), free in the other axes.
 inline RobotCommand force_command(double newtons, double speed = 0) {
   RobotCommand command;
   command.kind = CommandKind::force;

@@ -39,7 +39,7 @@ class OfEveryRobot : public testing::TestWithParam<KnownRobot> {
 
 /// The bar: half of the way of 1 rad beside the singularity, or the state reports that about half is lost, or the
 /// motion ends.
-TEST_P(OfEveryRobot, WhatIsNotDoneIsReported) {
+TEST_P(OfEveryRobot, ReportsLostMotion) {
   std::mt19937 random(7);
   int near = 0;
   for (const SingularPosture& singular : singular_postures(model, model.parameters().home)) {
@@ -70,7 +70,7 @@ TEST_P(OfEveryRobot, WhatIsNotDoneIsReported) {
   RecordProperty("near", near);
 }
 
-TEST_P(OfEveryRobot, AwayFromSingularitiesNothingIsDamped) {
+TEST_P(OfEveryRobot, NothingIsDampedAwayFromSingularities) {
   std::mt19937 random(3);
   const ToolKinematics kinematics(model);
   const JointVector home = model.parameters().home;
@@ -85,13 +85,13 @@ TEST_P(OfEveryRobot, AwayFromSingularitiesNothingIsDamped) {
   }
 }
 
-/// Nothing jumps where the damping begins, nor at the singularity.
-TEST_P(OfEveryRobot, TheJointVelocitiesAreContinuous) {
+/// The joint velocities are continuous at the start of the damping and at the singularity.
+TEST_P(OfEveryRobot, JointVelocitiesAreContinuous) {
   std::mt19937 random(4);
   const ToolKinematics kinematics(model);
   for (const SingularPosture& singular : singular_postures(model, model.parameters().home)) {
     const Twist any = any_twist(random);
-    // of fewer joints a twist that they can follow: at the singularity itself it is not even known which one that is
+    // with fewer joints only a twist that they can follow: at the singularity itself there is no unique one
     const Twist twist = slim() ? Twist(kinematics.jacobian(singular.at(0.5)).col(0) * 0.1) : any;
     constexpr double kStep = 2e-4;
     const auto velocity = [&](double distance) {
@@ -112,10 +112,10 @@ TEST_P(OfEveryRobot, TheJointVelocitiesAreContinuous) {
 INSTANTIATE_TEST_SUITE_P(Robots, OfEveryRobot, testing::ValuesIn(every_robot()),
                          [](const auto& test) { return test.param.stem; });
 
-/// What the issue of a wrist is: of an arm with six axes, whose roll is nearly straight.
+/// An arm with six axes whose roll is nearly straight.
 class WristRoll : public testing::TestWithParam<double> {};
 
-TEST_P(WristRoll, TheContactAxisGoesOnAndBack) {
+TEST_P(WristRoll, ContactAxisMovesOnAndBack) {
   const RobotModels models = load_irb6(std::filesystem::path(MRROC_SOURCE_DIR) / "robots/irb6/irb6.toml");
   JointVector posture(6);
   posture << 0.2, -1.7, 0.2, 0.3, 1.0, 0.4;
@@ -130,7 +130,7 @@ TEST_P(WristRoll, TheContactAxisGoesOnAndBack) {
 
 INSTANTIATE_TEST_SUITE_P(Of, WristRoll, testing::Values(0.2, 0.1, 0.03, 0.01, 1e-3, 1e-6, 0.0, -0.01, -0.1));
 
-TEST(ForceSingularity, WhatIsLostTooLongEndsTheMotionAndTheNextOneWorks) {
+TEST(ForceSingularity, ContinuousLossEndsTheMotionAndTheNextOneWorks) {
   const RobotModels models = load_irb6(std::filesystem::path(MRROC_SOURCE_DIR) / "robots/irb6/irb6.toml");
   JointVector posture(6);
   posture << 0.2, -1.7, 0.2, 0.3, 0.001, 0.4;
@@ -139,8 +139,8 @@ TEST(ForceSingularity, WhatIsLostTooLongEndsTheMotionAndTheNextOneWorks) {
   EXPECT_EQ(turning.ended, ErrorCode::singular);
   EXPECT_GT(turning.lost, ForceMotion::kLostMost);
   const Pressing shorter = press(*models.front(), posture, 3, -0.5, static_cast<int>(ForceMotion::kLostTime / 0.002));
-  EXPECT_EQ(shorter.ended, ErrorCode::none) << "only after its time";
-  EXPECT_EQ(press(*models.front(), posture, 3, -0.005, 1000).ended, ErrorCode::none) << "too slow to matter";
+  EXPECT_EQ(shorter.ended, ErrorCode::none) << "only after its timeout";
+  EXPECT_EQ(press(*models.front(), posture, 3, -0.005, 1000).ended, ErrorCode::none) << "below the relevant speed";
 }
 
 RobotCommand turning_about(int axis, double torque) {
@@ -151,7 +151,7 @@ RobotCommand turning_about(int axis, double torque) {
   return command;
 }
 
-TEST(ForceSingularity, AnInterruptedRobotStaysUsable) {
+TEST(ForceSingularity, InterruptedRobotStaysUsable) {
   ForceRig<Wrist> rig;
   rig.sensor.stiffness = 0;
   const RobotState first = rig.exchange(turning_about(3, -1));

@@ -10,7 +10,7 @@ using GantryBeforeWall = ForceRig<Gantry>;
 
 bool well(const RobotState& state) { return state.error.error_class == ErrorClass::none; }
 
-TEST(ForceMotion, PressesWithTheDesiredForceAndSlidesAlong) {
+TEST(ForceMotion, PressesWithTheDesiredForceWhileSliding) {
   GantryBeforeWall rig;
   RobotCommand command = force_command(10);
   command.twist[1] = 0.05;
@@ -23,14 +23,14 @@ TEST(ForceMotion, PressesWithTheDesiredForceAndSlidesAlong) {
   EXPECT_EQ(rig.seen().counters.stops, 0u) << "one motion, not two hundred";
 }
 
-TEST(ForceMotion, AGuardedAxisMovesUntilTheForceBalancesItsVelocity) {
+TEST(ForceMotion, GuardedAxisMovesUntilTheForceBalancesItsVelocity) {
   GantryBeforeWall rig;
   const RobotState state = rig.repeat(force_command(0, 0.05), 400);
   ASSERT_TRUE(well(state)) << state.error.detail.view();
   EXPECT_NEAR(state.wrench[0], -0.05 / 0.01, 0.1) << "v = b F";
 }
 
-TEST(ForceMotion, WithoutASuccessorTheRobotBrakesAndTheNextOneIsLate) {
+TEST(ForceMotion, RobotBrakesWithoutASuccessorAndTheNextCommandIsLate) {
   GantryBeforeWall rig;
   ASSERT_TRUE(well(rig.repeat(force_command(0, 0.05), 20)));
   rig.run(200);
@@ -39,7 +39,7 @@ TEST(ForceMotion, WithoutASuccessorTheRobotBrakesAndTheNextOneIsLate) {
   EXPECT_EQ(state.late_commands, 1u);
 }
 
-TEST(ForceMotion, AnyOtherCommandIsPlannedFromTheStopAfterIt) {
+TEST(ForceMotion, OtherCommandIsPlannedFromTheStopAfterIt) {
   for (const CommandKind kind : {CommandKind::hold, CommandKind::joint, CommandKind::pose}) {
     GantryBeforeWall rig;
     RobotCommand command = force_command(10);
@@ -58,7 +58,7 @@ TEST(ForceMotion, AnyOtherCommandIsPlannedFromTheStopAfterIt) {
   }
 }
 
-TEST(ForceMotion, ItBeginsWithTheMotionThatTheToolHas) {
+TEST(ForceMotion, StartsWithThePresentMotionOfTheTool) {
   GantryBeforeWall rig;
   RobotCommand moving;
   moving.kind = CommandKind::joint_velocity;
@@ -75,7 +75,7 @@ TEST(ForceMotion, ItBeginsWithTheMotionThatTheToolHas) {
   }
 }
 
-TEST(ForceMotion, TooFastALawIsScaledDownAsAWhole) {
+TEST(ForceMotion, LawThatIsTooFastIsScaledAsAWhole) {
   GantryBeforeWall rig;
   rig.sensor.wall = 10;
   RobotCommand command = force_command(0, 40);  // of 0.8 m/s
@@ -121,11 +121,11 @@ TEST(ForceMotion, ASensorThatFailsInterruptsIt) {
     EXPECT_EQ(rig.repeat(force_command(0, 0.05), 5).error.code, error);
     rig.run(200);
     EXPECT_TRUE(rig.seen().desired.at_rest());
-    EXPECT_EQ(rig.seen().fault.code, ErrorCode::none) << "no hardware fault of the robot";
+    EXPECT_EQ(rig.seen().fault.code, ErrorCode::none) << "not a hardware fault of the robot";
   }
 }
 
-TEST(ForceMotion, TheToolFrameInUseIsTheOneOfTheLaw) {
+TEST(ForceMotion, LawUsesTheCurrentToolFrame) {
   GantryBeforeWall rig;
   RobotCommand tool;
   tool.kind = CommandKind::set_tool;
@@ -157,19 +157,19 @@ TEST(ForceLimit, StopsAnyMotionAndLetsTheRobotOut) {
   EXPECT_TRUE(well(rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000)))) << "but out";
   EXPECT_EQ(rig.exchange(joint_command((JointVector(4) << 0.4, 0, 0, 0).finished(), 500, 500)).error.code,
             ErrorCode::force_limit)
-      << "and guarded as before";
+      << "and monitored as before";
 }
 
-TEST(ForceLimit, AnInterruptionAfterTheReplyIsTheAnswerToTheNextCommand) {
+TEST(ForceLimit, InterruptionAfterTheReplyAnswersTheNextCommand) {
   GantryBeforeWall rig;
   ASSERT_TRUE(well(rig.exchange(joint_command((JointVector(4) << 0.4, 0, 0, 0).finished(), 500, 1))));
   rig.run(700);
   const RobotState state = rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000));
   EXPECT_EQ(state.error.code, ErrorCode::force_limit);
-  EXPECT_TRUE(well(rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000)))) << "told once";
+  EXPECT_TRUE(well(rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000)))) << "reported once";
 }
 
-TEST(ForceLimit, ACommandThatWaitedBehindTheInterruptedOneIsNotExecuted) {
+TEST(ForceLimit, CommandBehindTheInterruptedOneIsNotExecuted) {
   GantryBeforeWall rig;
   ASSERT_FALSE(rig.send(joint_command((JointVector(4) << 0.4, 0, 0, 0).finished(), 500, 500)));
   rig.run(20);
@@ -177,11 +177,11 @@ TEST(ForceLimit, ACommandThatWaitedBehindTheInterruptedOneIsNotExecuted) {
   rig.run(2000);
   ASSERT_EQ(rig.replies.size(), 2u);
   for (const Reply& reply : rig.replies) EXPECT_EQ(reply.state.error.code, ErrorCode::force_limit);
-  EXPECT_NEAR(rig.seen().desired.position[1], 0, 1e-9) << "its sender did not know of the wall";
-  EXPECT_TRUE(well(rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000)))) << "told by now";
+  EXPECT_NEAR(rig.seen().desired.position[1], 0, 1e-9) << "its sender had no report of the wall";
+  EXPECT_TRUE(well(rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000)))) << "reported by now";
 }
 
-TEST(ForceLimit, OutputsThatAreRefusedDoNotSwallowAnInterruption) {
+TEST(ForceLimit, RefusedOutputsDoNotHideAnInterruption) {
   GantryBeforeWall rig;
   ASSERT_TRUE(well(rig.exchange(joint_command((JointVector(4) << 0.4, 0, 0, 0).finished(), 500, 1))));
   rig.run(700);
@@ -192,7 +192,7 @@ TEST(ForceLimit, OutputsThatAreRefusedDoNotSwallowAnInterruption) {
   EXPECT_EQ(rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000)).error.code, ErrorCode::force_limit);
 }
 
-TEST(ForceLimit, ARobotAtRestIsNotDisturbed) {
+TEST(ForceLimit, RobotAtRestIsNotDisturbed) {
   GantryBeforeWall rig;
   rig.sensor.extra[2] = 500;
   rig.run(100);
@@ -200,7 +200,7 @@ TEST(ForceLimit, ARobotAtRestIsNotDisturbed) {
   EXPECT_EQ(rig.query().wrench[2], 500);
 }
 
-TEST(ForceLimit, BiasTakesOutWhatIsThere) {
+TEST(ForceLimit, BiasRemovesThePresentWrench) {
   GantryBeforeWall rig;
   rig.sensor.extra[2] = 60;
   RobotCommand bias;

@@ -9,11 +9,11 @@
 
 namespace mrroc::edp {
 
-/// A posture at which a robot is singular, and a joint that leads out of it.
+/// A singular posture of a robot, and a joint that leads out of it.
 struct SingularPosture {
   JointVector joints;
   int joint = 0;
-  double way = 1;  ///< of the joint, 1 or -1: there is more room
+  double way = 1;  ///< direction of the joint with more range, 1 or -1
 
   JointVector at(double distance) const {
     JointVector posture = joints;
@@ -22,7 +22,7 @@ struct SingularPosture {
   }
 };
 
-/// Of the directions that the joints can move the tool in; as large as any where it has one only.
+/// Of the directions that the joints can move the tool in; as large as any where there is only one.
 inline double least_singular_value(const RobotModel& model, const JointVector& joints) {
   Jacobian jacobian = ToolKinematics(model).jacobian(joints);
   int count = model.joint_count();
@@ -33,7 +33,8 @@ inline double least_singular_value(const RobotModel& model, const JointVector& j
   return Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues()[std::min(count, 6) - 1];
 }
 
-/// Those that `from` comes to when one joint alone turns, within its limits and two turns; the nearest one per joint.
+/// Singular postures that one joint alone reaches from `from`, within its limits and two turns; the nearest one per
+/// joint.
 inline std::vector<SingularPosture> singular_postures(const RobotModel& model, const JointVector& from) {
   constexpr double kStep = 0.01;
   std::vector<SingularPosture> found;
@@ -65,16 +66,17 @@ inline std::vector<SingularPosture> singular_postures(const RobotModel& model, c
   return found;
 }
 
-/// A motion in free space under a force law that wants a force along one tool axis and gives way along the others.
+/// A motion in free space under a force law that applies a force along one tool axis and is compliant along the others.
 struct Pressing {
-  double way = 0;        ///< of the tool, along the contact axis as it was at the start, m
-  double speed = 0;      ///< worst of a joint, a part of its limit
-  double lost = 0;       ///< most that was reported
-  double mean_lost = 0;  ///< of all ticks
+  double way = 0;        ///< path of the tool along the initial contact axis, m
+  double speed = 0;      ///< of the fastest joint, as a part of its limit
+  double lost = 0;       ///< largest reported value
+  double mean_lost = 0;  ///< mean over all ticks
   ErrorCode ended = ErrorCode::none;
 };
 
-/// With `newtons` of the environment on the tool, 1..6 of the tool's axes (`axis` from 0), for `ticks` periods of 2 ms.
+/// With `newtons` of the environment on the tool, along axis 1..6 of the tool (`axis` from 0), for `ticks` periods of 2
+/// ms.
 inline Pressing press(const RobotModel& model, const JointVector& posture, int axis, double newtons, int ticks = 250) {
   constexpr double kTime = 0.002;
   ForceTarget target;

@@ -6,7 +6,7 @@
 namespace mrroc::edp {
 namespace {
 
-TEST(EmergencyStop, IsLatchedUntilItIsResetAndTheResetMovesNothing) {
+TEST(EmergencyStop, IsLatchedUntilItsResetWhichMovesNothing) {
   SafeRig rig;
   rig.send(by(0.5));
   rig.run(200);
@@ -57,7 +57,7 @@ TEST(EmergencyStop, AnInputHasToBeLetGoAndThenReset) {
   EXPECT_EQ(recover(rig), ErrorCode::none);
 }
 
-TEST(EmergencyStop, HidesNoOtherFaultAndIsHiddenByNone) {
+TEST(EmergencyStop, DoesNotHideOtherFaultsAndIsNotHidden) {
   SafeRig rig;
   rig.hardware.fault = ErrorCode::drive_fault;
   rig.run(2);
@@ -65,16 +65,16 @@ TEST(EmergencyStop, HidesNoOtherFaultAndIsHiddenByNone) {
   rig.hardware.fault = ErrorCode::none;
   rig.run(2);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::drive_fault);
-  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "what keeps the drives off now";
+  EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "the cause that keeps the drives off now";
 }
 
-TEST(EmergencyLatch, NoPressIsMissedAndNoResetCountsThatComesTooEarly) {
+TEST(EmergencyLatch, RegistersEveryPressAndIgnoresEarlyResets) {
   clock::EmergencyStop stop;
   EmergencyLatch latch;
   latch.use(stop);
   EXPECT_FALSE(latch.look({}));
   stop.press();
-  stop.reset();  // both between two looks
+  stop.reset();  // both between two polls
   EXPECT_TRUE(latch.look({}));
   EXPECT_TRUE(latch.look({}));
   stop.reset();
@@ -82,7 +82,7 @@ TEST(EmergencyLatch, NoPressIsMissedAndNoResetCountsThatComesTooEarly) {
   stop.reset();
   EXPECT_FALSE(latch.look({}));
   stop.press();
-  EXPECT_TRUE(latch.look({})) << "a reset in advance is none";
+  EXPECT_TRUE(latch.look({})) << "an early reset has no effect";
   stop.press();
   stop.reset();
   EXPECT_TRUE(latch.look({}));

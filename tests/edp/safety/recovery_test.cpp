@@ -1,5 +1,5 @@
-// The way back from a fault, with every driver there is: the robot stops and stays stopped, recovers where it is
-// measured to be, and its first command is planned from there.
+// Recovery from a fault, with every driver: the robot stops and stays stopped, recovers at its measured position, and
+// its first command is planned from there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ class Recovery : public testing::TestWithParam<std::tuple<Driver, Cause>> {
         ASSERT_LE(std::abs(desired.acceleration[i]), axis.acceleration_max * (1 + 1e-6)) << i << " tick " << now;
         ASSERT_LE(std::abs(desired.acceleration[i] - previous.acceleration[i]), axis.jerk_max * kPeriod * (1 + 1e-6))
             << i << " tick " << now;
-        // what the trapezoidal rule may be wrong by under the jerk limit
+        // the error of the trapezoidal rule under the jerk limit
         const double way = 0.5 * kPeriod * (desired.velocity[i] + previous.velocity[i]);
         ASSERT_LE(std::abs(desired.position[i] - previous.position[i] - way),
                   axis.jerk_max * kPeriod * kPeriod * kPeriod / 12 + 1e-12)
@@ -76,7 +76,7 @@ class Recovery : public testing::TestWithParam<std::tuple<Driver, Cause>> {
     else
       plant->push(on);
   }
-  /// What first shows that something has the robot in its hands depends on the plant.
+  /// The first symptom of an external force on the robot depends on the plant.
   ErrorCode expected_fault() {
     if (std::get<Cause>(GetParam()) == Cause::held_up) {
       const ErrorCode seen_as = seen().fault.code;
@@ -105,7 +105,7 @@ TEST_P(Recovery, TheFirstMotionStartsWhereTheRobotIsMeasuredAndNothingJumps) {
   run(100);
   ASSERT_FALSE(send(joint_command(near_home(0.2, -0.2), 1500, 1500)));
   run(600);
-  ASSERT_GT(seen().desired.velocity.norm(), 0.1) << "it is under way";
+  ASSERT_GT(seen().desired.velocity.norm(), 0.1) << "it is moving";
 
   // the fault stops the robot, then the drives go off
   disturb(true);
@@ -117,7 +117,7 @@ TEST_P(Recovery, TheFirstMotionStartsWhereTheRobotIsMeasuredAndNothingJumps) {
   EXPECT_EQ(replies[0].state.error.code, expected_fault());
   disturb(false);
 
-  // it is latched: what was its cause is over, the robot stays where it is and moves for no command
+  // it is latched: its cause is over, but the robot stays at its position and executes no command
   run(100);
   const JointVector stands = seen().joints;
   ASSERT_TRUE(send(joint_command(near_home(0, 0), 1500, 1500)));
@@ -127,7 +127,7 @@ TEST_P(Recovery, TheFirstMotionStartsWhereTheRobotIsMeasuredAndNothingJumps) {
   EXPECT_FALSE(servo->drives_on());
   EXPECT_EQ(seen().joints, stands);
 
-  // recovered: the set-point is the measured position, at rest, and asks the drives for nothing
+  // recovered: the set-point is the measured position, at rest, and the drives get no commands
   replies.clear();
   RobotCommand recover;
   recover.kind = CommandKind::recover;
@@ -142,12 +142,13 @@ TEST_P(Recovery, TheFirstMotionStartsWhereTheRobotIsMeasuredAndNothingJumps) {
   EXPECT_TRUE(seen().desired.at_rest());
   checked = 0;
   tick();
-  EXPECT_LT(seen().current.cwiseAbs().maxCoeff(), 1e-9) << "but for rounding";
+  EXPECT_LT(seen().current.cwiseAbs().maxCoeff(), 1e-9) << "except for rounding";
   run(299);
   EXPECT_EQ(seen().desired.position, stands);
-  EXPECT_LT((seen().joints - stands).cwiseAbs().maxCoeff(), 2e-3) << "the weight as the regulators take it over";
+  EXPECT_LT((seen().joints - stands).cwiseAbs().maxCoeff(), 2e-3)
+      << "the deflection while the regulators take up the weight";
 
-  // the first command: from there, within the limits of every tick (check_set_point), to where it should
+  // the first command: from there, within the limits of every tick (check_set_point), to its target
   const JointVector target = near_home(-0.1, 0.1);
   ASSERT_GT((target - stands).norm(), 0.05);
   ASSERT_FALSE(send(joint_command(target, 2500, 2500))) << answer.state.error.detail.view();
@@ -173,7 +174,7 @@ TEST_P(Recovery, WhileTheCauseLastsTheRobotIsStoppedAnew) {
     ASSERT_FALSE(send(recover));
     run(3);
     ASSERT_EQ(replies.size(), 1u);
-    // what the drives report keeps them off; a force shows only when they are on
+    // a reported fault keeps the drives off; a force has an effect only when they are on
     const bool reported = std::get<Cause>(GetParam()) == Cause::reported_by_the_drives;
     EXPECT_EQ(replies[0].state.error.code, reported ? expected_fault() : ErrorCode::none) << attempt;
     if (reported) {

@@ -4,9 +4,9 @@
 
 namespace mrroc::edp {
 
-inline constexpr int kTerminal = 3;  ///< of the emergency stop, an input that is closed while no one presses it
+inline constexpr int kTerminal = 3;  ///< input of the emergency stop, closed while it is not pressed
 
-/// As Slide, with limits that a moving robot meets within a test.
+/// Like Slide, with limits that a moving robot reaches within a test.
 class WatchedSlide : public Slide {
  public:
   WatchedSlide() { parameters_.axes[0].current_max_time = 0.1; }
@@ -25,7 +25,7 @@ inline RobotCommand by(double way, std::uint16_t steps = 500) {
   return command;
 }
 
-/// Recovers; the code that is answered.
+/// Recovers; returns the code of the answer.
 inline ErrorCode recover(SafeRig& rig) {
   rig.replies.clear();
   EXPECT_FALSE(rig.send(recover_command()));

@@ -1,5 +1,5 @@
-// Whatever goes wrong in whatever order: what is commanded of the drives keeps the limits, nothing moves on its own,
-// and no one waits for an answer in vain.
+// Random faults in random order: the commands to the drives keep the limits, the robot does not move on its own, and
+// every command gets an answer.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -27,7 +27,7 @@ class WatchedGantry : public Gantry {
       axis.jerk_max = 400;
       axis.current_max_time = 0.02;
     }
-    for (const std::size_t i : {1u, 2u, 3u}) {  // stuck, these are found out otherwise
+    for (const std::size_t i : {1u, 2u, 3u}) {  // stuck axes are detected by other means
       parameters_.axes[i].current_max_time = 1e9;
       parameters_.axes[i].following_error_max = 3;
       parameters_.axes[i].stuck_max = 1;
@@ -35,13 +35,13 @@ class WatchedGantry : public Gantry {
   }
 };
 
-/// What the whole suite of cases has gone through.
+/// Statistics of all cases of the suite.
 struct Totals {
   std::uint64_t ticks = 0, stopping_ticks = 0, commands = 0, recoveries = 0, emergencies = 0;
   std::map<ErrorCode, int> faults;
 };
 
-/// A robot to which everything happens at random, looked at in every tick.
+/// A robot under random events, checked in every tick.
 class Driver {
  public:
   Driver(std::uint64_t seed, Totals& totals) : random_(seed), totals_(totals) {
@@ -81,7 +81,7 @@ class Driver {
     input.inputs.set(kStopInput, !pressed_);
   }
 
-  /// Faults come and go; the operator presses and resets.
+  /// Faults come and go; the operator presses and resets the emergency stop.
   void happen() {
     if (!wrong() && chance(0.5)) axis_ = integer(0, 3);
     for (bool* fault : {&overload_, &on_lower_, &on_upper_, &pressed_, &rig_.hardware.positions_lost})
@@ -90,7 +90,7 @@ class Driver {
       rig_.hardware.jam = !rig_.hardware.jam;
       rig_.hardware.stuck = chance(0.5);
     }
-    // one at a time: a shaft that jumps while no one sees it has gone there
+    // one at a time: a jump during another fault would be a real change of position
     ErrorCode& reported = rig_.hardware.fault;
     if (not_finite_ || jumped_ || reported != ErrorCode::none) {
       if (chance(0.02)) not_finite_ = jumped_ = false, reported = ErrorCode::none;
@@ -155,19 +155,19 @@ class Driver {
     rig_.tick();
     check_drives();
     check_set_point();
-    for (const Reply& reply : rig_.replies) RC_ASSERT(waiting_.erase(reply.command) == 1u);  // asked, not answered yet
+    for (const Reply& reply : rig_.replies) RC_ASSERT(waiting_.erase(reply.command) == 1u);  // sent, not answered yet
     rig_.replies.clear();
     powered_ = rig_.hardware.powered;
     previous_ = rig_.seen().desired;
     fault_ = rig_.seen().fault.code;
   }
 
-  /// When the drives continue and off.
+  /// Conditions for the drives to stay on or off.
   void check_drives() {
     const Snapshot& seen = rig_.seen();
     const bool on = rig_.hardware.powered;
     if (on && !powered_) {
-      RC_ASSERT(asked_);  // neither a reset nor the end of a fault has switched them on
+      RC_ASSERT(asked_);  // neither a reset nor the end of a fault may switch them on
       RC_ASSERT(!latched_);
       commanded_ = false;
       began_ = seen.joints;
@@ -189,7 +189,7 @@ class Driver {
     if (on && seen.fault.code != ErrorCode::none) ++totals_.stopping_ticks;
   }
 
-  /// What the drives are commanded: within the limits, and continuing from what they were commanded before.
+  /// The commands to the drives are within the limits, and continuous with the previous ones.
   void check_set_point() {
     if (!rig_.hardware.powered || !powered_) return;
     const DesiredState& now = rig_.seen().desired;
@@ -210,7 +210,7 @@ class Driver {
     }
   }
 
-  /// When all is well again the robot recovers and does what it is told; everybody has had his answer.
+  /// In the end, without faults, the robot recovers and executes its commands; every command has had its answer.
   void finish() {
     not_finite_ = jumped_ = overload_ = on_lower_ = on_upper_ = pressed_ = false;
     rig_.hardware.jam = rig_.hardware.positions_lost = false;
@@ -240,22 +240,22 @@ class Driver {
   std::mt19937_64 random_;
   Totals& totals_;
   Rig<WatchedGantry> rig_{false};
-  // what is wrong just now, of `axis_`
+  // present faults of `axis_`
   int axis_ = 0;
   bool not_finite_ = false, jumped_ = false, overload_ = false, on_lower_ = false, on_upper_ = false, pressed_ = false;
-  bool latched_ = false;    ///< the emergency stop should be
-  bool asked_ = false;      ///< for the drives to be switched on
-  bool commanded_ = false;  ///< a motion, since the drives are on
-  Tick off_by_ = kNever;    ///< when a fault must have switched the drives off
+  bool latched_ = false;    ///< expected state of the emergency stop
+  bool asked_ = false;      ///< the drives were requested on
+  bool commanded_ = false;  ///< a motion was commanded since the drives are on
+  Tick off_by_ = kNever;    ///< latest tick at which a fault must have switched the drives off
   std::set<std::uint64_t> waiting_;
-  JointVector began_;  ///< where the drives were switched on
-  // of the tick before
+  JointVector began_;  ///< position at which the drives were switched on
+  // of the previous tick
   bool powered_ = false;
   DesiredState previous_;
   ErrorCode fault_ = ErrorCode::none;
 };
 
-TEST(Safety, WhateverGoesWrongTheLimitsHoldNothingMovesByItselfAndEveryCommandHasOneAnswer) {
+TEST(Safety, RandomFaultsKeepTheLimitsCauseNoMotionAndEveryCommandHasOneAnswer) {
   Totals totals;
   EXPECT_TRUE(rc::check([&totals] {
     Driver driver(*rc::gen::arbitrary<std::uint64_t>(), totals);

@@ -1,4 +1,4 @@
-// What stops the robot, in which category, and what it takes to move it again.
+// Causes and categories of a stop, and the conditions for the next motion.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -82,7 +82,7 @@ const Event kEvents[] = {
 
 class Stops : public testing::TestWithParam<Event> {};
 
-TEST_P(Stops, TheRobotInTheEventsCategory) {
+TEST_P(Stops, StopTheRobotInTheirCategory) {
   const Event& event = GetParam();
   SafeRig rig(false);
   rig.hardware.close(kTerminal);
@@ -91,7 +91,7 @@ TEST_P(Stops, TheRobotInTheEventsCategory) {
   rig.effector.enable(true);
   rig.run(2);
   ASSERT_TRUE(rig.hardware.powered);
-  RobotCommand command = joint_command(one(0.5), 500, 400);  // it ends in motion
+  RobotCommand command = joint_command(one(0.5), 500, 400);  // the motion does not end at rest
   command.joint_velocity = one(0.5);
   ASSERT_FALSE(rig.send(command)) << rig.answer.state.error.detail.view();
   rig.run(250);
@@ -100,12 +100,12 @@ TEST_P(Stops, TheRobotInTheEventsCategory) {
 
   const std::uint32_t epoch = rig.seen().epoch;
   event.happens(rig);
-  for (int i = 0; i < 400 && rig.seen().epoch == epoch; ++i) rig.tick();  // until the servo leaves what was planned
+  for (int i = 0; i < 400 && rig.seen().epoch == epoch; ++i) rig.tick();  // until the servo leaves the planned motion
   EXPECT_EQ(rig.seen().fault.code, event.code);
   if (event.code != ErrorCode::none) {
     EXPECT_EQ(stop_category(event.code), event.category);
   }
-  EXPECT_EQ(rig.hardware.powered, event.category != StopCategory::drives_off) << "in the very tick";
+  EXPECT_EQ(rig.hardware.powered, event.category != StopCategory::drives_off) << "in the same tick";
   if (event.category == StopCategory::drives_off) {
     EXPECT_TRUE(rig.seen().desired.at_rest());
   } else {
@@ -128,7 +128,7 @@ TEST_P(Stops, TheRobotInTheEventsCategory) {
 INSTANTIATE_TEST_SUITE_P(Of, Stops, testing::ValuesIn(kEvents),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST(OverCurrent, IsWhatLastsLongerThanItsTime) {
+TEST(OverCurrent, CurrentBeyondItsTimeIsAFault) {
   SafeRig rig;
   rig.run(10);
   const auto overload = [&rig](Tick ticks) {
@@ -147,14 +147,14 @@ TEST(OverCurrent, IsWhatLastsLongerThanItsTime) {
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
 }
 
-TEST(OverCurrent, WithoutATimeEveryCurrentIsAllowed) {
+TEST(OverCurrent, EveryCurrentIsAllowedWithoutATime) {
   Rig<Slide> rig;
   rig.hardware.spoil = [](HardwareInput& input) { input.current[0] = 200; };
   rig.run(5000);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
 }
 
-TEST(LimitSwitch, OnlyMotionAwayFromItIsAccepted) {
+TEST(LimitSwitch, AcceptsOnlyMotionAwayFromIt) {
   for (const double direction : {1.0, -1.0}) {
     SafeRig rig;
     const double edge = GearedModel::kGear * (0.25 + direction * 0.3);
@@ -170,7 +170,7 @@ TEST(LimitSwitch, OnlyMotionAwayFromItIsAccepted) {
     ASSERT_GT(direction * (stands - 0.25), 0.3);
     ASSERT_EQ(recover(rig), ErrorCode::none);
     rig.run(100);
-    ASSERT_TRUE(rig.hardware.powered) << "it may stand there";
+    ASSERT_TRUE(rig.hardware.powered) << "it may rest there";
 
     RobotCommand velocity = by(0);
     velocity.kind = CommandKind::joint_velocity;
@@ -186,14 +186,14 @@ TEST(LimitSwitch, OnlyMotionAwayFromItIsAccepted) {
     rig.run(1000);
     EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
     EXPECT_NEAR(rig.seen().joints[0], stands - direction * 0.5, 1e-3);
-    // and then it is met again
+    // then the switch is reached again
     ASSERT_FALSE(rig.send(by(direction * 0.6, 800)));
     rig.run(1000);
     EXPECT_EQ(rig.seen().fault.code, ErrorCode::limit_switch);
   }
 }
 
-TEST(LimitSwitch, AnAxisThatStandsAtTheEdgeIsNotStoppedAnew) {
+TEST(LimitSwitch, AxisAtTheEdgeIsNotStoppedAgain) {
   SafeRig rig;
   bool on = true;
   rig.hardware.spoil = [&on](HardwareInput& input) { input.switches[0].lower_limit = on; };

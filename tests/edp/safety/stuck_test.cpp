@@ -1,4 +1,4 @@
-// What counts as a stuck axis, of every robot: only what moves a shaft that is free.
+// Detection of a stuck axis, for every robot: a free shaft must always move.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +35,7 @@ class HeldDrives : public Hardware {
   const JointVector& set_point() const { return target_; }
 
   JointVector current;  ///< measured, A
-  int held = -1;        ///< this shaft stands, whatever its drive does
+  int held = -1;        ///< this shaft stands still regardless of its drive
 
  protected:
   void report(Tick tick, HardwareInput& input) const {
@@ -52,7 +52,7 @@ class HeldDrives : public Hardware {
   bool on_ = false;
 };
 
-/// Regulate on their own: a shaft is at its set-point, to a whole number of increments less a residual.
+/// Drives that regulate on their own: a shaft is at its set-point, to a whole number of increments less a residual.
 class RegulatingDrives final : public HeldDrives {
  public:
   using HeldDrives::HeldDrives;
@@ -69,8 +69,8 @@ class RegulatingDrives final : public HeldDrives {
   std::function<void(Tick, JointVector&)> wander;  ///< what they measure
 };
 
-/// Follow the current. Rotor, viscous friction, a load and a static friction that holds the shaft until the rest of
-/// the torque is greater, and slows it down afterwards.
+/// Drives that follow the current. Model: rotor, viscous friction, a load, and a static friction that holds the shaft
+/// until the remaining torque is greater, and slows it down afterwards.
 class FrictionDrives final : public HeldDrives {
  public:
   explicit FrictionDrives(const RobotModel& model)
@@ -100,7 +100,7 @@ class FrictionDrives final : public HeldDrives {
     const double sense = speed_[i] != 0 ? std::copysign(1, speed_[i]) : std::copysign(1, driving);
     const double torque = a.torque_constant * (driving - sense * friction[i]);
     double speed = (speed_[i] + time * torque / a.rotor_inertia) / (1 + time * a.viscous_friction / a.rotor_inertia);
-    if (speed * sense < 0) speed = 0;  // it comes to rest, and friction holds it
+    if (speed * sense < 0) speed = 0;  // it stops, and friction holds it
     true_[i] += time * speed;
     speed_[i] = speed;
   }
@@ -123,7 +123,7 @@ class Driven {
       }
     }
   }
-  /// A motion of `part` of every joint's speed limit, for `steps` ticks; false: refused.
+  /// A motion with `part` of every joint's speed limit, for `steps` ticks; false: refused.
   bool move(double part, std::uint16_t steps) {
     RobotCommand command;
     command.kind = CommandKind::joint;
@@ -167,7 +167,7 @@ class AtRest : public testing::TestWithParam<KnownRobot> {
   const RobotParameters& parameters = models.front()->parameters();
 };
 
-TEST_P(AtRest, DrivesThatRegulateMayLeaveWhatTheyLeave) {
+TEST_P(AtRest, RegulatingDrivesMayKeepAResidualError) {
   for (const double residual : {0.0, 0.4, 1.0, -2.0, 3.0}) {
     Driven<RegulatingDrives> robot(models);
     ASSERT_TRUE(robot.move(0.02, kMotion));
@@ -178,8 +178,8 @@ TEST_P(AtRest, DrivesThatRegulateMayLeaveWhatTheyLeave) {
   }
 }
 
-/// The currents that a drive holds with: of the motion before, of a load that comes, friction, a sensor's noise.
-TEST_P(AtRest, DrivesThatRegulateMayHoldWithAnyCurrent) {
+/// Holding currents of a drive: from the previous motion, a new load, friction, a sensor's noise.
+TEST_P(AtRest, RegulatingDrivesMayHoldWithAnyCurrent) {
   std::mt19937 random(5);
   const auto any = [&random](double most) { return std::uniform_real_distribution<double>(-most, most)(random); };
   const std::vector<std::function<double(double, double)>> currents{
@@ -201,7 +201,7 @@ TEST_P(AtRest, DrivesThatRegulateMayHoldWithAnyCurrent) {
   }
 }
 
-/// The change of current by which a free drive would come to the speed that is allowed, A (MotionWatch).
+/// The change of current by which a free drive would reach the permitted speed, A (MotionWatch).
 double change_that_moves(const RobotModel& model, Eigen::Index i) {
   const JointMatrix ratio = model.transmission(model.parameters().home).inverse();
   const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
@@ -213,9 +213,9 @@ double change_that_moves(const RobotModel& model, Eigen::Index i) {
   return speed * axis.viscous_friction / axis.torque_constant + axis.stuck_current;
 }
 
-/// The servo's regulator turns a shaft that friction holds by an increment now and then: its current goes from one side
-/// of the friction to the other meanwhile.
-TEST_P(AtRest, TheServosRegulatorMayHoldALoadAgainstFriction) {
+/// The servo's regulator occasionally turns a shaft that friction holds by an increment; its current moves from one
+/// side of the friction to the other meanwhile.
+TEST_P(AtRest, ServosRegulatorMayHoldALoadAgainstFriction) {
   std::mt19937 random(6);
   for (int i = 0; i < 3; ++i) {
     Driven<FrictionDrives> robot(models);
@@ -235,7 +235,7 @@ TEST_P(AtRest, TheServosRegulatorMayHoldALoadAgainstFriction) {
 INSTANTIATE_TEST_SUITE_P(Robots, AtRest, testing::ValuesIn(every_robot()),
                          [](const auto& test) { return test.param.stem; });
 
-TEST(AtRest, AnHourIsNoLongerThanAMinute) {
+TEST(AtRest, DurationHasNoEffect) {
   const RobotModels models = every_robot()[2].load(every_robot()[2].file("toml"));
   Driven<RegulatingDrives> robot(models);
   ASSERT_TRUE(robot.move(0.05, kMotion));
@@ -246,7 +246,7 @@ TEST(AtRest, AnHourIsNoLongerThanAMinute) {
 
 class Held : public AtRest {
  protected:
-  /// Its shaft is held in a motion, and found before its set-point has moved by more than stuck_max.
+  /// Its shaft is held in a motion, and this is detected before its set-point has moved by more than stuck_max.
   template <class Drives>
   void expect_found(int axis, double part, bool measured) {
     SCOPED_TRACE(testing::Message() << "axis " << axis << " at " << part << " of its speed");
@@ -273,10 +273,10 @@ class Held : public AtRest {
   }
 };
 
-TEST_P(Held, AShaftIsFoundWhateverDrivesIt) {
+TEST_P(Held, ShaftIsDetectedWithEveryDrive) {
   for (int axis = 0; axis < static_cast<int>(parameters.axes.size()); ++axis) {
     const AxisParameters& a = parameters.axes[static_cast<std::size_t>(axis)];
-    if (a.stuck_max > a.following_error_max / 2) continue;  // a gripper is meant to be held
+    if (a.stuck_max > a.following_error_max / 2) continue;  // a gripper is held on purpose
     for (const double part : {0.05, 0.2}) {
       expect_found<RegulatingDrives>(axis, part, false);
       expect_found<RegulatingDrives>(axis, part, true);

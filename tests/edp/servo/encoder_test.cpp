@@ -1,4 +1,4 @@
-// What the readings of the encoders show on their own: a robot that is faster than it may, encoders that have died.
+// Faults that encoder readings alone reveal: a robot above its speed limit, dead encoders.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -10,7 +10,7 @@
 namespace mrroc::edp {
 namespace {
 
-/// Recovers; the code that is answered.
+/// Recovers; returns the code of the answer.
 ErrorCode recover(Rig<Slide>& rig) {
   RobotCommand command;
   command.kind = CommandKind::recover;
@@ -21,8 +21,9 @@ ErrorCode recover(Rig<Slide>& rig) {
   return rig.replies.empty() ? ErrorCode::busy : rig.replies[0].state.error.code;
 }
 
-/// What a watch says that reads these ways of a slide's shaft, tick by tick, parts of its way at full speed in a
-/// period; each reading may have been taken as late as that. `homing`: 0 when the slide's drive homes on its own.
+/// The verdict of a watch that reads these positions of a slide's shaft, tick by tick, in parts of the distance of a
+/// period at full speed. Each reading may be late by up to the given time. `homing`: 0 when the slide's drive homes on
+/// its own.
 Fault after_ways(const std::vector<double>& ways, const std::vector<double>& late = {}, int homing = -1) {
   const Slide model;
   MotionWatch watch(kPeriod);
@@ -42,10 +43,10 @@ Fault after_ways(const std::vector<double>& ways, const std::vector<double>& lat
   return fault;
 }
 
-TEST(Overspeed, IsSeenATickAheadAndNotInATremble) {
+TEST(Overspeed, IsDetectedATickAheadAndNotInAnOscillation) {
   const Fault runaway = after_ways({0.5, 0.5, 0.9, 1.3, 1.7});
   EXPECT_EQ(runaway.code, ErrorCode::overspeed);
-  EXPECT_EQ(runaway.tick, 4u) << "it would be 1.3 times as fast as it may";
+  EXPECT_EQ(runaway.tick, 4u) << "it would reach 1.3 times its limit";
   EXPECT_EQ(after_ways({-0.5, -0.5, -0.9, -1.3}).tick, 4u);
   std::vector<double> steady(100, 1.1), trembling(100, 1.0);
   EXPECT_EQ(after_ways(steady).code, ErrorCode::none);
@@ -56,15 +57,15 @@ TEST(Overspeed, IsSeenATickAheadAndNotInATremble) {
   EXPECT_EQ(after_ways(std::vector<double>(10, 1.17)).code, ErrorCode::overspeed);
 }
 
-TEST(Overspeed, IsNoneWhereADriveThatHomesComesToItsSpeedAtOnce) {
+TEST(Overspeed, IgnoresTheSpeedStepOfAHomingDrive) {
   const std::vector<double> at_once{0, 0, 0, 1, 1, 1, 1, 1, 1, 0, -1, -1, -1, -1};
   EXPECT_EQ(after_ways(at_once, {}, 0).code, ErrorCode::none);
-  EXPECT_EQ(after_ways(at_once).code, ErrorCode::overspeed) << "it is ours to bring it there";
-  EXPECT_EQ(after_ways(std::vector<double>(10, 1.17), {}, 0).code, ErrorCode::overspeed) << "but faster it may not be";
+  EXPECT_EQ(after_ways(at_once).code, ErrorCode::overspeed) << "the servo sets this speed";
+  EXPECT_EQ(after_ways(std::vector<double>(10, 1.17), {}, 0).code, ErrorCode::overspeed) << "but it may not be faster";
 }
 
-TEST(Overspeed, IsNoneWhereTheServoWasLate) {
-  // drives that measure when the late servo asks them, and drives that keep time on their own
+TEST(Overspeed, IgnoresReadingsOfALateServo) {
+  // drives that measure at the request of the late servo, and drives with their own clock
   for (const bool when_asked : {true, false}) {
     std::mt19937 random(20);
     std::uniform_real_distribution<double> share(0, 1);
@@ -82,29 +83,29 @@ TEST(Overspeed, IsNoneWhereTheServoWasLate) {
   }
 }
 
-TEST(Overspeed, IsSeenOnABusThatAnswersInTime) {
+TEST(Overspeed, IsDetectedOnABusThatAnswersInTime) {
   const std::vector<double> usual(100, 0.15);
   EXPECT_EQ(after_ways(std::vector<double>(100, 1.1), usual).code, ErrorCode::none);
   EXPECT_EQ(after_ways(std::vector<double>(100, 1.25), usual).code, ErrorCode::overspeed);
 }
 
-TEST(Encoder, AReadingThatComesBackIsBelievedAgainOneThatStaysAwayNever) {
+TEST(Encoder, AcceptsAReadingThatReturnsAndRejectsOneThatStaysAway) {
   Rig<Slide> rig;
   double off = 5;
   rig.hardware.spoil = [&off](HardwareInput& input) { input.motors[0] += off; };
   rig.run(2);
   ASSERT_EQ(rig.seen().fault.code, ErrorCode::encoder_fault);
   EXPECT_EQ(rig.seen().fault.axis, 0);
-  EXPECT_NEAR(rig.seen().joints[0], 0.25, 1e-4) << "what cannot be true is not taken";
+  EXPECT_NEAR(rig.seen().joints[0], 0.25, 1e-4) << "an impossible reading is rejected";
   rig.run(5000);
-  EXPECT_EQ(recover(rig), ErrorCode::encoder_fault) << "the position is lost, however long ago";
+  EXPECT_EQ(recover(rig), ErrorCode::encoder_fault) << "the position is lost permanently";
   off = 0;
   EXPECT_EQ(recover(rig), ErrorCode::none);
   EXPECT_NEAR(rig.seen().joints[0], 0.25, 1e-4);
 }
 
-TEST(Encoder, AfterASilenceTheAxisMayBeElsewhere) {
-  for (const bool sure : {true, false}) {  // that the first readings after it are new ones
+TEST(Encoder, AxisMayHaveMovedAfterASilence) {
+  for (const bool sure : {true, false}) {  // whether the first readings after it are new ones
     Rig<Slide> rig;
     rig.hardware.fault = ErrorCode::hardware_silent;
     rig.run(500);
@@ -119,7 +120,7 @@ TEST(Encoder, AfterASilenceTheAxisMayBeElsewhere) {
   }
 }
 
-/// It meets no switch, however far it goes.
+/// It reaches no switch at any position.
 class WatchedBelt : public Slide {
  public:
   WatchedBelt() {
@@ -154,7 +155,7 @@ TEST(Encoder, ThatDiesAtRestMovesTheAxisByLessThanItsLimits) {
   }
 }
 
-TEST(Encoder, WhatStaticFrictionHoldsMayStand) {
+TEST(Encoder, AxisHeldByStaticFrictionMayStand) {
   Rig<WatchedBelt> rig;
   rig.model.change().axes[0].stuck_current = rig.model.parameters().axes[0].current_max;
   rig.run(10);
@@ -164,7 +165,7 @@ TEST(Encoder, WhatStaticFrictionHoldsMayStand) {
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
 }
 
-/// Drives of which the driver reports nothing.
+/// Drives whose driver reports nothing.
 class Mute final : public Hardware {
  public:
   void open() override {}
@@ -175,7 +176,7 @@ class Mute final : public Hardware {
   bool powered = false;
 };
 
-TEST(Encoder, DrivesThatReportNothingAreNeverSwitchedOn) {
+TEST(Encoder, SilentDrivesAreNeverSwitchedOn) {
   Slide model;
   Mute hardware;
   HandOver hand_over;

@@ -17,7 +17,7 @@ RobotCommand press() {
   return command;
 }
 
-/// Goes to the wall, presses, leaves it: the next command whenever the last one has been answered.
+/// Moves to the wall, presses, leaves it: the next command follows each answer.
 void work(Robot& robot, int tick) {
   if (robot.replies.empty() && tick > 0) return;
   robot.replies.clear();
@@ -48,7 +48,7 @@ TEST(Independence, ARobotDoesNotFeelAnotherOneInTheSameProcess) {
     if (i % 7 == 0) {
       RobotCommand command = force_command(5, 0);
       command.twist[2] = -0.03;
-      other.send(command);  // accepted, busy or late: all the same to the first one
+      other.send(command);  // accepted, busy or late: without effect on the first one
     }
     if (i % 3 != 0) other.tick();
   });

@@ -1,4 +1,4 @@
-// What goes wrong in the servo is said in a reply, which the task turns into an exception; it is never printed.
+// The servo reports every error in a reply, which the task turns into an exception; it never prints.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace {
 
 using Robot = ForceRig<Gantry>;
 
-/// What the process has written while `act` ran.
+/// The output of the process while `act` ran.
 std::string written_by(const std::function<void()>& act) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
@@ -20,7 +20,7 @@ std::string written_by(const std::function<void()>& act) {
   return out + testing::internal::GetCapturedStderr();
 }
 
-// original's defect 22: the 500 Hz thread printed its errors, and some went no further than that
+// original's defect 22: the 500 Hz thread printed its errors, and some were reported nowhere else
 TEST(NoOutput, EveryErrorOfTheServoIsInAReplyAndNoneIsPrinted) {
   const std::map<ErrorCode, std::function<void(Robot&)>> causes = {
       {ErrorCode::following_error, [](Robot& robot) { robot.hardware.jam = true; }},

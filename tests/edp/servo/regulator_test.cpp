@@ -17,7 +17,7 @@ double step(Regulator& regulator, double commanded, double measured) {
 }
 
 // the law of `mrrocpp` 4.1 written out for the first three ticks
-TEST(Regulator, IsTheOriginalsServoLaw) {
+TEST(Regulator, EqualsTheServoLawOfTheOriginal) {
   const AxisParameters axis = test_axis("x");
   const double a = axis.regulator_a, b0 = axis.regulator_b0, b1 = axis.regulator_b1, eps = axis.regulator_eps;
   Regulator regulator(axis);
@@ -32,7 +32,7 @@ TEST(Regulator, IsTheOriginalsServoLaw) {
   EXPECT_NEAR(step(regulator, 10, 12), 0.2 * u3, 1e-12);
 }
 
-TEST(Regulator, TheOutputAndTheCurrentAreHeldWithinTheirLimits) {
+TEST(Regulator, OutputAndCurrentAreKeptWithinTheirLimits) {
   AxisParameters axis = test_axis("x");
   Regulator by_output(axis);
   for (int i = 0; i < 20; ++i) step(by_output, 1000, 0);
@@ -43,7 +43,7 @@ TEST(Regulator, TheOutputAndTheCurrentAreHeldWithinTheirLimits) {
   EXPECT_EQ(step(regulator, -1000, 0), -190 * 0.2);
 }
 
-TEST(Regulator, ForgetsThePastOnReset) {
+TEST(Regulator, ResetClearsItsState) {
   Regulator regulator(test_axis("x"));
   for (int i = 0; i < 5; ++i) step(regulator, 10, 3);
   regulator.reset();
@@ -61,7 +61,7 @@ TEST(Regulator, ItsGainsAreThoseOfTheAxis) {
 }
 
 // at rest under gravity the output is constant: another gain must not change the current
-TEST(Regulator, OtherNumbersTakeOverWithoutAJumpOfTheCurrent) {
+TEST(Regulator, NewParametersDoNotChangeTheCurrentAbruptly) {
   const AxisParameters axis = test_axis("x");
   AxisParameters soft = axis;
   soft.regulator_current_gain = axis.regulator_current_gain / 3;

@@ -61,7 +61,7 @@ class Walk {
     if (draw(8) == 0) order();
     if (draw(20) == 0) hardware_.delay = draw(3) == 0 ? 0 : draw(12);
     if (draw(30) == 0) {
-      const ErrorCode kinds[]{ErrorCode::drive_fault, ErrorCode::bus_error};  // no power at once; a stop first
+      const ErrorCode kinds[]{ErrorCode::drive_fault, ErrorCode::bus_error};  // no power at once, after a stop
       hardware_.fault = kinds[draw(2)];
     } else if (draw(4) == 0) {
       hardware_.fault = ErrorCode::none;

@@ -30,7 +30,7 @@ TEST(Servo, SwitchingOnMakesTheMeasuredPositionTheDesiredOne) {
   rig.run(500);
   EXPECT_TRUE(rig.hardware.powered);
   EXPECT_EQ(rig.seen().desired.position[0], measured);
-  EXPECT_EQ(rig.seen().joints[0], measured);  // no jump, not even of one encoder increment
+  EXPECT_EQ(rig.seen().joints[0], measured);  // no jump, not even by one encoder increment
 }
 
 TEST(Servo, DrivesThatLoseTheirPositionsStopTheRobot) {
@@ -51,7 +51,7 @@ TEST(Servo, TooLargeAFollowingErrorStopsTheRobotAndSwitchesTheDrivesOff) {
   EXPECT_EQ(rig.seen().fault.axis, 0);
   EXPECT_GT(std::get<Excess>(rig.seen().fault.detail).value, 30);
   EXPECT_FALSE(rig.hardware.powered);
-  // the reply leaves at once, with the error; nothing is said twice
+  // the reply leaves at once, with the error; nothing is reported twice
   ASSERT_EQ(rig.replies.size(), 1u);
   EXPECT_EQ(rig.replies[0].state.tick, rig.seen().fault.tick);
   EXPECT_EQ(rig.replies[0].state.error.error_class, ErrorClass::hardware);
@@ -63,7 +63,7 @@ TEST(Servo, TooLargeAFollowingErrorStopsTheRobotAndSwitchesTheDrivesOff) {
   EXPECT_EQ(rig.query().error.code, ErrorCode::following_error);
 }
 
-TEST(Servo, AfterRecoveryItMovesFromWhereItStands) {
+TEST(Servo, MovesFromItsPositionAfterRecovery) {
   Rig<Slide> rig;
   rig.send(joint_command(one(1.25), 1500, 1500));
   rig.run(400);
@@ -73,7 +73,7 @@ TEST(Servo, AfterRecoveryItMovesFromWhereItStands) {
   rig.run(300);
   EXPECT_EQ(rig.query().error.code, ErrorCode::drive_fault);
 
-  rig.effector.enable(true);  // the fault is still there
+  rig.effector.enable(true);  // the fault persists
   rig.run(5);
   EXPECT_FALSE(rig.hardware.powered);
   rig.hardware.fault = ErrorCode::none;
@@ -108,7 +108,7 @@ TEST(Servo, CountsMissedTicksAndKeepsTheGrid) {
   Rig<Slide> rig;
   rig.send(joint_command(one(0.5), 500, 500));
   rig.run(100);
-  rig.now += 3;  // three ticks of the grid that no one executed
+  rig.now += 3;  // three ticks of the grid that were not executed
   rig.run(396);
   EXPECT_EQ(rig.seen().counters.missed, 3u);
   ASSERT_TRUE(rig.replies.empty());
@@ -118,8 +118,8 @@ TEST(Servo, CountsMissedTicksAndKeepsTheGrid) {
   EXPECT_EQ(rig.seen().desired.position[0], 0.5);
 }
 
-/// The last guard: a macrostep that no planner has seen.
-TEST(Servo, AfterMissedTicksTheSetPointIsFartherOnAndNoFaster) {
+/// The last check: a macrostep that bypasses the planner.
+TEST(Servo, SetPointIsFartherAndNotFasterAfterMissedTicks) {
   Rig<Slide> rig;
   ASSERT_FALSE(rig.send(joint_command(one(0.75), 1500, 1500)));
   rig.run(750);
@@ -130,7 +130,7 @@ TEST(Servo, AfterMissedTicksTheSetPointIsFartherOnAndNoFaster) {
   EXPECT_NEAR(rig.hardware.velocity_target[0], before, 0.01 * before);
 }
 
-TEST(Servo, ASetPointBeyondALimitStopsTheRobot) {
+TEST(Servo, SetPointBeyondALimitStopsTheRobot) {
   Rig<Slide> rig;
   Macrostep wild;
   wild.epoch = rig.seen().epoch;

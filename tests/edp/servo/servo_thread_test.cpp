@@ -10,7 +10,7 @@
 namespace mrroc::edp {
 namespace {
 
-/// A grid that begins now, and a count of the wake-ups.
+/// A grid that starts now, and a count of the wake-ups.
 class GridClock : public clock::Clock {
  public:
   double period() const noexcept override { return 0.0005; }
@@ -55,7 +55,7 @@ TEST(ServoThread, TicksTheServoWakesTheCommsSideAndEndsWithTheRobotAtRestAndTheD
     command.joint_velocity = one(0.3);
     Reply reply;
     ASSERT_FALSE(effector.accept(command, 1, reply)) << reply.state.error.detail.view();
-    const int before = clock.notified;  // of switching on
+    const int before = clock.notified;  // by switching on
     while (clock.notified == before) std::this_thread::yield();
     ASSERT_TRUE(effector.poll(reply));
     EXPECT_EQ(reply.state.error.code, ErrorCode::none);
@@ -67,7 +67,7 @@ TEST(ServoThread, TicksTheServoWakesTheCommsSideAndEndsWithTheRobotAtRestAndTheD
   EXPECT_GT(servo.snapshot().desired.position[0], 0.3);
 }
 
-/// Drives that overrun three periods now and then, and remember which ticks they were asked for.
+/// Drives that occasionally overrun three periods, and record the ticks of their calls.
 class OverrunningHardware : public LoopbackHardware {
  public:
   OverrunningHardware(const RobotModel& model, double period, bool waits)
@@ -91,7 +91,7 @@ class OverrunningHardware : public LoopbackHardware {
   std::int64_t period_ns_;
 };
 
-TEST(ServoThread, DrivesThatWaitGetEveryTickTheOthersThePresentOne) {
+TEST(ServoThread, WaitingDrivesGetEveryTickOthersThePresentOne) {
   for (const bool waits : {true, false}) {
     Slide model;
     GridClock clock;
@@ -102,7 +102,7 @@ TEST(ServoThread, DrivesThatWaitGetEveryTickTheOthersThePresentOne) {
     {
       ServoThread thread(servo, clock);
       while (hardware.overruns < 5) std::this_thread::yield();
-      EXPECT_GE(thread.ticker().missed(), 5u) << "two of three periods are lost whole in each but the last overrun";
+      EXPECT_GE(thread.ticker().missed(), 5u) << "two of three periods are lost entirely in each but the last overrun";
     }
     std::uint64_t skipped = 0;
     for (std::size_t i = 1; i < hardware.asked.size(); ++i) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kIncrement = 2 * std::numbers::pi / 4000;
 
-/// Starts where the case says; `home` is where the simulated robot stands.
+/// Starts at the position of the case; `home` is the position of the simulated robot.
 class Placed : public Switched {
  public:
   Placed() { parameters_.home = where(); }
@@ -32,14 +32,14 @@ RobotCommand command_of(CommandKind kind) {
   return command;
 }
 
-/// Synchronises from `where`, with the switches as `rewire` makes them, and checks every set-point, the positions found
-/// and the first motion after it.
+/// Synchronises from `where`, with the switches of `rewire`, and checks every set-point, the positions found and the
+/// first motion after it.
 void check_from(const JointVector& where, const std::function<void(FaultyHardware&)>& rewire = {}) {
   Placed::where() = where;
   Rig<Placed> rig(true, false);
   if (rewire) rewire(rig.hardware);
   RC_ASSERT(!rig.seen().synchronised);
-  RC_ASSERT(rig.seen().joints.isZero(0));  // it counts from where the power came on
+  RC_ASSERT(rig.seen().joints.isZero(0));  // it counts from its position at power-on
   RC_ASSERT(!rig.send(command_of(CommandKind::synchronise)));
   DesiredState previous = rig.seen().desired;
   const auto& limits = rig.models.at(ModelSet::kShafts).parameters().axes;
@@ -67,7 +67,7 @@ void check_from(const JointVector& where, const std::function<void(FaultyHardwar
   RC_ASSERT(rig.replies[0].state.error.error_class == ErrorClass::none);
   RC_ASSERT(rig.replies[0].state.synchronised);
   rig.run(200);
-  // the true shafts, which no one outside the plant knows
+  // the true shafts, which only the plant has
   for (int i = 0; i < 4; ++i) {
     const double home = GearedModel::kGear * where[i];
     RC_ASSERT(std::abs(rig.hardware.travelled()[i] + home - rig.seen().motors[i]) < 2 * kIncrement);
@@ -97,21 +97,21 @@ TEST(Synchronisation, FindsTheAbsolutePositionsFromAnywhereWithinTheLimits) {
   EXPECT_TRUE(rc::check([] { check_from(random_vector(4, 0.99)); }));
 }
 
-// an axis beyond its switch turns round at its limit switch
-TEST(Synchronisation, FindsThemWithShortSwitchesToo) {
+// an axis beyond its switch reverses at its limit switch
+TEST(Synchronisation, FindsThemAlsoWithShortSwitches) {
   EXPECT_TRUE(rc::check([] {
     check_from(random_vector(4, 0.99),
                [](FaultyHardware& hardware) { shorten_switches(hardware, 2 * std::numbers::pi); });
   }));
 }
 
-// ... and one that is shorter than the stop is left on its far side first
-TEST(Synchronisation, FindsThemWithSwitchesThatItSlidesAcross) {
+// ... and a switch that is shorter than the stop is first left on its far side
+TEST(Synchronisation, FindsThemWithSwitchesShorterThanTheStop) {
   EXPECT_TRUE(rc::check(
       [] { check_from(random_vector(4, 0.99), [](FaultyHardware& hardware) { shorten_switches(hardware, 0.5); }); }));
 }
 
-/// Where the robot is for the tests of what goes wrong: beyond the zero pulses, before the switches.
+/// Position of the robot for the tests of faults: beyond the zero pulses, before the switches.
 class Ready : public Switched {
  public:
   Ready() {
@@ -120,7 +120,7 @@ class Ready : public Switched {
   }
 };
 
-/// Synchronises; returns the error that the reply carries.
+/// Synchronises; returns the error of the reply.
 ErrorReport error_of(Rig<Ready>& rig) {
   rig.replies.clear();
   EXPECT_FALSE(rig.send(command_of(CommandKind::synchronise)));
@@ -129,7 +129,7 @@ ErrorReport error_of(Rig<Ready>& rig) {
   return rig.replies.empty() ? ErrorReport{} : rig.replies[0].state.error;
 }
 
-TEST(Synchronisation, ASwitchThatNeverOpensIsAHardwareErrorAtTheLimitSwitch) {
+TEST(Synchronisation, SwitchThatNeverOpensIsAHardwareErrorAtTheLimitSwitch) {
   Rig<Ready> rig(true, false);
   rig.hardware.rewire = [](HardwareInput& input) { input.switches[3].synchro = true; };
   EXPECT_EQ(error_of(rig).code, ErrorCode::synchronisation_failed);
@@ -139,7 +139,7 @@ TEST(Synchronisation, ASwitchThatNeverOpensIsAHardwareErrorAtTheLimitSwitch) {
   EXPECT_NEAR(rig.hardware.travelled()[3], 140, 3) << "from -10 to the limit switch at 130, and the stop";
 }
 
-TEST(Synchronisation, ASwitchThatSticksOnceItIsMetIsOneToo) {
+TEST(Synchronisation, SwitchThatSticksIsAHardwareError) {
   Rig<Ready> rig(true, false);
   bool met = false;
   rig.hardware.rewire = [&met](HardwareInput& input) {
@@ -160,7 +160,7 @@ TEST(Synchronisation, AnEncoderWithoutZeroPulseIsOneWithinThreeTurns) {
   EXPECT_NEAR(rig.hardware.travelled()[3], -5.9 - std::numbers::pi + 6 * std::numbers::pi, 1);
 }
 
-TEST(Synchronisation, BeforeItOnlySlowRelativeMotorMotion) {
+TEST(Synchronisation, OnlySlowRelativeMotorMotionIsAllowedBefore) {
   Rig<Switched> rig(true, false);
   RobotCommand motor = joint_command(JointVector::Constant(4, 1.0), 500, 500);
   motor.kind = CommandKind::motor;
@@ -183,7 +183,7 @@ TEST(Synchronisation, BeforeItOnlySlowRelativeMotorMotion) {
   EXPECT_NE(rig.answer.state.error.code, ErrorCode::none);  // too fast: 37 rad/s
 }
 
-/// Recovers; the code that is answered.
+/// Recovers; returns the code of the answer.
 ErrorCode recover(Rig<Switched>& rig) {
   rig.replies.clear();
   EXPECT_FALSE(rig.send(command_of(CommandKind::recover)));
@@ -219,13 +219,13 @@ TEST(Synchronisation, BeforeItAFaultAndTheEmergencyStopAreLatchedToo) {
   ASSERT_FALSE(rig.send(motor));
   rig.run(250);
   ASSERT_FALSE(rig.seen().desired.at_rest());
-  rig.operators.press();  // on its way
+  rig.operators.press();  // during the motion
   rig.run(2);
   EXPECT_TRUE(rig.hardware.powered) << "it brakes first";
   EXPECT_FALSE(rig.seen().desired.at_rest());
   rig.run(300);
   expect_stopped(ErrorCode::emergency_stop);
-  EXPECT_LT(rig.seen().motors[2], 1.0 - 10 * kIncrement) << "it did not go on to the end";
+  EXPECT_LT(rig.seen().motors[2], 1.0 - 10 * kIncrement) << "it did not continue to the end";
   EXPECT_EQ(recover(rig), ErrorCode::emergency_stop) << "it has not been reset";
   rig.operators.reset();
   EXPECT_EQ(recover(rig), ErrorCode::none);

@@ -10,7 +10,7 @@
 namespace mrroc::edp {
 namespace {
 
-// The servo and the comms side in two threads, both as fast as they can: commands come in time, late, and in the very
+// The servo and the comms side in two threads, both as fast as possible: commands arrive in time, late, and in the same
 // tick in which the robot begins to brake.
 TEST(HandOver, TwoThreadsLoseNoCommandAndNeverTearASetPoint) {
   const Slide model;

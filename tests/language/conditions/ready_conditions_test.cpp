@@ -1,4 +1,4 @@
-// The conditions of include/mrroc/conditions that look at time, places, what is felt, and the age of readings.
+// The conditions of include/mrroc/conditions on time, positions, forces, and the age of readings.
 #include <limits>
 
 #include "language/free_flyer.hpp"
@@ -38,14 +38,14 @@ Pose random_pose() {
   return pose;
 }
 
-/// Makes the fake's state the arm's.
+/// Makes the fake's state the arm's state.
 void look(FreeFlyer& task) {
   task.arm->reset_command(CommandKind::query);
   task.arm->send();
   task.arm->receive();
 }
 
-/// Beside the tolerance itself, where rounding decides.
+/// Values beside the tolerance, where rounding does not decide.
 double beside(double tolerance) { return tolerance * (pick(0, 1) == 0 ? 0.01 * pick(0, 99) : 0.01 * pick(101, 300)); }
 
 TEST(PositionReached, HoldsWithinTheTolerances) {
@@ -65,7 +65,7 @@ TEST(PositionReached, HoldsWithinTheTolerances) {
   });
 }
 
-TEST(JointsReached, HoldsWhenEveryJointIsThere) {
+TEST(JointsReached, HoldsWhenEveryJointIsAtItsTarget) {
   check_property(kCases, [] {
     FreeFlyer task(Pose::Identity());
     const double tolerance = 0.01 * pick(1, 50);
@@ -83,7 +83,7 @@ TEST(JointsReached, HoldsWhenEveryJointIsThere) {
   });
 }
 
-TEST(PathTravelled, CountsTheWayAlsoWhereItComesBack) {
+TEST(PathTravelled, CountsThePathAlsoWhenItReturns) {
   check_property(kCases, [] {
     FreeFlyer task(random_pose());
     look(task);
@@ -102,7 +102,7 @@ TEST(PathTravelled, CountsTheWayAlsoWhereItComesBack) {
   });
 }
 
-TEST(PathTravelled, EndsACircleThatTravelledDoesNot) {
+TEST(PathTravelled, EndsACircleWhichTravelledDoesNot) {
   FreeFlyer task(Pose::Identity());
   look(task);
   PathTravelled path(*task.arm, 0.6);
@@ -119,7 +119,7 @@ TEST(PathTravelled, EndsACircleThatTravelledDoesNot) {
   EXPECT_NEAR(steps, 601, 1) << "0.6 m on a radius of 0.1 m";
 }
 
-TEST(ElapsedTime, EndsAtTheFirstStepThatIsNotBefore) {
+TEST(ElapsedTime, EndsAtTheFirstStepAfterTheTime) {
   check_property(kCases, [] {
     FakeTask task;
     const auto arm = task.robot("arm");
@@ -134,7 +134,7 @@ TEST(ElapsedTime, EndsAtTheFirstStepThatIsNotBefore) {
   });
 }
 
-TEST(ReadingOlderThan, HoldsWhileThereIsNoReadingAndWhenTheLastOneIsOld) {
+TEST(ReadingOlderThan, HoldsWithoutAReadingAndWithAnOldOne) {
   FakeTask task;
   const auto arm = task.robot("arm");
   task.add_sensor("camera");
@@ -142,7 +142,7 @@ TEST(ReadingOlderThan, HoldsWhileThereIsNoReadingAndWhenTheLastOneIsOld) {
   const auto camera = task.sensor("camera");
   task.sensor_fake("camera").late = 3;
   const Outcome first = Wait({*arm}, {*camera}, !ReadingOlderThan{*camera, 1});
-  EXPECT_EQ(first.steps, 3u) << "none, and infinitely old, until it comes";
+  EXPECT_EQ(first.steps, 3u) << "no reading yet, which counts as infinitely old";
   task.sensor_fake("camera").late = 1000;
   const Outcome lost = Wait({*arm}, {*camera}, ReadingOlderThan{*camera, 0.1} || ElapsedSteps{100});
   EXPECT_TRUE(lost.by<ReadingOlderThan>());
@@ -157,7 +157,7 @@ class Spindle : public Sensor {
   Vector3d torque() const noexcept { return {value(0), 0, 0}; }
 };
 
-TEST(TorqueAbove, LooksAtASensorsTorqueOrTheRobots) {
+TEST(TorqueAbove, UsesTheTorqueOfASensorOrOfTheRobot) {
   FakeTask task;
   task.add_sensor("spindle", true, -3.5);  // -3.5, -2.5, ... 5.5
   Spindle spindle(task);
@@ -185,7 +185,7 @@ TEST(TouchingAlong, HoldsWhenTheToolPressesInThatDirection) {
   });
 }
 
-TEST(ReadyConditions, AreNamedAndCombine) {
+TEST(ReadyConditions, HaveNamesAndCombine) {
   FakeTask task;
   const auto arm = task.robot("arm");
   const auto gate = task.sensor("gate");
@@ -204,7 +204,7 @@ TEST(ReadyConditions, AreNamedAndCombine) {
   EXPECT_EQ(end.reason(), "time is up");
 }
 
-TEST(ReadyConditions, RefuseWhatIsNoCondition) {
+TEST(ReadyConditions, RefuseInvalidArguments) {
   FakeTask task;
   const auto arm = task.robot("arm");
   const auto gate = task.sensor("gate");

@@ -25,7 +25,7 @@ using fakes::way;
 constexpr int kCases = 60;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(CooperativeMotion, TheGraspsFollowTheObjectRigidly) {
+TEST(CooperativeMotion, GraspsFollowTheObjectRigidly) {
   check_property(kCases, [] {
     ElasticObject cell(pick(1, 4));
     const CooperativeLimits limits{.speed = 0.01 * pick(2, 20)};
@@ -65,7 +65,7 @@ TEST(CooperativeMotion, AllArmsAreCommandedInEveryStepOnOneGridAndRestAtTheEnd) 
   });
 }
 
-TEST(CooperativeMotion, TheTwistIsThePosesDerivativeAndItsRateTheTwists) {
+TEST(CooperativeMotion, TwistIsThePosesDerivativeAndItsRateTheTwists) {
   check_property(20, [] {
     ElasticObject cell(2, 1e-4);
     for (auto& arm : cell.team->arms) arm->set_macrostep(1, 1);
@@ -87,8 +87,8 @@ TEST(CooperativeMotion, TheTwistIsThePosesDerivativeAndItsRateTheTwists) {
   });
 }
 
-// errors of the grasp and of the arms show as internal wrench; the object stays where it is while they are let go
-TEST(CooperativeMotion, GivesWayUntilTheInternalForceIsAsWanted) {
+// errors of the grasp and of the arms show as internal wrench; the object keeps its position while they are relieved
+TEST(CooperativeMotion, RelievesTheInternalForceToTheDesiredOne) {
   check_property(kCases, [] {
     ElasticObject cell(2, 3e-4);
     InternalForce force = kSoft;
@@ -99,7 +99,7 @@ TEST(CooperativeMotion, GivesWayUntilTheInternalForceIsAsWanted) {
     const Vector3d felt = cell.grasps[0].linear() * cell.wrench(0).head<3>();
     RC_ASSERT((felt - force.squeeze * line).norm() < 0.2);
     RC_ASSERT(cell.wrench(0).tail<3>().norm() < 0.05);
-    // of what the tools were moved by, nothing is a displacement of the object: the projection leaves all of it
+    // no part of the tools' motion is a displacement of the object: the projection keeps all of it
     VectorXd moved(12), part(12);
     for (std::size_t i = 0; i < 2; ++i) {
       const Pose seen = cell.path[0].inverse() * cell.bases[i] * cell.team->members[i]->state.desired_pose;
@@ -111,7 +111,7 @@ TEST(CooperativeMotion, GivesWayUntilTheInternalForceIsAsWanted) {
   });
 }
 
-TEST(CooperativeMotion, HoldsTheInternalForceOnTheWay) {
+TEST(CooperativeMotion, HoldsTheInternalForceDuringTheMotion) {
   check_property(30, [] {
     ElasticObject cell(pick(2, 3), 1e-4);
     CooperativeMotion motion(cell.arms(true), cell.path, {}, kSoft);
@@ -121,13 +121,13 @@ TEST(CooperativeMotion, HoldsTheInternalForceOnTheWay) {
   });
 }
 
-/// The steps until the path is nearly at its end.
+/// The steps until the path is near its end.
 std::size_t random_step(const CooperativeMotion& motion) {
   return static_cast<std::size_t>(pick(1, static_cast<int>(motion.duration() / 0.02) - 1));
 }
 
 // each arm brakes on its own
-TEST(CooperativeMotion, GoesOnAfterALateCommandWithoutAJump) {
+TEST(CooperativeMotion, ContinuesAfterALateCommandWithoutAJump) {
   check_property(kCases, [] {
     ElasticObject cell(pick(2, 4));
     for (auto& member : cell.team->members) member->overrun = 0.001 * pick(0, 50);
@@ -152,12 +152,12 @@ TEST(CooperativeMotion, GoesOnAfterALateCommandWithoutAJump) {
     }
     RC_ASSERT(way(motion.object(), cell.path.back()) < 1e-9);
     RC_ASSERT(turn(motion.object(), cell.path.back()) < 1e-9);
-    // each arm is off by no more than its stop differed from the others'
+    // the error of each arm is at most the difference of its stop from the others'
     RC_ASSERT(cell.misfit(cell.path.back()) < 0.05 * 0.3);
   });
 }
 
-TEST(CooperativeMotion, APauseLeadsTheObjectToRestOnItsPath) {
+TEST(CooperativeMotion, PauseStopsTheObjectOnItsPath) {
   check_property(kCases, [] {
     ElasticObject cell(pick(2, 4));
     CooperativeMotion motion(cell.arms(false), cell.path);
@@ -190,7 +190,7 @@ TEST(CooperativeMotion, APauseLeadsTheObjectToRestOnItsPath) {
 }
 
 // an instruction that was ended in motion is followed by another one
-TEST(CooperativeMotion, ArmsThatMoveComeToRest) {
+TEST(CooperativeMotion, MovingArmsComeToRest) {
   check_property(kCases, [] {
     ElasticObject cell(2);
     std::vector<Twist> twists;
@@ -226,7 +226,7 @@ TEST(CooperativeMotion, ThrowsWhenTheInternalForceCannotBeHeld) {
     InternalForce wanted = kSoft;
     RC_ASSERT(code_of(cell, wanted) == ErrorCode::none);
     wanted.squeeze = 30;
-    wanted.limit = 20;  // it comes to 20 N before it is at 30 N
+    wanted.limit = 20;  // it reaches 20 N before it is at 30 N
     RC_ASSERT(code_of(cell, wanted) == ErrorCode::force_limit);
   });
   check_property(20, [&] {
@@ -238,7 +238,7 @@ TEST(CooperativeMotion, ThrowsWhenTheInternalForceCannotBeHeld) {
   });
 }
 
-TEST(CooperativeMotion, AWrenchThatIsNoneIsAnError) {
+TEST(CooperativeMotion, InvalidWrenchIsAnError) {
   check_property(5, [] {
     ElasticObject cell(2);
     auto arms = cell.arms(true);
@@ -253,7 +253,7 @@ TEST(CooperativeMotion, AWrenchThatIsNoneIsAnError) {
   });
 }
 
-TEST(CooperativeMotion, RefusesWhatIsNone) {
+TEST(CooperativeMotion, RefusesInvalidArguments) {
   fakes::FreeTeam team({Pose::Identity(), Pose::Identity()});
   const std::vector<Pose> path{Pose::Identity(), Pose(Eigen::Translation3d(1, 0, 0))};
   const CooperatingArm first{team.arms[0].get()}, second{team.arms[1].get()};

@@ -6,7 +6,7 @@
 namespace mrroc::fakes {
 
 /// A task with several robots, each a FreeModel that executes every pose exactly, on one grid: from rest all begin at
-/// the tick that they are told.
+/// the commanded tick.
 class FreeTeam : public FakeTask {
  public:
   class Member : public RobotLink {
@@ -53,8 +53,8 @@ class FreeTeam : public FakeTask {
 
     RobotState state;
     std::vector<RobotCommand> commands;  ///< all but queries
-    std::size_t late_at = 0;             ///< this one, from 1, comes late; 0: none
-    double overrun = 0;                  ///< s: how far it continues when it is instructed to hold
+    std::size_t late_at = 0;             ///< number of the late command, from 1; 0: none
+    double overrun = 0;                  ///< s: duration of the motion after a `hold`
     std::shared_ptr<FreeModel> model = std::make_shared<FreeModel>(FreeModel::Range::unlimited);
 
    private:
@@ -62,7 +62,7 @@ class FreeTeam : public FakeTask {
     RobotCommand command_;
   };
 
-  /// `starts`: where the tools are, in their bases.
+  /// `starts`: poses of the tools in their bases.
   explicit FreeTeam(const std::vector<Pose>& starts) {
     log.recording = false;
     for (const Pose& start : starts) members.push_back(std::make_unique<Member>(time, start));

@@ -14,7 +14,7 @@ using fakes::random_vector;
 
 constexpr int kWrenchCases = 300;
 
-/// Arms that hold an object somewhere.
+/// Arms that hold an object at random poses.
 struct Grasps {
   std::vector<Vector3d> places;
   double length = 0.01 * pick(5, 100);
@@ -25,7 +25,7 @@ struct Grasps {
     internal = InternalWrench(places, length);
   }
   Eigen::Index size() const { return static_cast<Eigen::Index>(6 * places.size()); }
-  /// Force and torque about the origin of all together.
+  /// Force and torque of all arms together about the origin.
   Wrench total(const VectorXd& stack) const {
     Wrench sum = Wrench::Zero();
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -35,7 +35,7 @@ struct Grasps {
     }
     return sum;
   }
-  /// The displacements of the grasps with an object that moves by `twist` about the origin.
+  /// The displacements of the grasps of an object that moves by `twist` about the origin.
   VectorXd rigid(const Twist& twist) const {
     VectorXd stack(size());
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -56,14 +56,14 @@ struct Grasps {
   }
 };
 
-TEST(InternalWrench, DoesNothingToTheObject) {
+TEST(InternalWrench, HasNoEffectOnTheObject) {
   check_property(kWrenchCases, [] {
     const Grasps grasps;
     RC_ASSERT(grasps.total(grasps.of(grasps.random_stack())).norm() < 1e-9);
   });
 }
 
-TEST(InternalWrench, WhatDoesNothingToTheObjectIsInternal) {
+TEST(InternalWrench, WrenchesWithoutEffectOnTheObjectAreInternal) {
   check_property(kWrenchCases, [] {
     const Grasps grasps;
     // any two arms against each other along the line between them, and two torques against each other
@@ -78,28 +78,28 @@ TEST(InternalWrench, WhatDoesNothingToTheObjectIsInternal) {
   });
 }
 
-TEST(InternalWrench, CarryingIsNotInternal) {
+TEST(InternalWrench, CarryingWrenchIsNotInternal) {
   check_property(kWrenchCases, [] {
     const Grasps grasps;
     const VectorXd stack = grasps.random_stack(), part = grasps.of(stack);
-    // what is left makes the same wrench, and is the shortest that does: orthogonal to everything internal
+    // the remainder has the same wrench and minimum norm: it is orthogonal to every internal wrench
     RC_ASSERT((grasps.total(stack - part) - grasps.total(stack)).norm() < 1e-9);
     RC_ASSERT(std::abs((stack - part).dot(grasps.of(grasps.random_stack()))) < 1e-7);
   });
 }
 
-TEST(InternalWrench, GivingWayDoesNotMoveTheObject) {
+TEST(InternalWrench, ComplianceDoesNotMoveTheObject) {
   check_property(kWrenchCases, [] {
     const Grasps grasps;
     Twist twist;
     twist << random_vector(0.01), random_vector(0.01);
     RC_ASSERT(grasps.of(grasps.rigid(twist)).norm() < 1e-10);
-    // so the rigid motion that fits best what the arms give way by is none
+    // so the best rigid fit to the displacements of the arms is zero
     RC_ASSERT(std::abs(grasps.of(grasps.random_stack()).dot(grasps.rigid(twist))) < 1e-9);
   });
 }
 
-TEST(InternalWrench, OfTwoArmsAlongTheirLineItIsHalfTheDifference) {
+TEST(InternalWrench, IsHalfTheDifferenceOfTwoArmsAlongTheirLine) {
   check_property(kWrenchCases, [] {
     const Vector3d first = random_vector(0.5), second = first + random_vector(0.5) + Vector3d(0, 0, 1);
     const InternalWrench internal({first, second}, 0.2);
@@ -113,7 +113,7 @@ TEST(InternalWrench, OfTwoArmsAlongTheirLineItIsHalfTheDifference) {
   });
 }
 
-TEST(InternalWrench, ASqueezeIsRecoveredFromAmongALoad) {
+TEST(InternalWrench, SqueezeIsRecoveredFromALoad) {
   check_property(kWrenchCases, [] {
     const double arm = 0.01 * pick(5, 60), force = 0.1 * pick(-300, 300);
     const Vector3d middle = random_vector(1);

@@ -42,7 +42,7 @@ Twist twist_at(const ObjectPath& path, double t, double h) {
   return twist;
 }
 
-TEST(ObjectPath, GoesFromTheFirstPoseToTheLastAndRestsThere) {
+TEST(ObjectPath, LeadsFromTheFirstPoseToTheLastAndRestsThere) {
   check_property(kPathCases, [] {
     const RandomPath random;
     const ObjectPath path(random.poses, random.limits);
@@ -92,7 +92,7 @@ TEST(ObjectPath, KeepsItsLimits) {
   });
 }
 
-TEST(ObjectPath, OfTwoPosesIsStraightAndAboutOneAxis) {
+TEST(ObjectPath, PathOfTwoPosesIsStraightAndAboutOneAxis) {
   check_property(kPathCases, [] {
     const Pose from = random_pose(0.5, 0.8), to = random_pose(0.5, 0.8) * Eigen::Translation3d(0.01, 0, 0);
     const ObjectPath path({from, to}, {});
@@ -107,14 +107,14 @@ TEST(ObjectPath, OfTwoPosesIsStraightAndAboutOneAxis) {
   });
 }
 
-TEST(ObjectPath, UsesOneOfItsLimitsUp) {
+TEST(ObjectPath, ReachesOneOfItsLimits) {
   const Pose from = Pose::Identity();
   const ObjectPath far({from, from * Eigen::Translation3d(1, 0, 0)}, {.speed = 0.1, .acceleration = 1});
   EXPECT_NEAR(twist_at(far, 0.5 * far.duration(), 1e-3).norm(), 0.098, 1e-6);
   EXPECT_LT(far.duration(), 10.5);
 }
 
-TEST(ObjectPath, StartsAgainFromTheNearestPlaceAhead) {
+TEST(ObjectPath, RestartsFromTheNearestPoseAhead) {
   check_property(kPathCases, [] {
     const RandomPath random;
     ObjectPath path(random.poses, random.limits);
@@ -128,14 +128,14 @@ TEST(ObjectPath, StartsAgainFromTheNearestPlaceAhead) {
   });
 }
 
-TEST(ObjectPath, OfOnePoseStays) {
+TEST(ObjectPath, PathOfOnePoseStays) {
   const Pose here(Eigen::Translation3d(1, 2, 3));
   const ObjectPath path({here}, {});
   EXPECT_EQ(path.duration(), 0);
   EXPECT_LT(distance(path.at(7), here), 1e-12);
 }
 
-TEST(ObjectPath, RefusesWhatIsNone) {
+TEST(ObjectPath, RefusesInvalidArguments) {
   const Pose here = Pose::Identity(), there(Eigen::Translation3d(1, 0, 0));
   Pose bad = here, turned = there;
   bad.linear() *= 2;

@@ -30,9 +30,9 @@ Pose random_pose() {
                    0.001 * Vector3d(pick(-20, 20), pick(-20, 20), pick(-20, 20)));
 }
 
-TEST(ContactSearch, FindsASurfaceAtTheCrossingsOfAGrid) {
+TEST(ContactSearch, FindsASurfaceAtTheNodesOfAGrid) {
   check_property(20, [] {
-    // the grid's z axis points down onto a ball that bulges up, beneath a corner of the grid there is nothing
+    // the grid's z axis points down onto the top of a ball; beneath a corner of the grid there is no surface
     const double radius = 0.3, stiffness = 1000 * pick(2, 10), force = pick(2, 5);
     const Vector3d centre(0.03, 0.03, -radius);
     fakes::SpringSurface surface = fakes::ball(centre, radius, stiffness);
@@ -42,7 +42,7 @@ TEST(ContactSearch, FindsASurfaceAtTheCrossingsOfAGrid) {
       return hole ? Wrench{Wrench::Zero()} : surface(tool, twist);
     };
     const int columns = pick(1, 3), rows = pick(1, 3);
-    const Pose frame = turned_by({std::numbers::pi, 0, 0}, {0, 0, 0.02});  // y backwards
+    const Pose frame = turned_by({std::numbers::pi, 0, 0}, {0, 0, 0.02});  // y in reverse
     ContactSearch search(*task.arm, grid_of_probes(frame, columns, rows, 0.02, 0.04), {.speed = 0.01, .force = force});
     const Eigen::Matrix3d orientation = task.pose.linear();
     double most = 0;
@@ -62,7 +62,7 @@ TEST(ContactSearch, FindsASurfaceAtTheCrossingsOfAGrid) {
       ++found;
       const Vector3d touched = *search.touched()[i];
       RC_ASSERT((touched.head<2>() - Eigen::Vector2d(0.02 * column, -0.02 * row)).norm() < 1e-3);
-      // along z it presses with the force: the ball's own force has a slope
+      // along z it presses with the force; the ball's force is inclined
       const double inside = radius - (touched - centre).norm();
       RC_ASSERT(std::abs(stiffness * inside * (touched - centre).normalized().z() - force) < 0.1 * force);
     }
@@ -73,7 +73,7 @@ TEST(ContactSearch, FindsASurfaceAtTheCrossingsOfAGrid) {
   });
 }
 
-TEST(ContactSearch, LooksInSeveralDirectionsUntilTheFirstContact) {
+TEST(ContactSearch, SearchesInSeveralDirectionsUntilTheFirstContact) {
   check_property(30, [] {
     const Pose home = random_pose();
     const Vector3d normal = -home.linear().col(0);
@@ -97,7 +97,7 @@ TEST(ContactSearch, LooksInSeveralDirectionsUntilTheFirstContact) {
   });
 }
 
-TEST(ContactSearch, ThrowsWhenSomethingIsInTheWayBetween) {
+TEST(ContactSearch, ThrowsOnAContactBetweenTheProbes) {
   ForceFlyer task(Pose::Identity(), fakes::plane({0.02, 0, 0}, {-1, 0, 0}, 5000));
   const std::vector<Probe> probes{{{0, 0, 0}, {0, 0, 1}, 0.01}, {{0.06, 0, 0}, {0, 0, 1}, 0.01}};
   ContactSearch search(*task.arm, probes, {.speed = 0.01, .force = 4});
@@ -110,7 +110,7 @@ TEST(ContactSearch, ThrowsWhenSomethingIsInTheWayBetween) {
   }
 }
 
-TEST(ContactSearch, AfterAPauseItGoesOnAndBeginsAnewWhenUsedAgain) {
+TEST(ContactSearch, ContinuesAfterAPauseAndRestartsWhenUsedAgain) {
   ForceFlyer task(Pose::Identity(), fakes::plane({0, 0, 0.01}, {0, 0, -1}));
   for (int i = 0; i < 5; ++i) {
     task.requests.insert(task.requests.end(), 37, OperatorRequest::none);
@@ -125,7 +125,7 @@ TEST(ContactSearch, AfterAPauseItGoesOnAndBeginsAnewWhenUsedAgain) {
   }
 }
 
-TEST(ContactSearch, TheLoadsWeightIsNoContact) {
+TEST(ContactSearch, WeightOfTheLoadIsNoContact) {
   const Load load{1.5, {0.01, 0, 0.05}};
   const Pose home = turned_by({0.3, -0.2, 0.1});
   const fakes::SpringSurface plate = fakes::plane({0, 0, 0.01}, {0, 0, -1});
@@ -138,7 +138,7 @@ TEST(ContactSearch, TheLoadsWeightIsNoContact) {
   EXPECT_NEAR(search.touched()[0]->z(), 0.01 + 3.0 / 2000, 2e-4);
 }
 
-TEST(ContactSearch, RefusesWhatIsNoProbe) {
+TEST(ContactSearch, RefusesInvalidArguments) {
   ForceFlyer task(Pose::Identity(), fakes::plane({0, 0, 1}, {0, 0, -1}));
   const Probe good{{0, 0, 0}, {0, 0, 1}, 0.01};
   const auto with = [&](std::vector<Probe> probes, const Probing& probing = {}) {

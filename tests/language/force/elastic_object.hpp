@@ -17,8 +17,8 @@ inline constexpr InternalForce kSoft{.admittance = 4e-4};
 inline double way(const Pose& a, const Pose& b) { return (a.translation() - b.translation()).norm(); }
 inline double turn(const Pose& a, const Pose& b) { return rotation_vector(a.linear().transpose() * b.linear()).norm(); }
 
-/// Arms with random bases that hold an elastic object at random places, each off by up to `error` m and rad times 5 of
-/// where the object is without force.
+/// Arms with random bases that hold an elastic object at random grasps. The error of each grasp, up to `error` m and 5
+/// times that in rad, is relative to the unloaded object.
 class ElasticObject {
  public:
   explicit ElasticObject(int count, double error = 0) {
@@ -43,7 +43,7 @@ class ElasticObject {
     }
     return arms;
   }
-  /// What arm `i` feels of the object: a spring to what fits all arms best.
+  /// The wrench on arm `i`: a spring to the pose that fits all arms best.
   Wrench wrench(std::size_t arm) const {
     const auto size = static_cast<Eigen::Index>(6 * bases.size());
     Eigen::VectorXd off(size), part(size);
@@ -59,11 +59,11 @@ class ElasticObject {
     wrench << axes * force.head<3>(), kSoft.length * (axes * force.tail<3>());
     return wrench;
   }
-  /// Where the commanded tools have the object, as they held it at the start.
+  /// Pose of the object from the commanded tools and the grasps at the start.
   Pose carried(std::size_t arm, std::size_t step) const {
     return bases[arm] * team->members[arm]->commands[step].pose * grasps[arm].inverse();
   }
-  /// The least internal displacement: what the tools differ by from a rigid hold of the object at `pose`.
+  /// The least internal displacement: the difference of the tools from a rigid hold of the object at `pose`.
   double misfit(const Pose& pose) const {
     double most = 0;
     for (std::size_t i = 0; i < bases.size(); ++i)
@@ -74,7 +74,7 @@ class ElasticObject {
     carrying = dynamic_cast<const CooperativeMotion*>(&motion);
     return Move(team->list(), {}, motion);
   }
-  /// About where the object is, for the spring.
+  /// Initial estimate of the object's pose for the spring.
   Pose there() const { return carrying != nullptr ? carrying->object() : path[0]; }
 
   std::vector<Pose> path{random_pose(0.5, 0.5), random_pose(0.5, 0.5) * Eigen::Translation3d(0.01, 0, 0),

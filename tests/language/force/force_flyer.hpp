@@ -7,10 +7,10 @@
 
 namespace mrroc::fakes {
 
-/// A task with one robot, a FreeModel that follows force motions tick by tick as docs/explanation/force.md says, with
-/// nothing but the law: no limits, no drives. `felt` is what the environment exerts on the tool, in tool axes, by the
-/// tool's place and twist (tool axes). Poses and joints are executed exactly; a `hold` stops at once. Replies at tick v
-/// of N.
+/// A task with one robot, a FreeModel that follows force motions tick by tick according to docs/explanation/force.md,
+/// with the law alone: no limits, no drives. `felt` is the wrench of the environment on the tool, in tool axes, as a
+/// function of the tool's pose and twist (tool axes). Poses and joints are executed exactly; a `hold` stops at once.
+/// Replies are sent at tick v of N.
 class ForceFlyer : public FakeTask, private RobotLink {
  public:
   using Environment = std::function<Wrench(const Pose& pose, const Twist& twist)>;
@@ -25,8 +25,8 @@ class ForceFlyer : public FakeTask, private RobotLink {
   RobotLink& robot_link(const std::string&, const std::string&) override { return *this; }
 
   Environment felt;
-  Pose pose;                                         ///< of the tool now
-  Twist twist = Twist::Zero();                       ///< of it, in tool axes
+  Pose pose;                                         ///< present pose of the tool
+  Twist twist = Twist::Zero();                       ///< its twist, in tool axes
   std::vector<RobotCommand> commands;                ///< all but queries
   std::function<void(Tick, const Wrench&)> on_tick;  ///< after each tick of a force motion
   std::unique_ptr<Robot> arm;
@@ -38,7 +38,7 @@ class ForceFlyer : public FakeTask, private RobotLink {
   }
   void receive(RobotState& reply) override {
     if (command_.kind == CommandKind::query) return fill(reply);
-    go_to(end_);  // what the macrostep before has left
+    go_to(end_);  // the remainder of the previous macrostep
     active_ = command_;
     start_ = std::max({active_.start_tick, end_, time.tick});
     end_ = start_ + active_.motion_steps;
@@ -92,8 +92,8 @@ class ForceFlyer : public FakeTask, private RobotLink {
   Tick start_ = 0, end_ = 0, now_ = 0;
 };
 
-/// A springy, frictionless surface: where the tip, the tool frame's origin, is inside by d, it is pushed out with
-/// `stiffness` d along the outward normal. `depth` gives d, `normal` the normal, both in the base frame.
+/// An elastic, frictionless surface: a tip (the origin of the tool frame) at depth d is pushed out with `stiffness` d
+/// along the outward normal. `depth` returns d, `normal` the normal, both in the base frame.
 struct SpringSurface {
   double stiffness = 2000;  ///< N/m
   std::function<double(const Eigen::Vector3d&)> depth;

@@ -38,7 +38,7 @@ Place random_place() {
   return place;
 }
 
-/// A gantry before a wall, which is seen along a direction of the tool.
+/// A gantry before a wall, whose distance is measured along a direction of the tool.
 struct Cell {
   explicit Cell(double distance, const Place& place = Place{})
       : arm(task.robot("arm", 4)), direction(place.direction), at_start(distance) {
@@ -48,7 +48,7 @@ struct Cell {
     arm->set_macrostep(place.motion_steps, place.reply_step);
     task.step_observer = &recorder;
   }
-  /// Of the pose from the wall along the direction, the wall standing still.
+  /// Distance of the pose from the wall at rest, along the direction.
   double distance(const Pose& pose) const {
     return at_start - (pose.translation() - start.translation()).dot(start.linear() * direction.normalized());
   }
@@ -64,7 +64,7 @@ struct Cell {
             acceleration,
             patience};
   }
-  /// Speed along the direction at the end of each command; checks that it is the only one.
+  /// Speed along the direction at the end of each command; checks that there is no other motion.
   std::vector<double> speeds() const {
     std::vector<double> result;
     const Vector3d way = start.linear() * direction.normalized();
@@ -81,7 +81,7 @@ struct Cell {
   Pose start;
   Vector3d direction;
   double at_start;
-  std::set<int> lost;  ///< numbers of the readings that are not there
+  std::set<int> lost;  ///< numbers of the lost readings
   std::optional<double> lost_as;
   int reading = 0;
   MotionRecorder recorder;
@@ -107,7 +107,7 @@ TEST(GuardedApproach, StopsAtTheDistanceAndNeverNearer) {
   });
 }
 
-// at no time may it be so fast that it could not stop before the distance with the acceleration that it has
+// at every step it must be able to stop before the distance with its acceleration
 TEST(GuardedApproach, CanStopBeforeTheDistanceAtEveryStep) {
   check_property(kCases, [] {
     Cell cell(0.01 * pick(10, 50), random_place());
@@ -121,7 +121,7 @@ TEST(GuardedApproach, CanStopBeforeTheDistanceAtEveryStep) {
   });
 }
 
-TEST(GuardedApproach, IsAsFastAsItIsAllowedToBe) {
+TEST(GuardedApproach, ReachesThePermittedSpeed) {
   Cell cell(1.0);
   const Outcome end = Move({*cell.arm}, {}, cell.approach(0.1, 0.1, 0.4).until(ElapsedSteps{20000}));
   const std::vector<double> speeds = cell.speeds();
@@ -129,7 +129,7 @@ TEST(GuardedApproach, IsAsFastAsItIsAllowedToBe) {
   EXPECT_LT(end.duration, 9.0 + 2.5) << "0.9 m at 0.1 m/s, and the time to start and to stop";
 }
 
-TEST(GuardedApproach, ALostReadingSlowsItToAStopAndItGoesOnAfterwards) {
+TEST(GuardedApproach, LostReadingsStopItAndItContinuesAfterwards) {
   check_property(kCases, [] {
     Cell cell(1.0, random_place());
     const double acceleration = 0.01 * pick(10, 200);
@@ -139,7 +139,7 @@ TEST(GuardedApproach, ALostReadingSlowsItToAStopAndItGoesOnAfterwards) {
     const Outcome end = Move({*cell.arm}, {}, cell.approach(0.2, 0.1, acceleration, length).until(ElapsedSteps{20000}));
     RC_ASSERT(end.ending == Ending::generator);
     const std::vector<double> speeds = cell.speeds();
-    // the jerk first takes away the acceleration that was, then makes the opposite one
+    // the jerk first removes the present acceleration, then builds up the opposite one
     const double ramp = 0.2, dt = cell.arm->step_duration();
     for (int i = 0; i < length && static_cast<std::size_t>(from + i) < speeds.size(); ++i) {
       const double since = (i + 1) * dt - ramp;
@@ -149,7 +149,7 @@ TEST(GuardedApproach, ALostReadingSlowsItToAStopAndItGoesOnAfterwards) {
   });
 }
 
-TEST(GuardedApproach, ThrowsWhenTheReadingDoesNotComeBack) {
+TEST(GuardedApproach, ThrowsWhenNoMoreReadingsCome) {
   check_property(50, [] {
     Cell cell(1.0, random_place());
     const int from = pick(0, 50), patience = pick(0, 80);
@@ -165,13 +165,13 @@ TEST(GuardedApproach, ThrowsWhenTheReadingDoesNotComeBack) {
   });
 }
 
-TEST(GuardedApproach, AtTheDistanceAlreadyItCommandsNothing) {
+TEST(GuardedApproach, CommandsNothingAtTheDistance) {
   Cell cell(0.05);
   EXPECT_EQ(Move({*cell.arm}, {}, cell.approach(0.1, 0.05, 0.2)).steps, 0u);
   EXPECT_EQ(Move({*cell.arm}, {}, cell.approach(0.1, 0.2, 0.2)).steps, 0u);
 }
 
-TEST(GuardedApproach, WhatComesNearerByItselfStopsItButIsNotRunAwayFrom) {
+TEST(GuardedApproach, ApproachingObjectStopsItWithoutARetreat) {
   Cell cell(1.0);
   double wall = 0;
   GuardedApproach approach(
@@ -182,7 +182,7 @@ TEST(GuardedApproach, WhatComesNearerByItselfStopsItButIsNotRunAwayFrom) {
   EXPECT_LT(cell.distance(cell.arm->state().pose) - wall, 0.2);
 }
 
-TEST(GuardedApproach, TheSensorsOwnErrorIsThrownByTheMove) {
+TEST(GuardedApproach, ErrorOfTheSensorIsThrownByTheMove) {
   Cell cell(1.0);
   const auto gate = cell.task.sensor("gate");
   cell.task.sensor_fake("gate").errors[5] = {ErrorClass::hardware, ErrorCode::sensor_hardware, {}};
@@ -190,7 +190,7 @@ TEST(GuardedApproach, TheSensorsOwnErrorIsThrownByTheMove) {
   EXPECT_THROW(Move({*cell.arm}, {*gate}, approach), HardwareError);
 }
 
-TEST(GuardedApproach, AfterAPauseItStartsFromRestAndEndsAsWell) {
+TEST(GuardedApproach, StartsFromRestAfterAPauseAndReachesTheDistance) {
   Cell cell(0.4);
   cell.task.requests.assign(20, OperatorRequest::none);
   cell.task.requests.push_back(OperatorRequest::pause);
@@ -198,7 +198,7 @@ TEST(GuardedApproach, AfterAPauseItStartsFromRestAndEndsAsWell) {
   EXPECT_NEAR(cell.distance(cell.arm->state().desired_pose), 0.2, GuardedApproach::kTolerance + 1e-9);
 }
 
-TEST(GuardedApproach, RefusesWhatIsNoApproach) {
+TEST(GuardedApproach, RefusesInvalidArguments) {
   FakeTask task;
   const auto arm = task.robot("arm");
   const auto range = [] { return std::optional<double>(1.0); };
@@ -212,7 +212,7 @@ TEST(GuardedApproach, RefusesWhatIsNoApproach) {
   EXPECT_THROW(GuardedApproach(*arm, nullptr, z, 0.1, 0.1), NonFatalError);
 }
 
-TEST(GuardedApproach, BrakesAMotionUnderWayWithTheJointsLimits) {
+TEST(GuardedApproach, BrakesAPresentMotionWithTheJointsLimits) {
   check_property(kCases, [] {
     Cell cell(1, random_place());
     const Vector3d way = cell.start.linear() * cell.direction.normalized();

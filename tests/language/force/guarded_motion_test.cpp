@@ -31,7 +31,7 @@ struct Approach {
   fakes::SpringSurface surface = fakes::plane(distance * velocity.normalized(), -velocity, stiffness);
 };
 
-TEST(GuardedMotion, EndsWhereItTouchesAndPressesTwiceTheForceAtMost) {
+TEST(GuardedMotion, EndsAtAContactAndPressesAtMostTwiceTheForce) {
   check_property(100, [] {
     const Approach approach;
     const auto n = static_cast<std::uint16_t>(pick(1, 20));
@@ -47,7 +47,7 @@ TEST(GuardedMotion, EndsWhereItTouchesAndPressesTwiceTheForceAtMost) {
     RC_ASSERT(end.ending == Ending::generator);
     RC_ASSERT(motion.touched().has_value());
     const double inside = motion.touched()->translation().dot(approach.velocity.normalized()) - approach.distance;
-    // b m and the sampling of the law let it swing a little beyond what it presses with in the end
+    // b m and the sampling of the law let it overshoot its final force slightly
     const double bound = 2 * approach.force + approach.stiffness * speed * (0.01 + task.servo_period());
     RC_ASSERT(approach.stiffness * inside >= approach.force - 1e-6);
     RC_ASSERT(approach.stiffness * inside <= bound);
@@ -56,11 +56,11 @@ TEST(GuardedMotion, EndsWhereItTouchesAndPressesTwiceTheForceAtMost) {
   });
 }
 
-// however late the task is: the law itself stops the tool
-TEST(GuardedMotion, WithoutATaskThatLooksItPressesWithTwiceTheForce) {
+// the law itself stops the tool, even with a late task
+TEST(GuardedMotion, PressesWithTwiceTheForceWithoutATask) {
   check_property(50, [] {
     const Approach approach;
-    ForceFlyer task(Pose::Identity(), approach.surface, 5000, 1);  // ten seconds without a look
+    ForceFlyer task(Pose::Identity(), approach.surface, 5000, 1);  // ten seconds without a check by the task
     const double damping = approach.velocity.norm() / (2 * approach.force);
     GuardedMotion motion(*task.arm, approach.velocity, approach.force, 100);
     Move({*task.arm}, {}, motion.until(ElapsedSteps{2}));
@@ -70,17 +70,18 @@ TEST(GuardedMotion, WithoutATaskThatLooksItPressesWithTwiceTheForce) {
   });
 }
 
-TEST(GuardedMotion, TouchingAlreadyItCommandsNothing) {
+TEST(GuardedMotion, CommandsNothingInContact) {
   ForceFlyer task(Pose::Identity(), fakes::plane({0, 0, -0.01}, {0, 0, -1}));
   GuardedMotion motion(*task.arm, {0, 0, 0.01}, 5);
   EXPECT_EQ(Move({*task.arm}, {}, motion).steps, 0u);
   EXPECT_TRUE(motion.touched().has_value());
   GuardedMotion away(*task.arm, {0, 0, -0.01}, 5);
-  EXPECT_TRUE(Move({*task.arm}, {}, away.until(Travelled{*task.arm, 0.02})).by<Travelled>()) << "away is no contact";
+  EXPECT_TRUE(Move({*task.arm}, {}, away.until(Travelled{*task.arm, 0.02})).by<Travelled>())
+      << "a force away from the surface is not a contact";
   EXPECT_FALSE(away.touched().has_value());
 }
 
-TEST(GuardedMotion, MeetingNothingItGoesOnAndItsVelocityRampsUp) {
+TEST(GuardedMotion, ContinuesWithoutAContactAndRampsItsVelocityUp) {
   ForceFlyer task(Pose::Identity(), [](const Pose&, const Twist&) { return Wrench{Wrench::Zero()}; });
   double before = 0, steepest = 0;
   task.on_tick = [&](Tick, const Wrench&) {
@@ -97,7 +98,7 @@ TEST(GuardedMotion, MeetingNothingItGoesOnAndItsVelocityRampsUp) {
   EXPECT_LT(steepest, 0.1 * task.arm->step_duration() / 0.01) << "a step of the velocity through the low-pass";
 }
 
-TEST(GuardedMotion, OtherAxesKeepTheirPlaceWhateverPushesThem) {
+TEST(GuardedMotion, OtherAxesKeepTheirPositionUnderAnyForce) {
   ForceFlyer task(Pose::Identity(), [](const Pose&, const Twist&) {
     Wrench wrench;
     wrench << 30, -20, 0, 3, 2, 1;
@@ -108,7 +109,7 @@ TEST(GuardedMotion, OtherAxesKeepTheirPlaceWhateverPushesThem) {
   EXPECT_TRUE(task.pose.linear().isIdentity(1e-12));
 }
 
-TEST(GuardedMotion, RefusesWhatIsNoMotion) {
+TEST(GuardedMotion, RefusesInvalidArguments) {
   ForceFlyer task(Pose::Identity(), [](const Pose&, const Twist&) { return Wrench{Wrench::Zero()}; });
   const auto make = [&](const Vector3d& velocity, double force, double acceleration) {
     GuardedMotion{*task.arm, velocity, force, acceleration};

@@ -26,7 +26,7 @@ Pose random_pose() {
   return pose;
 }
 
-/// A spring and damper of the allowed stiffness, overdamped or swinging.
+/// A spring and damper with a permitted stiffness, overdamped or oscillating.
 ImpedanceParameters random_parameters(double step) {
   ImpedanceParameters parameters;
   for (Eigen::Index i = 0; i < 6; ++i) {
@@ -41,7 +41,7 @@ ImpedanceParameters random_parameters(double step) {
   return parameters;
 }
 
-/// M x'' + D x' + K x = F of one axis, x(0) = x0 and x'(0) = 0: by Runge and Kutta in steps of 0.1 ms.
+/// M x'' + D x' + K x = F of one axis, x(0) = x0 and x'(0) = 0: Runge-Kutta integration in steps of 0.1 ms.
 struct Oscillator {
   double m, d, k, force, x, v = 0;
   void advance(double seconds) {
@@ -57,9 +57,9 @@ struct Oscillator {
   }
 };
 
-TEST(Impedance, MovesAsAMassOnASpringAndADamper) {
+TEST(Impedance, MovesLikeAMassOnASpringAndADamper) {
   check_property(60, [] {
-    // along one axis at a time, so that the exact solution is that of one equation
+    // one axis at a time, so that the exact solution is that of one equation
     const auto n = static_cast<std::uint16_t>(pick(1, 10));
     const Pose home = random_pose();
     const int axis = pick(0, 5);
@@ -92,7 +92,7 @@ TEST(Impedance, MovesAsAMassOnASpringAndADamper) {
     const auto steps = static_cast<std::uint64_t>(2.0 / step);
     Move({*task.arm}, {}, Impedance{*task.arm, home, parameters}.until(ElapsedSteps{steps}));
     RC_ASSERT(worst <= 0.08 * largest + 1e-6);
-    // it ends where the spring holds the force
+    // it ends where the spring balances the force
     exact.advance(10);
     Move({*task.arm}, {},
          Impedance{*task.arm, home, parameters}.until(ElapsedSteps{static_cast<std::uint64_t>(15 / step)}));
@@ -103,7 +103,7 @@ TEST(Impedance, MovesAsAMassOnASpringAndADamper) {
   });
 }
 
-TEST(Impedance, FollowsAMovingSetPointWithoutFallingBehind) {
+TEST(Impedance, FollowsAMovingSetPointWithoutALag) {
   check_property(40, [] {
     const Pose home = random_pose();
     const Vector3d velocity = random_vector(0.05), turning = random_vector(0.1);
@@ -146,7 +146,7 @@ TEST(Impedance, PressesASurfaceWithTheSpringsForce) {
   });
 }
 
-TEST(Impedance, DoesNotGiveWayToTheLoadThatItCarries) {
+TEST(Impedance, LoadDoesNotDeflectIt) {
   check_property(40, [] {
     const Pose home = random_pose();
     const Load load{0.1 * pick(1, 50), random_vector(0.1)};
@@ -162,7 +162,7 @@ TEST(Impedance, DoesNotGiveWayToTheLoadThatItCarries) {
   });
 }
 
-TEST(Impedance, ComesFromFarNoFasterThanItsSpeed) {
+TEST(Impedance, ReturnsFromFarWithoutExceedingItsSpeed) {
   Pose far = Pose::Identity();
   far.translation() << 0.5, -0.3, 0.2;
   ForceFlyer task(far, [](const Pose&, const Twist&) { return Wrench{Wrench::Zero()}; });
@@ -176,7 +176,7 @@ TEST(Impedance, ComesFromFarNoFasterThanItsSpeed) {
   EXPECT_LT(task.pose.translation().norm(), 1e-4);
 }
 
-TEST(Impedance, AfterAPauseASetPointGoesOnWhereItWas) {
+TEST(Impedance, MovingSetPointContinuesAfterAPause) {
   ForceFlyer task(Pose::Identity(), [](const Pose&, const Twist&) { return Wrench{Wrench::Zero()}; });
   std::vector<double> times;
   const auto set_point = [&](double t) {
@@ -191,7 +191,7 @@ TEST(Impedance, AfterAPauseASetPointGoesOnWhereItWas) {
     EXPECT_NEAR(times[i], (static_cast<double>(i) + 0.5) * task.arm->step_duration(), 1e-9);
 }
 
-TEST(Impedance, RefusesWhatIsNoSpring) {
+TEST(Impedance, RefusesInvalidArguments) {
   ForceFlyer task(Pose::Identity(), [](const Pose&, const Twist&) { return Wrench{Wrench::Zero()}; });
   const auto with = [&](auto change) {
     ImpedanceParameters parameters;

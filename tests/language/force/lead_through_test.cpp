@@ -31,20 +31,20 @@ Guidance random_guidance() {
   return guidance;
 }
 
-/// A hand that pushes and turns with the same wrench, in tool axes, whatever the tool does; and the load's weight.
+/// A hand that pushes and turns with a constant wrench, in tool axes, and the weight of the load.
 ForceFlyer::Environment hand(const Wrench& wrench, const Load& load) {
   return [=](const Pose& pose, const Twist&) { return Wrench{wrench + weight_of(load, pose.linear())}; };
 }
 
-// what is left of the force moves it against the damper, up to the speed
+// the remaining force moves it against the damper, up to the speed limit
 double speed_of(double force, double threshold, double damping, double most) {
   return std::min(most, std::max(0.0, force - threshold) / damping);
 }
 
-TEST(LeadThrough, GoesWhereTheHandPushesAsFastAsTheDamperAllows) {
+TEST(LeadThrough, MovesWithTheHandAsFastAsTheDamperAllows) {
   check_property(100, [] {
     const Guidance guidance = random_guidance();
-    Wrench pushed = Wrench::Zero();  // a turn as well would bend the way: one after the other
+    Wrench pushed = Wrench::Zero();  // a rotation at the same time would bend the path: one after the other
     const bool turn = pick(0, 1) == 1;
     (turn ? pushed.tail<3>() : pushed.head<3>()) = random_vector(turn ? 5 : 60);
     ForceFlyer task(Pose::Identity(), hand(pushed, guidance.load), static_cast<std::uint16_t>(pick(1, 10)), 1);
@@ -58,7 +58,7 @@ TEST(LeadThrough, GoesWhereTheHandPushesAsFastAsTheDamperAllows) {
     Move({*task.arm}, {}, LeadThrough{*task.arm, guidance}.until(ElapsedSteps{steps}));
     const double linear = speed_of(pushed.head<3>().norm(), 2, guidance.damping, guidance.speed);
     const double angular = speed_of(pushed.tail<3>().norm(), 0.2, guidance.angular_damping, guidance.angular_speed);
-    // the weight is taken out as at a pose that is 2 N - v ticks old in the end; what it has turned since is the hand's
+    // the weight is compensated for a pose that is up to 2 N - v ticks old; a rotation since then acts like the hand
     const double age = 2 * task.arm->step_duration();
     const double tilting = 9.81 * guidance.load.mass * angular * age;
     RC_ASSERT(std::abs(task.twist.head<3>().norm() - linear) < 0.02 * linear + 1e-6 + tilting / guidance.damping);
@@ -70,7 +70,7 @@ TEST(LeadThrough, GoesWhereTheHandPushesAsFastAsTheDamperAllows) {
   });
 }
 
-TEST(LeadThrough, StaysWhereItIsLeftWhateverItCarries) {
+TEST(LeadThrough, StaysWhereItIsReleasedWithAnyLoad) {
   check_property(100, [] {
     Guidance guidance = random_guidance();
     Wrench noise;
@@ -81,7 +81,7 @@ TEST(LeadThrough, StaysWhereItIsLeftWhateverItCarries) {
   });
 }
 
-TEST(LeadThrough, AxesThatAreNotFreeStay) {
+TEST(LeadThrough, FixedAxesStay) {
   check_property(100, [] {
     Guidance guidance;
     std::fill(guidance.free.begin(), guidance.free.end(), false);
@@ -100,8 +100,8 @@ TEST(LeadThrough, AxesThatAreNotFreeStay) {
   });
 }
 
-// the header's bound: what comes within a step is only damped from the next one on
-TEST(LeadThrough, ABlowWithinAStepExceedsTheSpeedByItsImpulseAtMost) {
+// the bound in the header: a force within a step is damped only from the next one on
+TEST(LeadThrough, BlowWithinAStepExceedsTheSpeedAtMostByItsImpulse) {
   Guidance guidance;
   double push = 0;
   ForceFlyer task(Pose::Identity(), [&](const Pose&, const Twist&) {
@@ -121,7 +121,7 @@ TEST(LeadThrough, ABlowWithinAStepExceedsTheSpeedByItsImpulseAtMost) {
   EXPECT_NEAR(task.twist[0], guidance.speed, 1e-3);
 }
 
-TEST(LeadThrough, RefusesWhatNobodyCanLead) {
+TEST(LeadThrough, RefusesInvalidArguments) {
   ForceFlyer task(Pose::Identity(), hand(Wrench::Zero(), {}));
   const auto with = [&](auto change) {
     Guidance guidance;

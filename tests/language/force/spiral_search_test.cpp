@@ -16,7 +16,7 @@ using fakes::check_property;
 using fakes::FreeFlyer;
 using fakes::pick;
 
-TEST(SpiralSearch, PassesEveryPlaceOfTheDiscAtTheSpeedAndEnds) {
+TEST(SpiralSearch, PassesEveryPointOfTheDiscAtTheSpeedAndEnds) {
   check_property(50, [] {
     FreeFlyer task(Pose::Identity(), static_cast<std::uint16_t>(pick(1, 10)));
     const double pitch = 1e-4 * pick(2, 10), radius = pitch * pick(3, 8), speed = 1e-3 * pick(1, 4);
@@ -43,7 +43,7 @@ TEST(SpiralSearch, PassesEveryPlaceOfTheDiscAtTheSpeedAndEnds) {
   });
 }
 
-TEST(SpiralSearch, RefusesWhatIsNoSpiral) {
+TEST(SpiralSearch, RefusesInvalidArguments) {
   FreeFlyer task(Pose::Identity());
   const auto make = [&](double pitch, double radius, double speed) {
     SpiralSearch{*task.arm, ForceLaw{}, pitch, radius, speed};

@@ -19,7 +19,7 @@ using fakes::pick;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// The tool with its z axis down, turned by `yaw` about it, its tip at `place`.
+/// The tool with its z axis down, turned by `yaw` about it, with its tip at `place`.
 Pose down(const Vector3d& place, double yaw = 0) {
   Pose pose = Pose::Identity();
   pose.translation() = place;
@@ -27,12 +27,12 @@ Pose down(const Vector3d& place, double yaw = 0) {
   return pose;
 }
 
-/// Of the tool's z axis from the inward normal of a surface, rad.
+/// Angle of the tool's z axis from the inward normal of a surface, rad.
 double lean(const Pose& tool, const Vector3d& outward) {
   return std::acos(std::clamp(-tool.linear().col(2).dot(outward), -1.0, 1.0));
 }
 
-TEST(SurfaceFollowing, PressesAnInclinedPlaneAndGoesAlongIt) {
+TEST(SurfaceFollowing, PressesAnInclinedPlaneWhileMovingAlongIt) {
   check_property(60, [] {
     const Vector3d normal(0.1 * pick(-3, 3), 0.1 * pick(-3, 3), 1);
     const double force = pick(3, 20), speed = 0.005 * pick(1, 10), angle = 0.01 * pick(0, 628);
@@ -42,7 +42,7 @@ TEST(SurfaceFollowing, PressesAnInclinedPlaneAndGoesAlongIt) {
         Move({*task.arm}, {},
              SurfaceFollowing{*task.arm, force, velocity}.until(Travelled{*task.arm, 0.06} || ElapsedSteps{3000}));
     RC_ASSERT(end.by<Travelled>());
-    // what runs away at u is pressed with u / b less, what comes with as much more
+    // a surface that recedes at u is pressed with u / b less, one that approaches with u / b more
     const Vector3d way = task.arm->state().pose.linear() * velocity;
     const double climb = -normal.head<2>().dot(way.head<2>()) / normal.z();  // of the surface under the tip
     const double pressed = -task.arm->state().wrench[2];
@@ -65,7 +65,7 @@ TEST(SurfaceFollowing, TurnsTheToolToTheNormalOfAnInclinedPlane) {
   });
 }
 
-TEST(SurfaceFollowing, TurnsTheToolAsACurvedSurfaceDoes) {
+TEST(SurfaceFollowing, TurnsTheToolAlongACurvedSurface) {
   check_property(30, [] {
     const double radius = 0.1 * pick(2, 8), speed = 0.01 * pick(1, 4), angle = 0.01 * pick(0, 628);
     const Vector3d centre(0, 0, -radius);
@@ -76,7 +76,7 @@ TEST(SurfaceFollowing, TurnsTheToolAsACurvedSurfaceDoes) {
     Move({*task.arm}, {},
          SurfaceFollowing{*task.arm, 10, velocity, contact}.until(Travelled{*task.arm, 0.5 * radius} ||
                                                                   ElapsedSteps{3000}));
-    // the header's, and what a step adds
+    // the bound in the header, and the addition of a step
     const double lag = speed / radius * (1 / contact.turning_gain + SurfaceFollowing::kSmoothing);
     RC_ASSERT(lean(task.pose, (task.pose.translation() - centre).normalized()) < 1.3 * lag + 0.01);
     RC_ASSERT(lean(task.pose, (task.pose.translation() - centre).normalized()) <
@@ -85,7 +85,7 @@ TEST(SurfaceFollowing, TurnsTheToolAsACurvedSurfaceDoes) {
   });
 }
 
-TEST(SurfaceFollowing, GoesAlongAPathAndEndsAtItsEnd) {
+TEST(SurfaceFollowing, FollowsAPathAndEndsAtItsEnd) {
   check_property(40, [] {
     const Vector3d normal(0.1 * pick(-2, 2), 0.1 * pick(-2, 2), 1);
     const auto on_plane = [&](double x, double y) {
@@ -103,7 +103,7 @@ TEST(SurfaceFollowing, GoesAlongAPathAndEndsAtItsEnd) {
     double farthest = 0, fastest = 0, force_off = 0;
     task.on_tick = [&](Tick, const Wrench& wrench) {
       fastest = std::max(fastest, task.twist.head<2>().norm());
-      if (follow.way() < 0.01) return;  // it has come to the path
+      if (follow.way() < 0.01) return;  // it has reached the path
       double nearest = 1;
       for (std::size_t i = 1; i < path.size(); ++i) {
         const Eigen::Vector2d a = path[i - 1].head<2>(), leg = path[i].head<2>() - a,
@@ -119,15 +119,15 @@ TEST(SurfaceFollowing, GoesAlongAPathAndEndsAtItsEnd) {
     RC_ASSERT((task.pose.translation() - on_plane(path.back().x(), path.back().y())).head<2>().norm() <
               2 * SurfaceFollowing::kTolerance);
     RC_ASSERT(follow.way() == follow.length());
-    // turning round at a corner takes v^2 / 2 a and what two steps go; of the start beside the path up to 3 mm are left
+    // reversing at a corner takes v^2 / 2 a and two steps; up to 3 mm of the offset at the start remain
     RC_ASSERT(farthest < speed * speed / (2 * SurfaceContact{}.acceleration) + 0.04 * speed + 0.003);
     RC_ASSERT(fastest <= 2.01 * speed);
     RC_ASSERT(force_off < 10);
   });
 }
 
-TEST(SurfaceFollowing, GoesAlongOnlyWhileItTouches) {
-  // a plate that ends at y = 0.03: beyond it the tool comes down slowly and goes no farther
+TEST(SurfaceFollowing, MovesAlongOnlyInContact) {
+  // a plate that ends at y = 0.03: beyond it the tool descends slowly and moves no farther
   fakes::SpringSurface plate = fakes::plane({0, 0, 0}, {0, 0, 1});
   ForceFlyer task(down({0, 0, 0.01}, 0), [&](const Pose& tool, const Twist& twist) {
     return tool.translation().y() < 0.03 ? plate(tool, twist) : Wrench{Wrench::Zero()};
@@ -140,7 +140,7 @@ TEST(SurfaceFollowing, GoesAlongOnlyWhileItTouches) {
       along_in_the_air = std::max(along_in_the_air, velocity.y());
   };
   Move({*task.arm}, {}, SurfaceFollowing{*task.arm, 8, {0, -0.02, 0}}.until(ElapsedSteps{300}));
-  EXPECT_EQ(along_in_the_air, 0) << "before it has come down";
+  EXPECT_EQ(along_in_the_air, 0) << "before it has descended";
   EXPECT_GT(task.pose.translation().y(), 0.03);
   EXPECT_LT(task.pose.translation().y(), 0.03 + 0.02 * 0.4);
   EXPECT_LT(task.pose.translation().z(), -0.005);
@@ -148,7 +148,7 @@ TEST(SurfaceFollowing, GoesAlongOnlyWhileItTouches) {
   EXPECT_NEAR(task.twist.z(), 0.01, 1e-6) << "the approach speed";
 }
 
-TEST(SurfaceFollowing, TheLoadsWeightIsNoContact) {
+TEST(SurfaceFollowing, WeightOfTheLoadIsNoContact) {
   const Load load{2, {0, 0, 0.05}};
   const fakes::SpringSurface plate = fakes::plane({0, 0, 0}, {0, 0, 1});
   ForceFlyer task(down({0, 0, 0.003}), [&](const Pose& tool, const Twist& twist) {
@@ -161,7 +161,7 @@ TEST(SurfaceFollowing, TheLoadsWeightIsNoContact) {
   EXPECT_GT(task.pose.translation().x(), 0.05);
 }
 
-TEST(SurfaceFollowing, RefusesWhatIsNoWayAlongASurface) {
+TEST(SurfaceFollowing, RefusesInvalidArguments) {
   ForceFlyer task(down({0, 0, 0}), fakes::plane({0, 0, 0}, {0, 0, 1}));
   const auto with = [&](double force, const Vector3d& velocity, const SurfaceContact& contact = {}) {
     SurfaceFollowing{*task.arm, force, velocity, contact};

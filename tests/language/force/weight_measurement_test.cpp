@@ -30,7 +30,7 @@ Wrench random_offset() {
   return offset;
 }
 
-/// Three that differ by tilts of at least 0.3 rad about two axes, and up to five anyhow.
+/// Three orientations that differ by tilts of at least 0.3 rad about two axes, and up to five random ones.
 std::vector<Eigen::Matrix3d> random_orientations() {
   const Eigen::Matrix3d first = rotation_of(random_vector(3));
   std::vector<Eigen::Matrix3d> orientations;
@@ -41,7 +41,7 @@ std::vector<Eigen::Matrix3d> random_orientations() {
   return orientations;
 }
 
-// force by force and point by point, not by the formulas that are under test
+// force by force and point by point, not with the formulas under test
 Wrench weight_by_hand(const Load& load, const Eigen::Matrix3d& rotation) {
   const Vector3d pull = load.mass * Vector3d(0, 0, -9.81);  // in the base frame, at the centre
   const Vector3d centre = rotation * load.centre;
@@ -50,7 +50,7 @@ Wrench weight_by_hand(const Load& load, const Eigen::Matrix3d& rotation) {
   return wrench;
 }
 
-TEST(Load, ItsWeightIsThatOfAMassAtItsCentre) {
+TEST(Load, WeightIsThatOfAMassAtItsCentre) {
   check_property(kCases, [] {
     const Load load = random_load();
     const Eigen::Matrix3d rotation = rotation_of(random_vector(3));
@@ -58,7 +58,7 @@ TEST(Load, ItsWeightIsThatOfAMassAtItsCentre) {
   });
 }
 
-TEST(LoadIdentification, FindsTheLoadWhateverTheZero) {
+TEST(LoadIdentification, FindsTheLoadWithAnyZero) {
   check_property(kCases, [] {
     const Load load = random_load();
     const Wrench offset = random_offset();
@@ -74,7 +74,7 @@ TEST(LoadIdentification, FindsTheLoadWhateverTheZero) {
   });
 }
 
-TEST(LoadIdentification, WithAKnownZeroTwoOrientationsAreEnough) {
+TEST(LoadIdentification, TwoOrientationsAreEnoughWithAKnownZero) {
   check_property(kCases, [] {
     const Load load = random_load();
     const Eigen::Matrix3d first = rotation_of(random_vector(3));
@@ -90,8 +90,8 @@ TEST(LoadIdentification, WithAKnownZeroTwoOrientationsAreEnough) {
   });
 }
 
-// a deviation that is too small or too large would not make the errors standard normal
-TEST(LoadIdentification, ItsDeviationsAreThoseOfItsErrors) {
+// with a wrong deviation the errors would not be standard normal
+TEST(LoadIdentification, DeviationsMatchTheErrors) {
   std::mt19937 random{7};
   std::normal_distribution<double> noise;
   const Load load{1.2, {0.01, -0.02, 0.08}};
@@ -116,7 +116,7 @@ TEST(LoadIdentification, ItsDeviationsAreThoseOfItsErrors) {
   EXPECT_NEAR(force_square, 14.0 / 18, 0.1) << "18 values, 4 unknowns";
 }
 
-TEST(LoadIdentification, TooFewOrAlikeOrientationsAreRefused) {
+TEST(LoadIdentification, RefusesTooFewOrSimilarOrientations) {
   const Load load{2, {0, 0, 0.1}};
   const auto refused = [&](Offset offset, const std::vector<Vector3d>& turns) {
     LoadIdentification readings(offset);
@@ -140,7 +140,7 @@ TEST(LoadIdentification, TooFewOrAlikeOrientationsAreRefused) {
   EXPECT_FALSE(refused(Offset::zero, {straight, {1, 0, 0}}));
 }
 
-TEST(LoadIdentification, NothingHasNoCentre) {
+TEST(LoadIdentification, ZeroMassHasNoCentre) {
   LoadIdentification readings;
   for (const Vector3d& turn : {Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1)}) {
     Wrench noise = Wrench::Zero();
@@ -153,7 +153,7 @@ TEST(LoadIdentification, NothingHasNoCentre) {
   EXPECT_TRUE(std::isinf(found.centre_deviation));
 }
 
-TEST(LoadIdentification, RefusesWhatIsNoReading) {
+TEST(LoadIdentification, RefusesInvalidReadings) {
   EXPECT_THROW(LoadIdentification(Offset::unknown, Vector3d::Zero()), NonFatalError);
   EXPECT_THROW(LoadIdentification(Offset::unknown, Vector3d(0, kNan, 0)), NonFatalError);
   LoadIdentification readings;
@@ -170,14 +170,14 @@ JointVector turned_to(const Vector3d& turn) {
 
 const std::vector<JointVector> kPostures{turned_to({0, 0, 0}), turned_to({0.9, 0, 0}), turned_to({0, -0.8, 0.2})};
 
-TEST(WeightMeasurement, GoesToEveryPostureAndFindsTheLoad) {
+TEST(WeightMeasurement, VisitsEveryPostureAndFindsTheLoad) {
   check_property(60, [] {
     FreeFlyer task(Pose::Identity(), static_cast<std::uint16_t>(pick(1, 40)));
     const Load load = random_load();
     const Wrench offset = random_offset();
     Pose before = Pose::Identity();
     task.felt = [&](const Pose& pose) {
-      // in motion and just after it, the sensor reads something else
+      // in motion and just after it, the sensor has other readings
       const bool moved = !pose.isApprox(before, 0);
       before = pose;
       return Wrench{weight_by_hand(load, pose.linear()) + offset + (moved ? Wrench::Constant(20) : Wrench::Zero())};
@@ -204,7 +204,7 @@ TEST(WeightMeasurement, GoesToEveryPostureAndFindsTheLoad) {
   });
 }
 
-TEST(WeightMeasurement, GoesOnAfterAPauseAndBeginsAnewWhenUsedAgain) {
+TEST(WeightMeasurement, ContinuesAfterAPauseAndRestartsWhenUsedAgain) {
   FreeFlyer task(Pose::Identity());
   const Load load{1.5, {0.01, 0.02, 0.03}};
   task.felt = [&](const Pose& pose) { return weight_by_hand(load, pose.linear()); };
@@ -218,17 +218,17 @@ TEST(WeightMeasurement, GoesOnAfterAPauseAndBeginsAnewWhenUsedAgain) {
   EXPECT_THROW(WeightMeasurement(*task.arm, kPostures).estimate(), NonFatalError) << "nothing has been measured";
 }
 
-TEST(WeightMeasurement, APauseTakesNoReadingTwice) {
+TEST(WeightMeasurement, PauseRepeatsNoReading) {
   FreeFlyer task(Pose::Identity());
   task.felt = [&](const Pose& pose) { return weight_by_hand({1, {0, 0, 0}}, pose.linear()); };
   WeightMeasurement scale(*task.arm, {kPostures[0], kPostures[1]});
   task.requests.assign(100, OperatorRequest::none);
   task.requests.push_back(OperatorRequest::pause);
   Move({*task.arm}, {}, scale);
-  EXPECT_THROW(scale.estimate(), NonFatalError) << "two orientations are two, however often";
+  EXPECT_THROW(scale.estimate(), NonFatalError) << "repeated orientations count once";
 }
 
-TEST(WeightMeasurement, RefusesWhatIsNoPosture) {
+TEST(WeightMeasurement, RefusesInvalidPostures) {
   FreeFlyer task(Pose::Identity());
   const auto make = [&](std::vector<JointVector> postures, const Weighing& weighing = {}) {
     WeightMeasurement{*task.arm, std::move(postures), weighing};

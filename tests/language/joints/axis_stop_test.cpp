@@ -42,7 +42,7 @@ TEST(AxisStop, KeepsTheLimitsAndIsContinuous) {
   }));
 }
 
-TEST(AxisStop, IsTheTimeOptimalOneThatRuckigFinds) {
+TEST(AxisStop, EqualsTheTimeOptimalStopOfRuckig) {
   ruckig::Ruckig<1> oracle;
   EXPECT_TRUE(rc::check([&oracle] {
     ruckig::InputParameter<1> input;
@@ -69,7 +69,7 @@ TEST(AxisStop, IsTheTimeOptimalOneThatRuckigFinds) {
   }));
 }
 
-TEST(AxisStop, RestsWhenItRested) {
+TEST(AxisStop, StaysAtRest) {
   AxisStop stop;
   stop.plan(1.5, 0, 0, 5, 100);
   EXPECT_EQ(stop.duration(), 0);

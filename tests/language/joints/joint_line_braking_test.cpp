@@ -1,4 +1,4 @@
-// JointLine from a motion under way: braked with the whole limits, whatever its own speed.
+// JointLine from a present motion: it brakes with the full limits, independent of its own speed.
 #include <cmath>
 
 #include "language/joints/joint_line_cell.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 using fakes::check_property;
 
-TEST(JointLine, GoesOnFromAMotionUnderWay) {
+TEST(JointLine, ContinuesFromAPresentMotion) {
   check_property(kCases, [] {
     Cell cell;
     const double speed = random_speed();
@@ -18,13 +18,13 @@ TEST(JointLine, GoesOnFromAMotionUnderWay) {
     const JointVector target = random_target(*cell.arm, cell.axes);
     const double second_speed = std::min(1.0, speed + 0.01 * pick(0, 50));
     Move({*cell.arm}, {}, JointLine(*cell.arm, target, second_speed));
-    if (cell.recorder.commands.empty()) return;  // it was there already
+    if (cell.recorder.commands.empty()) return;  // it was already at its target
     assert_ends_at(cell, target);
     assert_within_limits(cell, samples(cell.recorder), 1);  // it may have to brake
   });
 }
 
-TEST(JointLine, BrakesAMotionUnderWayWithTheWholeLimitsWhateverItsSpeed) {
+TEST(JointLine, BrakesAPresentMotionWithTheFullLimitsAtAnySpeed) {
   int slow = 0, fast = 0;
   check_property(kCases, [&] {
     Cell cell;
@@ -38,14 +38,14 @@ TEST(JointLine, BrakesAMotionUnderWayWithTheWholeLimitsWhateverItsSpeed) {
     RC_ASSERT(std::isfinite(line.duration()));
     const std::vector<Sample> path = samples(cell.recorder);
     assert_within_limits(cell, path, 1);
-    // beside its way an axis is only as far as it needs to brake; within a mrad, since one that speeds up needs more
+    // an axis leaves its path only by its braking distance; within a mrad, because an accelerating axis needs more
     const JointVector low = start.cwiseMin(target).cwiseMin(rest), high = start.cwiseMax(target).cwiseMax(rest);
     const AxisParameters& axis = cell.arm->parameters().axes[0];
     for (const Sample& sample : path) {
       RC_ASSERT((low - sample.position).maxCoeff() < 1e-3);
       RC_ASSERT((sample.position - high).maxCoeff() < 1e-3);
     }
-    // a second after the start, all that was fast has been braked
+    // a second after the start, every fast axis has been braked
     const double dt = cell.arm->step_duration();
     for (std::size_t k = 0; k < path.size(); ++k)
       if (static_cast<double>(k) * dt > 1)
@@ -56,7 +56,7 @@ TEST(JointLine, BrakesAMotionUnderWayWithTheWholeLimitsWhateverItsSpeed) {
   EXPECT_GT(fast, kCases / 8);
 }
 
-TEST(JointLine, ASlowLineEndsAtItsTarget) {
+TEST(JointLine, SlowLineEndsAtItsTarget) {
   check_property(50, [] {
     Cell cell;
     Wait({*cell.arm}, {}, ElapsedSteps{0});

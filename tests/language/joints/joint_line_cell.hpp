@@ -13,7 +13,7 @@
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/move.hpp"
 
-/// A robot for the tests of JointLine, and what holds for every line.
+/// A robot for the tests of JointLine, and the laws of every line.
 namespace mrroc::joint_line {
 
 using fakes::FakeTask;
@@ -22,7 +22,7 @@ using fakes::pick;
 
 inline constexpr int kCases = 500;
 
-/// Positions from -1.9 to 1.9, the limits being +-2.
+/// Positions from -1.9 to 1.9, with limits of +-2.
 inline JointVector random_joints(int axes) {
   JointVector joints(axes);
   for (Eigen::Index i = 0; i < axes; ++i) joints[i] = 0.001 * pick(-1900, 1900);
@@ -51,7 +51,7 @@ struct Sample {
   JointVector position, velocity, acceleration;
 };
 
-/// The states at the boundaries of the macrosteps: where it started, and every commanded end.
+/// The states at the boundaries of the macrosteps: the start and every commanded end.
 inline std::vector<Sample> samples(const MotionRecorder& recorder) {
   std::vector<Sample> found;
   if (recorder.states.empty()) return found;
@@ -90,7 +90,7 @@ inline void assert_ends_at(const Cell& cell, const JointVector& target) {
   RC_ASSERT(last.joint_acceleration.size() == 0);
 }
 
-/// Random joints, or some near to where `arm` is, ahead of it or behind it.
+/// Random joints, or joints near those of `arm`, ahead of it or behind it.
 inline JointVector random_target(const Robot& arm, int axes) {
   if (pick(0, 1) == 0) return random_joints(axes);
   JointVector target = arm.state().desired_joints;
@@ -98,7 +98,7 @@ inline JointVector random_target(const Robot& arm, int axes) {
   return target;
 }
 
-/// Drives `cell` along a line and leaves it in motion, nothing of it recorded.
+/// Drives `cell` along a line and leaves it in motion, without recording.
 inline void set_in_motion(Cell& cell, double speed) {
   JointLine first(*cell.arm, random_joints(cell.axes), speed);
   first.until(ElapsedSteps{static_cast<std::uint64_t>(pick(1, 40))});

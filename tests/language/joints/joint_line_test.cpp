@@ -10,7 +10,7 @@ namespace {
 
 using fakes::check_property;
 
-TEST(JointLine, GoesStraightToItsTargetWithinTheScaledLimits) {
+TEST(JointLine, MovesStraightToItsTargetWithinTheScaledLimits) {
   check_property(kCases, [] {
     Cell cell;
     const JointVector target = random_joints(cell.axes);
@@ -35,10 +35,10 @@ TEST(JointLine, GoesStraightToItsTargetWithinTheScaledLimits) {
   });
 }
 
-TEST(JointLine, TakesTheLeastTimeThatTheLimitsAllow) {
+TEST(JointLine, TakesTheMinimumTimeUnderTheLimits) {
   FakeTask task;
   const auto arm = task.robot("arm", 1);
-  // far enough for the whole velocity: distance / v + v / a + a / j, with the shares that the interpolation leaves
+  // far enough for the full velocity: distance / v + v / a + a / j, with the shares that the interpolation permits
   JointLine line(*arm, JointVector::Constant(1, 1.5), 1.0);
   Move({*arm}, {}, line);
   EXPECT_NEAR(line.duration(), 1.5 / 0.99 + 0.99 / 3.6 + 3.6 / 18.0, 1e-9);
@@ -58,7 +58,7 @@ TEST(JointLine, SpeedOnlyStretchesTime) {
   });
 }
 
-TEST(JointLine, AtEverySpeedOnlyTimeIsStretched) {
+TEST(JointLine, EverySpeedOnlyStretchesTime) {
   check_property(kCases, [] {
     Cell cell;
     Wait({*cell.arm}, {}, ElapsedSteps{0});
@@ -72,7 +72,7 @@ TEST(JointLine, AtEverySpeedOnlyTimeIsStretched) {
   });
 }
 
-TEST(JointLine, AfterAPauseItGoesOnFromRestToTheSameTarget) {
+TEST(JointLine, ContinuesFromRestToTheSameTargetAfterAPause) {
   check_property(kCases, [] {
     Cell cell;
     const JointVector target = random_joints(cell.axes);
@@ -85,7 +85,7 @@ TEST(JointLine, AfterAPauseItGoesOnFromRestToTheSameTarget) {
   });
 }
 
-TEST(JointLine, AMotionOfAWholeNumberOfStepsEndsAtRest) {
+TEST(JointLine, MotionOfAWholeNumberOfStepsEndsAtRest) {
   FakeTask task;
   MotionRecorder recorder;
   task.step_observer = &recorder;
@@ -136,7 +136,7 @@ ErrorCode refusal(Robot& robot, const JointVector& target, double speed = 0.5) {
   return ErrorCode::none;
 }
 
-TEST(JointLine, RefusesWhatIsNoTarget) {
+TEST(JointLine, RefusesInvalidTargets) {
   FakeTask task;
   const auto arm = task.robot("arm", 3);
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

@@ -36,7 +36,7 @@ struct Cell : PathArm {
   explicit Cell(std::uint16_t motion_steps = 1) : PathArm(Pose::Identity(), motion_steps, kRoom, 1) {}
 };
 
-/// How near the motion comes to a waypoint, per joint.
+/// Least distance of the motion from a waypoint, per joint.
 double nearest(const Cell& cell, const JointVector& waypoint) {
   double least = 1e9;
   for (const JointVector& joints : cell.joints) least = std::min(least, (joints - waypoint).cwiseAbs().maxCoeff());
@@ -78,7 +78,7 @@ TEST(JointPath, PassesEveryWaypointWithinTheRobotsLimits) {
   });
 }
 
-TEST(JointPath, DoesNotStopOnTheWay) {
+TEST(JointPath, DoesNotStopBetweenWaypoints) {
   check_property(kCases, [] {
     Cell cell;
     const std::vector<JointVector> waypoints = random_waypoints();
@@ -115,7 +115,7 @@ TEST(JointPath, IsFasterThanLinesWithStops) {
   EXPECT_LT(path.duration(), 0.6 * stopping);
 }
 
-TEST(JointPath, AStraightLineTakesNotMuchMoreThanTheLeastTime) {
+TEST(JointPath, StraightLineTakesNearlyTheMinimumTime) {
   check_property(kCases, [] {
     Cell cell, other;
     const JointVector target = random_joints();
@@ -138,8 +138,8 @@ TEST(JointPath, SpeedOnlyStretchesTime) {
   EXPECT_NEAR(half.duration(), 2 * one.duration(), 0.05 * half.duration());
 }
 
-// between two waypoints at a limit the plain spline would swing out of it
-TEST(JointPath, DoesNotSwingOutOfAPositionLimit) {
+// between two waypoints at a limit the plain spline would exceed it
+TEST(JointPath, DoesNotExceedAPositionLimit) {
   Cell cell;
   JointVector low = JointVector::Zero(6), high = low, other = low;
   low[0] = kRoom - 1.5;
@@ -153,7 +153,7 @@ TEST(JointPath, DoesNotSwingOutOfAPositionLimit) {
   EXPECT_LT(nearest(cell, high), 0.5 * cell.dt() + 1e-9);
 }
 
-TEST(JointPath, AfterAnInterruptionItPassesTheWaypointsThatAreLeft) {
+TEST(JointPath, PassesTheRemainingWaypointsAfterAnInterruption) {
   check_property(kCases, [] {
     Cell cell;
     const std::vector<JointVector> waypoints = random_waypoints();
@@ -173,7 +173,7 @@ TEST(JointPath, AfterAnInterruptionItPassesTheWaypointsThatAreLeft) {
   });
 }
 
-TEST(JointPath, FromAMotionUnderWayItComesToRestFirst) {
+TEST(JointPath, ComesToRestFirstFromAPresentMotion) {
   check_property(kCases, [] {
     Cell cell;
     JointVector velocity(6);
@@ -203,7 +203,7 @@ TEST(JointPath, ReachesPosesThroughTheInverseKinematics) {
   EXPECT_THROW(cell.move(JointPath(*cell.arm, std::vector<Pose>{far})), NonFatalError);
 }
 
-TEST(JointPath, RefusesWhatIsNone) {
+TEST(JointPath, RefusesInvalidArguments) {
   Cell cell;
   const auto make = [&](const std::vector<JointVector>& waypoints, double speed) {
     JointPath{*cell.arm, waypoints, speed};

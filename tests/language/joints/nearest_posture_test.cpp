@@ -11,7 +11,7 @@
 namespace mrroc {
 namespace {
 
-/// A gantry whose branches a test gives, whatever the pose. Its motor 0 reaches half of its joint's range.
+/// A gantry with branches that a test sets, for any pose. Its motor 0 covers half of its joint's range.
 class BranchingModel final : public fakes::FakeModel {
  public:
   BranchingModel() : FakeModel(4) { parameters_.axes[0].motor_max = 100; }
@@ -54,7 +54,7 @@ TEST(NearestPosture, IsTheNearestWithinTheMotorLimitsOfAnyNumberOfBranches) {
   }
 }
 
-TEST(NearestPosture, OfEquallyNearBranchesIsTheFirst) {
+TEST(NearestPosture, IsTheFirstOfEquallyNearBranches) {
   BranchingModel model;
   model.given = {{joints_at(0, 1), true}, {joints_at(0, -1), true}};
   EXPECT_EQ(nearest(model).joints, joints_at(0, 1));
@@ -62,7 +62,7 @@ TEST(NearestPosture, OfEquallyNearBranchesIsTheFirst) {
   EXPECT_EQ(nearest(model).joints, joints_at(0, -1));
 }
 
-TEST(NearestPosture, WithinTheTolerancesGoesBeforeASmallerSumBeyondOne) {
+TEST(NearestPosture, PrefersAPostureWithinTheTolerancesToASmallerSum) {
   BranchingModel model;
   const JointVector beyond = joints_at(1.05e-3), within = joints_at(0.9e-3, 0, 4.5e-3);
   model.given = {{beyond, false}, {within, false}};
@@ -76,13 +76,13 @@ TEST(NearestPosture, WithinTheTolerancesGoesBeforeASmallerSumBeyondOne) {
   }
 }
 
-TEST(NearestPosture, AnExactBranchGoesBeforeNearerProjectedOnes) {
+TEST(NearestPosture, PrefersAnExactBranchToNearerProjectedOnes) {
   BranchingModel model;
   model.given = {{joints_at(0.5e-3), false}, {joints_at(0.5, 0.5), true}, {joints_at(0.4e-3), false}};
   EXPECT_EQ(nearest(model).joints, joints_at(0.5, 0.5));
 }
 
-TEST(NearestPosture, ThatPassesALimitIsNamedWithAxisAndValue) {
+TEST(NearestPosture, NamesAxisAndValueOfAPostureBeyondALimit) {
   BranchingModel model;
   model.given = {{joints_at(0, 3), true}, {joints_at(1.5), true}};
   Posture found = nearest(model);
@@ -96,7 +96,7 @@ TEST(NearestPosture, ThatPassesALimitIsNamedWithAxisAndValue) {
   EXPECT_DOUBLE_EQ(found.value, 2.1);
 }
 
-TEST(NearestPosture, ThatIsNotThereIsOutOfTheWorkspace) {
+TEST(NearestPosture, MissingPostureIsOutOfTheWorkspace) {
   BranchingModel model;
   EXPECT_EQ(nearest(model).code, ErrorCode::out_of_workspace);
   model.given = {{joints_at(0.1), false}};

@@ -53,8 +53,8 @@ struct Cell {
     task.step_observer = &recorder;
     task.log.recording = false;
   }
-  /// No command asks for more than the limits, nor changes faster than they allow: but over a pause, in which the fake
-  /// stops at once.
+  /// No command exceeds the limits or changes faster than they allow, except over a pause, in which the fake stops at
+  /// once.
   void assert_within_limits() const {
     const AxisParameters& axis = arm->parameters().axes[0];
     const double dt = arm->step_duration();
@@ -81,14 +81,14 @@ struct Cell {
   MotionRecorder recorder;
 };
 
-/// From a point to the nearest one of the curve between two times.
+/// Distance of a point from the nearest one of the curve between two times.
 double distance_to(const Swing& swing, const JointVector& joints, double from, double to) {
   double nearest = 1e9;
   for (double t = from; t <= to; t += 0.002) nearest = std::min(nearest, (swing.at(t) - joints).norm());
   return nearest;
 }
 
-TEST(Replay, ATimedPathIsGoneAlongThroughItsPointsWithinTheLimits) {
+TEST(Replay, TimedPathPassesItsPointsWithinTheLimits) {
   check_property(60, [] {
     const int axes = pick(1, kMaxJoints), points = pick(2, 40);
     Cell cell(axes);
@@ -103,7 +103,7 @@ TEST(Replay, ATimedPathIsGoneAlongThroughItsPointsWithinTheLimits) {
     RC_ASSERT(replay.rate() > 0 && replay.rate() <= speed);
     RC_ASSERT(replay.point() == path.points.size());
     cell.assert_within_limits();
-    // the way begins where the commands first come to the first point
+    // the path begins where the commands first reach the first point
     std::size_t begin = 0;
     while ((cell.recorder.commands[begin].joints - path.points.front().joints).norm() > 1e-9) ++begin;
     const double last = 0.1 * (points - 1);
@@ -129,13 +129,13 @@ TEST(Replay, KeepsTheTaughtTimesWhereTheLimitsAllowIt) {
     Move({*cell.arm}, {}, JointLine{*cell.arm, swing.at(0)});
     const Outcome end = Move({*cell.arm}, {}, replay);
     RC_ASSERT(replay.rate() == speed);
-    // half a second to come up and half a second to slow down cost half a second together
+    // half a second to accelerate and half a second to slow down cost half a second together
     const double expected = 0.1 * (points - 1) / speed + 0.5;
     RC_ASSERT(std::abs(end.duration - expected) < 0.25 + 2 * cell.arm->step_duration());
   });
 }
 
-TEST(Replay, PlacesAreGoneToOneAfterTheOtherAndRestedAt) {
+TEST(Replay, VisitsPositionsInOrderAndRestsThere) {
   check_property(60, [] {
     const int axes = pick(1, kMaxJoints), points = pick(1, 6);
     Cell cell(axes);
@@ -155,7 +155,7 @@ TEST(Replay, PlacesAreGoneToOneAfterTheOtherAndRestedAt) {
   });
 }
 
-TEST(Replay, PosesBecomeJointsOfTheSameWay) {
+TEST(Replay, PosesBecomeJointsOfTheSamePath) {
   check_property(40, [] {
     FreeFlyer task(Pose::Identity());
     TaughtPath path;
@@ -176,7 +176,7 @@ TEST(Replay, PosesBecomeJointsOfTheSameWay) {
   });
 }
 
-TEST(Replay, WhatHasBeenTaughtIsReplayed) {
+TEST(Replay, TaughtPathIsReplayed) {
   FakeTask task;
   const auto arm = task.robot("arm", 4);
   MotionRecorder taught, replayed;
@@ -205,7 +205,7 @@ TEST(Replay, WhatHasBeenTaughtIsReplayed) {
   EXPECT_LT(farthest, 2e-4);
 }
 
-TEST(Replay, AfterAPauseItGoesBackToItsWayAndOn) {
+TEST(Replay, ReturnsToItsPathAfterAPauseAndContinues) {
   check_property(40, [] {
     Cell cell(3);
     const Swing swing(3);
@@ -220,7 +220,7 @@ TEST(Replay, AfterAPauseItGoesBackToItsWayAndOn) {
   });
 }
 
-TEST(Replay, RefusesWhatCannotBeReplayed) {
+TEST(Replay, RefusesInvalidPaths) {
   FreeFlyer task(Pose::Identity());
   const TaughtPoint home{0, JointVector::Zero(6), Pose::Identity()}, later{1, JointVector::Zero(6), Pose::Identity()};
   const auto make = [&](const TaughtPath& path, double speed = 1) { Replay{*task.arm, path, speed}; };
@@ -244,7 +244,7 @@ TEST(Replay, RefusesWhatCannotBeReplayed) {
   EXPECT_NO_THROW(make({TaughtPath::Space::poses, false, {bad}})) << "the joints do not matter";
   bad.pose.linear()(0, 1) = 0.1;
   EXPECT_THROW(make({TaughtPath::Space::poses, false, {bad}}), NonFatalError);
-  // out of reach: found at the start
+  // out of reach: detected at the start
   bad = home;
   bad.pose.translation().x() = 3;
   EXPECT_THROW(Move({*task.arm}, {}, Replay(*task.arm, {TaughtPath::Space::poses, false, {bad}})), NonFatalError);

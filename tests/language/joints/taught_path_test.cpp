@@ -27,7 +27,7 @@ using Space = TaughtPath::Space;
 /// A number with all its digits.
 double digits(double size) { return size * pick(-1000000, 1000000) / 999983.0; }
 
-/// A file of this test's own, removed with the object.
+/// A file of this test, removed with the object.
 struct File {
   void write(const std::string& text) const { std::ofstream(name, std::ios::binary) << text; }
   std::string read() const { return test::text_of(name); }
@@ -53,7 +53,7 @@ TaughtPath random_path() {
   return path;
 }
 
-TEST(TaughtPath, WhatIsSavedReadsBack) {
+TEST(TaughtPath, SavedPathReadsBack) {
   check_property(200, [] {
     FreeFlyer task(Pose::Identity());
     const File file;
@@ -77,7 +77,7 @@ TEST(TaughtPath, WhatIsSavedReadsBack) {
   });
 }
 
-TEST(TaughtPath, AFileByHandMayHaveCommentsBlanksAndEmptyLines) {
+TEST(TaughtPath, HandwrittenFileMayHaveCommentsBlanksAndEmptyLines) {
   FreeFlyer task(Pose::Identity());
   const File file;
   file.write(
@@ -89,7 +89,7 @@ TEST(TaughtPath, AFileByHandMayHaveCommentsBlanksAndEmptyLines) {
   EXPECT_EQ(path.points[1].time, 2.5);
 }
 
-TEST(TaughtPath, BearsWhatEditorsAndSpreadsheetsAdd) {
+TEST(TaughtPath, AcceptsAdditionsOfEditorsAndSpreadsheets) {
   FreeFlyer task(Pose::Identity());
   const File file;
   const std::string columns = "time,axis0,axis1,axis2,axis3,axis4,axis5";
@@ -108,7 +108,7 @@ TEST(TaughtPath, BearsWhatEditorsAndSpreadsheetsAdd) {
   }
 }
 
-TEST(TaughtPath, TimesInMillisecondsAreRefused) {
+TEST(TaughtPath, RefusesTimesInMilliseconds) {
   FreeFlyer task(Pose::Identity());
   const File file;
   const auto told = [&](double scale, double way, double duration) -> std::string {
@@ -128,11 +128,11 @@ TEST(TaughtPath, TimesInMillisecondsAreRefused) {
     EXPECT_NE(told(1000, way, 50).find("expected seconds, not milliseconds"), std::string::npos) << way;
   }
   EXPECT_NE(told(1000, 1, 50.4).find(":12: time: '50400': makes a path of 14 h"), std::string::npos);
-  EXPECT_EQ(told(1000, 0, 50), "") << "a robot that stands still";
+  EXPECT_EQ(told(1000, 0, 50), "") << "a robot at rest";
   EXPECT_EQ(told(1000, 0.0001, 0.5), "") << "less than ten minutes";
 }
 
-TEST(TaughtPath, ABadFileIsToldByFileLineColumnValueAndExpectation) {
+TEST(TaughtPath, ErrorNamesFileLineColumnValueAndExpectation) {
   FreeFlyer task(Pose::Identity());
   const File file;
   const auto told = [&](const std::string& text) -> std::string {
@@ -180,7 +180,7 @@ TEST(TaughtPath, ABadFileIsToldByFileLineColumnValueAndExpectation) {
   EXPECT_EQ(told(head), ":2: no point, expected at least one line of values");
   EXPECT_EQ(told(""), ": no line of column names, expected 'time,axis0,axis1,axis2,axis3,axis4,axis5'");
   EXPECT_EQ(told("time,axis0,axis1\n"),
-            ":1: columns 'time,axis0,axis1' of no path of a robot fake, expected "
+            ":1: columns 'time,axis0,axis1' are not those of a path of robot fake, expected "
             "'time,axis0,axis1,axis2,axis3,axis4,axis5' or "
             "'time,x,y,z,qw,qx,qy,qz', each also without time");
   EXPECT_EQ(told("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0.2\n").find(":2: qw,qx,qy,qz: a quaternion of length 1.0198"), 0u);
@@ -195,8 +195,8 @@ TEST(TaughtPath, ABadFileIsToldByFileLineColumnValueAndExpectation) {
   }
 }
 
-// every character of a good file changed: it is refused in one line, or still a path within the limits
-TEST(TaughtPath, ABrokenFileIsNeverTakenForSomethingElse) {
+// every character of a good file changed: the file is refused in one line, or is still a path within the limits
+TEST(TaughtPath, BrokenFileIsRefusedOrAValidPath) {
   FreeFlyer task(Pose::Identity());
   const File file;
   TaughtPath path;
@@ -224,7 +224,7 @@ TEST(TaughtPath, ABrokenFileIsNeverTakenForSomethingElse) {
   EXPECT_GT(refused, 300);
 }
 
-TEST(TaughtPath, WhatCannotBeWrittenIsToldAndAnOldFileStays) {
+TEST(TaughtPath, ReportsAWriteErrorAndKeepsTheOldFile) {
   FreeFlyer task(Pose::Identity());
   const File file;
   EXPECT_THROW(save({}, *task.arm, file.name), NonFatalError) << "no point";
@@ -239,11 +239,11 @@ TEST(TaughtPath, WhatCannotBeWrittenIsToldAndAnOldFileStays) {
   }
 }
 
-TEST(TaughtPath, AddsWhereTheRobotIsDesiredToBe) {
+TEST(TaughtPath, AddsTheDesiredPositionOfTheRobot) {
   FakeTask task;
   const auto arm = task.robot("arm");
   TaughtPath path;
-  EXPECT_THROW(path.add(*arm), NonFatalError) << "nobody knows";
+  EXPECT_THROW(path.add(*arm), NonFatalError) << "the state is unknown";
   task.robot_fake("arm").state.desired_joints << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6;
   Wait({*arm}, {}, ElapsedSteps{0});
   path.add(*arm, 1.5);

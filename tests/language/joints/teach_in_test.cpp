@@ -29,7 +29,7 @@ class Creep : public Generator {
   Robot& robot_;
 };
 
-TEST(TeachIn, NotesTheWayOfAnotherGeneratorAtItsInterval) {
+TEST(TeachIn, RecordsThePathOfAnotherGeneratorAtItsInterval) {
   check_property(200, [] {
     FakeTask task;
     const auto arm = task.robot("arm");
@@ -38,7 +38,7 @@ TEST(TeachIn, NotesTheWayOfAnotherGeneratorAtItsInterval) {
     const double step = arm->step_duration(), interval = 0.001 * pick(1, 300);
     const int steps = pick(1, 200);
     TaughtPath path;
-    path.points.resize(7);  // of before
+    path.points.resize(7);  // of an earlier recording
     Move({*arm}, {},
          Together{Creep{*arm}, TeachIn{*arm, path, interval}}.until(ElapsedSteps{static_cast<std::uint64_t>(steps)}));
     RC_ASSERT(path.timed);
@@ -52,14 +52,14 @@ TEST(TeachIn, NotesTheWayOfAnotherGeneratorAtItsInterval) {
     for (std::size_t i = 0; i < path.points.size(); ++i) {
       const TaughtPoint& point = path.points[i];
       if (i > 0) RC_ASSERT(point.time > path.points[i - 1].time);
-      const double taken = point.joints[0] / 0.001;  // steps that it had gone
+      const double taken = point.joints[0] / 0.001;  // number of steps
       RC_ASSERT(std::abs(point.time - taken * step) < 1e-9);
       RC_ASSERT(std::abs(point.pose.translation().x() - point.joints[0]) < 1e-12);
     }
   });
 }
 
-TEST(TeachIn, AloneItLetsTheRobotHoldAndAddsAPointForEachTrigger) {
+TEST(TeachIn, AloneItHoldsTheRobotAndAddsAPointForEachTrigger) {
   FakeTask task;
   const auto arm = task.robot("arm");
   TaughtPath path;
@@ -79,7 +79,7 @@ TEST(TeachIn, AloneItLetsTheRobotHoldAndAddsAPointForEachTrigger) {
   for (const auto& call : task.log.calls) EXPECT_NE(call.kind, CommandKind::joint);
 }
 
-TEST(TeachIn, APauseIsNoPartOfTheTime) {
+TEST(TeachIn, PauseIsNotPartOfTheTime) {
   FakeTask task;
   const auto arm = task.robot("arm");
   task.requests.assign(10, OperatorRequest::none);
@@ -91,7 +91,7 @@ TEST(TeachIn, APauseIsNoPartOfTheTime) {
   for (std::size_t i = 1; i < path.points.size(); ++i) EXPECT_GT(path.points[i].time, path.points[i - 1].time);
 }
 
-TEST(TeachIn, AFullPathIsAnError) {
+TEST(TeachIn, FullPathIsAnError) {
   FakeTask task;
   const auto arm = task.robot("arm");
   TaughtPath path;

@@ -24,15 +24,15 @@ std::vector<BlendPoint> random_points(double turn = 0.8) {
   return points;
 }
 
-/// Distance of a place from the line between two others.
+/// Distance of a position from the line between two others.
 double beside(const Vector3d& place, const Vector3d& from, const Vector3d& to) {
   const Vector3d way = to - from;
   const double u = std::clamp((place - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
   return (place - from - u * way).norm();
 }
 
-// the linear and the angular velocity, too: their rates are bounded, and are the derivatives
-TEST(BlendedPath, KeepsItsLimitsAcrossTheBlendsAndEndsThereAtRest) {
+// also the linear and the angular velocity: their rates are bounded, and are the derivatives
+TEST(BlendedPath, KeepsItsLimitsAcrossTheBlendsAndEndsAtRest) {
   check_property(kCases, [] {
     const std::vector<BlendPoint> points = random_points();
     PathArm task(random_pose(0.3, 0.8));
@@ -47,7 +47,7 @@ TEST(BlendedPath, KeepsItsLimitsAcrossTheBlendsAndEndsThereAtRest) {
   });
 }
 
-TEST(BlendedPath, LeavesTheLinesOnlyWithinTheRadiusAndPassesTheCornerAsNearAsItSays) {
+TEST(BlendedPath, LeavesTheLinesOnlyWithinTheRadiusAndPassesTheCornerAtTheStatedDistance) {
   check_property(kCases, [] {
     const std::vector<BlendPoint> points = random_points(0.1);
     const Pose start = random_pose(0.3, 0.1);
@@ -74,8 +74,8 @@ TEST(BlendedPath, LeavesTheLinesOnlyWithinTheRadiusAndPassesTheCornerAsNearAsItS
   });
 }
 
-// a corner of a right angle with the exact blend of the header
-TEST(BlendedPath, TheBlendIsTheSmoothStepOfTheVelocity) {
+// a right-angled corner with the exact blend of the header
+TEST(BlendedPath, BlendIsTheSmoothStepOfTheVelocity) {
   PathArm task(Pose::Identity());
   const double radius = 0.05;
   task.move(BlendedPath(*task.arm,
@@ -97,9 +97,9 @@ TEST(BlendedPath, TheBlendIsTheSmoothStepOfTheVelocity) {
   EXPECT_NEAR(least, 3.0 / 16 * radius * std::sqrt(2), 1e-4);
 }
 
-TEST(BlendedPath, TheSpeedIsNearlyConstantWhereTheRadiusIsLargeEnough) {
+TEST(BlendedPath, SpeedIsNearlyConstantWhereTheRadiusIsLargeEnough) {
   check_property(kCases, [] {
-    // corners of a right angle, the way from blend to blend long enough to say what a constant speed is
+    // right-angled corners, with paths between the blends that are long enough for a constant speed
     const double radius = 0.01 * pick(3, 20);
     const PathLimits limits{.speed = std::sqrt(radius * 2 / 5), .acceleration = 2};
     std::vector<BlendPoint> points;
@@ -119,7 +119,7 @@ TEST(BlendedPath, TheSpeedIsNearlyConstantWhereTheRadiusIsLargeEnough) {
   });
 }
 
-TEST(BlendedPath, LinesThatOnlyTurnAndLinesThatGoBackAreRounded) {
+TEST(BlendedPath, RotationsAndReversalsAreBlended) {
   Pose there(Eigen::Translation3d(0.2, 0, 0)), turned = there;
   turned.linear() = rotation_of({0, 0, 1});
   Pose back = turned;
@@ -138,10 +138,10 @@ TEST(BlendedPath, LinesThatOnlyTurnAndLinesThatGoBackAreRounded) {
     least = std::min(least, task.commands[k].pose.translation().x());
   }
   EXPECT_EQ(rests, 1u);
-  EXPECT_NEAR(least, 0.05 + 3.0 / 8 * 0.05, 1e-4) << "it is turned round in before the corner";
+  EXPECT_NEAR(least, 0.05 + 3.0 / 8 * 0.05, 1e-4) << "it reverses before the corner";
 }
 
-TEST(BlendedPath, AfterAnInterruptionItGoesAlongTheRest) {
+TEST(BlendedPath, FollowsTheRestAfterAnInterruption) {
   check_property(kCases, [] {
     const std::vector<BlendPoint> points = random_points();
     PathArm whole(random_pose(0.3, 0.8));
@@ -155,7 +155,7 @@ TEST(BlendedPath, AfterAnInterruptionItGoesAlongTheRest) {
     const JointVector first = task.joints[task.resumed_at] - task.rested_at;
     RC_ASSERT(first.cwiseAbs().maxCoeff() <= 0.5 * 1e4 * task.dt() * task.dt());
     if (paused) fakes::assert_tool_motion(task, kLimits);
-    // every place of the interrupted motion is one of the whole's; looked at every tenth
+    // every position of the interrupted motion is one of the whole motion; every tenth is checked
     for (std::size_t k = 0; k < task.commands.size(); k += 10) {
       if (task.commands[k].kind != CommandKind::pose) continue;
       double off = 1e9;
@@ -166,7 +166,7 @@ TEST(BlendedPath, AfterAnInterruptionItGoesAlongTheRest) {
   });
 }
 
-TEST(BlendedPath, RefusesWhatIsNone) {
+TEST(BlendedPath, RefusesInvalidArguments) {
   PathArm task(Pose::Identity());
   Pose bad = Pose::Identity();
   bad.linear() *= 2;

@@ -22,7 +22,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 const PathLimits kLimits{.speed = 0.4, .acceleration = 1, .angular_speed = 1, .angular_acceleration = 2};
 
-/// A circle somewhere, with two unit vectors in its plane.
+/// A circle at a random pose, with two unit vectors in its plane.
 struct Ring {
   Vector3d centre = random_vector(0.3);
   Eigen::Matrix3d axes = rotation_of(random_vector(2));
@@ -31,7 +31,7 @@ struct Ring {
   Vector3d axis() const { return axes.col(2); }
 };
 
-TEST(CartesianArc, GoesAlongTheCircleThroughThreePlacesAsKdlsCircleDoes) {
+TEST(CartesianArc, FollowsTheCircleThroughThreePointsLikeKdlsCircle) {
   check_property(kCases, [] {
     const Ring ring;
     const double angle = 0.01 * pick(30, 600), part = 0.01 * pick(20, 80);
@@ -72,7 +72,7 @@ TEST(CartesianArc, KeepsItsLimits) {
   });
 }
 
-TEST(CartesianArc, AWholeTurnComesBackAndTheToolTurnsWithItOrNot) {
+TEST(CartesianArc, FullTurnReturnsAndTheToolTurnsWithItOrNot) {
   check_property(kCases, [] {
     const Ring ring;
     Pose start = random_pose(0, 1);
@@ -106,17 +106,17 @@ TEST(CartesianArc, AWholeTurnComesBackAndTheToolTurnsWithItOrNot) {
   });
 }
 
-TEST(CartesianArc, AnAxisThroughTheToolOnlyTurnsIt) {
+TEST(CartesianArc, AxisThroughTheToolOnlyTurnsIt) {
   PathArm task(Pose::Identity());
   task.move(CartesianArc(*task.arm, Circle{.axis = {0, 0, 1}, .angle = 2, .tool_turns = true}, kLimits));
   EXPECT_LT(fakes::distance(task.commands.back().pose, Pose::Identity()), 1e-12);
   EXPECT_NEAR(fakes::angle(task.commands.back().pose, Pose::Identity()), 2, 1e-12);
   task.commands.clear();
   task.move(CartesianArc(*task.arm, Circle{.axis = {0, 0, 1}, .angle = 2}, kLimits));
-  EXPECT_TRUE(task.commands.empty()) << "without turning there is no way to go";
+  EXPECT_TRUE(task.commands.empty()) << "without rotation there is no motion";
 }
 
-TEST(CartesianArc, TheSpeedOnASmallCircleIsWhatItsAccelerationAllows) {
+TEST(CartesianArc, SpeedOnASmallCircleIsLimitedByItsAcceleration) {
   PathArm task(Pose::Identity());
   const PathLimits limits{.speed = 1, .acceleration = 0.5};
   task.move(CartesianArc(*task.arm, Circle{.centre = {0.1, 0, 0}}, limits));
@@ -126,8 +126,8 @@ TEST(CartesianArc, TheSpeedOnASmallCircleIsWhatItsAccelerationAllows) {
   EXPECT_GT(fastest, 0.99 * std::sqrt(0.85 * 0.5 * 0.1));
 }
 
-// a whole circle begins where it ends: the nearest point is looked for near the interruption only
-TEST(CartesianArc, AfterAnInterruptionItGoesRoundTheRest) {
+// a whole circle begins where it ends: the nearest point is searched only near the interruption
+TEST(CartesianArc, FollowsTheRestAfterAnInterruption) {
   check_property(kCases, [] {
     const Ring ring;
     Pose start = random_pose(0, 1);
@@ -144,13 +144,13 @@ TEST(CartesianArc, AfterAnInterruptionItGoesRoundTheRest) {
       RC_ASSERT(std::abs((task.commands[k].pose.translation() - ring.centre).norm() - ring.radius) < 1e-9);
       way += fakes::distance(task.commands[k].pose, task.commands[k - 1].pose);
     }
-    // all of it, but for what the robot has rolled on: at most 50 ms at the present speed
+    // all of it, except for the distance rolled on: at most 50 ms at the present speed
     RC_ASSERT(way > 2 * std::numbers::pi * ring.radius - 0.05 * kLimits.speed - 2 * task.dt() * kLimits.speed -
                         0.01 * ring.radius);
   });
 }
 
-TEST(CartesianArc, RefusesWhatIsNone) {
+TEST(CartesianArc, RefusesInvalidArguments) {
   PathArm task(Pose::Identity());
   const Pose target(Eigen::Translation3d(0.1, 0, 0));
   const auto through = [&](const Vector3d& via) { task.move(CartesianArc(*task.arm, via, target)); };

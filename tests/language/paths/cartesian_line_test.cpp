@@ -28,7 +28,7 @@ PathLimits random_limits() {
           .angular_acceleration = 0.1 * pick(5, 40)};
 }
 
-TEST(CartesianLine, GoesStraightAndTurnsAboutOneAxisAsKdlsLineDoes) {
+TEST(CartesianLine, MovesStraightAndTurnsAboutOneAxisLikeKdlsLine) {
   check_property(kCases, [] {
     const Pose start = random_pose(0.5, 1), target = random_pose(0.5, 1);
     PathArm task(start);
@@ -41,7 +41,7 @@ TEST(CartesianLine, GoesStraightAndTurnsAboutOneAxisAsKdlsLineDoes) {
     const Vector3d turn = rotation_vector(target.linear() * start.linear().transpose());
     double last = 0;
     for (const RobotCommand& command : task.commands) {
-      // the part of the way, of whichever there is more
+      // the travelled part, of the larger of translation and rotation
       const double u = way.norm() > 0.1
                            ? (command.pose.translation() - start.translation()).dot(way) / way.squaredNorm()
                            : rotation_vector(command.pose.linear() * start.linear().transpose()).norm() /
@@ -57,7 +57,7 @@ TEST(CartesianLine, GoesStraightAndTurnsAboutOneAxisAsKdlsLineDoes) {
   });
 }
 
-TEST(CartesianLine, KeepsItsLimitsAndEndsThereAtRest) {
+TEST(CartesianLine, KeepsItsLimitsAndEndsAtRest) {
   check_property(kCases, [] {
     const Pose target = random_pose(0.5, 1);
     PathArm task(random_pose(0.5, 1));
@@ -70,10 +70,10 @@ TEST(CartesianLine, KeepsItsLimitsAndEndsThereAtRest) {
   });
 }
 
-/// The least time from rest to rest over a way with these limits: ramps of jerk, acceleration, speed.
+/// The minimum time from rest to rest over a path with these limits: ramps of jerk, acceleration, speed.
 double least_time(double way, double speed, double acceleration, double jerk) {
-  // without constant speed: the peak p with p (p / a + a / j) = way, or p = (way^2 j / 4)^(1/3) without constant
-  // acceleration, too
+  // without constant speed: the peak p with p (p / a + a / j) = way, or p = (way^2 j / 4)^(1/3) also without constant
+  // acceleration
   double peak = std::cbrt(0.25 * way * way * jerk);
   if (peak > acceleration * acceleration / jerk) {
     const double a = acceleration / jerk;
@@ -87,7 +87,7 @@ double least_time(double way, double speed, double acceleration, double jerk) {
   return way / speed + ramp;
 }
 
-TEST(CartesianLine, TakesNotMuchMoreThanTheLeastTime) {
+TEST(CartesianLine, TakesNearlyTheMinimumTime) {
   check_property(kCases, [] {
     const PathLimits limits = random_limits();
     PathArm task(Pose::Identity());
@@ -110,11 +110,11 @@ TEST(CartesianLine, HoldsItsSpeedBetweenTheRamps) {
   task.move(CartesianLine(*task.arm, target, {.speed = 0.25, .acceleration = 1}));
   std::size_t constant = 0;
   for (const RobotCommand& command : task.commands) constant += std::abs(command.twist.norm() - 0.25) < 1e-9 ? 1 : 0;
-  // 4 s but for the ramps: 0.25 s to accelerate, 0.2 s to smooth, twice
+  // 4 s plus the ramps: 0.25 s to accelerate, 0.2 s to smooth, twice
   EXPECT_GT(static_cast<double>(constant) * task.dt(), 4 - 0.9);
 }
 
-TEST(CartesianLine, TheJointsLimitsHoldToo) {
+TEST(CartesianLine, JointLimitsHoldToo) {
   check_property(kCases, [] {
     const double fast = 0.01 * pick(5, 50);
     PathArm task(random_pose(0.5, 0.5), 1, 100, fast);
@@ -131,8 +131,8 @@ TEST(CartesianLine, TheJointsLimitsHoldToo) {
   });
 }
 
-// a pause ends on the line; a late command leaves it, and the rest is gone along from the nearest point
-TEST(CartesianLine, AfterAnInterruptionItGoesAlongTheRest) {
+// a pause ends on the line; a late command leaves it, and the motion continues from the nearest point
+TEST(CartesianLine, FollowsTheRestAfterAnInterruption) {
   check_property(kCases, [] {
     const Pose start = random_pose(0.5, 1), target = random_pose(0.5, 1);
     const PathLimits limits = random_limits();
@@ -143,7 +143,7 @@ TEST(CartesianLine, AfterAnInterruptionItGoesAlongTheRest) {
     if (task.commands.empty() || task.resumed_at == 0 || task.resumed_at == task.commands.size()) return;
     RC_ASSERT(fakes::distance(task.commands.back().pose, target) < 1e-12);
     RC_ASSERT(fakes::angle(task.commands.back().pose, target) < 1e-7);
-    // from rest, without a jump: no farther than the joints' acceleration takes it in a step
+    // from rest, without a jump: at most the distance of the joints' acceleration in a step
     const JointVector first = task.joints[task.resumed_at] - task.rested_at;
     RC_ASSERT(first.cwiseAbs().maxCoeff() <= 0.5 * 1e4 * task.dt() * task.dt());
     if (paused) fakes::assert_tool_motion(task, limits);
@@ -156,7 +156,7 @@ TEST(CartesianLine, AfterAnInterruptionItGoesAlongTheRest) {
   });
 }
 
-TEST(CartesianLine, FromAMotionUnderWayItComesToRestFirst) {
+TEST(CartesianLine, ComesToRestFirstFromAPresentMotion) {
   check_property(kCases, [] {
     const Pose target = random_pose(0.5, 0.5);
     PathArm task(random_pose(0.5, 0.5), 1, 100, 1);
@@ -175,7 +175,7 @@ TEST(CartesianLine, FromAMotionUnderWayItComesToRestFirst) {
   });
 }
 
-TEST(CartesianLine, ThereAlreadyItCommandsNothing) {
+TEST(CartesianLine, CommandsNothingAtTheTarget) {
   Pose here = Pose::Identity();
   here.linear() = rotation_of({0.3, 0.2, 0.1});
   PathArm task(here);
@@ -184,7 +184,7 @@ TEST(CartesianLine, ThereAlreadyItCommandsNothing) {
   EXPECT_TRUE(task.commands.empty());
 }
 
-TEST(CartesianLine, AWayThatTheRobotCannotGoIsRefusedBeforeItBegins) {
+TEST(CartesianLine, ImpossiblePathIsRefusedBeforeItsStart) {
   PathArm task(Pose::Identity(), 10, 0.5);
   Pose target = Pose::Identity();
   target.translation().x() = 1;
@@ -198,7 +198,7 @@ TEST(CartesianLine, AWayThatTheRobotCannotGoIsRefusedBeforeItBegins) {
   EXPECT_TRUE(task.commands.empty());
 }
 
-TEST(CartesianLine, RefusesWhatIsNone) {
+TEST(CartesianLine, RefusesInvalidArguments) {
   PathArm task(Pose::Identity());
   const auto make = [&](const Pose& pose, const PathLimits& limits) { CartesianLine{*task.arm, pose, limits}; };
   Pose bad = Pose::Identity();

@@ -18,8 +18,8 @@ inline double angle(const Pose& a, const Pose& b) {
   return rotation_vector(a.linear() * b.linear().transpose()).norm();
 }
 
-/// A tool that can be anywhere: axes 0..2 are its position, 3..5 its rotation vector, on the branch nearest to the one
-/// before. Limits of +-`room`; of velocity, acceleration and jerk `fast`, 10 and 100 times that.
+/// A tool with unlimited poses: axes 0..2 are its position, 3..5 its rotation vector, on the branch nearest to the
+/// previous one. Position limits +-`room`; velocity, acceleration and jerk limits `fast`, 10 and 100 times that.
 class WideModel : public FakeModel {
  public:
   WideModel(double room, double fast) : FakeModel(6), parameters_(FakeModel::parameters()) {
@@ -45,7 +45,7 @@ class WideModel : public FakeModel {
     if (near.size() == 6) {
       const Eigen::Vector3d last = near.tail<3>();
       const double turn = 2 * std::numbers::pi;
-      // without an own axis it continues about the one that it has
+      // without its own axis it continues about the present one
       const Eigen::Vector3d axis = vector.norm() > 1e-6 ? vector.normalized() : last.normalized();
       vector += turn * std::round((last - vector).dot(axis) / turn) * axis;
     }
@@ -59,7 +59,7 @@ class WideModel : public FakeModel {
 };
 
 /// A task with one robot, a WideModel that executes every command of joints or a pose exactly. After a `hold` in
-/// motion, or a late command, it rolls on, joint by joint, for some ms before it rests: it leaves its path.
+/// motion, or a late command, each joint rolls on for some ms before it rests, and the robot leaves its path.
 class PathArm : public FakeTask, private RobotLink {
  public:
   explicit PathArm(const Pose& start, std::uint16_t motion_steps = 1, double room = 100, double fast = 1000)
@@ -77,7 +77,7 @@ class PathArm : public FakeTask, private RobotLink {
   double dt() const { return arm->step_duration(); }
   void move(Generator& generator) { ending = Move({*arm}, {}, generator).ending; }
   void move(Generator&& generator) { move(generator); }
-  /// Within a property: at this step the operator pauses for a while, or the command comes late. Returns which.
+  /// Within a property: at this step the operator pauses for a while, or the command is late. Returns which.
   enum class Interruption { pause, late_command };
   Interruption interrupt_at(int step) {
     if (pick(0, 1) == 1) {
@@ -88,7 +88,7 @@ class PathArm : public FakeTask, private RobotLink {
     requests.insert(requests.end(), 3, OperatorRequest::pause);
     return Interruption::pause;
   }
-  /// It moves already: joints per second.
+  /// Initial motion: joints per second.
   void roll(const JointVector& velocity) { state.desired_velocity = velocity; }
 
   RobotState state;
@@ -96,7 +96,7 @@ class PathArm : public FakeTask, private RobotLink {
   std::vector<RobotCommand> commands;  ///< all of a motion
   std::vector<JointVector> joints;     ///< after each
   std::size_t resumed_at = 0;          ///< number of the first command after an interruption
-  JointVector rested_at;               ///< where the interruption left the robot
+  JointVector rested_at;               ///< position of the robot after the interruption
   std::unique_ptr<Robot> arm;
 
  private:
@@ -151,9 +151,9 @@ class PathArm : public FakeTask, private RobotLink {
   std::size_t late_at_ = 0;
 };
 
-/// What holds for every path of the tool that is commanded tick by tick: speeds and accelerations within the limits,
-/// the jerk within 10 / s times the acceleration, twists that are the poses' derivatives, at rest at the end. From
-/// command `first` on, each of a pose.
+/// The laws of every path of the tool that is commanded tick by tick: speeds and accelerations within the limits, the
+/// jerk within 10 / s times the acceleration, twists that are the poses' derivatives, at rest at the end. Each command
+/// from number `first` on is one of a pose.
 template <class Limits>
 void assert_tool_motion(const PathArm& task, const Limits& limits, std::size_t first = 0) {
   const double dt = task.dt();

@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-/// A joint's way s + waves of s, that counts how often its derivatives are asked for.
+/// A joint's path s + waves of s, which counts the evaluations of its derivatives.
 class CountingPath : public RobotPath {
  public:
   CountingPath(double length, double speed, double waves) : waves_(waves) {
@@ -30,7 +30,7 @@ class CountingPath : public RobotPath {
   double waves_;
 };
 
-TEST(PathTiming, TakesAsManyChecksForHoursAsForSeconds) {
+TEST(PathTiming, NumberOfChecksDoesNotGrowWithTheDuration) {
   for (const double waves : {0.0, 0.2, 0.8}) {
     const CountingPath fast(1, 1, waves);
     const double least = PathTiming(fast, 0, 1, 0.02).duration();

@@ -26,7 +26,7 @@ std::vector<Pose> random_poses() {
 
 SplineKind random_kind() { return static_cast<SplineKind>(pick(0, 2)); }
 
-/// How near the commanded poses from `first` on come to a pose, m or rad.
+/// Least distance of the commanded poses from `first` on from a pose, m or rad.
 double nearest(const PathArm& task, const Pose& pose, std::size_t first = 0) {
   double least = 1e9;
   for (std::size_t k = first; k < task.commands.size(); ++k) {
@@ -37,7 +37,7 @@ double nearest(const PathArm& task, const Pose& pose, std::size_t first = 0) {
   return least;
 }
 
-TEST(PoseSpline, BySpeedItPassesEveryPoseWithinItsLimits) {
+TEST(PoseSpline, PassesEveryPoseWithinItsLimitsBySpeed) {
   check_property(kCases, [] {
     const std::vector<Pose> poses = random_poses();
     PathArm task(random_pose(0.3, 0.8));
@@ -45,7 +45,7 @@ TEST(PoseSpline, BySpeedItPassesEveryPoseWithinItsLimits) {
     task.move(PoseSpline(*task.arm, poses, kind, kLimits));
     RC_ASSERT(task.ending == Ending::generator);
     fakes::assert_tool_motion(task, kLimits);
-    // in half a tick it moves no farther
+    // the distance of half a tick
     for (const Pose& pose : poses)
       RC_ASSERT(nearest(task, pose) <= 0.5 * task.dt() * (kLimits.speed + kLimits.angular_speed) + 1e-9);
     RC_ASSERT(task.commands.back().pose.isApprox(poses.back(), 1e-14));
@@ -75,7 +75,7 @@ TEST(PoseSpline, LinearIsStraightBetweenThePoses) {
   });
 }
 
-/// Poses with times on ticks, slow enough for anything.
+/// Poses with times on ticks, slow enough for every limit.
 std::vector<TimedPose> with_times(const std::vector<Pose>& poses, double dt) {
   std::vector<TimedPose> timed;
   double time = 0;
@@ -83,7 +83,7 @@ std::vector<TimedPose> with_times(const std::vector<Pose>& poses, double dt) {
   return timed;
 }
 
-TEST(PoseSpline, ByTimesItIsInEveryPoseAtItsTick) {
+TEST(PoseSpline, IsInEveryPoseAtItsTickByTimes) {
   check_property(kCases, [] {
     PathArm task(random_pose(0.3, 0.8));
     const std::vector<TimedPose> timed = with_times(random_poses(), task.dt());
@@ -99,7 +99,7 @@ TEST(PoseSpline, ByTimesItIsInEveryPoseAtItsTick) {
 }
 
 // velocity and acceleration, linear and angular, from tick to tick across all the poses; the jerk bounds them
-TEST(PoseSpline, ByTimesItsVelocityAndAccelerationAreContinuous) {
+TEST(PoseSpline, VelocityAndAccelerationAreContinuousByTimes) {
   check_property(kCases, [] {
     PathArm task(random_pose(0.3, 0.8));
     task.move(PoseSpline(*task.arm, with_times(random_poses(), task.dt()), random_kind()));
@@ -119,8 +119,8 @@ TEST(PoseSpline, ByTimesItsVelocityAndAccelerationAreContinuous) {
   });
 }
 
-/// Angle and its derivatives by time about one axis: from the commands.
-TEST(PoseSpline, QuinticAboutOneAxisHasContinuousJerkAndTurnsAsFarAsItIsTold) {
+/// Angle about one axis and its time derivatives, from the commands.
+TEST(PoseSpline, QuinticAboutOneAxisHasContinuousJerkAndTheCommandedAngle) {
   std::vector<TimedPose> timed;
   for (int i = 1; i <= 8; ++i) {
     Pose pose = Pose::Identity();
@@ -142,7 +142,7 @@ TEST(PoseSpline, QuinticAboutOneAxisHasContinuousJerkAndTurnsAsFarAsItIsTold) {
   EXPECT_LT(worst, 0.1) << "of the angular jerk from tick to tick, rad/s^3";
 }
 
-TEST(PoseSpline, AfterAnInterruptionItPassesThePosesThatAreLeft) {
+TEST(PoseSpline, PassesTheRemainingPosesAfterAnInterruption) {
   check_property(kCases, [] {
     const std::vector<Pose> poses = random_poses();
     const bool timed = pick(0, 1) == 1;
@@ -162,7 +162,7 @@ TEST(PoseSpline, AfterAnInterruptionItPassesThePosesThatAreLeft) {
   });
 }
 
-TEST(PoseSpline, TimesThatAreTooShortAreRefusedWithTheFactor) {
+TEST(PoseSpline, RefusesTimesThatAreTooShortWithTheFactor) {
   PathArm task(Pose::Identity(), 10, 100, 0.5);
   Pose target(Eigen::Translation3d(1, 0, 0));
   target.linear() = rotation_of({0, 0, 0.1});
@@ -170,7 +170,7 @@ TEST(PoseSpline, TimesThatAreTooShortAreRefusedWithTheFactor) {
     task.move(PoseSpline(*task.arm, std::vector<TimedPose>{{target, 2.0}}));
     FAIL();
   } catch (const NonFatalError& error) {
-    // 10 u^3 - 15 u^4 + 6 u^5 is 1.875 times as fast as on average
+    // 10 u^3 - 15 u^4 + 6 u^5 has a peak velocity of 1.875 times the mean
     EXPECT_EQ(error.code(), ErrorCode::velocity_limit);
     EXPECT_NE(error.detail().find("axis0 would be too fast at 1.0"), std::string::npos) << error.detail();
     EXPECT_NE(error.detail().find("1.8939"), std::string::npos) << error.detail();
@@ -179,7 +179,7 @@ TEST(PoseSpline, TimesThatAreTooShortAreRefusedWithTheFactor) {
   EXPECT_NO_THROW(task.move(PoseSpline(*task.arm, std::vector<TimedPose>{{target, 3.8}})));
 }
 
-TEST(PoseSpline, APoseThatRepeatsTheOneBeforeDoesNothing) {
+TEST(PoseSpline, RepeatedPoseHasNoEffect) {
   const Pose a(Eigen::Translation3d(0.1, 0, 0)), b(Eigen::Translation3d(0.1, 0.1, 0));
   PathArm once(Pose::Identity()), twice(Pose::Identity());
   once.move(PoseSpline(*once.arm, {a, b}));
@@ -189,7 +189,7 @@ TEST(PoseSpline, APoseThatRepeatsTheOneBeforeDoesNothing) {
     EXPECT_EQ(once.commands[k].pose.matrix(), twice.commands[k].pose.matrix());
 }
 
-TEST(PoseSpline, RefusesWhatIsNone) {
+TEST(PoseSpline, RefusesInvalidArguments) {
   PathArm task(Pose::Identity());
   Pose bad = Pose::Identity();
   bad.linear() *= 2;

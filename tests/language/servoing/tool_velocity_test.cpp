@@ -21,7 +21,7 @@ using fakes::random_vector;
 
 constexpr int kCases = 500;
 
-/// One robot whose tool stands at a random place and orientation, and a recorded ToolVelocity.
+/// One robot with its tool at a random position and orientation, and a recorded ToolVelocity.
 struct Cell {
   Cell() : arm(task.robot("arm", 4)) {
     RobotState& state = task.robot_fake("arm").state;
@@ -42,7 +42,7 @@ struct Cell {
   MotionRecorder recorder;
 };
 
-/// A command's twist in axes of its own tool pose.
+/// The twist of a command in the axes of its own tool pose.
 Twist in_tool(const RobotCommand& command) {
   const Eigen::Matrix3d back = command.pose.linear().transpose();
   Twist twist;
@@ -50,7 +50,7 @@ Twist in_tool(const RobotCommand& command) {
   return twist;
 }
 
-TEST(ToolVelocity, ALinearMotionIsAStraightLineWithoutTurning) {
+TEST(ToolVelocity, LinearMotionIsAStraightLineWithoutRotation) {
   check_property(kCases, [] {
     Cell cell;
     const Vector3d linear = random_vector(0.5);
@@ -98,7 +98,7 @@ TEST(ToolVelocity, TheSpeedRisesSmoothlyAtTheAccelerationAndStays) {
   });
 }
 
-TEST(ToolVelocity, TheTwistIsThePosesDerivativeAndItsRateTheTwists) {
+TEST(ToolVelocity, TwistIsThePosesDerivativeAndItsRateTheTwists) {
   check_property(kCases, [] {
     Cell cell;
     cell.arm->set_macrostep(1, 1);
@@ -112,14 +112,14 @@ TEST(ToolVelocity, TheTwistIsThePosesDerivativeAndItsRateTheTwists) {
       const Eigen::AngleAxisd turn(commands[k + 1].pose.linear() * commands[k - 1].pose.linear().transpose());
       RC_ASSERT((way / (2 * dt) - commands[k].twist.head<3>()).norm() < 1e-4);
       RC_ASSERT((turn.angle() * turn.axis() / (2 * dt) - commands[k].twist.tail<3>()).norm() < 1e-4);
-      // the rate has a corner where the ramp ends
+      // the rate has a corner at the end of the ramp
       const Twist change = commands[k + 1].twist - commands[k - 1].twist;
       RC_ASSERT((change / (2 * dt) - commands[k].twist_rate).norm() < 20 * acceleration * dt);
     }
   });
 }
 
-/// The rate of a command's twist, in axes of its own tool pose.
+/// The twist rate of a command in the axes of its own tool pose.
 Twist rate_in_tool(const RobotCommand& command) {
   const Twist twist = in_tool(command);
   const Eigen::Matrix3d back = command.pose.linear().transpose();
@@ -131,7 +131,7 @@ Twist rate_in_tool(const RobotCommand& command) {
 
 double larger_norm(const Twist& twist) { return std::max(twist.head<3>().norm(), twist.tail<3>().norm()); }
 
-TEST(ToolVelocity, FromAMotionUnderWaySpeedAndAccelerationGoOnWithoutAStep) {
+TEST(ToolVelocity, SpeedAndAccelerationAreContinuousFromAPresentMotion) {
   check_property(kCases, [] {
     Cell cell;
     RobotState& state = cell.task.robot_fake("arm").state;
@@ -162,7 +162,7 @@ TEST(ToolVelocity, FromAMotionUnderWaySpeedAndAccelerationGoOnWithoutAStep) {
   });
 }
 
-TEST(ToolVelocity, AfterAPauseItRisesFromRestAgain) {
+TEST(ToolVelocity, RisesFromRestAgainAfterAPause) {
   FakeTask task;
   const auto arm = task.robot("arm");
   MotionRecorder recorder;
@@ -175,7 +175,7 @@ TEST(ToolVelocity, AfterAPauseItRisesFromRestAgain) {
   EXPECT_NEAR(recorder.commands[2].twist[0], 0.1 * blend(0.02, ramp), 1e-12);
 }
 
-TEST(ToolVelocity, RefusesWhatIsNoVelocity) {
+TEST(ToolVelocity, RefusesInvalidArguments) {
   FakeTask task;
   const auto arm = task.robot("arm");
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

@@ -28,7 +28,7 @@ Pose random_pose(double largest, double turn) {
   return pose;
 }
 
-/// A frame that moves with a constant twist, and a tool that is to follow it.
+/// A frame that moves with a constant twist, and a tool that follows it.
 struct Cell {
   explicit Cell(const Twist& twist)
       : task(random_pose(0.5, 0.5), static_cast<std::uint16_t>(pick(1, 20))),
@@ -45,14 +45,14 @@ struct Cell {
       return at(task.time.tick);
     };
   }
-  /// When the k-th macrostep that was commanded ends.
+  /// The end of the k-th commanded macrostep.
   Tick end_of(std::size_t k) const { return task.commands[0].start_tick + (k + 1) * task.arm->motion_steps(); }
-  /// The commanded tool in the frame.
+  /// The commanded tool pose in the frame.
   Pose relative(std::size_t k) const { return at(end_of(k)).pose.inverse() * task.commands[k].pose; }
 
   FreeFlyer task;
   MovingFrame origin;
-  std::set<int> lost;  ///< numbers of the looks at which the frame is not known
+  std::set<int> lost;  ///< numbers of the queries at which the frame is unknown
   int looks = 0;
 };
 
@@ -101,7 +101,7 @@ TEST(TrackFrame, KeepsItsLimitsRelativeToTheFrame) {
   });
 }
 
-TEST(TrackFrame, TheTwistIsThePosesDerivativeAndItsRateTheTwists) {
+TEST(TrackFrame, TwistIsThePosesDerivativeAndItsRateTheTwists) {
   check_property(50, [] {
     Cell cell(random_twist());
     cell.task.arm->set_macrostep(1, 1);
@@ -118,8 +118,8 @@ TEST(TrackFrame, TheTwistIsThePosesDerivativeAndItsRateTheTwists) {
   });
 }
 
-// drives that lag by a constant time: the correction takes it out
-TEST(TrackFrame, ALagOfTheDrivesIsTakenOut) {
+// drives with a constant lag: the correction compensates it
+TEST(TrackFrame, LagOfTheDrivesIsCompensated) {
   check_property(50, [] {
     Twist belt = Twist::Zero();
     belt.head<3>() = random_vector(0.15);
@@ -132,7 +132,7 @@ TEST(TrackFrame, ALagOfTheDrivesIsTakenOut) {
   });
 }
 
-TEST(TrackFrame, AReadingThatIsLostIsBridgedAndAfterTooManyItThrows) {
+TEST(TrackFrame, LostReadingIsBridgedAndTooManyThrow) {
   check_property(50, [] {
     Cell cell(random_twist());
     const int from = pick(5, 50), length = pick(1, 10);
@@ -157,7 +157,7 @@ TEST(TrackFrame, AReadingThatIsLostIsBridgedAndAfterTooManyItThrows) {
 }
 
 // a second motion continues from the first one without a jump
-TEST(TrackFrame, GoesOnFromAMotionWithTheFrame) {
+TEST(TrackFrame, ContinuesFromAMotionWithTheFrame) {
   check_property(50, [] {
     Cell cell(random_twist());
     TrackFrame first(*cell.task.arm, cell.frame(), {{random_pose(0.2, 0.3), 0.5}});
@@ -171,7 +171,7 @@ TEST(TrackFrame, GoesOnFromAMotionWithTheFrame) {
   });
 }
 
-TEST(TrackFrame, RefusesWhatIsNone) {
+TEST(TrackFrame, RefusesInvalidArguments) {
   FreeFlyer task(Pose::Identity());
   const auto frame = [] { return std::optional<MovingFrame>(MovingFrame{}); };
   Pose bad = Pose::Identity();

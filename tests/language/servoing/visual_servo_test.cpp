@@ -23,7 +23,7 @@ constexpr int kCases = 100;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t kMostSteps = 20000;
 
-/// Of at most `largest` m per axis and sqrt(3) * `turn` rad.
+/// A pose of at most `largest` m per axis and sqrt(3) * `turn` rad.
 Pose random_pose(double largest, double turn) {
   Pose pose = Pose::Identity();
   pose.translation() = random_vector(largest);
@@ -31,10 +31,10 @@ Pose random_pose(double largest, double turn) {
   return pose;
 }
 
-/// A macrostep is at most 40 ms: what a camera allows.
+/// A macrostep is at most 40 ms: the limit with a camera.
 std::uint16_t random_steps() { return static_cast<std::uint16_t>(pick(4, 20)); }
 
-/// A square of points around a target's origin, as a pinhole camera sees it.
+/// A square of points around a target's origin in the image of a pinhole camera.
 struct Square {
   double half = 0.08;
   ImagePoints seen_from(const Pose& target_in_camera) const {
@@ -47,9 +47,9 @@ struct Square {
   }
 };
 
-/// A tool with a camera before a target, and how both servos want to see it.
+/// A tool with a camera before a target, and the goals of both servos.
 struct Cell {
-  /// `away`, `turn`: how far the start is from the place that is wanted.
+  /// `away`, `turn`: distance of the start from the goal.
   Cell(double away, double turn)
       : camera(random_pose(0.1, 0.5)),
         target(random_pose(0.5, 1)),
@@ -89,7 +89,7 @@ struct Cell {
   double angle() const {
     return rotation_vector(goal.linear().transpose() * task.arm->state().desired_pose.linear()).norm();
   }
-  /// Speed, angular speed and the rates of both, per tool axis, of what was commanded.
+  /// Speed, angular speed and their rates, per tool axis, of the commands.
   void check_limits() const {
     Twist before = Twist::Zero();
     for (const RobotCommand& command : task.commands) {
@@ -106,25 +106,25 @@ struct Cell {
   FreeFlyer task;
   Square square;
   ServoLimits limits;
-  std::set<int> lost;  ///< numbers of the looks at which the target is not seen
+  std::set<int> lost;  ///< numbers of the queries at which the target is not visible
   int looks = 0;
 };
 
-TEST(PositionServo, ConvergesFromAnywhereWithinItsLimits) {
+TEST(PositionServo, ConvergesFromAnyStartWithinItsLimits) {
   check_property(kCases, [] {
     Cell cell(0.5, 1.5);
     cell.limits.gain = 0.1 * pick(5, 20);
     cell.task.delayed = pick(0, 1) == 1;
     const auto in = pick(0, 1) == 1 ? PositionServo::In::base : PositionServo::In::camera;
     RC_ASSERT(cell.run(cell.position(in)).ending == Ending::generator);
-    // measured where it was a macrostep before, it moves on by less than the tolerance
+    // the measured state is a macrostep old; it moves on by less than the tolerance
     RC_ASSERT(cell.distance() <= 1.1e-3);
     RC_ASSERT(cell.angle() <= 5.5e-3);
     cell.check_limits();
   });
 }
 
-TEST(PositionServo, NeverGoesAwayFromTheGoal) {
+TEST(PositionServo, NeverMovesAwayFromTheGoal) {
   check_property(kCases, [] {
     Cell cell(0.3, 0.5);
     double before = (cell.task.state.desired_pose.translation() - cell.goal.translation()).norm();
@@ -137,14 +137,14 @@ TEST(PositionServo, NeverGoesAwayFromTheGoal) {
   });
 }
 
-TEST(PositionServo, AtTheGoalItCommandsNothing) {
+TEST(PositionServo, CommandsNothingAtTheGoal) {
   check_property(20, [] {
     Cell cell(0, 0);
     RC_ASSERT(cell.run(cell.position()).steps == 0u);
   });
 }
 
-TEST(ImageServo, TheInteractionMatrixIsTheImagesDerivative) {
+TEST(ImageServo, InteractionMatrixIsTheImagesDerivative) {
   check_property(kCases, [] {
     const Vector3d p = Vector3d(0, 0, 1) + random_vector(0.5);
     Twist twist;
@@ -172,8 +172,8 @@ TEST(ImageServo, ConvergesFromRandomStartsWithWrongDepthsWithinItsLimits) {
   });
 }
 
-// the closed loop de/dt = -lambda e of the law, once the ramp at the start is over: depths right, errors small
-TEST(ImageServo, TheErrorDecaysAtTheGain) {
+// the closed loop de/dt = -lambda e of the law, after the ramp at the start: correct depths, small errors
+TEST(ImageServo, ErrorDecaysAtTheGain) {
   check_property(100, [] {
     Cell cell(0.01, 0.02);
     cell.limits = {.gain = 0.5, .speed = 10, .angular_speed = 10, .acceleration = 10, .patience = 0};
@@ -200,7 +200,7 @@ void check_losing_the_target(const Make& make) {
     RC_ASSERT(cell.run(make(cell)).ending == Ending::generator);
     RC_ASSERT(cell.distance() <= 5e-3);
     cell.check_limits();
-    // the ramp to rest: the acceleration that was is taken away first, then the opposite one is built up
+    // the ramp to rest: first the present acceleration is removed, then the opposite one is built up
     const double most = 0.2 + cell.limits.angular_speed / cell.limits.acceleration + 0.2;
     const auto at_rest = static_cast<std::size_t>(from + std::ceil(most / cell.task.arm->step_duration()));
     if (at_rest < static_cast<std::size_t>(from + length)) RC_ASSERT(cell.task.commands[at_rest].twist.norm() < 1e-9);
@@ -212,7 +212,7 @@ void check_losing_the_target(const Make& make) {
     for (int i = 0; i <= cell.limits.patience; ++i) cell.lost.insert(from + i);
     try {
       cell.run(make(cell));
-      RC_ASSERT(cell.looks <= from + cell.limits.patience);  // it was there before
+      RC_ASSERT(cell.looks <= from + cell.limits.patience);  // the target was visible before
     } catch (const NonFatalError& error) {
       RC_ASSERT(error.code() == ErrorCode::sensor_not_ready);
       // after the error the robot is only held until it rests
@@ -224,15 +224,15 @@ void check_losing_the_target(const Make& make) {
   });
 }
 
-TEST(PositionServo, ATargetThatIsLostStopsItSmoothlyAndItGoesOnOrThrows) {
+TEST(PositionServo, LostTargetStopsItSmoothlyAndItContinuesOrThrows) {
   check_losing_the_target([](Cell& cell) { return cell.position(); });
 }
 
-TEST(ImageServo, ATargetThatIsLostStopsItSmoothlyAndItGoesOnOrThrows) {
+TEST(ImageServo, LostTargetStopsItSmoothlyAndItContinuesOrThrows) {
   check_losing_the_target([](Cell& cell) { return cell.image(); });
 }
 
-TEST(PositionServo, RefusesWhatIsNone) {
+TEST(PositionServo, RefusesInvalidArguments) {
   FreeFlyer task(Pose::Identity());
   const auto target = [] { return std::optional<Pose>(Pose::Identity()); };
   const Pose good = Pose::Identity();
@@ -253,7 +253,7 @@ TEST(PositionServo, RefusesWhatIsNone) {
   EXPECT_THROW((PositionServo{*task.arm, nullptr, PositionServo::In::base, good}), NonFatalError);
 }
 
-TEST(ImageServo, RefusesWhatIsNone) {
+TEST(ImageServo, RefusesInvalidArguments) {
   FreeFlyer task(Pose::Identity());
   const ImagePoints four = Square{}.seen_from(Pose(Eigen::Translation3d(0, 0, 1)));
   const auto points = [&] { return std::optional<ImagePoints>(four); };
@@ -266,7 +266,7 @@ TEST(ImageServo, RefusesWhatIsNone) {
   EXPECT_THROW((ImageServo{*task.arm, points, kNan * four, depths}), NonFatalError);
   EXPECT_THROW((ImageServo{*task.arm, points, four, depths, Pose::Identity(), {}, 0}), NonFatalError);
   ImageServo other(*task.arm, points, four.leftCols<3>(), depths.leftCols<3>());
-  EXPECT_THROW(Move({*task.arm}, {}, other), NonFatalError) << "other than the wanted number of points";
+  EXPECT_THROW(Move({*task.arm}, {}, other), NonFatalError) << "another number of points than wanted";
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace mrroc::links {
 
-/// Common Data Representation, little-endian: what is aligned counts from its beginning.
+/// Common Data Representation, little-endian: alignment is relative to its beginning.
 class Representation {
  public:
   Representation& word(std::uint32_t value) {
@@ -41,7 +41,7 @@ inline Guid entity_of(Guid participant, std::uint32_t number) {
 
 constexpr int kPlain = 1, kParameters = 3;  // encapsulations, little-endian
 
-constexpr int kNoPayload = 0, kDataPayload = 0x04, kKeyPayload = 0x08;  // what a payload is
+constexpr int kNoPayload = 0, kDataPayload = 0x04, kKeyPayload = 0x08;  // kind of a payload
 
 /// A DATA submessage (RTPS 2.3, 9.4.5.3) of `writer`.
 inline std::string forged_data(const Guid& writer, const Guid& reader, int encapsulation, const std::string& payload,
@@ -53,15 +53,14 @@ inline std::string forged_data(const Guid& writer, const Guid& reader, int encap
   return packet.bytes();
 }
 
-/// A part of a sample that goes from byte `begin`, a multiple of 1000, to `end` (DATA_FRAG, 9.4.5.4), of fragments of
-/// 1000.
+/// A part of a sample from byte `begin`, a multiple of 1000, to `end` (DATA_FRAG, 9.4.5.4), in fragments of 1000.
 inline std::string forged_fragment(const Guid& writer, const Guid& reader, std::uint32_t begin, std::uint32_t end,
                                    std::uint32_t sample_size, bool only_key = false) {
   constexpr std::uint32_t kFragment = 1000;
   std::string payload(end - begin, 'A');
   if (begin == 0) payload.replace(0, 4, std::string{0, kPlain, 0, 0});
   Packet packet(writer);
-  packet.raw({0x16, only_key ? 0x05 : 0x01}).half(0).half(0).half(28);  // the last submessage may leave out its length
+  packet.raw({0x16, only_key ? 0x05 : 0x01}).half(0).half(0).half(28);  // the last submessage may omit its length
   packet.append(reader.data() + 12, 4).append(writer.data() + 12, 4).sequence(1);
   packet.word(begin / kFragment + 1)
       .half(static_cast<int>((end - begin) / kFragment))
@@ -85,14 +84,13 @@ inline std::string forged_announcement(const Guid& participant, std::uint32_t en
                      parameters.bytes().substr(header));
 }
 
-/// "I am a participant with keys", by one whose identity token is of no class that there is (DDS
-/// Security 1.1, 7.4.1.3).
+/// "I am a participant with keys", with an identity token of an unknown class (DDS Security 1.1, 7.4.1.3).
 inline std::string forged_identity(const Guid& participant) {
   return forged_announcement(participant, kSecureEndpoints, kIdentityToken,
                              Representation{}.text("DDS:Auth:none").word(0).word(0).bytes());
 }
 
-/// "Let us prove our keys": a hand-shake's request, that no one has asked for (DDS Security 1.1, 7.4.3 and 8.3.2.9.1).
+/// "Let us prove our keys": a handshake request without a preceding one (DDS Security 1.1, 7.4.3 and 8.3.2.9.1).
 inline std::string forged_handshake(const Guid& participant, const Guid& victim) {
   const Guid nobody{};
   Representation message;

@@ -21,7 +21,7 @@ namespace mrroc::links {
 /// Prefix (12 bytes, of the participant) and entity number (4), as on the wire.
 using Guid = std::array<std::uint8_t, 16>;
 
-/// Bytes of RTPS as whoever knows the standard, and has listened, writes them. Little-endian.
+/// RTPS bytes as an eavesdropper who follows the standard would write them. Little-endian.
 class Packet {
  public:
   explicit Packet(const Guid& sender) {
@@ -48,7 +48,7 @@ class Packet {
   std::string bytes_;
 };
 
-/// "All that I have sent up to 2^32 is gone": a reliable reader that believes it skips what really comes.
+/// "All that I have sent up to 2^32 is gone": a reliable reader that accepts it skips the real messages.
 inline std::string forged_heartbeat(const Guid& writer, std::uint32_t count) {
   constexpr std::uint64_t kFuture = (1ULL << 32) + 1;
   Packet packet(writer);
@@ -56,7 +56,7 @@ inline std::string forged_heartbeat(const Guid& writer, std::uint32_t count) {
   return packet.sequence(kFuture).sequence(kFuture).word(count).bytes();
 }
 
-/// "I have left": what a participant says when it ends (SPDP, dispose and unregister).
+/// "I have left": the message of a participant at its end (SPDP, dispose and unregister).
 inline std::string forged_farewell(const Guid& participant, std::uint64_t sequence) {
   Packet packet(participant);
   packet.raw({0x15, 0x0b}).half(20 + 12 + 28).half(0).half(16);
@@ -66,7 +66,7 @@ inline std::string forged_farewell(const Guid& participant, std::uint64_t sequen
   return packet.bytes();
 }
 
-/// Ports on which this process's DDS, started since `before`, listens. In network order.
+/// Ports of this process's DDS, started since `before`. In network order.
 inline std::vector<in_port_t> ports_since(const std::set<int>& before) {
   std::vector<in_port_t> ports;
   for (const int fd : open_descriptors()) {
@@ -103,7 +103,7 @@ class LoopbackSender {
   std::vector<in_port_t> ports_;
 };
 
-/// The writer of `topic` that `participant` knows and that is not its own; nothing while there is none.
+/// The writer of `topic` that `participant` has discovered and that is not its own; nothing while there is none.
 inline std::optional<Guid> foreign_writer(dds_entity_t participant, const std::string& topic) {
   dds_guid_t own{};
   dds_get_guid(participant, &own);

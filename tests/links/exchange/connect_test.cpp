@@ -33,7 +33,7 @@ TEST(Connect, ReportsAPeerWithAnotherMessageTypeAtOnce) {
             ErrorCode::configuration);
 }
 
-TEST(Connect, TakesAPongForItsOwnPingOnly) {
+TEST(Connect, AcceptsOnlyThePongOfItsOwnPing) {
   TestDomain net;
   TestClock clock;
   RobotRequester ecp(net.domain, clock, "t/arm", "arm_edp");

@@ -47,13 +47,13 @@ TEST(OperatorLink, CarriesQuestionsAndAnswersInOrder) {
   EXPECT_FALSE(vsp.take(answer));
 }
 
-TEST(OperatorLink, WithoutAnOperatorTheVspSaysWhoIsMissing) {
+TEST(OperatorLink, VspReportsAMissingOperator) {
   TestDomain net;
   TestClock clock;
   OperatorRequester vsp(net.domain, clock, "t/parts");
   try {
     vsp.connect(0.2);
-    FAIL() << "connected to nobody";
+    FAIL() << "without a connection";
   } catch (const SystemError& error) {
     EXPECT_EQ(error.code(), ErrorCode::link_lost);
     EXPECT_NE(std::string{error.what()}.find("the operator"), std::string::npos) << error.what();

@@ -1,4 +1,4 @@
-// What happens when the process at the other end is stopped, killed or restarted.
+// Behaviour when the process at the other end is stopped, killed or restarted.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 namespace mrroc::links {
 namespace {
 
-TEST(Process, AKilledPeerIsNamed) {
+TEST(Process, KilledPeerIsNamed) {
   TestDomain net;
   TestClock clock;
   PeerProcess peer("respond", net.domain.id(), "t/arm", 1.5);
@@ -38,7 +38,7 @@ TEST(Process, AKilledPeerIsNamed) {
   }
 }
 
-TEST(Process, ARestartedPeerIsAnotherOne) {
+TEST(Process, RestartedPeerIsAnotherOne) {
   TestDomain net;
   TestClock clock;
   Writer<RobotCommand> writer(net.domain, clock, "t/arm/command");
@@ -55,7 +55,7 @@ TEST(Process, ARestartedPeerIsAnotherOne) {
   EXPECT_NE(first, 0U);
 }
 
-TEST(Process, WhatQueuedUpWhileAProcessStoodStillMovesNothing) {
+TEST(Process, CommandsQueuedWhileAProcessWasStoppedHaveNoEffect) {
   TestDomain net;
   TestClock clock;
   PeerProcess peer("cautious", net.domain.id(), "t/arm");
@@ -63,7 +63,7 @@ TEST(Process, WhatQueuedUpWhileAProcessStoodStillMovesNothing) {
   Reader<RobotState> reader(net.domain, clock, "t/arm/state", {.depth = 4096});
   connect(writer, {&reader}, kPatience, "peer");
 
-  std::vector<std::int64_t> sent_ns{0};  // by sequence: not before its stamp
+  std::vector<std::int64_t> sent_ns{0};  // by sequence: lower bound of its stamp
   const auto send_for = [&](int messages) {
     for (int i = 0; i < messages; ++i) {
       writer.write({}, sent_ns.size());
@@ -79,7 +79,7 @@ TEST(Process, WhatQueuedUpWhileAProcessStoodStillMovesNothing) {
   const std::uint64_t first_continued = sent_ns.size();
   peer.go_on();
 
-  // continues until a command from after the pause has been acted on
+  // continues until a command from after the pause has been executed
   const auto max_age_ns = static_cast<std::int64_t>(RobotResponder::kMaxAge * 1e9);
   std::uint64_t newest = 0;
   std::uint32_t stale = 0;
@@ -98,7 +98,7 @@ TEST(Process, WhatQueuedUpWhileAProcessStoodStillMovesNothing) {
   EXPECT_GT(stale, 0U);
 }
 
-TEST(Process, TelemetryTellsWhoIsGone) {
+TEST(Process, TelemetryReportsAnEndedProcess) {
   TestDomain net;
   StatusCollector collector(net.domain, "t");
   PeerProcess peer("status", net.domain.id(), "t", 1);
@@ -111,7 +111,7 @@ TEST(Process, TelemetryTellsWhoIsGone) {
   EXPECT_TRUE(eventually([&] { return alive() == 1; }));
   peer.kill();
   EXPECT_TRUE(eventually([&] { return alive() == 0; }));
-  EXPECT_EQ(collector.processes().at(name).status.pid, std::stoi(name.substr(7))) << "its last word stays";
+  EXPECT_EQ(collector.processes().at(name).status.pid, std::stoi(name.substr(7))) << "its last status remains";
 }
 
 }  // namespace

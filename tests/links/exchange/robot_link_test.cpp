@@ -13,13 +13,13 @@
 namespace mrroc::links {
 namespace {
 
-/// An ECP's and an EDP's end in one process: what one writes the other has when the call returns.
+/// An ECP's and an EDP's end in one process: a message has arrived when its write returns.
 struct RobotPair {
   explicit RobotPair(bool simulated = false, Tick timeout = 100000)
       : clock(simulated), ecp(net.domain, clock, "t/arm", "arm_edp", timeout), edp(net.domain, clock, "t/arm", 1000) {
     ecp.connect(kPatience);
   }
-  /// The EDP answers what it is asked.
+  /// The EDP answers its requests.
   void answer(double value) {
     ASSERT_TRUE(edp.take(command, sequence));
     RobotState answered;
@@ -38,7 +38,7 @@ struct RobotPair {
 
 TEST(RobotLink, ExchangesCommandAndState) {
   RobotPair pair;
-  EXPECT_FALSE(pair.edp.take(pair.command, pair.sequence)) << "pings are no commands";
+  EXPECT_FALSE(pair.edp.take(pair.command, pair.sequence)) << "pings are not commands";
   RobotCommand command;
   command.kind = CommandKind::joint;
   command.joints = JointVector::LinSpaced(6, 0.0, 1.0);
@@ -51,14 +51,14 @@ TEST(RobotLink, ExchangesCommandAndState) {
   }
   EXPECT_EQ(pair.ecp.stale_replies(), 0U);
   EXPECT_EQ(pair.clock.in_flight.load(), 0)
-      << "what is sent is counted, what has arrived is taken off, pings are neither";
+      << "sent messages are counted, arrived ones are subtracted, pings are ignored";
 }
 
 TEST(RobotLink, WaitsForTheReply) {
   for (const bool simulated : {false, true}) {
     RobotPair pair(simulated);
     std::thread edp([&] {
-      pair.clock.next_delta();  // the thread stands for a process that runs in a later delta
+      pair.clock.next_delta();  // the thread represents a process that runs in a later delta
       EXPECT_TRUE(eventually([&] { return pair.edp.take(pair.command, pair.sequence); }));
       pair.edp.reply({}, pair.sequence);
     });
@@ -81,8 +81,8 @@ TEST(RobotLink, DropsRepliesToOtherRequests) {
     late.write(wire);
   };
   pair.ecp.send({});
-  send_late(9, here, here);      // to a request that was never made
-  send_late(1, here + 1, here);  // from a peer that is not the one of the hand-shake
+  send_late(9, here, here);      // to a request that does not exist
+  send_late(1, here + 1, here);  // from a peer other than the one of the handshake
   send_late(1, here, here + 1);  // to a process that had this sequence before its restart
   pair.answer(4.5);
   pair.ecp.receive(pair.state);
@@ -90,7 +90,7 @@ TEST(RobotLink, DropsRepliesToOtherRequests) {
   EXPECT_EQ(pair.ecp.stale_replies(), 3U);
 }
 
-TEST(RobotLink, AMalformedReplyIsNone) {
+TEST(RobotLink, DropsAMalformedReply) {
   RobotPair pair(false, 50);
   RawWriter<RobotState> writer(pair.net.domain, "t/arm/state");
   pair.ecp.send({});
@@ -103,7 +103,7 @@ TEST(RobotLink, AMalformedReplyIsNone) {
   EXPECT_EQ(pair.ecp.malformed_replies(), 1U);
 }
 
-TEST(RobotLink, ARequestThatIsOvertakenIsNotAnswered) {
+TEST(RobotLink, OvertakenRequestIsNotAnswered) {
   RobotPair pair;
   pair.ecp.send({});
   std::uint64_t first = 0;
@@ -122,7 +122,7 @@ TEST(RobotLink, SilenceIsAnErrorInRealTime) {
             ErrorCode::process_silent);
 }
 
-TEST(RobotLink, TheReplyIsDueAtTheTickOfTheCommand) {
+TEST(RobotLink, ReplyIsDueAtTheTickOfTheCommand) {
   RobotPair pair(false, 0);
   RobotCommand command;
   command.kind = CommandKind::hold;
@@ -133,7 +133,7 @@ TEST(RobotLink, TheReplyIsDueAtTheTickOfTheCommand) {
   EXPECT_GE(pair.clock.tick(), command.start_tick + command.reply_step);
 }
 
-TEST(RobotLink, TheDeadlineHoldsInSimulatedTimeToo) {
+TEST(RobotLink, DeadlineAlsoAppliesInSimulatedTime) {
   RobotPair pair(true, 0);
   pair.ecp.send({});
   try {
@@ -144,7 +144,7 @@ TEST(RobotLink, TheDeadlineHoldsInSimulatedTimeToo) {
   }
 }
 
-TEST(RobotLink, AnInterruptedClockStopsTheWait) {
+TEST(RobotLink, InterruptedClockStopsTheWait) {
   RobotPair pair;
   pair.ecp.send({});
   pair.clock.interrupt();

@@ -37,7 +37,7 @@ TEST(SensorLink, AnswersEachClientItsOwnRequest) {
   SensorReading reading;
   reading.channel_count = 1;
   ASSERT_TRUE(pair.vsp.take(pair.request, pair.ticket));
-  EXPECT_EQ(pair.ticket.client, 0U) << "clients are served in the order given";
+  EXPECT_EQ(pair.ticket.client, 0U) << "clients are served in the given order";
   EXPECT_EQ(pair.request.measure_at, 8U);
   reading.values[0] = 1.5;
   EXPECT_TRUE(pair.vsp.reply(reading, pair.ticket));
@@ -69,9 +69,9 @@ TEST(SensorLink, PublishesToAllWhoReadIt) {
   }
 }
 
-TEST(SensorLink, ThePublishedReadingIsAwaitedOnceAndNotForEver) {
+TEST(SensorLink, PublishedReadingIsAwaitedOnceWithATimeout) {
   SensorPair pair(true);
-  EXPECT_FALSE(pair.arm.await_published(0)) << "the time is over, none has come";
+  EXPECT_FALSE(pair.arm.await_published(0)) << "the timeout is over without a reading";
   pair.vsp.publish(SensorReading{});
   EXPECT_TRUE(pair.arm.await_published(0));
   EXPECT_TRUE(pair.arm.await_published(0)) << "it stays";
@@ -79,7 +79,7 @@ TEST(SensorLink, ThePublishedReadingIsAwaitedOnceAndNotForEver) {
   EXPECT_FALSE(silent.arm.await_published(kNever)) << "it publishes nothing";
 }
 
-TEST(SensorLink, ConnectsToThePublishedReadingsToo) {
+TEST(SensorLink, ConnectsAlsoToThePublishedReadings) {
   TestDomain net;
   TestClock clock;
   SensorResponder vsp(net.domain, clock, "t/wrist", {"arm"}, false);

@@ -17,7 +17,7 @@ TEST(StateFeed, CarriesEveryStateInOrder) {
   StateFollower vsp(net.domain, clock, "t/arm", "wrist", "arm_edp");
   vsp.connect(kPatience);
   RobotState state;
-  EXPECT_FALSE(vsp.take(state)) << "pongs are no states";
+  EXPECT_FALSE(vsp.take(state)) << "pongs are not states";
   for (Tick k = 1; k <= 50; ++k) {
     state.tick = k;
     state.joints = JointVector::Constant(6, static_cast<double>(k));
@@ -32,7 +32,7 @@ TEST(StateFeed, CarriesEveryStateInOrder) {
   EXPECT_EQ(clock.in_flight.load(), 0);
 }
 
-TEST(StateFeed, ARobotThatDoesNotAnswerIsNamed) {
+TEST(StateFeed, SilentRobotIsNamed) {
   TestDomain net;
   TestClock clock;
   StateFollower vsp(net.domain, clock, "t/arm", "wrist", "arm_edp");

@@ -46,10 +46,10 @@ TEST(Domain, RefusesBadOptions) {
   EXPECT_NE(complaint({.id = 1, .lease = -1}).find("expected 0..60 s"), std::string::npos);
 }
 
-TEST(Domain, SaysWhatDdsRefuses) {
+TEST(Domain, ReportsRefusalsOfDds) {
   TestDomain net;
   EXPECT_NE(complaint({.id = net.number.id()}).find("creation of DDS domain"), std::string::npos)
-      << "there is one per process and number";
+      << "only one per process and number";
 }
 
 TEST(Domain, IgnoresTheEnvironment) {
@@ -58,7 +58,7 @@ TEST(Domain, IgnoresTheEnvironment) {
   ::unsetenv("CYCLONEDDS_URI");
 }
 
-TEST(Domain, HasABootNumberOfItsOwn) {
+TEST(Domain, HasItsOwnBootNumber) {
   std::uint64_t first = 0;
   {
     TestDomain net;
@@ -90,7 +90,7 @@ TEST(Domain, ConfigurationIsUnicastWithoutSharedMemory) {
   EXPECT_NE(dds_configuration({.id = 1, .lease = 0}, loopback).find("<LeaseDuration>3600000ms<"), std::string::npos);
 }
 
-TEST(Domain, AnInterfaceIsFoundByItsDeviceAndByItsAddress) {
+TEST(Domain, InterfaceIsFoundByItsDeviceAndByItsAddress) {
   for (const char* name : {"", "lo", "127.0.0.1"}) {
     const NetworkInterface interface = find_interface(name);
     EXPECT_EQ(interface.device, "lo") << name;
@@ -100,7 +100,7 @@ TEST(Domain, AnInterfaceIsFoundByItsDeviceAndByItsAddress) {
   }
 }
 
-TEST(Domain, ItsDescriptorsCloseOnExecAndItsSocketsAreLimited) {
+TEST(Domain, DescriptorsCloseOnExecAndSocketsAreRestricted) {
   const auto before = open_descriptors();
   TestDomain net;
   int sockets = 0;
@@ -114,7 +114,7 @@ TEST(Domain, ItsDescriptorsCloseOnExecAndItsSocketsAreLimited) {
   EXPECT_GE(sockets, 2) << "it receives on two ports";
 }
 
-/// A socket of this machine with one datagram under way to it.
+/// A socket of this machine with one datagram in transit to it.
 struct ListeningSocket {
   ListeningSocket() : fd(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
     address.sin_family = AF_INET;
@@ -129,7 +129,7 @@ struct ListeningSocket {
   ListeningSocket(const ListeningSocket&) = delete;
   ListeningSocket& operator=(const ListeningSocket&) = delete;
 
-  /// Whether a datagram from this machine itself, which comes in by the loopback device, is heard.
+  /// Whether a datagram from this machine itself, which arrives through the loopback device, is received.
   bool hears_loopback() const {
     EXPECT_EQ(::sendto(fd, "x", 1, 0, reinterpret_cast<const sockaddr*>(&address), sizeof address), 1);
     char byte = 0;
@@ -140,7 +140,7 @@ struct ListeningSocket {
   sockaddr_in address{};
 };
 
-TEST(Domain, ASocketHearsTheDevicesThatItAcceptsAndNoOther) {
+TEST(Domain, SocketReceivesFromItsDevicesOnly) {
   const unsigned loopback = ::if_nametoindex("lo");
   const ListeningSocket open, first, second, closed;
   EXPECT_FALSE(is_limited(open.fd));
@@ -180,7 +180,7 @@ TEST(Domain, MalformedDatagramsAreCountedAndNotPrinted) {
   EXPECT_TRUE(eventually([&] { return dds_log_count() > messages; }));
   RobotState state;
   link.send({});
-  EXPECT_NO_THROW(link.receive(state)) << "the link must live on";
+  EXPECT_NO_THROW(link.receive(state)) << "the link must continue";
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   const auto kept = dds_log_messages();
   ASSERT_FALSE(kept.empty());
@@ -204,7 +204,7 @@ TEST(Domain, FortyOneProcessesOnOneMachineFindEachOther) {
   }
 }
 
-TEST(Domain, WithHostsNamedTheProcessesOfThisMachineFindEachOtherToo) {
+TEST(Domain, ProcessesOfThisMachineFindEachOtherAlsoWithHosts) {
   // TEST-NET-1: a host that never answers
   FreeDomain number;
   Domain domain({.id = number.id(), .interface = "lo", .hosts = {"192.0.2.250"}, .lease = 20});

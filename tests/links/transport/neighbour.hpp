@@ -18,8 +18,8 @@
 
 namespace mrroc::links {
 
-/// Another machine: a network namespace that a process of its own keeps, joined with the caller's by a veth pair. Needs
-/// root of the caller's namespaces (in_own_network) until it is constructed; `send` needs nothing.
+/// Another machine: a network namespace of a separate process, connected to the caller's by a veth pair. The
+/// constructor needs root in the caller's namespaces (in_own_network); `send` needs no privileges.
 class Neighbour {
  public:
   /// `device` is this side of the pair, `there` the other.
@@ -48,11 +48,11 @@ class Neighbour {
   Neighbour(const Neighbour&) = delete;
   Neighbour& operator=(const Neighbour&) = delete;
 
-  /// Runs iproute2 there.
+  /// Runs iproute2 in that namespace.
   void ip(const std::string& arguments) const {
     inside([&] { links::ip(arguments); });
   }
-  /// Runs `action` there, in this thread.
+  /// Runs `action` in that namespace, in this thread.
   template <class Action>
   void inside(Action action) const {
     const int home = ::open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEXEC);
@@ -63,7 +63,7 @@ class Neighbour {
     ::close(home);
     ::close(there);
   }
-  /// Sends a datagram from there; false when the kernel there refuses.
+  /// Sends a datagram from there; false when the kernel there refuses it.
   bool send(const std::string& datagram, const std::string& address, in_port_t port) const {
     sockaddr_in to{};
     to.sin_family = AF_INET;

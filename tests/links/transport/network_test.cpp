@@ -1,4 +1,4 @@
-// Domains on every kind of network device, as a user without capabilities: in network namespaces of their own.
+// Domains on every kind of network device, as a user without capabilities, in separate network namespaces.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -17,7 +17,7 @@
 namespace mrroc::links {
 namespace {
 
-/// One command and its answer, larger together than any MTU here but the jumbo ones.
+/// One command and its answer, together larger than every MTU here except the jumbo ones.
 void exchange(const DomainOptions& options, const std::string& peer_interface, const Neighbour* machine_of_peer) {
   const std::string& of_peer = peer_interface;
   std::vector<PeerProcess> peers;
@@ -41,8 +41,8 @@ void exchange(const DomainOptions& options, const std::string& peer_interface, c
 struct Layout {
   std::string name;
   std::vector<std::string> commands;  ///< of iproute2
-  std::string interface;              ///< "": loopback, left out
-  std::string host;                   ///< as which the processes are each other's peers; "": no hosts
+  std::string interface;              ///< "": loopback, omitted
+  std::string host;                   ///< the processes' addresses as peers; "": no hosts
 };
 
 void PrintTo(const Layout& layout, std::ostream* out) { *out << layout.name; }
@@ -159,7 +159,7 @@ std::string refusal(const std::string& interface) {
   return "none";
 }
 
-TEST(Interface, ThatIsDownOrHasNoAddressIsNamed) {
+TEST(Interface, ReportsAnInterfaceThatIsDownOrHasNoAddress) {
   in_own_network([] {
     ip(kCard);
     EXPECT_NE(refusal("card0").find("'card0' is down"), std::string::npos) << refusal("card0");
@@ -167,7 +167,7 @@ TEST(Interface, ThatIsDownOrHasNoAddressIsNamed) {
     EXPECT_NE(refusal("card0").find("'card0' is down"), std::string::npos) << refusal("card0");
     EXPECT_NE(refusal("192.0.2.1").find("'card0' is down"), std::string::npos) << refusal("192.0.2.1");
     ip("link set card0 up");
-    EXPECT_EQ(refusal("card0"), "none") << "a cable that is not plugged in may be so later";
+    EXPECT_EQ(refusal("card0"), "none") << "an unplugged cable may be plugged in later";
     ip("address flush dev card0");
     EXPECT_NE(refusal("card0").find("'card0' has no IPv4 address"), std::string::npos) << refusal("card0");
     EXPECT_NE(refusal("card9").find("'card9'"), std::string::npos) << refusal("card9");

@@ -1,5 +1,5 @@
-// What another machine sends to the sockets of a domain, whose process has no capabilities. The kernel counts what a
-// filter drops in the socket's `drops` (proc_net(5), udp).
+// Datagrams from another machine to the sockets of a domain, whose process has no capabilities. The kernel counts the
+// datagrams that a filter drops in the socket's `drops` (proc_net(5), udp).
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -20,7 +20,7 @@
 namespace mrroc::links {
 namespace {
 
-/// Packets that were dropped at the sockets of this network namespace, by their ports.
+/// Number of dropped packets of the sockets of this network namespace, by port.
 std::map<in_port_t, long> drops() {
   std::map<in_port_t, long> counts;
   std::ifstream file("/proc/thread-self/net/udp");
@@ -87,7 +87,7 @@ TEST_P(OtherMachine, ReachesNoSocket) {
     EXPECT_EQ(dds_log_count(), messages);
     const LoopbackSender sender(ports);
     sender.send(malformed());
-    EXPECT_TRUE(eventually([&] { return dds_log_count() > messages; })) << "what is sent is received where it may be";
+    EXPECT_TRUE(eventually([&] { return dds_log_count() > messages; })) << "a permitted datagram is received";
   });
 }
 
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
                "lab0"}),
     [](const auto& test) { return test.param.name; });
 
-/// Sends malformed messages to the first ports of domain `id` at `address` without end.
+/// Sends malformed messages to the first ports of domain `id` at `address` in an endless loop.
 [[noreturn]] void flood(int id, const std::string& address) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -149,7 +149,7 @@ TEST(OtherMachine, ReachesNoSocketWhileTheDomainIsCreated) {
       const auto before = open_descriptors();
       const Domain domain({.id = 7, .lease = 20});
       const in_port_t port = ports_since(before).front();
-      EXPECT_TRUE(eventually([&] { return drops()[port] > 0; })) << "the flood has not come";
+      EXPECT_TRUE(eventually([&] { return drops()[port] > 0; })) << "the flood has not arrived";
     }
     EXPECT_EQ(dds_log_count(), messages);
     ::kill(child, SIGKILL);

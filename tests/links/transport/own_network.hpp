@@ -25,8 +25,9 @@ inline void ip(const std::string& arguments) {
   }
 }
 
-/// Runs `body()` in a child process with a network namespace of its own, in which only the loopback device exists and
-/// is up. The child is root there, as an ordinary user by a user namespace. What fails in it fails the calling test.
+/// Runs `body()` in a child process with its own network namespace, in which only the loopback device exists and is up.
+/// The child is root there; an ordinary user gets this with a user namespace. Failures in the child fail the calling
+/// test.
 template <class Body>
 void in_own_network(Body body) {
   std::fflush(nullptr);

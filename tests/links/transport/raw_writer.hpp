@@ -5,7 +5,7 @@
 
 namespace mrroc::links {
 
-/// Writes whatever wire form it is given: what no `Writer` would send. Its peers believe it.
+/// Writes any given wire form, also one that no `Writer` would send. Its peers accept it.
 template <class T>
 class RawWriter {
  public:

@@ -20,7 +20,7 @@ struct Link {
     sent.sequence = sequence;
     writer.write(sent, sequence);
   }
-  /// Numbers of all messages that `take` gives.
+  /// Numbers of all messages that `take` returns.
   std::vector<std::uint64_t> take_all() {
     std::vector<std::uint64_t> numbers;
     while (reader.take(message, header)) numbers.push_back(message.sequence);
@@ -37,7 +37,7 @@ struct Link {
 
 using Numbers = std::vector<std::uint64_t>;
 
-TEST(Reader, TakesInOrderEachOnce) {
+TEST(Reader, TakesEachOnceInOrder) {
   Link link;
   for (std::uint64_t n = 1; n <= 5; ++n) link.send(n);
   EXPECT_EQ(link.take_all(), (Numbers{1, 2, 3, 4, 5}));
@@ -72,7 +72,7 @@ TEST(Reader, LatestKeepsItsValue) {
   }
 }
 
-TEST(Reader, SeesUnderSimulatedTimeWhatWasSentInAnEarlierDelta) {
+TEST(Reader, MessagesOfEarlierDeltasAreVisibleUnderSimulatedTime) {
   Link link(true);
   link.send(1);
   EXPECT_EQ(link.take_all(), Numbers{});
@@ -83,14 +83,14 @@ TEST(Reader, SeesUnderSimulatedTimeWhatWasSentInAnEarlierDelta) {
   link.send(3);
   ASSERT_TRUE(link.reader.latest(link.message));
   EXPECT_EQ(link.message.sequence, 1U);
-  EXPECT_EQ(link.take_all(), Numbers{}) << "of the present delta";
+  EXPECT_EQ(link.take_all(), Numbers{}) << "from the present delta";
   link.clock.next_delta();
   EXPECT_EQ(link.take_all(), (Numbers{2, 3}));
   EXPECT_EQ(link.header.stamp_ns, 0) << "simulated time has no wall clock";
   EXPECT_EQ(link.reader.counters().stale, 0U);
 }
 
-TEST(Reader, LatestFindsWhatIsVisibleAmongNewerMessages) {
+TEST(Reader, LatestFindsTheVisibleOneAmongNewerMessages) {
   Link link(true, {.depth = 4});
   for (std::uint64_t n = 1; n <= 3; ++n) link.send(n);
   link.clock.next_delta();
@@ -103,7 +103,7 @@ TEST(Reader, LatestFindsWhatIsVisibleAmongNewerMessages) {
   EXPECT_EQ(link.message.sequence, 5U);
 }
 
-TEST(Reader, AnUncountedLinkIsNotTheClocksBusiness) {
+TEST(Reader, UncountedLinkDoesNotAffectTheClock) {
   FreeDomain number;
   Domain domain({.id = number.id()});
   TestClock clock(true);
@@ -118,7 +118,7 @@ TEST(Reader, AnUncountedLinkIsNotTheClocksBusiness) {
   EXPECT_TRUE(reader.take(status, header)) << "visible at once";
 }
 
-TEST(Reader, TakeFreshRefusesWhatIsTooOld) {
+TEST(Reader, TakeFreshRefusesOldMessages) {
   TestDomain net;
   TestClock clock;
   RawWriter<RobotCommand> writer(net.domain, "t/x");
@@ -132,13 +132,13 @@ TEST(Reader, TakeFreshRefusesWhatIsTooOld) {
   RobotCommand command;
   Header header;
   const std::uint64_t here = net.domain.boot() ^ 1;                   // another process of this machine
-  const std::uint64_t elsewhere = net.domain.boot() ^ (1ULL << 40U);  // a clock that is not ours
+  const std::uint64_t elsewhere = net.domain.boot() ^ (1ULL << 40U);  // a clock of another machine
   send(here, 1000);
   EXPECT_FALSE(reader.take_fresh(command, header, 500));
   EXPECT_EQ(reader.counters().stale, 1U);
   send(here, 0);
   send(here, 1000);
-  EXPECT_FALSE(reader.take_fresh(command, header, 500)) << "what was overtaken is not acted on instead";
+  EXPECT_FALSE(reader.take_fresh(command, header, 500)) << "overtaken messages are not used instead";
   send(here, 1000);
   send(here, 0);
   EXPECT_TRUE(reader.take_fresh(command, header, 500));
@@ -147,7 +147,7 @@ TEST(Reader, TakeFreshRefusesWhatIsTooOld) {
   EXPECT_EQ(reader.counters().stale, 4U);
 }
 
-TEST(Reader, AStampCountsFromTickZeroOnEveryMachine) {
+TEST(Reader, StampCountsFromTickZeroOnEveryMachine) {
   TestDomain net;
   TestClock clock;
   clock.epoch = clock::monotonic_ns() - 1'000'000'000;
@@ -175,15 +175,15 @@ TEST(Reader, AStampCountsFromTickZeroOnEveryMachine) {
   EXPECT_TRUE(reader.take_fresh(command, header, 500));
 }
 
-TEST(Reader, TakeFreshKnowsNoAgeUnderSimulatedTime) {
+TEST(Reader, TakeFreshIgnoresTheAgeUnderSimulatedTime) {
   Link link(true);
   link.send(1);
   link.clock.next_delta();
   EXPECT_TRUE(link.reader.take_fresh(link.message, link.header, 1e-9));
 }
 
-TEST(Reader, GetsWhatIsSentBeforeItsCreationHasReturned) {
-  // the listener is given at creation: one that is set afterwards misses what has come by then
+TEST(Reader, ReceivesMessagesDuringItsConstruction) {
+  // the listener is set at creation: a later one would miss earlier messages
   TestDomain net;
   TestClock clock;
   Writer<TaskCommand> writer(net.domain, clock, "t/x");
@@ -202,7 +202,7 @@ TEST(Reader, GetsWhatIsSentBeforeItsCreationHasReturned) {
   sender.join();
 }
 
-TEST(Reader, KnowsWhetherItsWriterLives) {
+TEST(Reader, ReportsWhetherItsWriterIsAlive) {
   TestDomain net;
   TestClock clock;
   Reader<TaskCommand> reader(net.domain, clock, "t/x");
@@ -235,7 +235,7 @@ TEST(Reader, ReportsAPeerWithAnotherMessageType) {
   TestClock clock;
   Reader<RobotCommand> reader(net.domain, clock, "t/x");
   EXPECT_EQ(reader.problem(), "");
-  // a participant of its own: one alone refuses two types under one name
+  // a separate participant: one participant refuses two types with one name
   const Entity other{dds_create_participant(static_cast<dds_domainid_t>(net.domain.id()), nullptr, nullptr),
                      "participant", ""};
   const Entity topic{dds_create_topic(other.get(), &WireOf<RobotState>::descriptor(), "t/x", nullptr, nullptr), "topic",
@@ -248,7 +248,7 @@ TEST(Reader, ReportsAPeerWithAnotherMessageType) {
   EXPECT_FALSE(reader.peer_alive());
 }
 
-TEST(Reader, RefusesABadTopicName) {
+TEST(Reader, RefusesAnInvalidTopicName) {
   TestDomain net;
   TestClock clock;
   EXPECT_THROW(Reader<TaskCommand>(net.domain, clock, "a b"), SystemError);

@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Security, ProcessesOfOneDeploymentTalk) {
+TEST(Security, ProcessesOfOneDeploymentCommunicate) {
   const TestKeys keys("cell");
   FreeDomain number;
   Domain domain({.id = number.id(), .lease = 20, .keys = keys.folder()});
@@ -61,7 +61,7 @@ TEST(Security, SeventeenProcessesWithKeysFindEachOther) {
       << " of 16";
 }
 
-TEST(Security, WhoHasOtherKeysOrNoneCommandsNothing) {
+TEST(Security, ProcessWithOtherOrNoKeysCommandsNothing) {
   const TestKeys ours("cell"), theirs("cell");  // of the same name, with all the same rights
   FreeDomain number;
   Domain domain({.id = number.id(), .lease = 20, .keys = ours.folder()});
@@ -78,14 +78,14 @@ TEST(Security, WhoHasOtherKeysOrNoneCommandsNothing) {
     const PeerProcess without("foreigner", number.id(), "cell/arm", 20, "");
     const PeerProcess other("foreigner", number.id(), "cell/arm", 20, theirs.folder());
     const PeerProcess commander("commander", number.id(), "cell/arm", 20, ours.folder());
-    // they all have had the same time when a hundred of ours have come
+    // they all have had enough time when a hundred of the deployment's messages have arrived
     EXPECT_TRUE(eventually([&] {
       look();
       return from_us >= 100;
     })) << from_us;
     EXPECT_EQ(from_others, 0);
   }
-  // the same foreigner is believed once it has the keys: nothing but these kept it out
+  // the same unknown participant is accepted with the keys: only the keys had excluded it
   const PeerProcess admitted("foreigner", number.id(), "cell/arm", 20, ours.folder());
   EXPECT_TRUE(eventually([&] {
     look();
@@ -93,7 +93,7 @@ TEST(Security, WhoHasOtherKeysOrNoneCommandsNothing) {
   }));
 }
 
-TEST(Security, KeysAreGoodForTheTopicsOfTheirDeploymentOnly) {
+TEST(Security, KeysAreValidOnlyForTheTopicsOfTheirDeployment) {
   const TestKeys keys("cell"), of_any("");
   FreeDomain number;
   TestClock clock;
@@ -108,7 +108,7 @@ TEST(Security, KeysAreGoodForTheTopicsOfTheirDeploymentOnly) {
   EXPECT_NO_THROW(RobotRequester(domain, clock, "press/arm", "peer"));
 }
 
-TEST(Security, RefusesKeysThatAreNotThereOrThatOthersMayRead) {
+TEST(Security, RefusesMissingKeysAndKeysThatOthersMayRead) {
   const TestKeys keys("cell");
   const auto refused = [&](const std::string& what) {
     return code_of([&] { Domain({.id = 1, .keys = keys.folder()}); }, what) == ErrorCode::configuration;
@@ -130,19 +130,19 @@ TEST(Security, RefusesKeysThatAreNotThereOrThatOthersMayRead) {
   EXPECT_TRUE(refused("keys " + keys.folder().string() + ": there is no such folder"));
 }
 
-TEST(Security, KeysThatDoNotBelongTogetherAreRefused) {
+TEST(Security, RefusesKeysThatDoNotBelongTogether) {
   for (const char* file :
        {KeyFiles::authority, KeyFiles::identity, KeyFiles::identity_key, KeyFiles::governance, KeyFiles::permissions}) {
     const TestKeys keys("cell"), others("cell");
     FreeDomain number;
-    // of a private key that is another's its peers notice, not it itself: they do not talk to it
+    // only its peers detect a foreign private key: they do not communicate with it
     if (file != KeyFiles::identity_key) {
       fs::copy_file(others.folder() / file, keys.folder() / file, fs::copy_options::overwrite_existing);
       EXPECT_EQ(code_of([&] { Domain({.id = number.id(), .keys = keys.folder()}); }, "participant"),
                 ErrorCode::resources)
           << file;
     }
-    std::ofstream(keys.folder() / file) << "no key at all";
+    std::ofstream(keys.folder() / file) << "not a key";
     EXPECT_EQ(code_of([&] { Domain({.id = number.id(), .keys = keys.folder()}); }, "participant"), ErrorCode::resources)
         << file;
   }

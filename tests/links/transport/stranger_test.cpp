@@ -1,4 +1,4 @@
-// What someone without keys can do to a process whose ports he reaches.
+// Attacks of an unknown participant without keys on a process whose ports it reaches.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -26,12 +26,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Tick kSilence = 2500;  // 5 s: a link whose replies stay away for so long is cut
+constexpr Tick kSilence = 2500;  // 5 s: a link without replies for this time is cut
 constexpr std::uint32_t kExchanges = 2000;
 
-/// Exchanges messages with a peer, `forge` being called before each of them with the peer's writer of states and a
-/// number that rises; the code of the error that cuts the link, none when it lives on. Without keys a link is given
-/// longer: it is cut when the thread that heard the stranger has had the processor.
+/// Exchanges messages with a peer, and calls `forge` before each of them with the peer's writer of states and an
+/// increasing number. Returns the code of the error that cuts the link, none when the link survives. Without keys the
+/// timeout is longer: the link is cut when the receiving thread has had the processor.
 ErrorCode fate(const fs::path& keys, const std::function<std::string(const Guid&, std::uint32_t)>& forge) {
   FreeDomain number;
   const auto before = open_descriptors();
@@ -65,19 +65,19 @@ std::string farewell(const Guid& writer, std::uint32_t number) {
   return forged_farewell(participant, 1'000 + number);
 }
 
-TEST(Stranger, AForgedHeartbeatStallsAPlainLinkButNoneWithKeys) {
+TEST(Stranger, ForgedHeartbeatStallsOnlyALinkWithoutKeys) {
   const TestKeys keys("cell");
   EXPECT_EQ(fate({}, heartbeat), ErrorCode::process_silent);
   EXPECT_EQ(fate(keys.folder(), heartbeat), ErrorCode::none);
 }
 
-TEST(Stranger, AForgedFarewellCutsAPlainLinkButNoneWithKeys) {
+TEST(Stranger, ForgedFarewellCutsOnlyALinkWithoutKeys) {
   const TestKeys keys("cell");
   EXPECT_EQ(fate({}, farewell), ErrorCode::process_died);
   EXPECT_EQ(fate(keys.folder(), farewell), ErrorCode::none);
 }
 
-TEST(Stranger, AForgedHandshakeEndsNoProcess) {
+TEST(Stranger, ForgedHandshakeEndsNoProcess) {
   const TestKeys keys("cell");
   FreeDomain number;
   const auto before = open_descriptors();
@@ -90,7 +90,7 @@ TEST(Stranger, AForgedHandshakeEndsNoProcess) {
   for (int i = 0; i < 20; ++i) {
     const Guid participant{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, static_cast<std::uint8_t>(i), 0, 0, 1, 0xc1};
     stranger.send(forged_identity(participant));
-    // Cyclone gives a new participant 10 ms to be first
+    // Cyclone lets a new participant be first for 10 ms
     for (int milliseconds = 0; milliseconds < 10; ++milliseconds) {
       stranger.send(forged_handshake(participant, victim));
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -99,14 +99,15 @@ TEST(Stranger, AForgedHandshakeEndsNoProcess) {
   const auto log = dds_log_messages();
   EXPECT_TRUE(std::any_of(log.begin(), log.end(), [](const std::string& line) {
     return line.find("Validate remote identity failed") != std::string::npos;
-  })) << "no identity of theirs was looked at";
+  })) << "none of their identities was checked";
   TestClock clock;
   PeerProcess peer("respond", number.id(), "cell/arm", 20, keys.folder());
   RobotRequester link(domain, clock, "cell/arm", "peer", 10000);
   EXPECT_NO_THROW(link.connect(kPatience));
 }
 
-/// A participant with keys bears what a stranger, who has none, sends it as the writer of hand-shakes, and then talks.
+/// A participant with keys tolerates the packets of an unknown one without keys, sent as the writer of handshakes, and
+/// then communicates.
 void bears(const std::function<std::vector<std::string>(const Guid& writer, const Guid& reader)>& packets) {
   const TestKeys keys("cell");
   FreeDomain number;
@@ -127,29 +128,28 @@ void bears(const std::function<std::vector<std::string>(const Guid& writer, cons
   EXPECT_NO_THROW(link.connect(kPatience));
 }
 
-TEST(Stranger, ForgedFragmentsWriteBehindNoMemory) {
+TEST(Stranger, ForgedFragmentsDoNotCorruptMemory) {
   bears([](const Guid& writer, const Guid& reader) {
     return std::vector{forged_fragment(writer, reader, 0, 1000, 2000),
                        forged_fragment(writer, reader, 1000, 60000, 60000)};
   });
 }
 
-TEST(Stranger, AHandshakeThatSaysItIsOnlyAKeyEndsNoProcess) {
+TEST(Stranger, HandshakeThatClaimsToBeAKeyEndsNoProcess) {
   bears([](const Guid& writer, const Guid& reader) {
     return std::vector{forged_data(writer, reader, kPlain, std::string(16, '\0'), kKeyPayload),
                        forged_data(writer, reader, kPlain, std::string(16, '\0'), kNoPayload)};
   });
 }
 
-TEST(Stranger, AHandshakeOfFragmentsThatSayTheyAreAKeyEndsNoProcess) {
+TEST(Stranger, FragmentedHandshakeThatClaimsToBeAKeyEndsNoProcess) {
   bears([](const Guid& writer, const Guid& reader) {
     return std::vector{forged_fragment(writer, reader, 0, 1000, 2000, true),
                        forged_fragment(writer, reader, 1000, 2000, 2000, true)};
   });
 }
 
-/// What idlc has written of a type (XTypes 1.3, 7.6.3.2.1), its minimal or complete number being of a kind that
-/// there is not.
+/// The type information of idlc (XTypes 1.3, 7.6.3.2.1) with a minimal or complete number of an unknown kind.
 std::string forged_type(std::uint8_t number_kind, std::uint8_t forged_kind) {
   const auto& written = mrroc_wire_ProcessStatus_desc.type_information;
   std::string type(reinterpret_cast<const char*>(written.data), written.sz);
@@ -159,7 +159,8 @@ std::string forged_type(std::uint8_t number_kind, std::uint8_t forged_kind) {
   return type;
 }
 
-/// A participant, with keys or without, is told of participants whose descriptions name a type of no kind, and talks.
+/// A participant, with keys or without, receives descriptions of participants with a type of an unknown kind, and
+/// communicates.
 void bears_types(const fs::path& keys) {
   FreeDomain number;
   const auto before = open_descriptors();
@@ -179,18 +180,18 @@ void bears_types(const fs::path& keys) {
   EXPECT_NO_THROW(link.connect(kPatience));
 }
 
-TEST(Stranger, ATypeOfNoKindEndsNoProcess) {
+TEST(Stranger, TypeOfUnknownKindEndsNoProcess) {
   const TestKeys keys("cell");
   bears_types({});
   bears_types(keys.folder());
 }
 
 TEST(Stranger, CycloneSetsNoTimerForAHandshake) {
-  // after 100 s of one that no one finishes it would block the thread of hand-shakes: too long for a test
+  // an unfinished handshake would block its thread after 100 s: too long for a test
   void* const function = ::dlsym(RTLD_DEFAULT, "dds_security_fsm_set_timeout");
   Dl_info found{};
   ASSERT_NE(::dladdr(function, &found), 0);
-  EXPECT_EQ(fs::path(found.dli_fname).filename(), "links_test") << "not this program's";
+  EXPECT_EQ(fs::path(found.dli_fname).filename(), "links_test") << "not of this program";
 }
 
 }  // namespace

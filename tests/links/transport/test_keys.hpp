@@ -8,7 +8,7 @@
 
 namespace mrroc::links {
 
-/// Keys of a deployment in a folder that goes with this object.
+/// Keys of a deployment in a folder that is removed with this object.
 class TestKeys {
  public:
   explicit TestKeys(const std::string& deployment) { cli::make_keys(folder(), deployment); }

@@ -17,13 +17,13 @@ std::string complaint(const std::string& topic) {
   return "none";
 }
 
-TEST(TopicName, JoinsAndAcceptsWhatDdsAccepts) {
+TEST(TopicName, AcceptsNamesThatDdsAccepts) {
   EXPECT_EQ(topic_name("press/arm", "command"), "press/arm/command");
   EXPECT_EQ(complaint("_a/B_9/c"), "none");
   EXPECT_EQ(complaint(std::string(95, 'x')), "none");
 }
 
-TEST(TopicName, SaysWhatIsWrong) {
+TEST(TopicName, ReportsInvalidNames) {
   EXPECT_EQ(complaint(""), "topic name '': must not be empty");
   EXPECT_EQ(complaint("3robot"), "topic name '3robot': must begin with a letter or '_'");
   EXPECT_EQ(complaint("robot-3"), "topic name 'robot-3': has '-'; expected letters, digits, '_' and '/'");

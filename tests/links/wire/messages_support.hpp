@@ -12,7 +12,7 @@
 
 namespace mrroc::links {
 
-// ---- whether two messages are the same, bit by bit
+// ---- bitwise equality of two messages
 // -------------------------------------------------------------------
 
 template <class Matrix>
@@ -81,7 +81,7 @@ inline bool same(const ProcessStatus& a, const ProcessStatus& b) {
 
 }  // namespace mrroc::links
 
-// ---- any message
+// ---- arbitrary messages
 // -----------------------------------------------------------------------------------------------------
 
 namespace rc {

@@ -1,4 +1,4 @@
-// Every message comes out of DDS as it went in, whatever it says; nothing out of range comes out at all.
+// Every message passes through DDS unchanged, with any content; values out of range never arrive.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -57,7 +57,7 @@ TEST(RoundTripOfStatus, KeepsEveryBit) {
   }));
 }
 
-TEST(RoundTrip, NumbersThatAreNoneArriveToBeAnswered) {
+TEST(RoundTrip, NonFiniteNumbersArriveAndAreAnswered) {
   TestDomain net;
   TestClock clock;
   Writer<RobotCommand> writer(net.domain, clock, "t/x");
@@ -76,8 +76,8 @@ struct Damage {
   std::function<void(Wire<T>&)> apply;
 };
 
-/// Each damage alone makes a message that is dropped, counted, and does not touch what the reader was given. Its flight
-/// is over all the same: simulated time continues.
+/// Each damage alone gives a message that is dropped and counted, and does not change the reader's output. It is no
+/// longer in flight, so that simulated time continues.
 template <class T>
 void expect_dropped(const std::vector<Damage<T>>& damages) {
   TestDomain net;
@@ -102,7 +102,7 @@ void expect_dropped(const std::vector<Damage<T>>& damages) {
   writer.write(wire_of(T{}));
   T message;
   Header header;
-  EXPECT_TRUE(reader.take(message, header)) << "an undamaged message must still come";
+  EXPECT_TRUE(reader.take(message, header)) << "an undamaged message must still arrive";
 }
 
 template <std::size_t Size>

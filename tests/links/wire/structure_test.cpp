@@ -1,4 +1,4 @@
-// What the source must not contain: rules that no run can show.
+// Rules about the source that no run can check.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kRoot = MRROC_SOURCE_DIR;
-// headers of src/links that show DDS; only src/links and its tests may include them
+// headers of src/links that contain DDS; only src/links and its tests may include them
 const std::set<std::string> kInternal = {"codec.hpp", "entity.hpp", "wire_parts.hpp"};
 
 using Words = std::vector<std::string>;
@@ -43,7 +43,7 @@ std::vector<fs::path> sources() {
 
 bool in_links(const fs::path& file) { return file.string().starts_with((kRoot / "src/links/").string()); }
 
-TEST(Structure, DdsIsIncludedInLinksOnlyAndShownByNoPublicHeader) {
+TEST(Structure, DdsIsIncludedOnlyInLinksAndNotInPublicHeaders) {
   const Words shows_dds = {"#include <dds/",
                            "#include \"dds/",
                            "#include \"messages.h\"",
@@ -60,14 +60,15 @@ TEST(Structure, DdsIsIncludedInLinksOnlyAndShownByNoPublicHeader) {
   EXPECT_GT(users, 5) << "the search finds nothing";
 }
 
-TEST(Structure, NothingWaitsOrTimesByTheWallClockOfDds) {
+TEST(Structure, NoCallWaitsOrTimesByTheWallClockOfDds) {
   const Words forbidden = {"dds_waitset", "dds_qset_latency_budget", "dds_set_listener", "dds_time(", "dds_sleepfor"};
   for (const fs::path& file : sources()) {
     EXPECT_FALSE(has_one_of(file, forbidden)) << file;
   }
 }
 
-/// What the function that `head` begins calls, by name; its end is the first brace at the start of a line.
+/// Names of the functions called by the function that starts with `head`; it ends at the first brace at the start of a
+/// line.
 std::set<std::string> calls_in(const fs::path& file, const std::string& head) {
   const std::string text = text_of(file);
   const std::size_t begin = text.find(head);
@@ -96,7 +97,7 @@ TEST(Structure, SignalHandlersAndForkedChildrenCallOnlyWhatIsSafeThere) {
   for (const auto& [file, head, allowed] :
        {std::tuple(handler, "void on_signal(int) {", in_handler), std::tuple(child, "void execute(", in_child)}) {
     const std::set<std::string> calls = calls_in(file, head);
-    EXPECT_GT(calls.size(), 3u) << head << " is not found";
+    EXPECT_GT(calls.size(), 3u) << head << " was not found";
     for (const std::string& call : calls) EXPECT_TRUE(allowed.contains(call)) << head << " calls " << call;
   }
 }

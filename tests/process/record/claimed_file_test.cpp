@@ -22,7 +22,7 @@ class ClaimedFileTest : public testing::Test {
     std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
-  /// What another process meets that claims the path: the message of its refusal; empty: none.
+  /// The refusal message in another process that claims the path; empty: none.
   static std::string refusal_of(const fs::path& path) {
     int ends[2];
     EXPECT_EQ(pipe(ends), 0);
@@ -50,7 +50,7 @@ class ClaimedFileTest : public testing::Test {
   task_test::ScratchFolder folder_;
 };
 
-TEST_F(ClaimedFileTest, AnotherProcessIsRefusedByWhateverNameAndSeesWhoHasIt) {
+TEST_F(ClaimedFileTest, AnotherProcessIsRefusedUnderAnyNameAndReportsTheOwner) {
   const fs::path path = write("file", "text");
   fs::create_symlink(path, folder_ / "link");
   fs::create_hard_link(path, folder_ / "twin");
@@ -64,10 +64,10 @@ TEST_F(ClaimedFileTest, AnotherProcessIsRefusedByWhateverNameAndSeesWhoHasIt) {
               std::string::npos)
         << refusal;
   }
-  EXPECT_EQ(read(path), "text") << "nothing has emptied it";
+  EXPECT_EQ(read(path), "text") << "the file was not truncated";
 }
 
-TEST_F(ClaimedFileTest, WhatWasClaimedIsFree) {
+TEST_F(ClaimedFileTest, ReleasedFileCanBeClaimed) {
   const fs::path path = folder_ / "file";
   { const ClaimedFile file(path, "the file"); }
   EXPECT_EQ(refusal_of(path), "");
@@ -81,7 +81,7 @@ TEST_F(ClaimedFileTest, WhatWasClaimedIsFree) {
   EXPECT_EQ(refusal_of(path), "") << "its process was killed";
 }
 
-TEST_F(ClaimedFileTest, AFifoIsClaimedWhenItHasAReader) {
+TEST_F(ClaimedFileTest, FifoIsClaimedWhenItHasAReader) {
   const fs::path path = folder_ / "fifo";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   EXPECT_TRUE(ClaimedFile(path, "the file").waits());
@@ -93,17 +93,17 @@ TEST_F(ClaimedFileTest, AFifoIsClaimedWhenItHasAReader) {
   close(reader);
 }
 
-TEST_F(ClaimedFileTest, ADeviceIsEverybodys) {
+TEST_F(ClaimedFileTest, DeviceIsShared) {
   const ClaimedFile file("/dev/null", "the file");
   EXPECT_EQ(refusal_of("/dev/null"), "");
 }
 
-TEST_F(ClaimedFileTest, ADescriptorIsWrittenFromWhereItIs) {
+TEST_F(ClaimedFileTest, DescriptorIsWrittenFromItsPosition) {
   const fs::path path = write("file", "before ");
   const int fd = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   {
     const ClaimedFile file("/dev/fd/" + std::to_string(fd), "the file");
-    EXPECT_FALSE(file.is_own_regular_file()) << "it may not be emptied";
+    EXPECT_FALSE(file.is_own_regular_file()) << "it must not be truncated";
     EXPECT_EQ(::write(file.fd(), "after", 5), 5);
     EXPECT_NE(refusal_of(path), "");
   }
@@ -115,7 +115,7 @@ TEST_F(ClaimedFileTest, ADescriptorIsWrittenFromWhereItIs) {
   EXPECT_THROW(ClaimedFile("/dev/fd/987", "the file"), std::runtime_error) << "not open";
 }
 
-TEST_F(ClaimedFileTest, NamesOfDescriptors) {
+TEST_F(ClaimedFileTest, RecognisesNamesOfDescriptors) {
   EXPECT_EQ(named_descriptor("/dev/stdout"), 1);
   EXPECT_EQ(named_descriptor("/dev/fd/7"), 7);
   EXPECT_EQ(named_descriptor("/proc/self/fd/63"), 63);
@@ -136,13 +136,13 @@ TEST_F(ClaimedFileTest, NewFilesTakeTheFirstFreeName) {
   EXPECT_EQ(read(taken), "older");
 }
 
-TEST_F(ClaimedFileTest, AFolderIsClaimedToo) {
+TEST_F(ClaimedFileTest, FolderIsClaimedToo) {
   const ClaimedFile claimed = ClaimedFile::folder(folder_.path(), "the snapshots");
   EXPECT_THROW(ClaimedFile::folder(folder_ / ".", "the snapshots"), FileInUse);
   EXPECT_THROW(ClaimedFile::folder(folder_ / "none", "the snapshots"), std::runtime_error);
 }
 
-TEST_F(ClaimedFileTest, AReplacedFileIsNotInPlace) {
+TEST_F(ClaimedFileTest, ReplacedFileIsNotInPlace) {
   const fs::path path = write("file", "");
   const ClaimedFile file(path, "the file");
   EXPECT_TRUE(file.in_place());
@@ -150,7 +150,7 @@ TEST_F(ClaimedFileTest, AReplacedFileIsNotInPlace) {
   EXPECT_FALSE(file.in_place());
 }
 
-TEST_F(ClaimedFileTest, WhatCannotBeOpenedIsNamedWithItsReason) {
+TEST_F(ClaimedFileTest, FileThatCannotBeOpenedIsNamedWithTheReason) {
   for (const char* path : {"/no/such/folder/file", "/proc", "/proc/version/file"}) {
     try {
       const ClaimedFile file(path, "the trace");

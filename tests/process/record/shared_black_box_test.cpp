@@ -16,7 +16,7 @@
 namespace mrroc::process {
 namespace {
 
-/// The number at both ends: a line that is torn shows.
+/// A line with the number at both ends, so that a torn line is detected.
 TextLine line_of(std::uint64_t number) {
   TextLine line;
   line << number << std::string_view{" a step "} << number;
@@ -60,7 +60,7 @@ TEST(SharedBlackBox, OutlivesAProcessThatIsKilledWhileItRecords) {
   }
 }
 
-TEST(SharedBlackBox, OfAProcessThatHasRunWildIsReadWithinItsBounds) {
+TEST(SharedBlackBox, CorruptedMemoryIsReadWithinItsBounds) {
   const SharedBlackBox box = SharedBlackBox::create();
   const off_t size = lseek(box.fd(), 0, SEEK_END);
   const std::string rubbish(static_cast<std::size_t>(size), '\xff');

@@ -1,4 +1,4 @@
-// A step as a line of a trace: what is written is what `mrroc trace check` reads.
+// A step as a line of a trace: `mrroc trace check` can read the written line.
 #include "process/record/step_reporter.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ class Reported : public testing::Test {
     record.tick = 1234;
   }
 
-  /// The robot's state is what its fake says.
+  /// The robot's state is that of its fake.
   void receive() {
     for (Robot* robot : robot_list) {
       robot->reset_command(CommandKind::query);
@@ -47,7 +47,7 @@ class Reported : public testing::Test {
     for (const auto& sensor : sensors) sensor->collect_reading();
   }
 
-  /// As a Move does at this step.
+  /// The call of a Move at this step.
   void fill() {
     record.states.clear();
     record.commands.clear();
@@ -138,12 +138,12 @@ TEST_F(Reported, EveryEndingIsRead) {
   }
 }
 
-TEST_F(Reported, AStateThatWasNeverReceivedIsRead) {
+TEST_F(Reported, StateThatWasNeverReceivedIsRead) {
   record.ending = StepEnding::system_error;
   EXPECT_TRUE(line().robots[0].joints.empty());
 }
 
-TEST_F(Reported, NothingIsAllocated) {
+TEST_F(Reported, ReportDoesNotAllocate) {
   receive();
   fill();
   format_step(text, deployment, "mp", record);

@@ -18,7 +18,7 @@ TEST(TextLine, NumbersReadBackExactly) {
   }));
 }
 
-TEST(TextLine, WhatDoesNotFitIsCutAndSaidToBeCut) {
+TEST(TextLine, LongTextIsCutAndMarkedAsCut) {
   TextLine line;
   for (std::size_t i = 0; i < TextLine::kCapacity; ++i) line << "x";
   EXPECT_FALSE(line.cut());

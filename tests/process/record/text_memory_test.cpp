@@ -10,11 +10,11 @@ TEST(TextMemory, EveryReaderGetsTheWholeText) {
   for (const std::string& text : {std::string(), std::string("name = 'x'\n"), std::string(1 << 20, 'x')}) {
     const TextMemory memory(text);
     EXPECT_EQ(read_text(memory.fd()), text);
-    EXPECT_EQ(read_text(memory.fd()), text) << "the place in the file is shared";
+    EXPECT_EQ(read_text(memory.fd()), text) << "the file position is shared";
   }
 }
 
-TEST(TextMemory, NoProcessChangesIt) {
+TEST(TextMemory, NoProcessCanChangeIt) {
   const TextMemory memory("text");
   EXPECT_LT(pwrite(memory.fd(), "T", 1, 0), 0);
   EXPECT_NE(ftruncate(memory.fd(), 0), 0);

@@ -14,7 +14,7 @@
 namespace mrroc::process {
 namespace {
 
-TEST(TraceFile, ALosslessTraceKeepsEveryLineInOrder) {
+TEST(TraceFile, LosslessTraceKeepsEveryLineInOrder) {
   const task_test::ScratchFolder folder;
   const std::filesystem::path path = folder / "trace";
   constexpr std::uint64_t kLines = 20000;
@@ -37,7 +37,7 @@ TEST(TraceFile, ALosslessTraceKeepsEveryLineInOrder) {
   std::filesystem::remove(path);
 }
 
-TEST(TraceFile, ALossyTraceCountsWhatItDrops) {
+TEST(TraceFile, LossyTraceCountsDroppedLines) {
   const task_test::ScratchFolder folder;
   const std::filesystem::path path = folder / "lossy";
   std::uint64_t dropped = 0;
@@ -66,7 +66,7 @@ TEST(TraceFile, ALossyTraceCountsWhatItDrops) {
   std::filesystem::remove(path);
 }
 
-TEST(TraceFile, AFileThatCannotBeWrittenIsNamed) {
+TEST(TraceFile, UnwritableFileIsNamed) {
   try {
     const TraceFile trace("/proc/no/such/file", "arm", true);
     FAIL() << "opened";
@@ -75,7 +75,7 @@ TEST(TraceFile, AFileThatCannotBeWrittenIsNamed) {
   }
 }
 
-TEST(TraceFile, AFullDiskIsReportedAtTheEndWithItsReason) {
+TEST(TraceFile, FullDiskIsReportedAtTheEndWithItsReason) {
   TraceFile trace("/dev/full", "arm", true);
   for (int i = 0; i < 1000; ++i) {
     *trace.begin() << "line";
@@ -84,13 +84,13 @@ TEST(TraceFile, AFullDiskIsReportedAtTheEndWithItsReason) {
   EXPECT_EQ(trace.close(), "cannot write the trace /dev/full: No space left on device");
 }
 
-TEST(TraceFile, AFileSizeLimitIsReportedAtTheEndWithItsReason) {
+TEST(TraceFile, FileSizeLimitIsReportedAtTheEndWithItsReason) {
   const task_test::ScratchFolder folder;
   const std::filesystem::path path = folder / "limited";
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit small{1024, before.rlim_max};
-  std::signal(SIGXFSZ, SIG_IGN);  // as every process of a deployment does
+  std::signal(SIGXFSZ, SIG_IGN);  // like every process of a deployment
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
   TraceFile trace(path, "arm", true);
   for (int i = 0; i < 1000; ++i) {
@@ -103,7 +103,7 @@ TEST(TraceFile, AFileSizeLimitIsReportedAtTheEndWithItsReason) {
   std::filesystem::remove(path);
 }
 
-TEST(TraceFile, AnOpenFileStaysItsOwners) {
+TEST(TraceFile, OpenFileStaysItsOwners) {
   const task_test::ScratchFolder folder;
   const std::filesystem::path path = folder / "open";
   const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);

@@ -9,7 +9,7 @@
 
 namespace mrroc {
 
-/// 0..2^30 - 1, evenly distributed in small cases too; part of the rapidcheck case, so that a failure shrinks and
+/// 0..2^30 - 1, evenly distributed also in small cases; part of the rapidcheck case, so that a failure shrinks and
 /// replays.
 inline constexpr int kSteps = 1 << 30;
 inline int any_step() { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, kSteps)); }
@@ -17,7 +17,7 @@ inline int any_step() { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRan
 /// Evenly distributed over [low, high].
 inline double any_between(double low, double high) { return low + (high - low) * any_step() / (kSteps - 1); }
 
-/// Numbers of every size, infinities and NaN among them.
+/// Numbers of every size, including infinities and NaN.
 inline double any_garbage() {
   const double mantissa = any_between(-10, 10);
   switch (*rc::gen::inRange(0, 12)) {

@@ -8,7 +8,7 @@
 
 namespace mrroc {
 
-/// Text of `file` with the first `from` replaced by `to`; throws when there is none.
+/// Text of `file` with the first `from` replaced by `to`; throws when `from` is missing.
 inline std::string changed_file(const std::filesystem::path& file, const std::string& from, const std::string& to) {
   std::string text = test::text_of(file);
   const auto at = text.find(from);

@@ -29,8 +29,8 @@ struct Tracking {
   double peak_current = 0;  ///< A
 };
 
-/// A raised-cosine move of `length` rad in 2 s by `control`, which gives the current for a shaft wanted here and being
-/// there; the current acts `delay` ticks (0 or 1) late.
+/// A raised-cosine move of `length` rad in 2 s by `control`, which returns the current for a desired and an actual
+/// shaft position; the current acts `delay` ticks (0 or 1) late.
 template <class Control>
 Tracking track(const AxisParameters& axis, DriveModel drive, double length, int delay, Control control) {
   constexpr double kDuration = 2;
@@ -49,7 +49,7 @@ Tracking track(const AxisParameters& axis, DriveModel drive, double length, int 
   return result;
 }
 
-/// The same of 20 rad by the original's servo law.
+/// The same move of 20 rad by the original's servo law.
 inline Tracking track_by_servo(const AxisParameters& axis, int delay, double load = 0) {
   AxisServo servo(axis, 0);
   return track(axis, {.load = load}, 20, delay,

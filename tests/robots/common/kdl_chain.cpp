@@ -50,7 +50,7 @@ Pose pose_of(const KDL::Frame& frame) {
 
 KDL::Chain kdl_chain(const std::filesystem::path& urdf, const std::string& tip) {
   const auto model = urdf::parseURDFFile(urdf.string());
-  if (!model) throw std::runtime_error(urdf.string() + " is no URDF");
+  if (!model) throw std::runtime_error(urdf.string() + " is not a URDF");
   std::vector<urdf::LinkConstSharedPtr> links;
   for (auto link = model->getLink(tip); link && link->parent_joint; link = link->getParent()) links.push_back(link);
   KDL::Chain chain;

@@ -8,7 +8,7 @@
 
 namespace mrroc {
 
-/// A frame of KDL's as ours.
+/// Conversion of a KDL frame.
 Pose pose_of(const KDL::Frame& frame);
 
 /// The chain of a URDF from its root link to `tip`, masses included.

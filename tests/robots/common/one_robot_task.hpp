@@ -11,7 +11,7 @@ namespace mrroc {
 /// A process with one robot, whose link keeps the last command in `sent` and answers with `state`.
 class OneRobotTask : public Task, private RobotLink {
  public:
-  /// `parameters`: the file that the deployment names; empty: its type's own.
+  /// `parameters`: the file that the deployment names; empty: that of its type.
   OneRobotTask(std::string name, std::string type, std::filesystem::path parameters = {})
       : name_(std::move(name)), type_(std::move(type)), parameters_(std::move(parameters)) {}
 

@@ -9,7 +9,7 @@
 #include "bench/kinematics/robots.hpp"
 #include "language/joints/nearest_posture.hpp"
 
-// What `nearest_posture` promises, for every model of every robot in robots/.
+// The guarantees of `nearest_posture`, for every model of every robot in robots/.
 namespace mrroc {
 namespace {
 
@@ -46,7 +46,7 @@ double distance(const RobotModel& model, const JointVector& from, const JointVec
   return sum;
 }
 
-/// Least distance over all turns of `joints`, from axis `axis` on, that are within the limits.
+/// Minimum distance over all turns of `joints`, from axis `axis` on, that are within the limits.
 double least_distance(const RobotModel& model, const JointVector& joints, const JointVector& near, int axis) {
   if (axis == joints.size())
     return within_limits(model, joints) ? distance(model, near, joints) : std::numeric_limits<double>::infinity();
@@ -88,7 +88,7 @@ TEST(PostureLaw, EveryBranchHasThePose) {
   });
 }
 
-TEST(PostureLaw, APostureIsNearestToItself) {
+TEST(PostureLaw, PostureIsNearestToItself) {
   for_random_postures([](const RobotModel& model, const JointVector& posture, const JointVector&) {
     const ToolKinematics kinematics(model);
     const Posture found = nearest_posture(kinematics, kinematics.direct(posture), posture);
@@ -97,7 +97,7 @@ TEST(PostureLaw, APostureIsNearestToItself) {
   });
 }
 
-TEST(PostureLaw, EveryReachablePoseIsTakenWithinTheLimits) {
+TEST(PostureLaw, AcceptsEveryReachablePoseWithinTheLimits) {
   for_random_postures([](const RobotModel& model, const JointVector& posture, const JointVector& near) {
     const ToolKinematics kinematics(model);
     const Pose pose = kinematics.direct(posture);
@@ -124,7 +124,7 @@ TEST(PostureLaw, NoTurnOfAnyBranchIsNearer) {
   });
 }
 
-TEST(PostureLaw, APoseThatIsAMicrometreOffIsTaken) {
+TEST(PostureLaw, AcceptsAPoseThatIsAMicrometreOff) {
   for_random_postures([](const RobotModel& model, const JointVector& posture, const JointVector& near) {
     const ToolKinematics kinematics(model);
     Pose pose = kinematics.direct(posture);
@@ -135,7 +135,7 @@ TEST(PostureLaw, APoseThatIsAMicrometreOffIsTaken) {
   });
 }
 
-TEST(PostureLaw, APoseFarAwayIsRefused) {
+TEST(PostureLaw, RefusesAPoseFarAway) {
   for_random_postures([](const RobotModel& model, const JointVector& posture, const JointVector& near) {
     const ToolKinematics kinematics(model);
     Pose pose = kinematics.direct(posture);
@@ -144,7 +144,7 @@ TEST(PostureLaw, APoseFarAwayIsRefused) {
   });
 }
 
-TEST(PostureLaw, AllocatesNothing) {
+TEST(PostureLaw, DoesNotAllocate) {
   for_random_postures([](const RobotModel& model, const JointVector& posture, const JointVector& near) {
     const ToolKinematics kinematics(model);
     const Pose pose = kinematics.direct(posture);

@@ -16,7 +16,7 @@ class AxisServo {
  public:
   AxisServo(const AxisParameters& axis, double start) : axis_(axis), desired_(start), measured_(encoder(start)) {}
 
-  /// One tick: shaft position wanted and true, rad. Returns the current, A.
+  /// One tick: desired and true shaft position, rad. Returns the current, A.
   double current(double desired, double position) {
     const double counts_per_rad = axis_.encoder_increments / (2 * M_PI);
     const double reading = encoder(position);

@@ -17,7 +17,7 @@ class SimulatedEdp {
   SimulatedEdp(std::shared_ptr<const RobotModel> model, world::WorldMemory& memory, std::size_t slot)
       : model_(std::move(model)), hardware_(*model_, memory, slot, edp::MujocoHardware::Timing::lockstep) {}
 
-  /// Drives on, at the tick 0 that the world has published.
+  /// Switches the drives on, at the tick 0 that the world has published.
   void start() {
     effector_.enable(true);
     tick(0);
@@ -28,7 +28,7 @@ class SimulatedEdp {
       EXPECT_EQ(reply_.state.error.error_class, ErrorClass::none) << reply_.state.error.detail.view();
     }
   }
-  /// The only axis goes to `position`, arriving with `velocity`, in `steps` ticks; replies at the end.
+  /// Moves the only axis to `position`, arriving with `velocity`, in `steps` ticks; the reply comes at the end.
   void go(double position, std::uint16_t steps, double velocity = 0) {
     RobotCommand command;
     command.kind = CommandKind::joint;
@@ -36,7 +36,7 @@ class SimulatedEdp {
     command.joint_velocity = JointVector::Constant(1, velocity);
     send(command, steps);
   }
-  /// The only axis goes over to `velocity` as fast as its limits allow and keeps it, `steps` ticks in all.
+  /// Changes the speed of the only axis to `velocity` as fast as its limits allow and keeps it, `steps` ticks in all.
   void keep(double velocity, std::uint16_t steps) {
     RobotCommand command;
     command.kind = CommandKind::joint_velocity;

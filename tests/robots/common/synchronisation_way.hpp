@@ -9,9 +9,9 @@
 
 namespace mrroc {
 
-/// The shafts on their way through a synchronisation from `start` (joints), as the EDP makes it with the switches of
-/// simulated drives: axis by axis from where it stands to half a turn beyond its synchronisation position, on by what a
-/// stop from coarse speed takes (v 0.24 s / 2), and back. In steps of at most `step` rad.
+/// Path of the shafts during a synchronisation from `start` (joints), as in the EDP with the switches of simulated
+/// drives: axis by axis from its position to half a turn beyond its synchronisation position, on by the stopping
+/// distance from coarse speed (v 0.24 s / 2), and back. In steps of at most `step` rad.
 inline std::vector<JointVector> synchronisation_way(const RobotModel& model, const JointVector& start, double step) {
   constexpr double kStopTime = 0.24;  // s: edp/safety/shaft_model.hpp, v / a + a / j
   const RobotParameters& robot = model.parameters();

@@ -6,11 +6,11 @@
 namespace mrroc {
 namespace {
 
-TEST(ConveyorAllocation, NoMethodAllocates) {
+TEST(ConveyorAllocation, MethodsDoNotAllocate) {
   const RobotModel& model = *conveyor_model();
   JointVector motors, joints;
   double sum = 0;
-  EXPECT_GT(test::allocations(), 0) << "the counter sees nothing";
+  EXPECT_GT(test::allocations(), 0) << "the counter counts nothing";
   const long before = test::allocations();
   for (double travel = -1; travel < 1; travel += 0.01) {
     const JointVector posture = one(travel);

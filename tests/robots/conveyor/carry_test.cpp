@@ -1,4 +1,4 @@
-// The conveyor of the demo in its scene, with its EDP core: what happens to the parts on the belt.
+// The conveyor of the demo in its scene, with its EDP core: motion of the parts on the belt.
 #include <gtest/gtest.h>
 
 #include "robots/conveyor/conveyor_carries.hpp"
@@ -6,7 +6,7 @@
 namespace mrroc {
 namespace {
 
-TEST_F(ConveyorCarries, PartsGoAsFarAsTheBeltThatIsMovedByPosition) {
+TEST_F(ConveyorCarries, PartsMoveAsFarAsThePositionedBelt) {
   const Eigen::Vector3d before = parts();
   edp_.go(0.2, 4000);
   run(4500);
@@ -18,7 +18,7 @@ TEST_F(ConveyorCarries, PartsGoAsFarAsTheBeltThatIsMovedByPosition) {
   EXPECT_LT(slip(before, travel()), 1e-3) << "and back";
 }
 
-TEST_F(ConveyorCarries, PartsGoAsFastAsTheBeltThatIsMovedByVelocity) {
+TEST_F(ConveyorCarries, PartsMoveAsFastAsTheVelocityControlledBelt) {
   constexpr double kSpeed = 0.04;
   edp_.go(kSpeed / 2, 500, kSpeed);
   run(250);
@@ -34,7 +34,7 @@ TEST_F(ConveyorCarries, PartsGoAsFastAsTheBeltThatIsMovedByVelocity) {
   EXPECT_LT(slip(before, travel() - start), 1e-4);
 }
 
-TEST_F(ConveyorCarries, TheEncoderIsWhatTheDriveCountsWhileTheBeltsGeometryStays) {
+TEST_F(ConveyorCarries, EncoderMatchesTheDriveWhileTheBeltsGeometryStays) {
   edp_.go(0.1, 2500);
   for (int i = 0; i < 30; ++i) {
     run(100);
@@ -48,7 +48,7 @@ TEST_F(ConveyorCarries, TheEncoderIsWhatTheDriveCountsWhileTheBeltsGeometryStays
   EXPECT_NEAR(travel(), 0.1, 1e-6);
 }
 
-TEST_F(ConveyorCarries, TheBeltFollowsItsPathWithinTheServosErrorAndCurrent) {
+TEST_F(ConveyorCarries, BeltFollowsItsPathWithinTheServosErrorAndCurrent) {
   edp_.go(0.25, 4900);  // 0.048 m/s at most
   double worst = 0, peak = 0;
   for (int i = 0; i < 5500; ++i) {
@@ -62,7 +62,7 @@ TEST_F(ConveyorCarries, TheBeltFollowsItsPathWithinTheServosErrorAndCurrent) {
   EXPECT_EQ(edp_.snapshot().fault.code, ErrorCode::none);
 }
 
-TEST_F(ConveyorCarries, WithTheDriveOffTheBeltStandsUnderItsParts) {
+TEST_F(ConveyorCarries, BeltStandsUnderItsPartsWithTheDriveOff) {
   edp_.enable(false);
   run(500);
   const Eigen::Vector3d before = parts();

@@ -49,7 +49,7 @@ class ConveyorCarries : public testing::Test {
     };
     return {x("block"), x("disc"), x("bar")};
   }
-  /// How far a part is from where `way` of the belt takes it, at most.
+  /// Largest distance of a part from its position after `way` of the belt.
   double slip(const Eigen::Vector3d& before, double way) {
     return (parts() - before - Eigen::Vector3d::Constant(way)).cwiseAbs().maxCoeff();
   }

@@ -6,7 +6,7 @@
 namespace mrroc {
 namespace {
 
-TEST(ConveyorClass, TakesItsProcessesRobotAndTheInstalledModel) {
+TEST(ConveyorClass, UsesItsProcessesRobotAndTheInstalledModel) {
   OneRobotTask process("belt", "conveyor");
   Conveyor belt(process);
   EXPECT_EQ(belt.name(), "belt");
@@ -14,7 +14,7 @@ TEST(ConveyorClass, TakesItsProcessesRobotAndTheInstalledModel) {
   EXPECT_EQ(belt.kinematics().direct(Conveyor::at(1.5)).translation(), Eigen::Vector3d(1.5, 0, 0));
 }
 
-TEST(ConveyorClass, RefusesANameThatTheDeploymentDoesNotHave) {
+TEST(ConveyorClass, RefusesANameThatIsNotInTheDeployment) {
   OneRobotTask process("belt", "conveyor");
   EXPECT_THROW(Conveyor(process, "band"), NonFatalError);
 }

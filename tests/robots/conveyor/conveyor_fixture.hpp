@@ -7,7 +7,7 @@
 
 namespace mrroc {
 
-/// Stem of the files in robots/conveyor/ that a test executable is about, `conveyor` or `fast`; defined once in each.
+/// Stem of the files in robots/conveyor/ that a test executable tests, `conveyor` or `fast`; defined once in each.
 std::string conveyor_under_test();
 
 /// robots/conveyor/`name` of the source tree.

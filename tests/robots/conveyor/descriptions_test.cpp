@@ -11,7 +11,7 @@
 namespace mrroc {
 namespace {
 
-TEST(ConveyorDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
+TEST(ConveyorDescriptions, UrdfMjcfAndClosedFormPlaceTheToolEqually) {
   const KDL::Chain chain = kdl_chain(conveyor_file("urdf"), "tool_frame");
   ASSERT_EQ(chain.getNrOfJoints(), 1U);
   KDL::ChainFkSolverPos_recursive forward(chain);
@@ -47,7 +47,7 @@ TEST(ConveyorDescriptions, NamesLimitsAndMassesAreTheSame) {
   const auto joint = urdf->getJoint(belt().name);
   ASSERT_TRUE(joint);
   EXPECT_EQ(joint->limits->velocity, belt().velocity_max);
-  EXPECT_GE(joint->limits->upper, 1e6) << "URDF has no endless slide";
+  EXPECT_GE(joint->limits->upper, 1e6) << "URDF has no unlimited slide";
   EXPECT_LE(joint->limits->lower, -1e6);
   const double gear = conveyor_model()->transmission(one(0))(0, 0);
   EXPECT_NEAR(joint->limits->effort, belt().current_max * belt().torque_constant * gear, 1);
@@ -55,14 +55,14 @@ TEST(ConveyorDescriptions, NamesLimitsAndMassesAreTheSame) {
   EXPECT_EQ(urdf->getLink("belt")->inertial->mass, mjcf.model->body_mass[body]);
 }
 
-TEST(ConveyorDescriptions, ArmatureAndDampingAreTheDriveSeenFromTheBelt) {
+TEST(ConveyorDescriptions, ArmatureAndDampingAreThoseOfTheDriveAtTheBelt) {
   const LoadedMjcf mjcf(conveyor_file("xml"));
   const double gear = conveyor_model()->transmission(one(0))(0, 0);
   EXPECT_NEAR(mjcf.model->dof_armature[0], gear * gear * belt().rotor_inertia, 1e-9);
   EXPECT_NEAR(mjcf.model->dof_damping[0], gear * gear * belt().viscous_friction, 1e-9);
 }
 
-TEST(ConveyorDescriptions, TheBeltTouchesNothingAndItsTopIsInTheBaseFrame) {
+TEST(ConveyorDescriptions, BeltTouchesNothingAndItsTopIsInTheBaseFrame) {
   LoadedMjcf mjcf(conveyor_file("xml"));
   mj_forward(mjcf.model.get(), mjcf.data.get());
   EXPECT_EQ(mjcf.data->ncon, 0);

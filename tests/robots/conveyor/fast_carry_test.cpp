@@ -10,7 +10,8 @@ constexpr double kSpeed = 0.15;  // m/s
 
 class FastConveyorCarries : public ConveyorCarries {
  protected:
-  /// `seconds` at `speed`, reached from the speed before as fast as the limits allow; `look` after every tick.
+  /// Moves for `seconds` at `speed`, reached from the previous speed as fast as the limits allow; calls `look` after
+  /// every tick.
   template <class Look>
   void ride(double speed, int seconds, Look look) {
     for (int second = 0; second < seconds; ++second) {
@@ -23,7 +24,7 @@ class FastConveyorCarries : public ConveyorCarries {
   }
 };
 
-TEST_F(FastConveyorCarries, PartsRideAtFullSpeedWithoutSlipping) {
+TEST_F(FastConveyorCarries, PartsMoveAtFullSpeedWithoutSlipping) {
   const Eigen::Vector3d at_rest = parts();
   ride(kSpeed, 1, [] {});
   const Eigen::Vector3d before = parts();
@@ -44,7 +45,7 @@ TEST_F(FastConveyorCarries, PartsRideAtFullSpeedWithoutSlipping) {
   EXPECT_LT(slip(at_rest, travel()), 1e-3) << "braked";
 }
 
-TEST_F(FastConveyorCarries, TheBeltFollowsItsPathWithinTheServosErrorAndCurrent) {
+TEST_F(FastConveyorCarries, BeltFollowsItsPathWithinTheServosErrorAndCurrent) {
   double worst = 0, peak = 0;
   const auto look = [&] {
     worst = std::max(worst, std::abs(edp_.snapshot().desired.position[0] - travel()));

@@ -13,7 +13,7 @@ std::shared_ptr<const RobotModel> slow_model() {
 }
 const AxisParameters& slow() { return slow_model()->parameters().axes.front(); }
 
-TEST(FastConveyor, TheGearIsAThirdAndTheMotorIsAsFastAsTheConveyors) {
+TEST(FastConveyor, GearIsAThirdAndTheMotorIsAsFastAsTheConveyors) {
   const double gear = conveyor_model()->transmission(one(0))(0, 0),
                slow_gear = slow_model()->transmission(one(0))(0, 0);
   EXPECT_EQ(gear, 750);
@@ -24,7 +24,7 @@ TEST(FastConveyor, TheGearIsAThirdAndTheMotorIsAsFastAsTheConveyors) {
   EXPECT_NEAR(gear * belt().jerk_max, slow_gear * slow().jerk_max, 1e-9);
 }
 
-TEST(FastConveyor, TheDriveIsTheConveyors) {
+TEST(FastConveyor, DriveIsThatOfTheConveyor) {
   for (double AxisParameters::*number :
        {&AxisParameters::regulator_a, &AxisParameters::regulator_b0, &AxisParameters::regulator_b1,
         &AxisParameters::regulator_eps, &AxisParameters::regulator_output_max, &AxisParameters::regulator_current_gain,
@@ -34,14 +34,14 @@ TEST(FastConveyor, TheDriveIsTheConveyors) {
   EXPECT_EQ(belt().encoder_increments, slow().encoder_increments);
 }
 
-TEST(FastConveyor, ATaskTakesTheFileThatItsDeploymentNames) {
+TEST(FastConveyor, TaskUsesTheFileThatItsDeploymentNames) {
   OneRobotTask process("belt", "conveyor", conveyor_file("toml"));
   const Conveyor belt(process);
   EXPECT_EQ(belt.parameters().type, "conveyor");
   EXPECT_EQ(belt.parameters().axes.front().velocity_max, 0.15);
 }
 
-TEST(FastConveyor, IsNotTakenForARobotOfAnotherType) {
+TEST(FastConveyor, IsRefusedForARobotOfAnotherType) {
   OneRobotTask process("belt", "irb6", conveyor_file("toml"));
   try {
     const Conveyor belt(process);

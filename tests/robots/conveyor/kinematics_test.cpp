@@ -12,7 +12,7 @@ Pose on_line(double x) {
   return pose;
 }
 
-TEST(ConveyorKinematics, TheFlangeIsTheBaseMovedByTheTravel) {
+TEST(ConveyorKinematics, FlangeIsTheBaseMovedByTheTravel) {
   EXPECT_TRUE(rc::check([] {
     const double travel = any_between(-1000, 1000);
     RC_ASSERT(conveyor_model()->flange(one(travel)).matrix() == on_line(travel).matrix());
@@ -44,7 +44,7 @@ TEST(ConveyorKinematics, PosesOffTheLineAreOutOfWorkspace) {
   }));
 }
 
-TEST(ConveyorKinematics, RoundingDoesNotTakeAPoseOffTheLine) {
+TEST(ConveyorKinematics, RoundingDoesNotMoveAPoseOffTheLine) {
   Pose pose = on_line(1.5);
   pose.translation().y() = 5e-7;
   pose.linear() = Eigen::AngleAxisd(5e-7, Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -62,7 +62,7 @@ TEST(ConveyorKinematics, JacobianIsTheDerivativeOfThePoseForEveryPoint) {
   EXPECT_EQ(jacobian.col(0).tail<3>().norm(), 0);
 }
 
-TEST(ConveyorKinematics, GarbageIsOutOfWorkspace) {
+TEST(ConveyorKinematics, InvalidPoseIsOutOfWorkspace) {
   EXPECT_TRUE(rc::check([] {
     Pose pose = on_line(any_garbage());
     const int row = *rc::gen::inRange(0, 3), column = *rc::gen::inRange(0, 4);

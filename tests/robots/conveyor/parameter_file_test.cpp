@@ -15,10 +15,10 @@ std::string error_with(const std::string& from, const std::string& to) {
   return config::message_of(scratch.path(), [&] { load_conveyor(file); });
 }
 
-TEST(ConveyorFile, MistakesNameTheirKey) {
+TEST(ConveyorFile, ErrorsNameTheirKey) {
   EXPECT_EQ(error_with("gear = 2250.0", "gear = -2250.5"), "");
   EXPECT_EQ(error_with("gear = 2250.0", "gear = 0.0"),
-            "c.toml:36: geometry.gear: 0 is no gear, expected rad of the motor per m, its sign included");
+            "c.toml:36: geometry.gear: 0 is not a gear ratio, expected rad of the motor per m, its sign included");
   EXPECT_EQ(error_with("gear = 2250.0", "gear = inf"),
             "c.toml:36: geometry.gear: inf is not finite, expected a number");
   EXPECT_EQ(error_with("gear = 2250.0", "geer = 2250.0"), "c.toml:35: geometry.gear: missing, expected a number");
@@ -28,7 +28,7 @@ TEST(ConveyorFile, MistakesNameTheirKey) {
             "c.toml:15: axes[0].velocity_max: -0.05 is not positive, expected a number above 0");
 }
 
-TEST(ConveyorFile, OneAxisIsExpected) {
+TEST(ConveyorFile, ExactlyOneAxisIsExpected) {
   std::string text = test::text_of(conveyor_file("toml"));
   const auto begin = text.find("[[axes]]"), end = text.find("[geometry]");
   std::string second = text.substr(begin, end - begin);
@@ -41,14 +41,14 @@ TEST(ConveyorFile, OneAxisIsExpected) {
             "c.toml:11: axes: 2 axes, expected one axis, the belt");
 }
 
-TEST(ConveyorFile, TheGearIsTheOriginals2250RadiansPerMetre) {
+TEST(ConveyorFile, GearIsTheOriginals2250RadiansPerMetre) {
   JointVector motors;
   ASSERT_EQ(conveyor_model()->joints_to_motors(one(2), motors), ErrorCode::none);
   EXPECT_EQ(motors[0], 4500);
   EXPECT_EQ(conveyor_model()->transmission(one(2))(0, 0), 2250);
 }
 
-TEST(ConveyorFile, TheInstalledFileLoads) {
+TEST(ConveyorFile, InstalledFileLoads) {
   const RobotModels models = load_conveyor();
   ASSERT_EQ(models.size(), 1U);
   EXPECT_EQ(models.front()->name(), "nominal");

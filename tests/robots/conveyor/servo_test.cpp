@@ -6,7 +6,7 @@
 namespace mrroc {
 namespace {
 
-TEST(ConveyorServo, TheOriginalsLawTracksAlsoWithATickOfDelay) {
+TEST(ConveyorServo, OriginalLawTracksAlsoWithATickOfDelay) {
   for (const int delay : {0, 1}) {
     const Tracking result = track_by_regulator(belt(), 100, delay);  // 79 rad/s at most
     std::printf("delay %d: worst %.3f rad, final %.1e rad, peak %.1f A\n", delay, result.worst, result.final,
@@ -19,7 +19,7 @@ TEST(ConveyorServo, TheOriginalsLawTracksAlsoWithATickOfDelay) {
 }
 
 // friction at full speed and the steepest path that the EDP accepts, at once
-TEST(ConveyorServo, TheDriveHasTheCurrentForItsLimits) {
+TEST(ConveyorServo, DriveHasTheCurrentForItsLimits) {
   const double gear = conveyor_model()->transmission(one(0))(0, 0);
   const double friction = gear * belt().velocity_max * belt().viscous_friction / belt().torque_constant;
   const double inertia = gear * 1.5 * belt().acceleration_max * belt().rotor_inertia / belt().torque_constant;

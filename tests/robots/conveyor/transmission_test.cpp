@@ -16,17 +16,17 @@ TEST(ConveyorTransmission, MotorsReturnToTheirJoints) {
   }));
 }
 
-TEST(ConveyorTransmission, HasNoLimitsButThoseOfNumbers) {
+TEST(ConveyorTransmission, HasOnlyTheLimitsOfNumbers) {
   EXPECT_EQ(belt().position_min, -std::numeric_limits<double>::infinity());
   EXPECT_EQ(belt().position_max, std::numeric_limits<double>::infinity());
   EXPECT_EQ(belt().motor_min, -std::numeric_limits<double>::infinity());
   EXPECT_EQ(belt().motor_max, std::numeric_limits<double>::infinity());
   JointVector motors = one(7);
   EXPECT_EQ(conveyor_model()->joints_to_motors(one(1e307), motors), ErrorCode::joint_limit);
-  EXPECT_EQ(motors, one(7)) << "left as it was";
+  EXPECT_EQ(motors, one(7)) << "unchanged";
 }
 
-TEST(ConveyorTransmission, GarbageGivesACodeOrFiniteNumbers) {
+TEST(ConveyorTransmission, InvalidInputGivesACodeOrFiniteNumbers) {
   EXPECT_TRUE(rc::check([] {
     const JointVector garbage = one(any_garbage());
     JointVector result = one(7);

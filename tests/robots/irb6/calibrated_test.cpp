@@ -13,7 +13,7 @@ TEST(Irb6Calibrated, IsTheSecondModel) {
   EXPECT_EQ(calibrated().name(), "calibrated");
 }
 
-TEST(Irb6Calibrated, StandsAtItsOffsetsAtItsSynchronisation) {
+TEST(Irb6Calibrated, SynchronisationPostureEqualsItsOffsets) {
   JointVector synchro(6), joints;
   synchro << -7.7597, -8.7537, -7.5355, 153.1366, 430.2282, 796.0265;
   ASSERT_EQ(calibrated().motors_to_joints(synchro, joints), ErrorCode::none);
@@ -21,14 +21,14 @@ TEST(Irb6Calibrated, StandsAtItsOffsetsAtItsSynchronisation) {
   EXPECT_NEAR(joints[4], 0.0903, 1e-12);
   EXPECT_NEAR(joints[5], 0.0209, 1e-12);
   EXPECT_NEAR(joints[1] + joints[2] + joints[3], -M_PI / 2, 1e-12) << "the wrist is level there";
-  // worked out from the original's formula: l = 211.8108 mm and 187.6529 mm
+  // calculated with the original's formula: l = 211.8108 mm and 187.6529 mm
   EXPECT_NEAR(joints[1], -1.5886, 1e-4);
   EXPECT_NEAR(joints[2], 0.0121, 1e-4);
 }
 
-// both models read the same encoders of the same arm: they may differ by what a calibration finds, not by a quarter
+// both models read the same encoders of the same arm: they may differ by the amount of a calibration, not by a quarter
 // turn
-TEST(Irb6Calibrated, PlacesTheToolNearWhereTheNominalModelDoes) {
+TEST(Irb6Calibrated, PlacesTheToolNearThePoseOfTheNominalModel) {
   std::mt19937_64 random(20060107);
   double worst_distance = 0, worst_angle = 0;
   for (int i = 0; i < 5000; ++i) {
@@ -43,7 +43,7 @@ TEST(Irb6Calibrated, PlacesTheToolNearWhereTheNominalModelDoes) {
   std::printf("worst of 5000 postures: %.0f mm, %.3f rad\n", 1000 * worst_distance, worst_angle);
   EXPECT_LT(worst_distance, 0.12);
   EXPECT_LT(worst_angle, 0.12);
-  EXPECT_GT(worst_distance, 0.02) << "it is another model";
+  EXPECT_GT(worst_distance, 0.02) << "it is a different model";
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ const Loader kLoad = [](const std::filesystem::path& file) { return load_irb6(fi
 
 std::string error_with(const std::string& from, const std::string& to) { return error_with(kLoad, from, to); }
 
-TEST(Irb6GeometryFile, MistakesNameTheirKey) {
+TEST(Irb6GeometryFile, ErrorsNameTheirKey) {
   EXPECT_EQ(error_with("lower_arm = 0.455", "lower_arm = 0.456"), "");
   EXPECT_NE(error_with("lower_arm = 0.455", "lower_arm = -1.0").find("geometry.lower_arm"), std::string::npos);
   EXPECT_NE(error_with("column_gear = -158.0", "column_gear = 0.0").find("geometry.column_gear"), std::string::npos);
@@ -22,7 +22,7 @@ TEST(Irb6GeometryFile, MistakesNameTheirKey) {
   EXPECT_NE(error_with("type = \"irb6\"", "type = \"irb6\"\ncolour = 1").find("colour"), std::string::npos);
 }
 
-TEST(Irb6GeometryFile, MistakesInAModelNameTheirKey) {
+TEST(Irb6GeometryFile, ErrorsInAModelNameTheirKey) {
   EXPECT_NE(error_with("lower_arm = 0.4596", "lower_arm = 99").find("models.calibrated.lower_arm"), std::string::npos);
   EXPECT_NE(error_with("column_offset = 0.0111", "colum_offset = 0.0111").find("models.calibrated.colum_offset"),
             std::string::npos);
@@ -34,7 +34,7 @@ TEST(Irb6GeometryFile, MistakesInAModelNameTheirKey) {
 }
 
 // the linkages are 0.101 m long at one dead centre and 0.381 m at the other
-TEST(Irb6GeometryFile, AMotorThatReachesADeadCentreWithinItsLimitsIsRefused) {
+TEST(Irb6GeometryFile, RefusesAMotorThatReachesADeadCentreWithinItsLimits) {
   const std::string far = error_with("motor_max = 100.0", "motor_max = 250.0");
   EXPECT_NE(far.find("geometry.lower_arm_screw.synchro_length: the screw is 0.42"), std::string::npos) << far;
   EXPECT_NE(far.find("with the motor of axis 'lower_arm' at its limit, 250 rad, expected a length between the dead "
@@ -49,7 +49,7 @@ TEST(Irb6GeometryFile, AMotorThatReachesADeadCentreWithinItsLimitsIsRefused) {
             std::string::npos);
 }
 
-TEST(Irb6GeometryFile, TheInstalledFileLoads) {
+TEST(Irb6GeometryFile, InstalledFileLoads) {
   const auto model = load_irb6().front();
   EXPECT_EQ(model->parameters().type, "irb6");
   EXPECT_EQ(model->joint_count(), 6);

@@ -62,7 +62,7 @@ TEST(Irb6Golden, MotorsJointsAndPosesAgreeWithTheOriginal) {
   EXPECT_LT(worst_inverse, kTolerance);
 }
 
-TEST(Irb6Golden, SynchronisedArmStandsUprightWithItsForearmLevel) {
+TEST(Irb6Golden, SynchronisedArmIsUprightWithItsForearmLevel) {
   JointVector joints;
   ASSERT_EQ(robot().motors_to_joints(per_axis(&AxisParameters::motor_synchro), joints), ErrorCode::none);
   JointVector expected(6);

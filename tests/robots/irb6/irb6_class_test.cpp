@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-TEST(Irb6Class, TakesItsProcessesRobotAndTheInstalledModels) {
+TEST(Irb6Class, UsesItsProcessesRobotAndTheInstalledModels) {
   OneRobotTask process("arm", "irb6");
   Irb6 robot(process);
   EXPECT_EQ(robot.name(), "arm");
@@ -23,7 +23,7 @@ TEST(Irb6Class, TakesItsProcessesRobotAndTheInstalledModels) {
   EXPECT_EQ(robot.state().joints, home);
 }
 
-TEST(Irb6Class, RefusesANameThatTheDeploymentDoesNotHave) {
+TEST(Irb6Class, RefusesANameThatIsNotInTheDeployment) {
   OneRobotTask process("arm", "irb6");
   EXPECT_THROW(Irb6(process, "leg"), NonFatalError);
 }

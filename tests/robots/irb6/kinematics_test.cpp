@@ -15,7 +15,7 @@ JointVector joints_of(std::initializer_list<double> values) {
 
 bool nearly_aligned(const JointVector& joints) { return std::abs(std::sin(joints[4])) < 1e-6; }
 
-TEST(Irb6Kinematics, InverseReachesThePoseFromAnywhere) {
+TEST(Irb6Kinematics, InverseReachesThePoseFromAnyStart) {
   EXPECT_TRUE(rc::check([] {
     const JointVector joints = any_posture(), near = any_posture();
     const Pose pose = arm().direct(joints);
@@ -79,18 +79,18 @@ TEST(Irb6Kinematics, AboveTheShoulderIsSingularAndKeepsTheColumn) {
   EXPECT_LT(pose_difference(arm().direct(found), pose), 1e-9);
 }
 
-TEST(Irb6Kinematics, OutOfTheArmsReachIsOutOfWorkspace) {
+TEST(Irb6Kinematics, PoseBeyondTheArmIsOutOfWorkspace) {
   const JointVector home = robot().parameters().home;
   for (const Eigen::Vector3d& offset : {Eigen::Vector3d(2, 0, 0), {0, 0, 3}, {-0.73, 0, -0.25}, {0, -5, 0}}) {
     Pose pose = arm().direct(home);
     pose.translation() += offset;
     JointVector joints = home;
     EXPECT_EQ(arm().inverse(pose, home, joints), ErrorCode::out_of_workspace) << offset.transpose();
-    EXPECT_EQ(joints, home) << "left as it was";
+    EXPECT_EQ(joints, home) << "unchanged";
   }
 }
 
-TEST(Irb6Kinematics, WhatIsNoRigidMotionIsOutOfWorkspace) {
+TEST(Irb6Kinematics, NonRigidTransformIsOutOfWorkspace) {
   const JointVector home = robot().parameters().home;
   Pose scaled = arm().direct(home), mirrored = scaled, broken = scaled;
   scaled.linear() *= 1.001;

@@ -39,10 +39,10 @@ TEST(Irb6Limits, EveryCornerOfTheJointLimitsConvertsBackOrIsRefused) {
     within_motors += within_motor_limits(joints) ? 1 : 0;
   }
   std::printf("of 64 corners the screws reach %d, %d of them within the motor limits\n", reached, within_motors);
-  EXPECT_EQ(reached, 48);  // all but lower arm back with upper arm up
+  EXPECT_EQ(reached, 48);  // all except lower arm back with upper arm up
 }
 
-TEST(Irb6Limits, HomeIsWithinThemWithRoomOnEveryMotor) {
+TEST(Irb6Limits, HomeIsWithinThemWithAMarginOnEveryMotor) {
   JointVector motors;
   ASSERT_EQ(robot().joints_to_motors(robot().parameters().home, motors), ErrorCode::none);
   const JointVector room =
@@ -52,7 +52,7 @@ TEST(Irb6Limits, HomeIsWithinThemWithRoomOnEveryMotor) {
   EXPECT_GT(room.minCoeff(), 0.2) << room.transpose();
 }
 
-TEST(Irb6Limits, TheToolComesDownAndGoesUpAtHomeWithoutLeavingThem) {
+TEST(Irb6Limits, ToolMovesDownAndUpAtHomeWithinThem) {
   const JointVector low = per_axis(&AxisParameters::position_min), high = per_axis(&AxisParameters::position_max);
   const auto reached = [&](double direction) {
     JointVector joints = robot().parameters().home;

@@ -6,7 +6,7 @@
 namespace mrroc {
 namespace {
 
-TEST(Irb6Servo, TheWristRollsFullGainDoesNotBearATickOfDelay) {
+TEST(Irb6Servo, FullGainOfTheWristRollDoesNotTolerateATickOfDelay) {
   AxisParameters axis = robot().parameters().axes[4];
   ASSERT_EQ(axis.name, "wrist_roll");
   axis.regulator_current_gain = 0.110;

@@ -27,7 +27,7 @@ TEST(Irb6Transmission, ScrewsEndAtTheirDeadCentres) {
     joints << 0, t2, t3 - t2 - M_PI / 2, 0, 0, 0;
     const ErrorCode result = robot().joints_to_motors(joints, motors);
     if (result != ErrorCode::none) {
-      EXPECT_EQ(motors, JointVector::Constant(6, 7)) << "left as it was";
+      EXPECT_EQ(motors, JointVector::Constant(6, 7)) << "unchanged";
     }
     return result;
   };
@@ -41,14 +41,14 @@ TEST(Irb6Transmission, ScrewsEndAtTheirDeadCentres) {
   EXPECT_EQ(code(-90 * kDegree, 131 * kDegree), ErrorCode::joint_limit);
 }
 
-TEST(Irb6Transmission, AScrewLongerOrShorterThanItsTriangleHasNoAngle) {
+TEST(Irb6Transmission, ScrewLongerOrShorterThanItsTriangleHasNoAngle) {
   const JointVector synchro = per_axis(&AxisParameters::motor_synchro);
   for (const int screw : {1, 2}) {
     for (const double motor : {-400.0, -155.0, 400.0}) {
       JointVector motors = synchro, joints = JointVector::Constant(6, 7);
       motors[screw] = motor;
       EXPECT_EQ(robot().motors_to_joints(motors, joints), ErrorCode::motor_limit) << screw << ": " << motor;
-      EXPECT_EQ(joints, JointVector::Constant(6, 7)) << "left as it was";
+      EXPECT_EQ(joints, JointVector::Constant(6, 7)) << "unchanged";
     }
   }
 }

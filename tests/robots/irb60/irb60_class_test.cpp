@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-TEST(Irb60Class, TakesItsProcessesRobotAndTheInstalledModels) {
+TEST(Irb60Class, UsesItsProcessesRobotAndTheInstalledModels) {
   OneRobotTask process("arm", "irb60");
   Irb60 robot(process);
   EXPECT_EQ(robot.name(), "arm");
@@ -23,7 +23,7 @@ TEST(Irb60Class, TakesItsProcessesRobotAndTheInstalledModels) {
   EXPECT_EQ(robot.state().joints, home);
 }
 
-TEST(Irb60Class, RefusesANameThatTheDeploymentDoesNotHave) {
+TEST(Irb60Class, RefusesANameThatIsNotInTheDeployment) {
   OneRobotTask process("arm", "irb60");
   EXPECT_THROW(Irb60(process, "leg"), NonFatalError);
 }

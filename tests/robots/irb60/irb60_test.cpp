@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-TEST(Irb60, IsBuiltAsTheIrb6SoThatATaskRunsOnBoth) {
+TEST(Irb60, HasTheInterfaceOfTheIrb6) {
   const auto irb60 = load_irb60(), irb6 = load_irb6(robot_file("irb6", "toml"));
   ASSERT_EQ(irb60.front()->joint_count(), irb6.front()->joint_count());
   EXPECT_EQ(irb60.front()->parameters().type, "irb60");
@@ -16,7 +16,7 @@ TEST(Irb60, IsBuiltAsTheIrb6SoThatATaskRunsOnBoth) {
   }
 }
 
-TEST(Irb60, ItsNumbersAreThoseOfItsFileAlone) {
+TEST(Irb60, UsesOnlyTheNumbersOfItsFile) {
   const auto longer = load_with([](const std::filesystem::path& file) { return load_irb6(file); }, "upper_arm = 1.05",
                                 "upper_arm = 1.15");
   JointVector level(6);

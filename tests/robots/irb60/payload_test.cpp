@@ -9,7 +9,7 @@
 namespace mrroc {
 namespace {
 
-// what the machine is for: 60 kg at the default tool frame, in every posture, with current left to move
+// the machine's rated load: 60 kg at the default tool frame, in every posture, with a current reserve for motion
 TEST(Irb60Payload, DrivesHoldSixtyKilograms) {
   constexpr double kPayload = 60, kGravity = 9.81;
   std::mt19937_64 random(20060110);
@@ -27,7 +27,7 @@ TEST(Irb60Payload, DrivesHoldSixtyKilograms) {
   }
   std::cout << "worst of 3000 postures, A: " << worst.transpose() << "\n";
   EXPECT_LT(worst.cwiseQuotient(per_axis(&AxisParameters::current_max)).maxCoeff(), 0.5);
-  EXPECT_GT(worst.maxCoeff(), 3) << "a load that the drives feel";
+  EXPECT_GT(worst.maxCoeff(), 3) << "a load with an effect on the drives";
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Pose turned(const Pose& pose, double angle, const Eigen::Vector3d& flange_axis) 
   return pose * Eigen::AngleAxisd(angle, flange_axis);
 }
 
-TEST(Irb6FiveAxis, InverseReachesThePoseFromAnywhere) {
+TEST(Irb6FiveAxis, InverseReachesThePoseFromAnyStart) {
   EXPECT_TRUE(rc::check([] {
     const JointVector joints = any_posture();
     JointVector found;
@@ -27,7 +27,7 @@ TEST(Irb6FiveAxis, InverseReachesThePoseFromAnywhere) {
   }));
 }
 
-TEST(Irb6FiveAxis, AToolOutOfTheArmsPlaneIsOutOfWorkspace) {
+TEST(Irb6FiveAxis, ToolOutsideTheArmsPlaneIsOutOfWorkspace) {
   EXPECT_TRUE(rc::check([] {
     const JointVector joints = any_posture();
     const Pose pose = robot().flange(joints);
@@ -42,7 +42,7 @@ TEST(Irb6FiveAxis, AToolOutOfTheArmsPlaneIsOutOfWorkspace) {
   }));
 }
 
-TEST(Irb6FiveAxis, AToolThatPointsDownMayBeAnywhereAndTurnAsItLikes) {
+TEST(Irb6FiveAxis, VerticalToolMayHaveAnyPositionAndRotation) {
   EXPECT_TRUE(rc::check([] {
     Pose pose = Irb6FiveAxis::tool_down(any_between(0.4, 0.8), any_between(-0.3, 0.3), any_between(-0.1, 0.2));
     pose = turned(pose, any_between(-3, 3), Eigen::Vector3d::UnitZ());
@@ -52,7 +52,7 @@ TEST(Irb6FiveAxis, AToolThatPointsDownMayBeAnywhereAndTurnAsItLikes) {
   }));
 }
 
-// the original clamped what was slightly beyond a limit to the lower one, so it jumped across the range (defect 26)
+// the original clamped values slightly beyond a limit to the lower one, so they jumped across the range (defect 26)
 TEST(Irb6FiveAxis, SolutionsBeyondALimitStayBeyondIt) {
   const JointVector low = per_axis(&AxisParameters::position_min), high = per_axis(&AxisParameters::position_max);
   std::mt19937_64 random(20060109);
@@ -68,7 +68,7 @@ TEST(Irb6FiveAxis, SolutionsBeyondALimitStayBeyondIt) {
   }
 }
 
-TEST(Irb6FiveAxis, AboveTheShoulderTheToolSaysWhereTheColumnIs) {
+TEST(Irb6FiveAxis, ToolDeterminesTheColumnAboveTheShoulder) {
   JointVector joints(5), near, found;
   // the arm folded back so that the wrist's end is over the column's axis, the tool still tilted in its plane
   const double t2 = -2.1, t4 = -0.4;
@@ -83,7 +83,7 @@ TEST(Irb6FiveAxis, AboveTheShoulderTheToolSaysWhereTheColumnIs) {
   EXPECT_LT(pose_difference(robot().flange(found), pose), 1e-9);
 }
 
-TEST(Irb6FiveAxis, AtSynchronisationTheToolPointsForward) {
+TEST(Irb6FiveAxis, ToolPointsForwardAtSynchronisation) {
   JointVector joints;
   ASSERT_EQ(robot().motors_to_joints(per_axis(&AxisParameters::motor_synchro), joints), ErrorCode::none);
   Pose expected = Pose::Identity();
@@ -92,7 +92,7 @@ TEST(Irb6FiveAxis, AtSynchronisationTheToolPointsForward) {
   EXPECT_LT(pose_difference(robot().flange(joints), expected), 1e-6);  // the original's lengths are rounded to 0.1 um
 }
 
-TEST(Irb6FiveAxisFile, MistakesNameTheirKey) {
+TEST(Irb6FiveAxisFile, ErrorsNameTheirKey) {
   const auto mistake = [](const std::string& from, const std::string& to) {
     return error_with([](const std::filesystem::path& file) { return load_irb6_five_axis(file); }, from, to);
   };

@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-TEST(Irb6FiveAxisClass, TakesItsProcessesRobotAndTheInstalledModels) {
+TEST(Irb6FiveAxisClass, UsesItsProcessesRobotAndTheInstalledModels) {
   OneRobotTask process("arm", "irb6_five_axis");
   Irb6FiveAxis robot(process);
   EXPECT_EQ(robot.name(), "arm");
@@ -23,7 +23,7 @@ TEST(Irb6FiveAxisClass, TakesItsProcessesRobotAndTheInstalledModels) {
   EXPECT_EQ(robot.state().joints, home);
 }
 
-TEST(Irb6FiveAxisClass, RefusesANameThatTheDeploymentDoesNotHave) {
+TEST(Irb6FiveAxisClass, RefusesANameThatIsNotInTheDeployment) {
   OneRobotTask process("arm", "irb6_five_axis");
   EXPECT_THROW(Irb6FiveAxis(process, "leg"), NonFatalError);
 }

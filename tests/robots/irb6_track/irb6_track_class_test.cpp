@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-TEST(Irb6TrackClass, TakesItsProcessesRobotAndTheInstalledModels) {
+TEST(Irb6TrackClass, UsesItsProcessesRobotAndTheInstalledModels) {
   OneRobotTask process("arm", "irb6_track");
   Irb6Track robot(process);
   EXPECT_EQ(robot.name(), "arm");
@@ -23,7 +23,7 @@ TEST(Irb6TrackClass, TakesItsProcessesRobotAndTheInstalledModels) {
   EXPECT_EQ(robot.state().joints, home);
 }
 
-TEST(Irb6TrackClass, RefusesANameThatTheDeploymentDoesNotHave) {
+TEST(Irb6TrackClass, RefusesANameThatIsNotInTheDeployment) {
   OneRobotTask process("arm", "irb6_track");
   EXPECT_THROW(Irb6Track(process, "leg"), NonFatalError);
 }

@@ -13,7 +13,7 @@ std::string mistake(const std::string& from, const std::string& to) {
   return error_with([](const std::filesystem::path& file) { return load_irb6_track(file); }, from, to);
 }
 
-TEST(Irb6TrackFile, MistakesNameTheirKey) {
+TEST(Irb6TrackFile, ErrorsNameTheirKey) {
   EXPECT_EQ(mistake("gear = 1570.7963267948967", "gear = 1570.8"), "");
   EXPECT_THAT(mistake("gear = 1570.7963267948967", "gear = 0.0"), HasSubstr("track.gear"));
   EXPECT_THAT(mistake("[track]", "[truck]"), HasSubstr("track"));
@@ -21,7 +21,7 @@ TEST(Irb6TrackFile, MistakesNameTheirKey) {
   EXPECT_THAT(mistake("name = \"track\"", "name = \"column\""), HasSubstr("axes"));
 }
 
-TEST(Irb6TrackFile, TheInstalledFileHasTheModelsByName) {
+TEST(Irb6TrackFile, InstalledFileHasTheModelsByName) {
   std::vector<std::string> names;
   for (const auto& model : load_irb6_track()) names.emplace_back(model->name());
   EXPECT_THAT(names, testing::ElementsAre("track_still", "track_used", "calibrated"));

@@ -17,7 +17,7 @@ JointVector near_posture(const JointVector& joints, double change) {
   return near;
 }
 
-TEST(Irb6Track, WithTheTrackAtZeroItIsTheIrb6) {
+TEST(Irb6Track, EqualsTheIrb6WithTheTrackAtZero) {
   const auto irb6 = load_irb6(robot_file("irb6", "toml"));
   EXPECT_TRUE(rc::check([&] {
     JointVector joints = any_posture();
@@ -26,7 +26,7 @@ TEST(Irb6Track, WithTheTrackAtZeroItIsTheIrb6) {
   }));
 }
 
-TEST(Irb6Track, TheTrackCarriesTheArmAlongY) {
+TEST(Irb6Track, TrackCarriesTheArmAlongY) {
   const JointVector home = robot().parameters().home;
   JointVector moved = home, motors_home, motors_moved;
   moved[0] += 0.1;
@@ -72,7 +72,7 @@ TEST(Irb6Track, TrackUsedFollowsALineAlongTheTrackWithTheTrackAlone) {
   EXPECT_LT((joints - expected).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-TEST(Irb6Track, TheModelsReachThePoseInDifferentWays) {
+TEST(Irb6Track, ModelsReachThePoseWithDifferentJoints) {
   const JointVector home = robot().parameters().home;
   Pose pose = robot().flange(home);
   pose.translation().y() += 0.2;
@@ -85,7 +85,7 @@ TEST(Irb6Track, TheModelsReachThePoseInDifferentWays) {
   EXPECT_NEAR(used[1], home[1], 1e-9);
 }
 
-TEST(Irb6Track, WithTheArmAlongTheTrackTheTrackIsKept) {
+TEST(Irb6Track, KeepsTheTrackWithTheArmAlongIt) {
   for (const double column : {M_PI / 2, -M_PI / 2}) {
     JointVector joints = robot().parameters().home, found;
     joints[1] = column;
@@ -100,10 +100,10 @@ TEST(Irb6Track, TrackUsedDoesNotReachBehindTheArm) {
   pose.translation().x() = -pose.translation().x();
   JointVector joints = home;
   EXPECT_EQ(track_used().inverse(pose, home, joints), ErrorCode::out_of_workspace);
-  EXPECT_EQ(joints, home) << "left as it was";
+  EXPECT_EQ(joints, home) << "unchanged";
 }
 
-TEST(Irb6Track, CalibratedModelPlacesTheToolNearWhereTheNominalOneDoes) {
+TEST(Irb6Track, CalibratedModelPlacesTheToolNearThatOfTheNominalOne) {
   const RobotModel& calibrated = *robot_under_test().models.at(2);
   std::mt19937_64 random(20060108);
   double worst_distance = 0, worst_angle = 0;

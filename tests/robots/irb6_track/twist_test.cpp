@@ -9,8 +9,8 @@ namespace {
 constexpr double kPeriod = 0.002;
 constexpr int kSteps = 10;
 
-/// Plans a line of the tool along the track at `speed` (m/s) for two seconds, as a generator commands it: pose and
-/// twist every macrostep. Returns where the joints are at its end; an error fails the test.
+/// Plans a line of the tool along the track at `speed` (m/s) for two seconds, commanded like a generator: pose and
+/// twist every macrostep. Returns the joints at its end; an error fails the test.
 JointVector line_along_the_track(const RobotModel& model, double speed) {
   const ToolKinematics kinematics(model);
   Planner planner(model, kPeriod);
@@ -19,7 +19,7 @@ JointVector line_along_the_track(const RobotModel& model, double speed) {
   Pose pose = kinematics.direct(state.position);
   const double from = pose.translation().y();
   for (int i = 1; i <= 100; ++i) {
-    // the speed rises as u^2 (3 - 2u), u = t / D, within a third of the time
+    // the speed rises as u^2 (3 - 2u), u = t / D, in a third of the time
     constexpr double kRamp = 35 * kSteps * kPeriod;
     const double t = i * kSteps * kPeriod, u = std::min(t / kRamp, 1.0);
     RobotCommand command;
@@ -38,8 +38,8 @@ JointVector line_along_the_track(const RobotModel& model, double speed) {
   return state.position;
 }
 
-// velocities of least norm would move the joint that the inverse keeps, and no way led from one to the other
-TEST(Irb6TrackTwist, TheJointThatTheModelKeepsIsAtRestAlongALineOfPosesAndTwists) {
+// velocities of least norm would move the joint that the inverse keeps, so that no path would connect the two
+TEST(Irb6TrackTwist, KeptJointIsAtRestAlongALineOfPosesAndTwists) {
   const JointVector home = robot().parameters().home;
   for (const double speed : {0.05, -0.05}) {
     const double way = speed * (2 - 0.35);

@@ -6,7 +6,7 @@
 namespace mrroc {
 namespace {
 
-TEST(PolycrankAllocation, TheCounterSeesNewAndEigensHeap) {
+TEST(PolycrankAllocation, CounterCountsNewAndEigensHeap) {
   const std::uint64_t before = test::allocations();
   ::operator delete(::operator new(8));
   const std::uint64_t after_new = test::allocations();
@@ -15,7 +15,7 @@ TEST(PolycrankAllocation, TheCounterSeesNewAndEigensHeap) {
   EXPECT_EQ(test::allocations() - after_new, 1u) << heap[0];
 }
 
-TEST(PolycrankAllocation, NoMethodAllocates) {
+TEST(PolycrankAllocation, MethodsDoNotAllocate) {
   const RobotModel& model = polycrank_model();
   std::mt19937_64 random(20110117);
   std::vector<JointVector> postures;

@@ -9,7 +9,7 @@ namespace {
 
 double any_length() { return any_between(0.05, 0.5) * (*rc::gen::arbitrary<bool>() ? 1 : -1); }
 
-TEST(PolycrankPlanarPair, AnglesBringTheEndToEveryPointInReachWithTheirBend) {
+TEST(PolycrankPlanarPair, AnglesMoveTheEndToEveryReachablePointWithTheirBend) {
   EXPECT_TRUE(rc::check([] {
     const PlanarPair pair(any_length(), any_length());
     const Eigen::Vector2d point = pair.end(any_between(-4, 4), any_between(-4, 4));
@@ -21,7 +21,7 @@ TEST(PolycrankPlanarPair, AnglesBringTheEndToEveryPointInReachWithTheirBend) {
   }));
 }
 
-TEST(PolycrankPlanarPair, OutOfReachItPointsThere) {
+TEST(PolycrankPlanarPair, PointsTowardsAPointOutOfReach) {
   const PlanarPair pair(0.3, -0.2);
   const Eigen::Vector2d far = pair.angles({0, 2}, 1, 0);
   EXPECT_LT((pair.end(far[0], far[1]) - Eigen::Vector2d(0, 0.5)).norm(), 1e-12);
@@ -46,7 +46,7 @@ TEST(PolycrankChord, HoldsThePointsOfTheLineThatThePairReaches) {
   }));
 }
 
-TEST(PolycrankChord, NothingInBothIsNearerThanTheNearest) {
+TEST(PolycrankChord, NoPointOfBothIsNearerThanTheNearest) {
   EXPECT_TRUE(rc::check([] {
     const auto any_chord = [] {
       const double inner = any_between(0, 1);

@@ -21,7 +21,7 @@ KDL::JntArray kdl_joints(const JointVector& joints) {
   return array;
 }
 
-TEST(PolycrankDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
+TEST(PolycrankDescriptions, UrdfMjcfAndClosedFormPlaceTheToolEqually) {
   const KDL::Chain chain = kdl_chain(polycrank_source("polycrank.urdf"), "tool_frame");
   ASSERT_EQ(chain.getNrOfJoints(), 7u);
   KDL::ChainFkSolverPos_recursive forward(chain);
@@ -101,7 +101,7 @@ TEST(PolycrankDescriptions, AxesHaveTheNamesOfTheParameterFileAndNoLimits) {
   }
 }
 
-TEST(PolycrankDescriptions, ArmatureAndDampingAreTheDrivesSeenFromTheJoints) {
+TEST(PolycrankDescriptions, ArmatureAndDampingAreThoseOfTheDrives) {
   const Mjcf mjcf(polycrank_source("polycrank.xml"));
   const JointVector gears = polycrank_model().transmission(polycrank_home()).diagonal();
   const JointVector inertia = gears.cwiseAbs2().cwiseProduct(per_axis(&AxisParameters::rotor_inertia));
@@ -112,14 +112,14 @@ TEST(PolycrankDescriptions, ArmatureAndDampingAreTheDrivesSeenFromTheJoints) {
   }
 }
 
-// what the offsets along the axes are for
-TEST(PolycrankDescriptions, NoCrankMeetsAnotherOneInAnyPosture) {
+// the purpose of the offsets along the axes
+TEST(PolycrankDescriptions, CranksDoNotTouchInAnyPosture) {
   Mjcf mjcf(polycrank_source("polycrank.xml"));
   std::mt19937_64 random(kDescriptionSeed);
   std::uniform_int_distribution<int> quarter(-2, 2);
   for (int i = 0; i < 20000; ++i) {
     JointVector posture = random_joints(random, 0.5);
-    // every other posture is one of the corners, where cranks lie along each other
+    // every other posture is one of the corners, where cranks are parallel and side by side
     if (i % 2 == 0) posture = posture.unaryExpr([&](double) { return quarter(random) * M_PI / 2; });
     mjcf.set_joints(i == 0 ? polycrank_home() : posture);
     mj_forward(mjcf.model.get(), mjcf.data.get());
@@ -129,7 +129,7 @@ TEST(PolycrankDescriptions, NoCrankMeetsAnotherOneInAnyPosture) {
   }
 }
 
-TEST(PolycrankDescriptions, TheStandReachesTheFloorBelowTheBaseFrame) {
+TEST(PolycrankDescriptions, StandReachesTheFloorBelowTheBaseFrame) {
   Mjcf mjcf(polycrank_source("polycrank.xml"));
   mj_kinematics(mjcf.model.get(), mjcf.data.get());
   const int foot = mj_name2id(mjcf.model.get(), mjOBJ_GEOM, "foot");
@@ -137,7 +137,7 @@ TEST(PolycrankDescriptions, TheStandReachesTheFloorBelowTheBaseFrame) {
   EXPECT_NEAR(mjcf.data->geom_xpos[3 * foot + 2] - mjcf.model->geom_size[3 * foot + 2], -0.925, 1e-12);
 }
 
-TEST(PolycrankDescriptions, TheWristSiteIsOnTheBodyThatCarriesTheTool) {
+TEST(PolycrankDescriptions, WristSiteIsOnTheBodyThatCarriesTheTool) {
   Mjcf mjcf(polycrank_source("polycrank.xml"));
   const int wrist = mj_name2id(mjcf.model.get(), mjOBJ_SITE, "wrist"),
             tool = mj_name2id(mjcf.model.get(), mjOBJ_SITE, "tool");

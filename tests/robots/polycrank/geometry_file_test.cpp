@@ -24,7 +24,7 @@ RobotModels load_text(const std::string& text) {
   return load_polycrank(folder.write("polycrank.toml", text));
 }
 
-/// What is wrong with polycrank.toml when `from` is replaced by `to`; nothing when it loads.
+/// The error in polycrank.toml when `from` is replaced by `to`; nothing when it loads.
 std::string error_with(const std::string& from, const std::string& to) {
   try {
     load_text(replaced(file_text(), from, to));
@@ -34,7 +34,7 @@ std::string error_with(const std::string& from, const std::string& to) {
   return "";
 }
 
-TEST(PolycrankGeometryFile, MistakesNameTheirKey) {
+TEST(PolycrankGeometryFile, ErrorsNameTheirKey) {
   const auto names = [](const std::string& message, const std::string& key) {
     return message.find(key) != std::string::npos;
   };
@@ -42,7 +42,8 @@ TEST(PolycrankGeometryFile, MistakesNameTheirKey) {
   EXPECT_PRED2(names, error_with("elbow_cranks = [0.151,", "elbow_cranks = [0.0,"), "geometry.elbow_cranks");
   EXPECT_PRED2(names, error_with("shoulder_cranks = [-0.299,", "shoulder_cranks = [-299.0,"),
                "geometry.shoulder_cranks[0]: -299 is out of range");
-  EXPECT_PRED2(names, error_with("gears = [100.0, 100.0", "gears = [100.0, 0.0"), "geometry.gears: 0 is no gear");
+  EXPECT_PRED2(names, error_with("gears = [100.0, 100.0", "gears = [100.0, 0.0"),
+               "geometry.gears: 0 is not a gear ratio");
   EXPECT_PRED2(names, error_with("offsets = [0.22, ", "offsets = ["), "geometry.offsets: has 6 values");
   EXPECT_PRED2(names, error_with("gears =", "gaers ="), "unknown key, did you mean 'gears'?");
   EXPECT_PRED2(names, error_with("tool_translation", "tool_length"), "geometry.tool_");
@@ -51,7 +52,7 @@ TEST(PolycrankGeometryFile, MistakesNameTheirKey) {
   EXPECT_PRED2(names, error_with("velocity_max = 0.6", "velocity_max = inf"), "velocity_max: inf is not finite");
 }
 
-TEST(PolycrankGeometryFile, AnotherNumberOfAxesIsRefused) {
+TEST(PolycrankGeometryFile, RefusesAnotherNumberOfAxes) {
   const std::string text = replaced(file_text(), ", 0.0]\n", "]\n");  // home
   const auto last_axis = text.rfind("[[axes]]");
   try {
@@ -62,7 +63,7 @@ TEST(PolycrankGeometryFile, AnotherNumberOfAxesIsRefused) {
   }
 }
 
-TEST(PolycrankGeometryFile, TheInstalledFileHasOneModel) {
+TEST(PolycrankGeometryFile, InstalledFileHasOneModel) {
   const RobotModels models = load_polycrank();
   ASSERT_EQ(models.size(), 1u);
   EXPECT_EQ(models[0]->name(), "nominal");
@@ -71,7 +72,7 @@ TEST(PolycrankGeometryFile, TheInstalledFileHasOneModel) {
   EXPECT_EQ(models[0]->parameters().axes[6].name, "tool_roll");
 }
 
-TEST(PolycrankGeometryFile, CranksOfUnequalLengthsAreSolvedAsWell) {
+TEST(PolycrankGeometryFile, CranksOfUnequalLengthsAreSolvedToo) {
   const RobotModels models = load_text(replaced(file_text(), "[0.151, 0.151]", "[0.2, -0.12]"));
   std::mt19937_64 random(20110116);
   for (int i = 0; i < 1000; ++i) {

@@ -29,14 +29,14 @@ class ArmUnderGravity {
     mj_step(mjcf_.model.get(), mjcf_.data.get());
   }
 
-  /// Currents that carry the arm's weight standing still, A.
+  /// Currents that hold the arm's weight at rest, A.
   JointVector holding_currents() {
     mj_forward(mjcf_.model.get(), mjcf_.data.get());
     const JointVector bias = Eigen::Map<const Eigen::VectorXd>(mjcf_.data->qfrc_bias, 7);
     return bias.cwiseQuotient(gears()).cwiseQuotient(per_axis(&AxisParameters::torque_constant));
   }
 
-  /// What the links add to each rotor, kg m^2 at the shaft.
+  /// Contribution of the links to each rotor, kg m^2 at the shaft.
   JointVector load() const {
     const JointVector inertia = mjcf_.mass_matrix().diagonal();
     return inertia.cwiseQuotient(gears().cwiseAbs2()) - per_axis(&AxisParameters::rotor_inertia);
@@ -48,8 +48,8 @@ class ArmUnderGravity {
   Mjcf mjcf_;
 };
 
-// the brakes open at home with regulators at rest: the arm sags until their integral parts carry it
-TEST(PolycrankGravity, TheRegulatorsHoldHome) {
+// the brakes open at home with regulators at rest: the arm sags until their integral parts hold it
+TEST(PolycrankGravity, RegulatorsHoldHome) {
   const JointVector home = polycrank_home();
   ArmUnderGravity arm(home);
   const JointVector holding = arm.holding_currents();
@@ -79,10 +79,10 @@ TEST(PolycrankGravity, TheRegulatorsHoldHome) {
     EXPECT_LT(worst_joint[i], 5e-3) << axis.name;
     EXPECT_LT(peak_current[i], axis.current_max / 2) << axis.name;
   }
-  EXPECT_GT(holding.cwiseAbs().maxCoeff(), 0.1) << "the arm weighs something";
+  EXPECT_GT(holding.cwiseAbs().maxCoeff(), 0.1) << "the arm has weight";
 }
 
-TEST(PolycrankGravity, DrivesCarryTheArmInEveryPostureAlsoAtFullSpeed) {
+TEST(PolycrankGravity, DrivesHoldTheArmInEveryPostureAlsoAtFullSpeed) {
   constexpr std::uint64_t kSeed = 20110119;
   std::mt19937_64 random(kSeed);
   ArmUnderGravity arm(polycrank_home());

@@ -9,7 +9,7 @@ struct TableRow {
   double d, a, alpha;
 };
 
-/// The lab's table as it stands in its model of the robot, mm and deg, multiplied link by link.
+/// The lab's table from its model of the robot, mm and deg, multiplied link by link.
 Pose denavit_hartenberg(const JointVector& joints) {
   constexpr std::array<TableRow, 7> kTable{
       {{220, -299, 0}, {152, 180, 0}, {335, 0, 90}, {120, 151, 0}, {116, 151, 0}, {60, 0, 90}, {43, 0, 0}}};
@@ -24,7 +24,7 @@ Pose denavit_hartenberg(const JointVector& joints) {
   return pose;
 }
 
-TEST(PolycrankKinematics, ClosedFormIsTheDenavitHartenbergTable) {
+TEST(PolycrankKinematics, ClosedFormEqualsTheDenavitHartenbergTable) {
   constexpr std::uint64_t kSeed = 20110113;
   std::mt19937_64 random(kSeed);
   double worst = 0;
@@ -37,7 +37,7 @@ TEST(PolycrankKinematics, ClosedFormIsTheDenavitHartenbergTable) {
 }
 
 // with all joints zero the tip is at (0.183, -0.296, 0.664) in the table's first frame
-TEST(PolycrankKinematics, StretchedOutAtZero) {
+TEST(PolycrankKinematics, IsStretchedAtZero) {
   const Eigen::Vector3d tip = polycrank_model().flange(JointVector::Zero(7)).translation();
   EXPECT_LT((tip - Eigen::Vector3d(0.664, 0.183, -0.296)).norm(), 1e-12);
 }
@@ -52,7 +52,7 @@ TEST(PolycrankKinematics, InverseOfFlangeIsAFixedPoint) {
   }));
 }
 
-TEST(PolycrankKinematics, InverseReachesThePoseFromAnywhere) {
+TEST(PolycrankKinematics, InverseReachesThePoseFromAnyStart) {
   constexpr std::uint64_t kSeed = 20110114;
   std::mt19937_64 random(kSeed);
   double worst = 0, worst_fixed_point = 0;
@@ -71,7 +71,7 @@ TEST(PolycrankKinematics, InverseReachesThePoseFromAnywhere) {
   EXPECT_LT(worst_fixed_point, 1e-6);  // a stretched pair's angle is the root of a rounding error
 }
 
-TEST(PolycrankKinematics, OutOfReachIsOutOfWorkspace) {
+TEST(PolycrankKinematics, PoseBeyondTheArmIsOutOfWorkspace) {
   const Pose home = polycrank_model().flange(polycrank_home());
   for (const Eigen::Vector3d& offset : {Eigen::Vector3d(0.2, 0, 0), {0, 0, 2}, {-0.9, 0, 0}, {0, -2, 0}}) {
     Pose pose = home;
@@ -79,11 +79,11 @@ TEST(PolycrankKinematics, OutOfReachIsOutOfWorkspace) {
     JointVector joints = polycrank_home();
     EXPECT_EQ(polycrank_model().inverse(pose, polycrank_home(), joints), ErrorCode::out_of_workspace)
         << offset.transpose();
-    EXPECT_EQ(joints, polycrank_home()) << "left as it was";
+    EXPECT_EQ(joints, polycrank_home()) << "unchanged";
   }
 }
 
-TEST(PolycrankKinematics, WhatIsNoRigidMotionIsOutOfWorkspace) {
+TEST(PolycrankKinematics, NonRigidTransformIsOutOfWorkspace) {
   const JointVector home = polycrank_home();
   Pose scaled = polycrank_model().flange(home), mirrored = scaled, broken = scaled;
   scaled.linear() *= 1.001;
@@ -115,7 +115,7 @@ TEST(PolycrankKinematics, JacobianIsTheDerivativeOfThePose) {
   }));
 }
 
-TEST(PolycrankKinematics, GarbageGivesACodeOrFiniteNumbers) {
+TEST(PolycrankKinematics, InvalidInputGivesACodeOrFiniteNumbers) {
   EXPECT_TRUE(rc::check([] {
     Pose pose = Pose::Identity();
     const bool keep_rotation = *rc::gen::arbitrary<bool>();

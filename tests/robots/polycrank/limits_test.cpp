@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-TEST(PolycrankLimits, NoJointAndNoMotorHasAnEnd) {
+TEST(PolycrankLimits, JointsAndMotorsAreUnlimited) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(per_axis(&AxisParameters::position_min), JointVector::Constant(7, -kInfinity));
   EXPECT_EQ(per_axis(&AxisParameters::position_max), JointVector::Constant(7, kInfinity));

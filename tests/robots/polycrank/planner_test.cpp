@@ -10,8 +10,8 @@ namespace {
 constexpr double kPeriod = 0.002;
 constexpr int kSteps = 10;
 
-/// Plans a line of the tool at `velocity` (m/s) for two seconds with half a second of run-up, as a generator commands
-/// it: pose and twist every macrostep. Returns the first error.
+/// Plans a line of the tool at `velocity` (m/s) for two seconds with half a second of run-up, commanded like a
+/// generator: pose and twist every macrostep. Returns the first error.
 ErrorReport line(const Eigen::Vector3d& velocity, const JointVector& start, JointVector& end) {
   const ToolKinematics kinematics(polycrank_model());
   Planner planner(polycrank_model(), kPeriod);
@@ -41,7 +41,7 @@ ErrorReport line(const Eigen::Vector3d& velocity, const JointVector& start, Join
   return {};
 }
 
-// the planner's velocities are those of least norm: the inverse has to move the joints the same way
+// the planner's velocities are those of least norm: the inverse must move the joints in the same direction
 TEST(PolycrankPlanner, LinesOfTheToolKeepTheLimits) {
   for (const Eigen::Vector3d& velocity :
        {Eigen::Vector3d(0.04, 0, 0), {-0.04, 0, 0}, {0, 0.04, 0}, {0, -0.04, 0}, {0, 0, 0.04}, {0, 0, -0.04}}) {
@@ -51,7 +51,7 @@ TEST(PolycrankPlanner, LinesOfTheToolKeepTheLimits) {
   }
 }
 
-TEST(PolycrankPlanner, NothingChangesAHundredTurnsAway) {
+TEST(PolycrankPlanner, IsIndependentOfAHundredTurns) {
   const JointVector turns = JointVector::Constant(7, 2 * M_PI * 100);
   JointVector here, away;
   ASSERT_EQ(line({0, 0.05, 0}, polycrank_home(), here).code, ErrorCode::none);

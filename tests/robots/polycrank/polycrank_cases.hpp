@@ -21,7 +21,7 @@ inline JointVector any_near(const JointVector& joints, double distance) {
   return near;
 }
 
-/// The least of the Jacobian's six singular values: how far the arm is from losing a direction.
+/// The smallest of the Jacobian's six singular values: the distance of the arm from a singularity.
 inline double dexterity(const JointVector& joints) {
   return Eigen::JacobiSVD<Eigen::MatrixXd>(flange_jacobian(joints)).singularValues()[5];
 }

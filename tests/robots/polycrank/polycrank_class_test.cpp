@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-TEST(PolycrankClass, TakesItsProcessesRobotAndTheInstalledModel) {
+TEST(PolycrankClass, UsesItsProcessesRobotAndTheInstalledModel) {
   OneRobotTask process("arm", "polycrank");
   Polycrank arm(process);
   EXPECT_EQ(arm.name(), "arm");
@@ -22,7 +22,7 @@ TEST(PolycrankClass, TakesItsProcessesRobotAndTheInstalledModel) {
   EXPECT_EQ(arm.state().joints, home);
 }
 
-TEST(PolycrankClass, RefusesANameThatTheDeploymentDoesNotHave) {
+TEST(PolycrankClass, RefusesANameThatIsNotInTheDeployment) {
   OneRobotTask process("arm", "polycrank");
   EXPECT_THROW(Polycrank(process, "leg"), NonFatalError);
 }

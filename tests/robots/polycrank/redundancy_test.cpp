@@ -13,12 +13,12 @@ JointVector inverse(const Pose& pose, const JointVector& near) {
   return joints;
 }
 
-/// How the joints turn while the flange stands still; length 1.
+/// Direction of the joints while the flange is at rest; length 1.
 JointVector self_motion(const JointVector& joints) {
   return Eigen::MatrixXd(flange_jacobian(joints)).fullPivLu().kernel().col(0).normalized();
 }
 
-/// Joint velocity of least norm for a twist of the flange.
+/// Joint velocity of minimum norm for a twist of the flange.
 JointVector least_norm(const JointVector& joints, const Twist& twist) {
   const Jacobian j = flange_jacobian(joints);
   return j.transpose() * Eigen::Matrix<double, 6, 6>(j * j.transpose()).inverse() * twist;
@@ -48,7 +48,7 @@ TEST(PolycrankRedundancy, NoOtherSolutionNearbyChangesTheJointsLess) {
   }));
 }
 
-TEST(PolycrankRedundancy, TheWayFromNearIsAtRightAnglesToTheSelfMotion) {
+TEST(PolycrankRedundancy, ChangeFromNearIsOrthogonalToTheSelfMotion) {
   EXPECT_TRUE(rc::check([] {
     const JointVector joints = any_joints(), near = any_near(joints, 0.5);
     const JointVector found = inverse(polycrank_model().flange(joints), near);
@@ -57,7 +57,7 @@ TEST(PolycrankRedundancy, TheWayFromNearIsAtRightAnglesToTheSelfMotion) {
   }));
 }
 
-TEST(PolycrankRedundancy, ASmallStepIsTheLeastNormSolution) {
+TEST(PolycrankRedundancy, SmallStepIsTheMinimumNormSolution) {
   EXPECT_TRUE(rc::check([] {
     constexpr double kTime = 1e-4;
     const JointVector joints = any_joints();
@@ -69,7 +69,7 @@ TEST(PolycrankRedundancy, ASmallStepIsTheLeastNormSolution) {
   }));
 }
 
-// straight ways of 0.2 m with a turn of up to 0.5 rad, from anywhere: as long as the arm has all its directions
+// straight paths of 0.2 m with a rotation of up to 0.5 rad, from any start, while the arm is not singular
 TEST(PolycrankRedundancy, PathsAreContinuous) {
   constexpr std::uint64_t kSeed = 20110115;
   std::mt19937_64 random(kSeed);
@@ -97,8 +97,8 @@ TEST(PolycrankRedundancy, PathsAreContinuous) {
   EXPECT_LT(worst, 1.5);
 }
 
-// straight up; the shoulder pair alone would be stretched after 0.28 m: the elbow pair gives way before
-TEST(PolycrankRedundancy, NeitherPairStretchesWhileTheOtherHasRoom) {
+// straight up; the shoulder pair alone would be stretched after 0.28 m: the elbow pair moves before
+TEST(PolycrankRedundancy, NeitherPairStretchesWhileTheOtherCanMove) {
   JointVector joints = polycrank_home();
   Pose pose = polycrank_model().flange(joints);
   double least_bend = 1;
@@ -110,8 +110,8 @@ TEST(PolycrankRedundancy, NeitherPairStretchesWhileTheOtherHasRoom) {
   EXPECT_GT(least_bend, 0.1);
 }
 
-// the price of the least norm; the posture settles where the path closes
-TEST(PolycrankRedundancy, AClosedPathDriftsUntilItCloses) {
+// a consequence of the minimum norm; the posture settles where the path closes
+TEST(PolycrankRedundancy, ClosedPathDriftsUntilItCloses) {
   JointVector joints = polycrank_home();
   const Pose start = polycrank_model().flange(joints);
   std::vector<double> drift;

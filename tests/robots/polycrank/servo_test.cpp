@@ -21,8 +21,8 @@ TEST(PolycrankServo, TracksARaisedCosineOnTheDrivesModelWithAndWithoutTheLinks) 
   }
 }
 
-// a simulator or a bus with a clock of its own acts up to one tick late
-TEST(PolycrankServo, EveryAxisBearsATickOfDelay) {
+// a simulator or a bus with its own clock acts up to one tick late
+TEST(PolycrankServo, EveryAxisToleratesATickOfDelay) {
   for (const AxisParameters& axis : polycrank_model().parameters().axes) {
     for (const double load : {0.0, 3 * axis.rotor_inertia}) {
       const Tracking result = track_by_servo(axis, 1, load);

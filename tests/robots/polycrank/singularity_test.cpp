@@ -24,7 +24,7 @@ TEST(PolycrankSingularity, AlignedRollAxesKeepTheShouldersSum) {
   }
 }
 
-TEST(PolycrankSingularity, APathGoesStraightOnThroughAlignedRollAxes) {
+TEST(PolycrankSingularity, PathContinuesStraightThroughAlignedRollAxes) {
   JointVector joints = with_wrist(0.05);
   const double sum = shoulder_sum(joints), roll = joints[6];
   for (double wrist = 0.05; wrist > -0.05; wrist -= 0.0007) {
@@ -37,7 +37,7 @@ TEST(PolycrankSingularity, APathGoesStraightOnThroughAlignedRollAxes) {
   }
 }
 
-TEST(PolycrankSingularity, AnElbowPairFoldedOntoItselfKeepsItsFirstCrank) {
+TEST(PolycrankSingularity, FoldedElbowPairKeepsItsFirstCrank) {
   const JointVector joints = joints_of({0.3, 1.1, -0.7, 0.4, M_PI, -2.0, 0.6});
   const Pose pose = polycrank_model().flange(joints);
   for (const double change : {0.0, 0.7}) {
@@ -50,7 +50,7 @@ TEST(PolycrankSingularity, AnElbowPairFoldedOntoItselfKeepsItsFirstCrank) {
   }
 }
 
-TEST(PolycrankSingularity, AStretchedPairIsNoneAndAFixedPoint) {
+TEST(PolycrankSingularity, StretchedPairIsAFixedPointAndNotSingular) {
   for (const int bend : {1, 4}) {
     JointVector joints = joints_of({0.3, 1.1, -0.7, 0.4, 1.0, 0.5, 0.6}), found;
     joints[bend] = 0;
@@ -59,7 +59,7 @@ TEST(PolycrankSingularity, AStretchedPairIsNoneAndAFixedPoint) {
   }
 }
 
-TEST(PolycrankSingularity, TheBendMayChangeAlongAPath) {
+TEST(PolycrankSingularity, BendMayChangeAlongAPath) {
   JointVector joints = joints_of({0.3, 0.1, -0.7, 0.4, 1.0, 0.5, 0.6});
   for (double bend = 0.1; bend > -0.1; bend -= 0.0013) {
     JointVector wanted = joints_of({0.3, bend, -0.7, 0.4, 1.0, 0.5, 0.6});

@@ -19,7 +19,7 @@ TEST(PolycrankTurns, WholeTurnsOfNearAreKeptByEveryJoint) {
   }));
 }
 
-TEST(PolycrankTurns, TheToolsRollCountsOn) {
+TEST(PolycrankTurns, RollOfTheToolCountsItsTurns) {
   JointVector joints = polycrank_home();
   const Pose start = polycrank_model().flange(joints);
   constexpr int kTurns = 50, kStepsPerTurn = 60;
@@ -31,8 +31,8 @@ TEST(PolycrankTurns, TheToolsRollCountsOn) {
   EXPECT_LT((joints - polycrank_home()).head<6>().cwiseAbs().maxCoeff(), 1e-8);
 }
 
-// the whole flange pose goes round the first axis: only the three cranks about it can follow, and continue doing so
-TEST(PolycrankTurns, TheShoulderCountsOnAroundTheFirstAxis) {
+// the whole flange pose rotates about the first axis: only the three cranks about it can follow, turn after turn
+TEST(PolycrankTurns, ShoulderCountsItsTurnsAboutTheFirstAxis) {
   JointVector joints = polycrank_home();
   const Pose start = polycrank_model().flange(joints);
   constexpr int kTurns = 20, kStepsPerTurn = 200;

@@ -6,7 +6,7 @@
 namespace mrroc {
 namespace {
 
-TEST(SerialParallelAllocation, TheCounterSeesNewAndEigensHeap) {
+TEST(SerialParallelAllocation, CounterCountsNewAndEigensHeap) {
   const std::uint64_t before = test::allocations();
   ::operator delete(::operator new(8));
   const std::uint64_t after_new = test::allocations();
@@ -15,7 +15,7 @@ TEST(SerialParallelAllocation, TheCounterSeesNewAndEigensHeap) {
   EXPECT_EQ(test::allocations() - after_new, 1u) << heap[0];
 }
 
-TEST(SerialParallelAllocation, NoMethodAllocates) {
+TEST(SerialParallelAllocation, MethodsDoNotAllocate) {
   const RobotModel& model = machine();
   std::mt19937_64 random(20060103);
   std::vector<JointVector> postures;

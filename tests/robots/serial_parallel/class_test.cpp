@@ -7,7 +7,7 @@
 namespace mrroc {
 namespace {
 
-TEST(SerialParallelClass, TakesItsProcessesRobotAndTheInstalledModel) {
+TEST(SerialParallelClass, UsesItsProcessesRobotAndTheInstalledModel) {
   OneRobotTask process("machine", "serial_parallel");
   SerialParallel machine_of_task(process);
   EXPECT_EQ(machine_of_task.name(), "machine");

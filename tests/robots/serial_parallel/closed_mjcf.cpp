@@ -100,7 +100,7 @@ JointVector ClosedMjcf::holding_forces() {
     weight_on_passive[i] = data->qfrc_bias[passive_[each]];
     weight_on_driven[i] = data->qfrc_bias[driven_[each]];
   }
-  // the loops' forces carry what weighs on joints without a drive
+  // the loops' forces carry the weight on joints without a drive
   const Eigen::Matrix<double, 6, 1> loops = by_passive.transpose().partialPivLu().solve(weight_on_passive);
   return weight_on_driven - by_driven.transpose() * loops;
 }

@@ -9,8 +9,8 @@
 
 namespace mrroc {
 
-/// serial_parallel.xml with its loops closed by MuJoCo's own constraints: the joints that no motor drives are found by
-/// Newton's method on the residuals of the connects. Nothing of the kinematic model is used.
+/// serial_parallel.xml with its loops closed by MuJoCo's own constraints: Newton's method on the residuals of the
+/// connects finds the joints without a motor. The kinematic model is not used.
 class ClosedMjcf {
  public:
   /// Throws std::runtime_error with MuJoCo's message when the file does not load.
@@ -19,15 +19,15 @@ class ClosedMjcf {
   std::unique_ptr<mjModel, decltype(&mj_deleteModel)> model;
   std::unique_ptr<mjData, decltype(&mj_deleteData)> data;
 
-  /// Puts the six driven joints at `joints` and closes the loops, from the state before. False: they do not close.
+  /// Sets the six driven joints to `joints` and closes the loops, from the previous state. False: they do not close.
   bool close(const JointVector& joints);
-  /// Back to the file's own state.
+  /// Restores the file's own state.
   void reset();
   /// Largest residual of the loops, m, after `close`, mj_forward or mj_step.
   double residual() const;
   /// Pose of a site, after `close`, mj_kinematics or mj_forward.
   Pose site(const char* name) const;
-  /// d twist of the site "tool" / d driven joints, the loops kept closed; after `close`.
+  /// d twist of the site "tool" / d driven joints, with closed loops; after `close`.
   Jacobian tool_jacobian() const;
   /// Forces (N) and torques (N m) of the driven joints that carry the weight of all parts; after `close`.
   JointVector holding_forces();

@@ -30,7 +30,7 @@ inline const serial_parallel::Tripod& tripod() {
   return tripod;
 }
 
-/// The placement that belongs to a posture's legs.
+/// The placement for the legs of a posture.
 inline serial_parallel::Placement placement_of(const JointVector& posture) {
   serial_parallel::Placement placement;
   if (!tripod().assemble(posture.head<3>(), placement)) throw std::runtime_error("the legs do not close");
@@ -45,7 +45,7 @@ inline JointVector per_axis(double AxisParameters::*member) {
   return values;
 }
 
-/// Evenly distributed within the joint limits, those that the tripod can take within its passive limits.
+/// Evenly distributed over the joints within the limits that the tripod can reach within its passive limits.
 inline JointVector random_posture(std::mt19937_64& random) {
   const JointVector low = per_axis(&AxisParameters::position_min), high = per_axis(&AxisParameters::position_max);
   for (;;) {

@@ -30,7 +30,7 @@ testing::AssertionResult names(const std::string& error, const std::string& key)
   return testing::AssertionFailure() << "\"" << error << "\" does not name " << key;
 }
 
-TEST(SerialParallelGeometryFile, MistakesNameTheirKey) {
+TEST(SerialParallelGeometryFile, ErrorsNameTheirKey) {
   EXPECT_EQ(error_with("platform_to_wrist = 0.0905", "platform_to_wrist = 0.0906"), "");
   EXPECT_TRUE(names(error_with("platform_to_wrist = 0.0905", "platform_to_wrist = 90.5"), "platform_to_wrist"));
   EXPECT_TRUE(names(error_with("100.0, 100.0, 100.0]", "100.0, 0.0, 100.0]"), "geometry.gears"));
@@ -44,11 +44,11 @@ TEST(SerialParallelGeometryFile, MistakesNameTheirKey) {
   EXPECT_TRUE(names(error_with("type = \"serial_parallel\"", "type = \"serial_parallel\"\ncolour = 1"), "colour"));
 }
 
-TEST(SerialParallelGeometryFile, AHomeThatTheTripodCannotTakeIsRefused) {
+TEST(SerialParallelGeometryFile, RefusesAHomeThatTheTripodCannotReach) {
   EXPECT_TRUE(names(error_with("home = [0.28, 0.295357410606201, 0.28", "home = [0.245, 0.3, 0.375"), "home"));
 }
 
-TEST(SerialParallelGeometryFile, TheInstalledFileLoads) {
+TEST(SerialParallelGeometryFile, InstalledFileLoads) {
   const auto models = load_serial_parallel();
   ASSERT_EQ(models.size(), 1u);
   EXPECT_EQ(models.front()->name(), "nominal");

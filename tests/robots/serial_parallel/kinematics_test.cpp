@@ -23,7 +23,7 @@ TEST(SerialParallelKinematics, InverseOfTheFlangeReturnsToTheJoints) {
   }));
 }
 
-TEST(SerialParallelKinematics, DirectOfTheInverseReturnsToThePoseFromAnywhere) {
+TEST(SerialParallelKinematics, DirectOfTheInverseReturnsToThePoseFromAnyStart) {
   EXPECT_TRUE(rc::check([] {
     const Pose pose = machine().flange(any_posture());
     JointVector joints;
@@ -55,7 +55,7 @@ TEST(SerialParallelKinematics, TenThousandRandomPosturesReturn) {
   EXPECT_LT(worst_pose, 1e-9);
 }
 
-TEST(SerialParallelKinematics, APassiveJointPastItsLimitIsOutOfTheWorkspace) {
+TEST(SerialParallelKinematics, PassiveJointBeyondItsLimitIsOutOfTheWorkspace) {
   const JointVector home = machine().parameters().home;
   Pose pose = machine().flange(home);
   JointVector joints = home;
@@ -63,10 +63,10 @@ TEST(SerialParallelKinematics, APassiveJointPastItsLimitIsOutOfTheWorkspace) {
   const serial_parallel::PassiveAngles angles = tripod().passive_angles(placement_of(joints));
   EXPECT_NEAR(std::max(std::abs(angles.lean_a), std::abs(angles.lean_c)), M_PI / 6, 1e-3);
   EXPECT_GT(pose.translation().y(), 0.15);
-  EXPECT_NEAR(joints.head<3>().minCoeff(), 0.28, 0.05) << "the legs could go on";
+  EXPECT_NEAR(joints.head<3>().minCoeff(), 0.28, 0.05) << "the legs could extend further";
 }
 
-TEST(SerialParallelKinematics, WhatIsNoRigidMotionOrOutOfReachLeavesTheJoints) {
+TEST(SerialParallelKinematics, InvalidOrUnreachablePoseLeavesTheJointsUnchanged) {
   const JointVector home = machine().parameters().home;
   Pose scaled = machine().flange(home), mirrored = scaled, broken = scaled, above = scaled;
   scaled.linear() *= 1.001;
@@ -105,7 +105,7 @@ TEST(SerialParallelKinematics, HomePointsTheSpindleDown) {
   EXPECT_LT(pose_difference(tip, SerialParallel::tool_down(0, 0, -0.5305)), 1e-12);
 }
 
-TEST(SerialParallelKinematics, GarbageGivesACodeOrFiniteNumbers) {
+TEST(SerialParallelKinematics, InvalidInputGivesACodeOrFiniteNumbers) {
   EXPECT_TRUE(rc::check([] {
     Pose pose = Pose::Identity();
     const bool keep_rotation = *rc::gen::arbitrary<bool>();

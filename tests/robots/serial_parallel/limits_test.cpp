@@ -16,7 +16,7 @@ TEST(SerialParallelTransmission, MotorsReturnToTheirJoints) {
   }));
 }
 
-TEST(SerialParallelTransmission, NineTurnsOfTheMotorAndAScrewOfFiveMillimetres) {
+TEST(SerialParallelTransmission, HasNineTurnsOfTheMotorAndAScrewOfFiveMillimetres) {
   JointVector joints = machine().parameters().home, motors, extended;
   ASSERT_EQ(machine().joints_to_motors(joints, motors), ErrorCode::none);
   joints.array() += 0.005;
@@ -27,7 +27,7 @@ TEST(SerialParallelTransmission, NineTurnsOfTheMotorAndAScrewOfFiveMillimetres) 
   EXPECT_LT((machine().transmission(joints) * JointVector::Constant(6, 0.005) - expected).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-TEST(SerialParallelTransmission, JointsThatTheTripodCannotTakeHaveNoMotors) {
+TEST(SerialParallelTransmission, JointsBeyondTheTripodHaveNoMotors) {
   const JointVector home = machine().parameters().home;
   JointVector leaning = home, untouched = JointVector::Constant(6, 7);
   leaning[0] = 0.245;
@@ -36,8 +36,8 @@ TEST(SerialParallelTransmission, JointsThatTheTripodCannotTakeHaveNoMotors) {
   EXPECT_EQ(untouched, JointVector::Constant(6, 7));
 }
 
-// a robot that stands at a limit may overshoot it a little; nothing may be planned there in poses
-TEST(SerialParallelTransmission, AroundAPassiveLimitJointsKeepTheirMotorsForOneDegree) {
+// a robot at a limit may overshoot it slightly; poses cannot be planned there
+TEST(SerialParallelTransmission, JointsKeepTheirMotorsForOneDegreeBeyondAPassiveLimit) {
   JointVector joints = machine().parameters().home, reached = joints, motors;
   Pose pose = machine().flange(joints);
   while (machine().inverse(pose, joints, reached) == ErrorCode::none) pose.translation().y() += 1e-5;
@@ -54,7 +54,7 @@ TEST(SerialParallelTransmission, AroundAPassiveLimitJointsKeepTheirMotorsForOneD
   EXPECT_EQ(code_beyond(0.02), ErrorCode::joint_limit);
 }
 
-TEST(SerialParallelTransmission, GarbageGivesACodeOrFiniteNumbers) {
+TEST(SerialParallelTransmission, InvalidInputGivesACodeOrFiniteNumbers) {
   EXPECT_TRUE(rc::check([] {
     const JointVector garbage = any_garbage_joints(6);
     JointVector result = JointVector::Zero(6);
@@ -77,7 +77,7 @@ TEST(SerialParallelLimits, JointLimitsAreWithinTheMotorLimits) {
   }
 }
 
-TEST(SerialParallelLimits, HomeIsWithinThemWithRoomOnEveryJoint) {
+TEST(SerialParallelLimits, HomeIsWithinThemWithAMarginOnEveryJoint) {
   const JointVector low = per_axis(&AxisParameters::position_min), high = per_axis(&AxisParameters::position_max);
   const JointVector home = machine().parameters().home;
   const JointVector room = (home - low).cwiseMin(high - home).cwiseQuotient(high - low);
@@ -85,7 +85,7 @@ TEST(SerialParallelLimits, HomeIsWithinThemWithRoomOnEveryJoint) {
 }
 
 // the board of an engraving task: 200 mm by 200 mm, 40 mm up and down, the spindle straight down
-TEST(SerialParallelLimits, TheSpindleReachesABoardOfTwentyCentimetres) {
+TEST(SerialParallelLimits, SpindleReachesABoardOfTwentyCentimetres) {
   const JointVector low = per_axis(&AxisParameters::position_min), high = per_axis(&AxisParameters::position_max);
   const JointVector home = machine().parameters().home;
   const Pose tool_inverse = machine().default_tool().inverse();
@@ -108,7 +108,7 @@ TEST(SerialParallelLimits, TheSpindleReachesABoardOfTwentyCentimetres) {
       lowest[5], highest[5]);
   EXPECT_TRUE((lowest.array() > low.array()).all()) << lowest.transpose();
   EXPECT_TRUE((highest.array() < high.array()).all()) << highest.transpose();
-  EXPECT_LT(highest[4], -0.2) << "clear of the straight wrist, which is singular";
+  EXPECT_LT(highest[4], -0.2) << "away from the straight wrist, which is singular";
 }
 
 TEST(SerialParallelLimits, DrivesCarryTheirFrictionAndTheirRotorsAtFullSpeedAndAcceleration) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t kMjcfSeed = 20060104;
 
-TEST(SerialParallelMjcf, ItsInitialStateIsHomeWithTheLoopsClosed) {
+TEST(SerialParallelMjcf, InitialStateIsHomeWithTheLoopsClosed) {
   ClosedMjcf mjcf;
   mj_fwdPosition(mjcf.model.get(), mjcf.data.get());
   EXPECT_LT(mjcf.residual(), 1e-15);
@@ -24,7 +24,7 @@ TEST(SerialParallelMjcf, ItsInitialStateIsHomeWithTheLoopsClosed) {
 }
 
 // MuJoCo closes the loops on its own: an independent direct kinematics
-TEST(SerialParallelMjcf, ClosedLoopsPlaceTheToolWhereTheModelDoes) {
+TEST(SerialParallelMjcf, ClosedLoopsPlaceTheToolAtThePoseOfTheModel) {
   ClosedMjcf mjcf;
   const Pose tool = machine().default_tool();
   std::mt19937_64 random(kMjcfSeed);
@@ -54,13 +54,13 @@ TEST(SerialParallelMjcf, AxesHaveTheNamesAndLimitsOfTheParameterFile) {
     EXPECT_EQ(mj_id2name(mjcf.model.get(), mjOBJ_ACTUATOR, i), axis.name);
     EXPECT_EQ(mjcf.model->actuator_trnid[2 * i], joint);
     EXPECT_TRUE(mjcf.model->jnt_limited[joint]);
-    const double margin = i < 3 ? 0.003 : 0;  // the legs run onto their switches beyond the limits
+    const double margin = i < 3 ? 0.003 : 0;  // the legs reach their switches beyond the limits
     EXPECT_NEAR(mjcf.model->jnt_range[2 * joint], axis.position_min - margin, 1e-12) << axis.name;
     EXPECT_NEAR(mjcf.model->jnt_range[2 * joint + 1], axis.position_max + margin, 1e-12) << axis.name;
   }
 }
 
-TEST(SerialParallelMjcf, ArmatureAndDampingAreTheDrivesSeenFromTheJoints) {
+TEST(SerialParallelMjcf, ArmatureAndDampingAreThoseOfTheDrives) {
   const ClosedMjcf mjcf;
   for (int i = 0; i < 6; ++i) {
     const AxisParameters& axis = machine().parameters().axes[static_cast<std::size_t>(i)];
@@ -71,7 +71,7 @@ TEST(SerialParallelMjcf, ArmatureAndDampingAreTheDrivesSeenFromTheJoints) {
   }
 }
 
-TEST(SerialParallelMjcf, DrivesCarryTheMachineInEveryPostureAlsoAtFullSpeed) {
+TEST(SerialParallelMjcf, DrivesHoldTheMachineInEveryPostureAlsoAtFullSpeed) {
   ClosedMjcf mjcf;
   std::mt19937_64 random(kMjcfSeed);
   const JointVector gears = geometry().gears.cwiseAbs();
@@ -91,18 +91,18 @@ TEST(SerialParallelMjcf, DrivesCarryTheMachineInEveryPostureAlsoAtFullSpeed) {
   std::printf("current: %.2f %.2f %.2f %.2f %.2f %.2f A; at full speed %.2f %.2f %.2f %.2f %.2f %.2f A\n", holding[0],
               holding[1], holding[2], holding[3], holding[4], holding[5], moving[0], moving[1], moving[2], moving[3],
               moving[4], moving[5]);
-  EXPECT_GT(worst.head<3>().maxCoeff(), 20) << "the machine weighs something";
+  EXPECT_GT(worst.head<3>().maxCoeff(), 20) << "the machine has weight";
   EXPECT_LT(holding.cwiseQuotient(per_axis(&AxisParameters::current_max)).maxCoeff(), 0.3);
   EXPECT_LT(moving.cwiseQuotient(per_axis(&AxisParameters::current_max)).maxCoeff(), 0.7);
 }
 
-/// Whether the posture's tool is above the bed, beside the posts: what no joint limit knows.
+/// Whether the posture's tool is above the bed and beside the posts, which no joint limit ensures.
 bool clear_of_the_portal(const Pose& tip) {
   const Eigen::Vector3d p = tip.translation();
   return p.z() > -0.57 && std::abs(p.y()) < 0.3;
 }
 
-TEST(SerialParallelMjcf, TheMachineDoesNotTouchItselfAboveItsBed) {
+TEST(SerialParallelMjcf, MachineDoesNotTouchItselfAboveItsBed) {
   ClosedMjcf mjcf;
   std::mt19937_64 random(kMjcfSeed);
   int checked = 0;
@@ -119,7 +119,7 @@ TEST(SerialParallelMjcf, TheMachineDoesNotTouchItselfAboveItsBed) {
   EXPECT_GT(checked, 2000);
 }
 
-TEST(SerialParallelMjcf, ThePortalStandsOnTheFloorBelowTheBaseFrame) {
+TEST(SerialParallelMjcf, PortalStandsOnTheFloorBelowTheBaseFrame) {
   ClosedMjcf mjcf;
   mj_kinematics(mjcf.model.get(), mjcf.data.get());
   const int bed = mj_name2id(mjcf.model.get(), mjOBJ_GEOM, "bed");
@@ -127,7 +127,7 @@ TEST(SerialParallelMjcf, ThePortalStandsOnTheFloorBelowTheBaseFrame) {
   EXPECT_NEAR(mjcf.data->geom_xpos[3 * bed + 2] - mjcf.model->geom_size[3 * bed + 2], -0.6, 1e-12);
 }
 
-TEST(SerialParallelMjcf, TheWristSiteIsTheFlangeOnTheBodyThatCarriesTheTool) {
+TEST(SerialParallelMjcf, WristSiteIsTheFlangeOnTheBodyThatCarriesTheTool) {
   ClosedMjcf mjcf;
   const int wrist = mj_name2id(mjcf.model.get(), mjOBJ_SITE, "wrist"),
             tool = mj_name2id(mjcf.model.get(), mjOBJ_SITE, "tool");

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
-// the angles of the joints, found from the legs' directions
+// the joint angles, from the directions of the legs
 TEST(PassiveJoints, AnglesTurnUprightLegsToTheirHeads) {
   EXPECT_TRUE(rc::check([] {
     const Placement placement = any_placement();
@@ -29,7 +29,7 @@ TEST(PassiveJoints, AnglesTurnUprightLegsToTheirHeads) {
   }));
 }
 
-TEST(PassiveJoints, EveryLimitIsKept) {
+TEST(PassiveJoints, EveryLimitIsChecked) {
   int refused_for_a = 0, refused_for_c = 0, refused_for_lean = 0, refused_for_pitch = 0, refused_for_both = 0;
   std::mt19937_64 random(20060106);
   const auto between = [&random](double low, double high) {
@@ -50,11 +50,11 @@ TEST(PassiveJoints, EveryLimitIsKept) {
     refused_for_both += both && !a && !c && !lean && !pitch;
   }
   for (const int each : {refused_for_a, refused_for_c, refused_for_lean, refused_for_pitch, refused_for_both}) {
-    EXPECT_GT(each, 10) << "this limit alone decides somewhere";
+    EXPECT_GT(each, 10) << "for some posture only this limit decides";
   }
 }
 
-TEST(PassiveJoints, AnUprightPlatformIsRequired) {
+TEST(PassiveJoints, RequiresAnUprightPlatform) {
   EXPECT_TRUE(tripod().within_limits({.height = 0.28}, 0));
   EXPECT_FALSE(tripod().within_limits({.height = -0.28}, 0));
   EXPECT_FALSE(tripod().within_limits({.swing = std::numbers::pi, .height = 0.28}, 0));

@@ -8,7 +8,7 @@
 namespace mrroc {
 namespace {
 
-// a simulator or a bus with a clock of its own acts up to one tick late
+// a simulator or a bus with its own clock acts up to one tick late
 TEST(SerialParallelServo, EveryAxisTracksARaisedCosineAlsoATickLate) {
   for (const AxisParameters& axis : machine().parameters().axes) {
     for (const int delay : {0, 1}) {

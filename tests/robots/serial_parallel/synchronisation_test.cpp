@@ -7,8 +7,8 @@
 namespace mrroc {
 namespace {
 
-// one leg after the other leans the platform: from home not too far
-TEST(SerialParallelSynchronisation, FromHomeTheLegsStayWithinTheirJointsAndMeetNoStop) {
+// one leg after the other tilts the platform: from home the tilt is permitted
+TEST(SerialParallelSynchronisation, LegsStayWithinTheirJointsAndReachNoStopFromHome) {
   ClosedMjcf mjcf;
   const std::vector<JointVector> way = synchronisation_way(machine(), machine().parameters().home, 5);
   ASSERT_GT(way.size(), 100u);

@@ -30,8 +30,8 @@ TEST(Tripod, LegsReachFromFootToHead) {
   }));
 }
 
-// what the joints allow: legs A and C hinged about the platform's x axis, which stays at right angles to the base's y
-// axis; leg B hinged about the platform's y axis
+// constraints of the joints: legs A and C are hinged about the platform's x axis, which stays at right angles to the
+// base's y axis; leg B is hinged about the platform's y axis
 TEST(Tripod, JointsHoldTheLegsInTheirPlanes) {
   EXPECT_TRUE(rc::check([] {
     const Placement placement = any_placement();
@@ -64,7 +64,7 @@ TEST(Tripod, LegsAgreeWithThePublishedInverse) {
   }));
 }
 
-TEST(Tripod, PlacementOfTheWristsCentreHasItThere) {
+TEST(Tripod, PlacementHasTheWristsCentreAtItsPosition) {
   EXPECT_TRUE(rc::check([] {
     const Placement placement = mrroc::placement_of(any_posture());
     const Vector3d centre = tripod().platform(placement) * Vector3d(0, 0, geometry().platform_to_wrist);
@@ -87,9 +87,9 @@ TEST(Tripod, LegRatesAreTheDerivativeOfTheLegs) {
   }));
 }
 
-// The guarantee of the direct kinematics: a grid over all that the tripod can take, ten degrees and 10 mm of leg
-// beyond. In its eight steps Newton's method comes from its one start to the placement whose legs they are; so no two
-// placements have the same legs. The legs' Jacobian is nowhere near singular.
+// The guarantee of the direct kinematics: a grid over the range of the tripod, ten degrees and 10 mm of leg beyond. In
+// its eight steps Newton's method converges from its one start to the placement of the given legs, so that no two
+// placements have the same legs. The legs' Jacobian is far from singular.
 TEST(Tripod, AssembleFindsEveryPlacementWithinTheLimitsAndBeyond) {
   const Vector3d low = per_axis(&AxisParameters::position_min).head<3>().array() - 0.01;
   const Vector3d high = per_axis(&AxisParameters::position_max).head<3>().array() + 0.01;
@@ -119,7 +119,7 @@ TEST(Tripod, AssembleFindsEveryPlacementWithinTheLimitsAndBeyond) {
   EXPECT_GT(least_determinant, 0.005);
 }
 
-TEST(Tripod, LegsThatDoNotCloseAreToldAndLeaveTheLevelPlatform) {
+TEST(Tripod, LegsThatDoNotCloseAreReportedAndKeepTheLevelPlatform) {
   for (const Vector3d& legs : {Vector3d(0.1, 0.3, 0.5), {0.3, 0.9, 0.3}, {-0.28, 0.295, 0.28}, {0, 0, 0}}) {
     Placement placement{1, 1, 1};
     EXPECT_FALSE(tripod().assemble(legs, placement)) << legs.transpose();

@@ -31,8 +31,8 @@ class UrdfChain {
   KDL::ChainFkSolverPos_recursive forward_;
 };
 
-// the model's passive angles put into the URDF's joints: the tool comes where the model has it, the loops close
-TEST(SerialParallelUrdf, TheTreeWithTheModelsPassiveAnglesIsTheMachine) {
+// with the model's passive angles in the URDF's joints the tool has the pose of the model, and the loops close
+TEST(SerialParallelUrdf, TreeWithTheModelsPassiveAnglesIsTheMachine) {
   UrdfChain tool("tool_frame"), joint_b("joint_b"), joint_c("joint_c"), head_b("head_b"), head_c("head_c");
   std::mt19937_64 random(kUrdfSeed);
   double worst_pose = 0, worst_loop = 0, worst_hinge = 0;
@@ -78,8 +78,8 @@ TEST(SerialParallelUrdf, JointsHaveTheLimitsOfTheParameterFile) {
   EXPECT_EQ(urdf->getJoint("pitch_b")->limits->lower, limits.b_pitch_min);
 }
 
-// leg B hangs from the platform in the MJCF and stands on the base in the URDF: the same parts, seen from other ends
-TEST(SerialParallelUrdf, PartsWeighTheSameInUrdfAndMjcf) {
+// leg B hangs from the platform in the MJCF and stands on the base in the URDF: the same parts, from opposite ends
+TEST(SerialParallelUrdf, PartsHaveEqualMassesInUrdfAndMjcf) {
   const ClosedMjcf mjcf;
   const auto urdf = urdf::parseURDFFile(serial_parallel_source("serial_parallel.urdf").string());
   ASSERT_TRUE(urdf);

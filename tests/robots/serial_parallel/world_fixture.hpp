@@ -29,7 +29,7 @@ inline config::Deployment one_machine() {
   return deployment;
 }
 
-/// The machine in the simulated world with its whole EDP core around it: effector, servo, driver.
+/// The machine in the simulated world with its whole EDP core: effector, servo, driver.
 class SerialParallelWorld : public testing::Test {
  protected:
   SerialParallelWorld() : simulation(one_machine(), *memory) {
@@ -89,7 +89,7 @@ class SerialParallelWorld : public testing::Test {
     pose.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data.site_xmat + 9 * site);
     return pose;
   }
-  /// Where the simulated tool is, seen from where the model has it at the measured joints.
+  /// The pose of the simulated tool relative to that of the model at the measured joints.
   double model_error() {
     Pose expected = machine().flange(servo.snapshot().joints) * machine().default_tool();
     expected.translation().z() += 0.6;

@@ -26,8 +26,8 @@ TEST_F(SerialParallelWorld, RegulatorsHoldItAgainstGravity) {
   EXPECT_LT(worst_residual, 1e-5);
 }
 
-// over the corners of a board, 40 mm up and down, at a good part of the legs' speed
-TEST_F(SerialParallelWorld, GoesWhereItIsSentWithItsLoopsClosed) {
+// over the corners of a board, 40 mm up and down, at a considerable part of the legs' speed
+TEST_F(SerialParallelWorld, ReachesItsTargetsWithItsLoopsClosed) {
   double worst_model_error = 0;
   for (const auto& [x, y, z] : {std::array{-0.05, -0.1, -0.565},
                                 {0.15, 0.1, -0.525},
@@ -47,7 +47,7 @@ TEST_F(SerialParallelWorld, GoesWhereItIsSentWithItsLoopsClosed) {
   EXPECT_LT(worst_model_error, 1e-5);
 }
 
-// what engraving is made of: a stream of poses with their twists, each in time for the one before
+// the motions of engraving: a stream of poses with their twists, each in time for the previous one
 TEST_F(SerialParallelWorld, DrawsAStraightLineAcrossTheBoard) {
   constexpr int kSteps = 250, kTicks = 10;
   const Eigen::Vector3d from(-0.03, -0.09, -0.55), way(0.16, 0.18, 0);
@@ -91,12 +91,12 @@ TEST_F(SerialParallelWorld, DrawsAStraightLineAcrossTheBoard) {
   EXPECT_LT(worst_residual, 1e-5);
 }
 
-TEST_F(SerialParallelWorld, JointsPastAPassiveLimitAreRefusedBeforeAnythingMoves) {
+TEST_F(SerialParallelWorld, JointsBeyondAPassiveLimitAreRefusedBeforeAnyMotion) {
   RobotCommand command;
   command.kind = CommandKind::joint;
   command.joints = machine().parameters().home;
   command.joints[0] -= 0.035;
-  command.joints[2] += 0.035;  // each leg within its limits, both together lean too far
+  command.joints[2] += 0.035;  // each leg within its limits, both together tilt too far
   command.motion_steps = command.reply_step = 5000;
   edp::Reply refusal;
   ASSERT_TRUE(effector.accept(command, ++number, refusal));
@@ -106,7 +106,7 @@ TEST_F(SerialParallelWorld, JointsPastAPassiveLimitAreRefusedBeforeAnythingMoves
   EXPECT_TRUE(servo.snapshot().enabled());
 }
 
-TEST_F(SerialParallelWorld, BrakesHoldItWhereItStands) {
+TEST_F(SerialParallelWorld, BrakesHoldItsPosition) {
   run(100);
   effector.enable(false);
   run(5);

@@ -24,7 +24,7 @@ TEST(Wrist, AnglesOfARotationReturnToThoseNear) {
   }));
 }
 
-TEST(Wrist, TheNearerBranchIsTaken) {
+TEST(Wrist, SelectsTheNearerBranch) {
   EXPECT_TRUE(rc::check([] {
     const Vector3d angles = any_angles(), near = any_angles();
     RC_PRE(std::abs(std::sin(angles[1])) > 1e-4);
@@ -35,7 +35,7 @@ TEST(Wrist, TheNearerBranchIsTaken) {
   }));
 }
 
-TEST(Wrist, AStraightOrFoldedWristIsSingularAndKeepsItsTurn) {
+TEST(Wrist, StraightOrFoldedWristIsSingularAndKeepsItsRotation) {
   for (const double bend : {0.0, pi, -pi}) {
     const Vector3d angles(0.4, bend, 0.9), near(0.7, bend, 0.2);
     Vector3d found;
@@ -48,7 +48,7 @@ TEST(Wrist, AStraightOrFoldedWristIsSingularAndKeepsItsTurn) {
   }
 }
 
-TEST(Wrist, APathThroughTheStraightWristGoesOn) {
+TEST(Wrist, PathThroughTheStraightWristContinues) {
   Vector3d angles(0.3, 0.05, -0.2);
   for (double bend = 0.05; bend > -0.05; bend -= 0.0007) {
     const Vector3d wanted(0.3, bend, -0.2);

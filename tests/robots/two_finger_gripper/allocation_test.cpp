@@ -6,11 +6,11 @@
 namespace mrroc {
 namespace {
 
-TEST(GripperAllocation, NoMethodAllocates) {
+TEST(GripperAllocation, MethodsDoNotAllocate) {
   const RobotModel& model = *gripper_model();
   JointVector motors, joints;
   double sum = 0;
-  EXPECT_GT(test::allocations(), 0) << "the counter sees nothing";
+  EXPECT_GT(test::allocations(), 0) << "the counter counts nothing";
   const long before = test::allocations();
   for (double opening = 0.053; opening < 0.091; opening += 0.001) {
     const JointVector posture = one(opening);

@@ -11,14 +11,14 @@
 namespace mrroc {
 namespace {
 
-/// Positions of the passive joint and of the driven one that moves on it.
+/// Positions of the passive joint and of the driven joint that moves on it.
 JointVector both(double opening) {
   JointVector joints(2);
   joints << opening / 2, opening;
   return joints;
 }
 
-TEST(GripperDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
+TEST(GripperDescriptions, UrdfMjcfAndClosedFormPlaceTheToolEqually) {
   const KDL::Chain chain = kdl_chain(gripper_source("two_finger_gripper.urdf"), "tool_frame");
   ASSERT_EQ(chain.getNrOfJoints(), 2U);
   KDL::ChainFkSolverPos_recursive forward(chain);
@@ -44,7 +44,7 @@ TEST(GripperDescriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
   EXPECT_LT(worst_mujoco, 1e-9);
 }
 
-TEST(GripperDescriptions, TheOpeningIsTheClearWidthBetweenThePadsAboutTheGripCentre) {
+TEST(GripperDescriptions, OpeningIsTheClearWidthBetweenThePadsAboutTheGripCentre) {
   LoadedMjcf mjcf(gripper_source("two_finger_gripper.xml"));
   mjcf.set_joints(both(0.07));
   mj_kinematics(mjcf.model.get(), mjcf.data.get());
@@ -82,14 +82,14 @@ TEST(GripperDescriptions, NamesLimitsAndMassesAreTheSame) {
   }
 }
 
-TEST(GripperDescriptions, ArmatureAndDampingAreTheDriveSeenFromTheOpeningAtHome) {
+TEST(GripperDescriptions, ArmatureAndDampingAreThoseOfTheDriveAtHome) {
   const LoadedMjcf mjcf(gripper_source("two_finger_gripper.xml"));
   const double ratio = gripper_model()->transmission(gripper_model()->parameters().home)(0, 0);
   EXPECT_NEAR(mjcf.model->dof_armature[1] / (ratio * ratio * opening_axis().rotor_inertia), 1, 1e-3);
   EXPECT_NEAR(mjcf.model->dof_damping[1] / (ratio * ratio * opening_axis().viscous_friction), 1, 1e-3);
 }
 
-TEST(GripperDescriptions, ItTouchesItselfNowhere) {
+TEST(GripperDescriptions, HasNoSelfContact) {
   LoadedMjcf mjcf(gripper_source("two_finger_gripper.xml"));
   for (double opening = opening_axis().position_min; opening <= opening_axis().position_max; opening += 0.001) {
     mjcf.set_joints(both(opening));

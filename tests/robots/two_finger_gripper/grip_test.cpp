@@ -1,4 +1,4 @@
-// The gripper with its EDP core in the simulated world: how it grips.
+// The gripper with its EDP core in the simulated world.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,7 +10,7 @@
 namespace mrroc {
 namespace {
 
-/// A cube of 57 mm, 3 mm off the middle, on a table that a motor can lower.
+/// A cube of 57 mm, 3 mm off the centre, on a table that a motor can lower.
 constexpr const char* kScene = R"(<mujoco><compiler angle="radian"/>
 <option cone="elliptic" impratio="10"/>
 <worldbody>
@@ -54,7 +54,7 @@ class GripperGrips : public testing::Test {
   Eigen::Vector3d cube() {
     return Eigen::Map<Eigen::Vector3d>(world().data().xpos + 3 * mj_name2id(&world().model(), mjOBJ_BODY, "cube"));
   }
-  /// Force with which one pad presses on the cube, N; of the last physics step, so it must be at rest.
+  /// Force of one pad on the cube, N, of the last physics step, so the cube must be at rest.
   double press_of(const char* pad) {
     const int id = mj_name2id(&world().model(), mjOBJ_GEOM, pad);
     double force = 0;
@@ -100,33 +100,33 @@ TEST_F(GripperGrips, FreeFingersFollowSymmetrically) {
     worst = std::max(worst, std::abs(edp_.snapshot().desired.position[0] - edp_.snapshot().joints[0]));
   }
   std::printf("worst error %.3f mm, asymmetry %.4f mm\n", 1000 * worst, 1000 * worst_asymmetry_);
-  EXPECT_LT(worst, 1e-4) << "far below what Gripped takes for a part";
+  EXPECT_LT(worst, 1e-4) << "far below the threshold of Gripped";
   EXPECT_LT(worst_asymmetry_, 2e-5);
   EXPECT_NEAR(edp_.snapshot().joints[0], 0.088, 2e-6);
 }
 
-TEST_F(GripperGrips, ItCentresTheCubeAndPressesWithTheDrivesForce) {
+TEST_F(GripperGrips, CentresTheCubeAndPressesWithTheDrivesForce) {
   close_on_the_cube();
   EXPECT_NEAR(cube().x(), 0, 2e-4);
   EXPECT_EQ(edp_.snapshot().fault.code, ErrorCode::none);
   EXPECT_GT(edp_.snapshot().joints[0] - edp_.snapshot().desired.position[0], 0.001);
-  EXPECT_NEAR(edp_.snapshot().joints[0], 0.057, 5e-4) << "the pads give way a little";
+  EXPECT_NEAR(edp_.snapshot().joints[0], 0.057, 5e-4) << "the pads are slightly compressed";
   for (const char* pad : {"gripper/pad_left", "gripper/pad_right"}) EXPECT_NEAR(press_of(pad), 186, 5) << pad;
 }
 
-TEST_F(GripperGrips, TheCubeStaysWhenTheTableGoesAndFallsWhenItOpens) {
+TEST_F(GripperGrips, CubeStaysWhenTheTableIsLoweredAndFallsWhenTheGripperOpens) {
   close_on_the_cube();
   const Eigen::Vector3d gripped = cube();
   lower_table();
   EXPECT_LT((cube() - gripped).norm(), 2e-4);
   run(1500);
-  EXPECT_LT((cube() - gripped).norm(), 5e-4) << "it creeps out";
+  EXPECT_LT((cube() - gripped).norm(), 5e-4) << "it slips out";
   edp_.go(0.06, 1000);
   run(1200);
   EXPECT_NEAR(cube().z(), -0.225, 3e-3) << "it lies on the lowered table";
 }
 
-TEST_F(GripperGrips, WithTheDriveOffItHoldsWhatItHas) {
+TEST_F(GripperGrips, HoldsItsPartWithTheDriveOff) {
   close_on_the_cube();
   edp_.enable(false);
   run(500);

@@ -10,7 +10,7 @@ namespace {
 
 class GripperClass : public testing::Test {
  protected:
-  /// The gripper's state: fingers at `opening` moving with `velocity`, wanted at `desired` four ticks later.
+  /// The gripper's state: fingers at `opening` moving with `velocity`, to be at `desired` four ticks later.
   void know(double opening, double velocity, double desired) {
     process.state.tick = 100;
     process.state.joints = TwoFingerGripper::at(opening);
@@ -26,19 +26,19 @@ class GripperClass : public testing::Test {
   TwoFingerGripper gripper{process};
 };
 
-TEST_F(GripperClass, TakesItsProcessesRobotAndTheInstalledModel) {
+TEST_F(GripperClass, UsesItsProcessesRobotAndTheInstalledModel) {
   EXPECT_EQ(gripper.name(), "gripper");
   EXPECT_EQ(gripper.parameters().type, "two_finger_gripper");
   EXPECT_EQ(gripper.grip_centre().translation(), Eigen::Vector3d(0, 0, 0.125));
   EXPECT_THROW(TwoFingerGripper(process, "hand"), NonFatalError);
 }
 
-TEST_F(GripperClass, BeforeTheFirstStateNothingIsGripped) {
+TEST_F(GripperClass, NothingIsGrippedBeforeTheFirstState) {
   EXPECT_TRUE(std::isnan(gripper.held_open()));
   EXPECT_FALSE(gripped());
 }
 
-TEST_F(GripperClass, FingersThatFollowGripNothing) {
+TEST_F(GripperClass, FingersWithoutAFollowingErrorGripNothing) {
   know(0.07, 0, 0.07);
   EXPECT_FALSE(gripped());
   know(0.07, -0.006, 0.07 - 0.006 * 4 * 0.002);
@@ -47,7 +47,7 @@ TEST_F(GripperClass, FingersThatFollowGripNothing) {
   EXPECT_FALSE(gripped()) << "0.2 mm is the servo's";
 }
 
-TEST_F(GripperClass, FingersThatStandWiderThanTheyShouldGrip) {
+TEST_F(GripperClass, FingersWiderThanDesiredGrip) {
   know(0.057, 0, 0.0564);
   EXPECT_NEAR(gripper.held_open(), 0.0006, 1e-15);
   EXPECT_TRUE(gripped());

@@ -14,7 +14,7 @@ Pose at(double x) {
   return pose;
 }
 
-TEST(GripperKinematics, TheFlangeIsOnTheFirstFingersPad) {
+TEST(GripperKinematics, FlangeIsOnTheFirstFingersPad) {
   EXPECT_TRUE(rc::check([] {
     const double opening = any_between(0, 0.1);
     RC_ASSERT(gripper_model()->flange(one(opening)).matrix() == at(opening / 2).matrix());
@@ -55,7 +55,7 @@ TEST(GripperKinematics, JacobianIsTheDerivativeOfThePoseForEveryPoint) {
   EXPECT_EQ(jacobian.col(0).tail<3>().norm(), 0);
 }
 
-TEST(GripperKinematics, GarbageIsOutOfWorkspace) {
+TEST(GripperKinematics, InvalidPoseIsOutOfWorkspace) {
   EXPECT_TRUE(rc::check([] {
     Pose pose = at(any_garbage());
     const int row = *rc::gen::inRange(0, 3), column = *rc::gen::inRange(0, 4);

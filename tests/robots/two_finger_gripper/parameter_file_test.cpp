@@ -14,7 +14,7 @@ std::string error_with(const std::string& from, const std::string& to) {
   return config::message_of(scratch.path(), [&] { load_two_finger_gripper(file); });
 }
 
-TEST(GripperFile, MistakesNameTheirKey) {
+TEST(GripperFile, ErrorsNameTheirKey) {
   EXPECT_EQ(error_with("reach = 0.125", "reach = 0.13"), "");
   EXPECT_NE(error_with("reach = 0.125", "reach = -0.1").find("geometry.reach: -0.1 is out of range"), std::string::npos)
       << error_with("reach = 0.125", "reach = -0.1");
@@ -24,7 +24,7 @@ TEST(GripperFile, MistakesNameTheirKey) {
             std::string::npos);
 }
 
-TEST(GripperFile, ATransmissionThatTurnsBackWithinTheMotorsLimitsIsRefused) {
+TEST(GripperFile, RefusesATransmissionThatReversesWithinTheMotorsLimits) {
   EXPECT_NE(
       error_with("opening_curvature = -2.8313e-09", "opening_curvature = 0.0").find("geometry.opening_curvature: 0"),
       std::string::npos);
@@ -35,9 +35,9 @@ TEST(GripperFile, ATransmissionThatTurnsBackWithinTheMotorsLimitsIsRefused) {
   EXPECT_NE(message.find("expected one outside -2000"), std::string::npos) << message;
 }
 
-TEST(GripperFile, OtherSidesAndSignsOfTheParabolaWork) {
+TEST(GripperFile, AcceptsOtherSidesAndSignsOfTheParabola) {
   const task_test::ScratchFolder scratch;
-  // the same parabola mirrored: the motor turns the other way
+  // the same parabola mirrored: the motor turns in the opposite direction
   std::string text = changed_file(gripper_source("two_finger_gripper.toml"), "opening_slope = -", "opening_slope = ");
   const auto set = [&text](const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);
@@ -55,7 +55,7 @@ TEST(GripperFile, OtherSidesAndSignsOfTheParabolaWork) {
   }
 }
 
-TEST(GripperFile, TheInstalledFileLoads) {
+TEST(GripperFile, InstalledFileLoads) {
   const RobotModels models = load_two_finger_gripper();
   ASSERT_EQ(models.size(), 1U);
   EXPECT_EQ(models.front()->parameters().type, "two_finger_gripper");

@@ -1,4 +1,4 @@
-// The task pick as a user runs it: an arm, the gripper that it carries, an MP that moves both.
+// The task pick as run by a user: an arm, the gripper that it carries, and an MP that moves both.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,16 +10,16 @@
 namespace mrroc {
 namespace {
 
-TEST(Pick, TheCubeEndsOnItsMarkTheSameWayTwice) {
+TEST(Pick, CubeEndsOnItsMarkEquallyInTwoRuns) {
   const test::ScratchFolder folder;
   const test::EqualRuns runs = test::expect_equal_runs("tasks/pick/pick.toml", folder);
   std::vector<std::filesystem::path> states;
   for (const auto& entry : std::filesystem::directory_iterator(runs.states)) states.push_back(entry.path());
   ASSERT_FALSE(states.empty());
   const sim::WorldState end = sim::load_state(*std::max_element(states.begin(), states.end()));
-  // the scene's bodies come before the robots': position, then quaternion of the cube
+  // the scene's bodies precede the robots': position, then quaternion of the cube
   EXPECT_NEAR(end.positions[0], 0.72, 0.002);
-  EXPECT_NEAR(end.positions[1], -0.15, 0.005) << "it was gripped 3 mm off the middle of the pads' width";
+  EXPECT_NEAR(end.positions[1], -0.15, 0.005) << "it was gripped 3 mm off the centre of the pads' width";
   EXPECT_NEAR(end.positions[2], 0.5185, 0.001) << "it lies on the table";
   EXPECT_NEAR(std::abs(end.positions[3]), 1, 1e-4) << "it is not turned";
 }

@@ -6,7 +6,7 @@
 namespace mrroc {
 namespace {
 
-TEST(GripperServo, TheOriginalsLawTracksAlsoWithATickOfDelay) {
+TEST(GripperServo, OriginalLawTracksAlsoWithATickOfDelay) {
   for (const int delay : {0, 1}) {
     const Tracking result = track_by_regulator(opening_axis(), 400, delay);  // 314 rad/s at most
     std::printf("delay %d: worst %.2f rad (%.3f mm of a cube of 57 mm), final %.1e rad, peak %.1f mA\n", delay,

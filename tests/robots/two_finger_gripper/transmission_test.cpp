@@ -16,7 +16,7 @@ double original_motor(double opening) {
   return 0.3531946456e-5 * std::sqrt(0.2622172716e19 - 0.2831300000e20 * opening) - 2564.03432;
 }
 
-TEST(GripperTransmission, IsTheOriginals) {
+TEST(GripperTransmission, EqualsThatOfTheOriginal) {
   double worst_opening = 0, worst_motor = 0;
   for (double opening = 0.053; opening <= 0.091; opening += 0.0005) {
     const double motor = motor_of(opening);
@@ -48,7 +48,7 @@ TEST(GripperTransmission, MatrixIsTheDerivativeOfTheMotorByTheOpening) {
   }));
 }
 
-TEST(GripperTransmission, AMoreOpenGripperIsSlowerAndStronger) {
+TEST(GripperTransmission, MoreOpenGripperIsSlowerAndStronger) {
   double before = 0;
   for (double opening = 0.053; opening <= 0.091; opening += 0.001) {
     const double ratio = gripper_model()->transmission(one(opening))(0, 0);
@@ -57,18 +57,18 @@ TEST(GripperTransmission, AMoreOpenGripperIsSlowerAndStronger) {
   }
 }
 
-TEST(GripperTransmission, BeyondItsDeadCentreThereIsNothing) {
+TEST(GripperTransmission, HasNoValueBeyondItsDeadCentre) {
   JointVector result = one(7);
   EXPECT_EQ(gripper_model()->joints_to_motors(one(0.0926), result), ErrorCode::none);
   result = one(7);
   EXPECT_EQ(gripper_model()->joints_to_motors(one(0.0927), result), ErrorCode::joint_limit);
   EXPECT_EQ(gripper_model()->motors_to_joints(one(-2565), result), ErrorCode::motor_limit);
-  EXPECT_EQ(result, one(7)) << "left as it was";
+  EXPECT_EQ(result, one(7)) << "unchanged";
   EXPECT_EQ(gripper_model()->motors_to_joints(one(-2564), result), ErrorCode::none);
   EXPECT_NEAR(result[0], 0.0926137, 1e-7);
 }
 
-TEST(GripperTransmission, GarbageGivesACodeOrFiniteNumbers) {
+TEST(GripperTransmission, InvalidInputGivesACodeOrFiniteNumbers) {
   EXPECT_TRUE(rc::check([] {
     const JointVector garbage = one(any_garbage());
     JointVector result = one(7);

@@ -14,7 +14,7 @@ struct Errors {
   double normalised = 0;   ///< mean square of error / deviation, per component
 };
 
-/// The part turned about the vertical anywhere in a field of 0.4 m x 0.3 m.
+/// The part, rotated about the vertical, anywhere in a field of 0.4 m x 0.3 m.
 Errors errors_over_placements(SeenWorld& world, unsigned seed, double height = 0.004) {
   Draw draw(seed);
   Errors errors;
@@ -30,7 +30,7 @@ Errors errors_over_placements(SeenWorld& world, unsigned seed, double height = 0
     const Eigen::Vector3d x = orientation_of(v) * Eigen::Vector3d::UnitX();
     errors.worst_angle = std::max(errors.worst_angle, std::acos(std::min(1.0, std::abs(x.dot(pose.linear().col(0))))));
     errors.normalised += error.head<2>().cwiseQuotient(deviation_of(v).head<2>()).squaredNorm() / (2 * kPlacements);
-    EXPECT_GE(x.x(), 0) << "of two directions the one nearer to the frame's x axis";
+    EXPECT_GE(x.x(), 0) << "the one of two directions that is nearer to the frame's x axis";
     EXPECT_NEAR(v.values[15], 0.06 * 0.04, 0.0002) << "area";
   }
   std::printf("worst %.2f mm, %.2f deg, normalised square %.2f\n", 1e3 * errors.worst,
@@ -40,7 +40,7 @@ Errors errors_over_placements(SeenWorld& world, unsigned seed, double height = 0
 
 const std::string kBlobKeys = "plane = [0.0, 0.0, 0.004]\n";
 
-TEST(Blob, CentroidIsWithinTwoMillimetresOverFiftyPlacementsSeenFromAbove) {
+TEST(Blob, CentroidIsWithinTwoMillimetresAtFiftyPlacementsFromAbove) {
   SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys);
   world.open();
   const Errors errors = errors_over_placements(world, 1);
@@ -48,14 +48,14 @@ TEST(Blob, CentroidIsWithinTwoMillimetresOverFiftyPlacementsSeenFromAbove) {
   EXPECT_LT(errors.worst_angle, 0.05);
 }
 
-TEST(Blob, CentroidIsWithinTwoMillimetresOverFiftyPlacementsSeenFromTheSide) {
+TEST(Blob, CentroidIsWithinTwoMillimetresAtFiftyPlacementsFromTheSide) {
   SeenWorld world(scene_of(std::string(kOblique) + kLabel), "plane = [0.0, 0.0, 0.0002]\n");
   world.open();
   const Errors errors = errors_over_placements(world, 2, 0.0002);
   EXPECT_LT(errors.worst, 0.002);
   EXPECT_LT(errors.worst_angle, 0.05);
-  EXPECT_LT(errors.normalised, 3) << "the deviations tell less than the errors";
-  EXPECT_GT(errors.normalised, 0.3) << "the deviations tell much more than the errors";
+  EXPECT_LT(errors.normalised, 3) << "the stated deviations are smaller than the errors";
+  EXPECT_GT(errors.normalised, 0.3) << "the stated deviations are much larger than the errors";
 }
 
 TEST(Blob, CentroidIsWithinTwoMillimetresInASmallNoisyPicture) {
@@ -64,7 +64,7 @@ TEST(Blob, CentroidIsWithinTwoMillimetresInASmallNoisyPicture) {
   EXPECT_LT(errors_over_placements(world, 3).worst, 0.002);
 }
 
-TEST(Blob, NothingOfItsColourIsNoErrorAndReadsZeroEverywhere) {
+TEST(Blob, PictureWithoutItsColourIsNoErrorAndReadsZero) {
   SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys + "hue = [90.0, 150.0]\n");
   world.open();
   const SensorReading v = world.look();
@@ -72,7 +72,7 @@ TEST(Blob, NothingOfItsColourIsNoErrorAndReadsZeroEverywhere) {
   for (const double value : v.values) EXPECT_EQ(value, 0);
 }
 
-TEST(Blob, APartHalfInThePictureIsNotMeasured) {
+TEST(Blob, PartHalfInThePictureIsNotMeasured) {
   SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys);
   world.open();
   const double edge = 0.896 * std::tan(std::numbers::pi / 8);  // of the picture, on the part's upper side
@@ -82,13 +82,13 @@ TEST(Blob, APartHalfInThePictureIsNotMeasured) {
   EXPECT_TRUE(detected(world.look(2)));
 }
 
-TEST(Blob, SpotsBelowTheLeastAreaAreNoise) {
+TEST(Blob, SpotsBelowTheMinimumAreaAreNoise) {
   SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys + "min_area = 5000\n");
   world.open();
   EXPECT_FALSE(detected(world.look()));
 }
 
-TEST(Blob, TheReadingIsInTheFrameThatTheKeyNames) {
+TEST(Blob, ReadingIsInTheFrameThatTheKeyNames) {
   const Pose part = frame_at({0.11, -0.07, 0.004}, {0, 0, 0.4});
   config::RobotEntry arm;
   arm.name = "arm";
@@ -109,7 +109,7 @@ TEST(Blob, TheReadingIsInTheFrameThatTheKeyNames) {
   EXPECT_LT((arm.base * in_base - part.translation()).norm(), 0.002);
 }
 
-TEST(Blob, ACameraCanBePosedByKeys) {
+TEST(Blob, PoseOfACameraIsSetByKeys) {
   SeenWorld world(scene_of(kPart), kBlobKeys +
                                        "position = [0.0, 0.0, 0.9]\nrotation = [3.14159265358979, 0.0, 0.0]\n"
                                        "field_of_view = 0.7853981633974483\n");
@@ -122,7 +122,7 @@ TEST(Blob, ACameraCanBePosedByKeys) {
   EXPECT_LT(v.values[13], 240) << "y up in the world is up in the picture";
 }
 
-TEST(Blob, TheSameTicksGiveTheSameReadingsBitForBit) {
+TEST(Blob, SameTicksGiveTheSameReadingsBitForBit) {
   const auto run = [] {
     SeenWorld world(scene_of(std::string(kOblique) + kPart), kBlobKeys + "noise = 5.0\nwidth = 320\nheight = 240\n");
     world.open();
@@ -147,7 +147,7 @@ TEST(Blob, NoiseDependsOnTheTick) {
   EXPECT_LT((position_of(first) - position_of(second)).norm(), 0.001);
 }
 
-TEST(Blob, TheNewestStateIsSeenAndItsTickTold) {
+TEST(Blob, NewestStateIsMeasuredWithItsTick) {
   SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys);
   world.open();
   world.read(0);

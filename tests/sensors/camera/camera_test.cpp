@@ -15,7 +15,7 @@
 namespace mrroc {
 namespace {
 
-/// Its raw values are its channels: the client's side alone.
+/// A sensor whose raw values are its channels: the client's side alone.
 class MadeCamera final : public vsp::VirtualSensor {
  public:
   MadeCamera() { set_up(vsp::entry_of("camera", "eye"), 0.002); }
@@ -40,14 +40,14 @@ class CameraTest : public testing::Test {
   Camera eye_{task_, "eye"};
 };
 
-TEST_F(CameraTest, ADetectionHasItsPoseAndQuality) {
+TEST_F(CameraTest, DetectionHasItsPoseAndQuality) {
   EXPECT_FALSE(eye_.detected());
   const Outcome outcome = Wait({}, {eye_}, Seen{eye_});
   EXPECT_EQ(outcome.end_tick, 20U);
   EXPECT_TRUE(outcome.by("eye sees it"));
   EXPECT_EQ(eye_.position(), Eigen::Vector3d(0.1, 0.2, 0.3));
   EXPECT_EQ(eye_.pose().translation(), eye_.position());
-  // a third of a turn about (1, 1, 1): x -> y -> z
+  // a rotation by a third of a turn about (1, 1, 1): x -> y -> z
   EXPECT_LT((eye_.pose().linear() * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm(), 1e-12);
   EXPECT_EQ(eye_.position_deviation(), Eigen::Vector3d(0.01, 0.02, 0.03));
   EXPECT_EQ(eye_.rotation_deviation(), 0.1);
@@ -58,7 +58,7 @@ TEST_F(CameraTest, ADetectionHasItsPoseAndQuality) {
 
 TEST_F(CameraTest, SeenWithinWaitsForTheSharpReading) { EXPECT_EQ(Wait({}, {eye_}, Seen(eye_, 0.005)).end_tick, 40U); }
 
-TEST_F(CameraTest, WhatIsNotSeenIsNaN) {
+TEST_F(CameraTest, InvisibleTargetIsNaN) {
   eye_.initiate_reading(0);
   eye_.collect_reading();
   EXPECT_FALSE(eye_.detected());
@@ -67,7 +67,7 @@ TEST_F(CameraTest, WhatIsNotSeenIsNaN) {
   EXPECT_TRUE(std::isnan(eye_.area()));
 }
 
-TEST_F(CameraTest, SeenRefusesWhatIsNoDeviation) {
+TEST_F(CameraTest, SeenRefusesInvalidDeviations) {
   for (const double metres : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(Seen(eye_, metres), NonFatalError);
 }

@@ -5,8 +5,8 @@
 namespace mrroc::test {
 namespace {
 
-/// The demo ends with an error when what its cameras see is off by 2 mm.
-TEST(CameraDemo, PointsAtWhatItsCamerasSeeTheSameWayTwice) {
+/// The demo ends with an error when its cameras' measurements are off by 2 mm.
+TEST(CameraDemo, PointsAtMeasuredTargetsEquallyInTwoRuns) {
   const ScratchFolder folder;
   expect_equal_runs("sensors/camera/demo.toml", folder);
 }

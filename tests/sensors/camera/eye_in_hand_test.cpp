@@ -18,12 +18,12 @@ config::RobotEntry arm_entry() {
   return arm;
 }
 
-/// Beside the flange, looking along the tool.
+/// Beside the flange, directed along the tool.
 const std::string kMount =
     "position = [0.08, 0.0, 0.06]\nrotation = [0.0, 0.0, 1.5707963267948966]\nfield_of_view = 0.8\n";
 const std::string kBlob = kMount + "plane = [0.0, 0.0, -0.696]\n";  // in the base frame, which is 0.7 m up
 
-/// An IRb-6 over the table, its camera's deployment on it; e_l is what its EDP would tell.
+/// An IRb-6 over the table with a camera from a deployment; e_l is the value that its EDP would report.
 class Hand {
  public:
   explicit Hand(const std::string& object, const std::string& keys)
@@ -31,7 +31,7 @@ class Hand {
     world_.open();
   }
 
-  /// Joints of the posture whose tool points down at (x, y), the camera being turned about it and tilted.
+  /// Joints of the posture whose tool points down at (x, y), with the camera rotated about it and tilted.
   SensorReading look_from(const JointVector& joints, Tick tick) {
     const RobotModel& model = *models_.front();
     for (std::size_t i = 0; i < model.parameters().axes.size(); ++i) {
@@ -40,7 +40,7 @@ class Hand {
     RobotState e;
     e.tick = tick;
     e.synchronised = true;
-    e.tool = frame_at({0.01, 0.02, 0.3}, {0.1, 0.2, 0.3});  // whatever tool is in use, the camera does not move
+    e.tool = frame_at({0.01, 0.02, 0.3}, {0.1, 0.2, 0.3});  // the camera does not move with the tool in use
     e.pose = model.flange(joints) * e.tool;
     world_.sensor().effector_state(e);
     return world_.look(tick);
@@ -57,7 +57,7 @@ class Hand {
   RobotModels models_;
 };
 
-/// A part near to where the home posture's tool points, told in the robot's base frame.
+/// A part near the tool of the home posture, measured in the robot's base frame.
 struct Placement {
   Pose in_base;
   Pose in_world;
@@ -75,7 +75,7 @@ Placement any_placement(Draw& draw, const JointVector& home, double height) {
   return placement;
 }
 
-TEST(EyeInHand, ABlobIsWithinTwoMillimetresFromFiftyPostures) {
+TEST(EyeInHand, BlobIsWithinTwoMillimetresFromFiftyPostures) {
   Hand hand(kPart, kBlob);
   Draw draw(21);
   double worst = 0;
@@ -90,7 +90,7 @@ TEST(EyeInHand, ABlobIsWithinTwoMillimetresFromFiftyPostures) {
   EXPECT_LT(worst, 0.002);
 }
 
-TEST(EyeInHand, AMarkerIsWithinTwoMillimetresAndOneDegreeFromFiftyPostures) {
+TEST(EyeInHand, MarkerIsWithinTwoMillimetresAndOneDegreeFromFiftyPostures) {
   Hand hand(kMarker, kMount + "detect = 'marker'\nmarker = 7\nmarker_size = 0.06\nwidth = 1280\nheight = 960\n");
   Draw draw(22);
   double worst = 0, worst_angle = 0;
@@ -111,7 +111,7 @@ TEST(EyeInHand, AMarkerIsWithinTwoMillimetresAndOneDegreeFromFiftyPostures) {
   EXPECT_LT(worst_angle, std::numbers::pi / 180);
 }
 
-TEST(EyeInHand, WithoutAKnownPoseOfTheRobotTheReadingIsNotReady) {
+TEST(EyeInHand, ReadingIsNotReadyWithoutAKnownPoseOfTheRobot) {
   Hand hand(kPart, kBlob);
   const SensorReading before = hand.world().look(1);
   EXPECT_EQ(before.error.code, ErrorCode::sensor_not_ready);
@@ -120,7 +120,7 @@ TEST(EyeInHand, WithoutAKnownPoseOfTheRobotTheReadingIsNotReady) {
   EXPECT_EQ(hand.world().look(3).error.code, ErrorCode::sensor_not_ready);
 }
 
-TEST(EyeInHand, AnEyeThatLooksAwayFromThePlaneSaysSo) {
+TEST(EyeInHand, CameraDirectedAwayFromThePlaneReportsIt) {
   Hand hand(kPart, kMount + "plane = [0.0, 0.0, 2.0]\n");  // overhead, behind the camera
   const SensorReading v = hand.look_from(hand.home(), 1);
   EXPECT_EQ(v.error.code, ErrorCode::sensor_out_of_range);

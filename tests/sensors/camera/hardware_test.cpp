@@ -15,7 +15,7 @@ namespace {
 constexpr int kPictures = 20;
 constexpr double kRate = 25;  // one picture in 20 ticks of 2 ms
 
-/// A red disc that moves by 10 px per picture over a grey ground.
+/// A red disc that moves by 10 px per picture over a grey background.
 void write_video(const std::filesystem::path& file) {
   cv::VideoWriter video(file.string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), kRate, {320, 240});
   ASSERT_TRUE(video.isOpened());
@@ -48,7 +48,7 @@ TEST(Video, IsPlayedInTheDeploymentsTime) {
   }
 }
 
-TEST(Video, ThatHasEndedIsSilent) {
+TEST(Video, IsSilentAtItsEnd) {
   SeenWorld world("", kDeviceKeys);
   write_video(world.scratch().path() / "disc.avi");
   world.open();
@@ -60,9 +60,9 @@ TEST(Video, ThatHasEndedIsSilent) {
   EXPECT_EQ(world.state(), SourceState::silent);
 }
 
-TEST(Video, OfAnotherSizeOrNoVideoIsRefused) {
+TEST(Video, RefusesAnotherSizeAndOtherFiles) {
   SeenWorld other("", kDeviceKeys + "debug_every = 2\n");
-  other.scratch().write("disc.avi", "this is no video");
+  other.scratch().write("disc.avi", "this is not a video");
   EXPECT_EQ(
       refusal([&] { other.open(); }),
       "sensors.eye.device: \"disc.avi\" cannot be opened, expected a camera's number or address, or a video file");
@@ -91,7 +91,7 @@ TEST(Video, DebugPicturesShowEveryNthReading) {
   EXPECT_FALSE(std::filesystem::exists(debug + "/eye_00000020.png"));
 }
 
-TEST(Video, AFolderThatCannotBeWrittenIsRefused) {
+TEST(Video, RefusesAnUnwritableFolder) {
   task_test::ScratchFolder folder;
   const auto file = folder.write("file", "");
   SeenWorld world("", kDeviceKeys + "debug = '" + (file / "below").string() + "'\n");
@@ -99,7 +99,7 @@ TEST(Video, AFolderThatCannotBeWrittenIsRefused) {
   EXPECT_THROW(world.open(), SystemError);
 }
 
-/// A device whose pictures come when the test says so.
+/// A device that delivers pictures when the test requests them.
 class Device {
  public:
   bool take(cv::Mat& picture) {
@@ -129,7 +129,7 @@ class Device {
   bool ended_ = false;
 };
 
-/// Reads at `tick` until picture `number` is there.
+/// Reads at `tick` until `wanted` holds, for 5 s at most.
 template <class Wanted>
 bool becomes(LiveCamera& camera, Tick tick, RawReading& raw, Wanted wanted) {
   for (int i = 0; i < 5000; ++i) {
@@ -139,7 +139,7 @@ bool becomes(LiveCamera& camera, Tick tick, RawReading& raw, Wanted wanted) {
   return false;
 }
 
-TEST(LiveCamera, GivesTheNewestPictureAndNeverWaits) {
+TEST(LiveCamera, ReturnsTheNewestPictureAndNeverWaits) {
   Device device;
   cv::Mat picture;
   HardwareCamera hardware;
@@ -150,7 +150,7 @@ TEST(LiveCamera, GivesTheNewestPictureAndNeverWaits) {
     RawReading raw;
     EXPECT_EQ(camera.read(10, raw), SourceState::not_ready);
     EXPECT_EQ(camera.read(110, raw), SourceState::not_ready);
-    EXPECT_EQ(camera.read(111, raw), SourceState::silent) << "none has come for 100 ticks";
+    EXPECT_EQ(camera.read(111, raw), SourceState::silent) << "no picture for 100 ticks";
     device.give();
     ASSERT_TRUE(becomes(camera, 120, raw, [](SourceState state) { return state == SourceState::ready; }));
     EXPECT_EQ(raw.tick, 120U);

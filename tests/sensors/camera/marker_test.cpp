@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMarkerPlacements = 50;
 const std::string kMarkerKeys = "detect = 'marker'\nmarker = 7\nmarker_size = 0.06\n";
-/// Looks down from 0.45 m.
+/// A camera that looks down from 0.45 m.
 constexpr const char* kNear = "<camera name='eye' pos='0 0 0.45' fovy='45'/>";
 
 double angle_between(const Eigen::Quaterniond& a, const Pose& b) {
@@ -21,7 +21,7 @@ struct Worst {
   int beyond = 0;       ///< readings whose error is above three of the stated deviations, position or angle
 };
 
-/// Placements turned about the vertical and tilted by up to 0.4 rad.
+/// Placements rotated about the vertical and tilted by up to 0.4 rad.
 Worst worst_over_placements(SeenWorld& world, unsigned seed) {
   Draw draw(seed);
   Worst worst;
@@ -46,16 +46,16 @@ Worst worst_over_placements(SeenWorld& world, unsigned seed) {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-TEST(Marker, PoseIsWithinTwoMillimetresAndOneDegreeOverFiftyPlacements) {
+TEST(Marker, PoseIsWithinTwoMillimetresAndOneDegreeAtFiftyPlacements) {
   SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kMarkerKeys);
   world.open();
   const Worst worst = worst_over_placements(world, 11);
-  EXPECT_LT(worst.position, 0.0005);  // 2 mm and 1 degree are asked for
+  EXPECT_LT(worst.position, 0.0005);  // the requirement is 2 mm and 1 degree
   EXPECT_LT(worst.angle, 0.5 * kDegree);
   EXPECT_LE(worst.beyond, 5);
 }
 
-TEST(Marker, ItsAxesAreTheMarkersOwn) {
+TEST(Marker, AxesAreThoseOfTheMarker) {
   SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kMarkerKeys);
   world.open();
   world.place("marker", frame_at({0.05, 0.02, 0.001}, {0, 0, 0}));
@@ -65,13 +65,13 @@ TEST(Marker, ItsAxesAreTheMarkersOwn) {
   EXPECT_NEAR(v.values[15], 0.06 * 0.06, 1e-12);
 }
 
-TEST(Marker, AnotherNumberIsNotTheMarker) {
+TEST(Marker, IgnoresAnotherNumber) {
   SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), "detect = 'marker'\nmarker = 8\n");
   world.open();
   EXPECT_FALSE(detected(world.look()));
 }
 
-TEST(Marker, ACoveredMarkerIsNotSeen) {
+TEST(Marker, CoveredMarkerIsNotDetected) {
   SeenWorld world(
       scene_of(
           std::string(kNear) + kMarker +

@@ -28,7 +28,7 @@ std::vector<Eigen::Vector2d> seen(const std::vector<Eigen::Vector3d>& points) {
   return pixels;
 }
 
-TEST(Outline, APolygonOnAPlaneIsMeasuredWithoutPerspective) {
+TEST(Outline, PolygonOnAPlaneIsMeasuredWithoutPerspective) {
   EXPECT_TRUE(rc::check([] {
     const Pose pose = any_pose();
     const double length = between(0.05, 0.1), width = between(0.01, 0.04);
@@ -46,7 +46,7 @@ TEST(Outline, APolygonOnAPlaneIsMeasuredWithoutPerspective) {
   }));
 }
 
-TEST(Outline, WhatCannotLieOnThePlaneHasNoShape) {
+TEST(Outline, ImpossibleOutlineHasNoShape) {
   const std::vector<Eigen::Vector2d> square{{300, 200}, {340, 200}, {340, 240}, {300, 240}};
   EXPECT_TRUE(shape_on_plane(square, kCamera, {Eigen::Vector3d::UnitZ(), 1}));
   EXPECT_FALSE(shape_on_plane(square, kCamera, {Eigen::Vector3d::UnitZ(), -1})) << "behind the camera";
@@ -54,7 +54,7 @@ TEST(Outline, WhatCannotLieOnThePlaneHasNoShape) {
   EXPECT_FALSE(shape_on_plane({{1, 1}, {2, 2}, {3, 3}}, kCamera, {Eigen::Vector3d::UnitZ(), 1})) << "no area";
 }
 
-TEST(SquarePose, TheProjectedCornersGiveThePoseBack) {
+TEST(SquarePose, ProjectedCornersGiveThePoseBack) {
   EXPECT_TRUE(rc::check([] {
     const Pose pose = any_pose();
     const double h = 0.03;
@@ -66,12 +66,12 @@ TEST(SquarePose, TheProjectedCornersGiveThePoseBack) {
     RC_ASSERT((found->pose.linear() - pose.linear()).norm() < 1e-3);
     RC_ASSERT(found->reprojection_error < 1e-3);
     RC_ASSERT(found->covariance.diagonal().minCoeff() > 0);
-    // along the view a small square is known worst
+    // the error of a small square is largest along the view
     RC_ASSERT(found->covariance(2, 2) > found->covariance(0, 0));
   }));
 }
 
-TEST(Intrinsics, DistortionIsTakenOut) {
+TEST(Intrinsics, DistortionIsRemoved) {
   Intrinsics lens = kCamera;
   lens.distortion = {0.1, -0.05, 0.001, -0.002, 0.01};
   const Eigen::Vector2d ideal(500, 120);

@@ -16,7 +16,7 @@
 
 namespace mrroc::vsp {
 
-/// The rest of a test scene: nothing falls, everything is lit.
+/// The rest of a test scene: no gravity, full light.
 inline std::string scene_of(const std::string& world, const std::string& assets = "") {
   return "<mujoco>\n<compiler angle='radian'/>\n<option gravity='0 0 0'/>\n<asset>\n" + assets +
          "\n</asset>\n<worldbody>\n<light directional='true' pos='0 0 3' dir='0.2 0.1 -1'/>\n"
@@ -25,20 +25,20 @@ inline std::string scene_of(const std::string& world, const std::string& assets 
          world + "\n</worldbody>\n</mujoco>\n";
 }
 
-/// A camera that looks down from 0.9 m, its picture's right towards x.
+/// A camera that looks down from 0.9 m, with the right of its picture towards x.
 inline constexpr const char* kOverhead = "<camera name='eye' pos='0 0 0.9' fovy='45'/>";
-/// One that looks at the origin from the side, 35 degrees off the vertical.
+/// A camera that looks at the origin from the side, 35 degrees off the vertical.
 inline constexpr const char* kOblique =
     "<camera name='eye' pos='0 -0.5735764 0.8191520' euler='0.6108652 0 0' fovy='45'/>";
-/// A flat red part, 60 x 40 x 4 mm, its frame in the middle of its upper side.
+/// A flat red part, 60 x 40 x 4 mm, with its frame in the centre of its upper side.
 inline constexpr const char* kPart =
     "<body name='part'><freejoint name='part'/><geom type='box' size='0.03 0.02 0.002' pos='0 0 -0.002' mass='0.1' "
     "rgba='0.8 0.1 0.1 1' contype='0' conaffinity='0'/></body>";
-/// The same as a label, 0.2 mm thick: nothing of its sides is seen.
+/// The same as a label, 0.2 mm thick: its sides are invisible.
 inline constexpr const char* kLabel =
     "<body name='part'><freejoint name='part'/><geom type='box' size='0.03 0.02 0.0001' pos='0 0 -0.0001' mass='0.1' "
     "rgba='0.8 0.1 0.1 1' contype='0' conaffinity='0'/></body>";
-/// The committed marker, number 7 of 4X4_50: its black square is 60 mm wide, its frame the one that is reported.
+/// The committed marker, number 7 of 4X4_50, with a black square 60 mm wide; its frame is the reported one.
 inline constexpr const char* kMarker =
     "<body name='marker'><freejoint name='marker'/><geom type='box' size='0.04 0.04 0.001' pos='0 0 -0.001' mass='0.1' "
     "material='marker' contype='0' conaffinity='0'/></body>";
@@ -48,7 +48,7 @@ inline std::string marker_assets() {
          "'/>\n<material name='marker' texture='marker' texuniform='false' specular='0' shininess='0'/>";
 }
 
-/// A camera and the world before it, without processes: the states that the simulator would store are stored by hand.
+/// A camera and the world before it, without processes: the test stores the states in place of the simulator.
 class SeenWorld {
  public:
   /// `robots`: type of each, named a, b, ... at the poses of `bases`.
@@ -73,7 +73,7 @@ class SeenWorld {
     deployment_.sensors = {entry_};
   }
 
-  /// As the VSP does at its start.
+  /// The VSP's initialisation.
   void open() {
     sensor_.set_up(entry_, 0.002);
     source_ = sensor_.open_source({deployment_, entry_, 0, deployment_.sim ? memory_.get() : nullptr, 0.002});
@@ -98,7 +98,7 @@ class SeenWorld {
     std::copy(positions_.begin(), positions_.end(), snapshot.values.begin());
     memory_->snapshot.store(snapshot);
   }
-  /// The reading of the world as it is placed now.
+  /// The reading of the world in its present state.
   SensorReading look(Tick tick = 1) {
     store(tick);
     return read(tick);
@@ -134,7 +134,7 @@ class SeenWorld {
   SourceState state_ = SourceState::not_ready;
 };
 
-/// What `start` refuses with; "" if nothing.
+/// The refusal of `start`; "" if there is none.
 template <class Action>
 std::string refusal(Action start) {
   try {

@@ -15,7 +15,7 @@ void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.
 
 class WrongCamera : public testing::TestWithParam<Mistake> {};
 
-TEST_P(WrongCamera, IsRefusedWithKeyValueAndWhatWasExpected) {
+TEST_P(WrongCamera, IsRefusedWithKeyValueAndExpectation) {
   const Mistake& mistake = GetParam();
   config::RobotEntry arm;
   arm.name = "arm";
@@ -48,10 +48,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"camera_in_the_world_with_a_robot", kEye, "",
                 "sensors.eye.camera: \"eye\" is fixed to body \"world\", expected one fixed to the flange of robot arm",
                 "arm"},
-        Mistake{"camera_on_something_that_moves",
-                "<body name='cart'><freejoint/><geom size='0.1' mass='1'/><camera name='eye'/></body>", "",
-                "sensors.eye.camera: \"eye\" is fixed to body \"cart\", expected one that stands in the world, or the "
-                "key 'robot' beside it"},
+        Mistake{
+            "camera_on_something_that_moves",
+            "<body name='cart'><freejoint/><geom size='0.1' mass='1'/><camera name='eye'/></body>", "",
+            "sensors.eye.camera: \"eye\" is fixed to body \"cart\", expected one that is fixed in the world, or the "
+            "key 'robot' beside it"},
         Mistake{"camera_that_tracks", "<camera name='eye' mode='targetbody' target='arm/base'/>", "",
                 "sensors.eye.camera: \"eye\" tracks a body, expected mode 'fixed'"},
         Mistake{"two_poses", kEye, "position = [0.0, 0.0, 1.0]",
@@ -62,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "sensors.eye.position: 2 numbers, expected 3"},
         Mistake{"pose_without_field_of_view", "<camera name='top'/>", "position = [0.0, 0.0, 1.0]",
                 "sensors.eye.field_of_view: 0, expected that of the picture's height, rad: the MJCF has no camera that "
-                "would tell it"},
+                "gives it"},
         Mistake{"robot_without_flange", "<camera name='top'/>", "position = [0.0, 0.0, 1.0]",
                 "sensors.eye.position: robot gripper has no body or site \"flange\" in its MJCF, expected a camera in "
                 "its MJCF and frame = 'camera'",

@@ -21,7 +21,7 @@ TEST(ConveyorEncoderSensor, CountsWholeIncrementsOfTheConveyorsMotor) {
   EXPECT_EQ(aggregated(sensor, raw(3, -0.04)).values[1], -0.04);
 }
 
-TEST(ConveyorEncoderSensor, APositionIsAWholeNumberOfIncrementsNearestToTheTravel) {
+TEST(ConveyorEncoderSensor, PositionIsTheNumberOfIncrementsNearestToTheTravel) {
   EXPECT_TRUE(rc::check([] {
     ConveyorEncoderSensor sensor = made_sensor("resolution = 0.001");
     const double travel = any_travel();
@@ -31,7 +31,7 @@ TEST(ConveyorEncoderSensor, APositionIsAWholeNumberOfIncrementsNearestToTheTrave
   }));
 }
 
-TEST(ConveyorEncoderSensor, WithoutResolutionThePositionIsTheTravel) {
+TEST(ConveyorEncoderSensor, PositionIsTheTravelWithoutAResolution) {
   EXPECT_TRUE(rc::check([] {
     ConveyorEncoderSensor sensor = made_sensor("resolution = 0.0");
     const double travel = any_travel();
@@ -39,7 +39,7 @@ TEST(ConveyorEncoderSensor, WithoutResolutionThePositionIsTheTravel) {
   }));
 }
 
-TEST(ConveyorEncoderSensor, AfterABiasItCountsFromThere) {
+TEST(ConveyorEncoderSensor, BiasSetsItsZero) {
   EXPECT_TRUE(rc::check([] {
     ConveyorEncoderSensor sensor = made_sensor("resolution = 0.0");
     const double zero = any_travel(), later = any_travel();

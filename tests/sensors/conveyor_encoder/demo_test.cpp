@@ -5,7 +5,7 @@
 namespace mrroc::test {
 namespace {
 
-TEST(ConveyorEncoderDemo, WatchesABeltThatAnotherProgramDrivesTheSameWayOnEveryRun) {
+TEST(ConveyorEncoderDemo, MeasuresABeltOfAnotherProgramEquallyInEveryRun) {
   const ScratchFolder folder;
   for (const std::string& output : expect_equal_runs("sensors/conveyor_encoder/demo.toml", folder).outputs) {
     // at 0.05 m/s a step of 20 ms is 1 mm; the coarse encoder's steps are 50 mm

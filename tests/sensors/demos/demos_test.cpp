@@ -10,7 +10,7 @@ namespace {
 
 const std::filesystem::path kSensors = std::filesystem::path(MRROC_SOURCE_DIR) / "sensors";
 
-/// Every sensor that has a demo, by the name of its folder.
+/// Every sensor with a demo, by the name of its folder.
 std::vector<std::string> sensors_with_a_demo() {
   std::vector<std::string> sensors;
   for (const auto& entry : std::filesystem::directory_iterator(kSensors))
@@ -21,11 +21,11 @@ std::vector<std::string> sensors_with_a_demo() {
 
 class SensorDemo : public testing::TestWithParam<std::string> {};
 
-TEST_P(SensorDemo, RunsTheSameWayEveryTime) {
+TEST_P(SensorDemo, RunsEquallyEveryTime) {
   const ScratchFolder folder;
   const EqualRuns runs = expect_equal_runs("sensors/" + GetParam() + "/demo.toml", folder);
   const std::string text = text_of(runs.trace);
-  EXPECT_NE(text.find(" sensor="), std::string::npos) << "nothing was read";
+  EXPECT_NE(text.find(" sensor="), std::string::npos) << "there is no reading";
 }
 
 INSTANTIATE_TEST_SUITE_P(Sensors, SensorDemo, testing::ValuesIn(sensors_with_a_demo()),

@@ -19,14 +19,14 @@ TEST(DigitalInputSensor, IsOnAboveItsThreshold) {
   EXPECT_EQ(measured(sensor, 3, 1.25).values[2], 1.25);
 }
 
-TEST(DigitalInputSensor, WhatIsOnAtTheStartHasNotRisen) {
+TEST(DigitalInputSensor, OnAtTheStartIsNotARise) {
   DigitalInputSensor sensor = made_sensor("debounce = 0.01");
   const SensorReading v = measured(sensor, 40, 1);
   EXPECT_EQ(v.values[0], 1);
   EXPECT_EQ(v.values[1], 0);
 }
 
-TEST(DigitalInputSensor, SwitchesWhenTheDebounceTimeHasGoneBy) {
+TEST(DigitalInputSensor, SwitchesAfterTheDebounceTime) {
   DigitalInputSensor sensor = made_sensor("debounce = 0.009");  // rounded up to 5 ticks
   measured(sensor, 0, 0);
   for (Tick tick = 10; tick < 15; ++tick) EXPECT_EQ(measured(sensor, tick, 1).values[0], 0) << tick;
@@ -48,7 +48,7 @@ struct Reference {
   std::vector<bool> on;
 };
 
-/// Levels 0 and 1 that stay for some ticks, a bouncing contact's.
+/// Levels 0 and 1 that last for some ticks, like those of a bouncing contact.
 std::vector<bool> any_contact() {
   std::vector<bool> s;
   bool value = *rc::gen::arbitrary<bool>();
@@ -59,7 +59,7 @@ std::vector<bool> any_contact() {
   return s;
 }
 
-TEST(DigitalInputSensor, FollowsItsDefinitionWhateverTheContactDoes) {
+TEST(DigitalInputSensor, FollowsItsDefinitionForAnyContact) {
   EXPECT_TRUE(rc::check([] {
     const std::vector<bool> s = any_contact();
     const auto n = *rc::gen::inRange<std::size_t>(0, 6);
@@ -71,7 +71,7 @@ TEST(DigitalInputSensor, FollowsItsDefinitionWhateverTheContactDoes) {
     double rises = 0;
     for (std::size_t k = 0; k < s.size(); ++k) {
       if (k > 0 && reference.on[k] && !reference.on[k - 1]) ++rises;
-      if (*rc::gen::arbitrary<bool>()) sensor.track(raw(first + k, s[k] ? 1 : 0));  // once more changes nothing
+      if (*rc::gen::arbitrary<bool>()) sensor.track(raw(first + k, s[k] ? 1 : 0));  // repetition changes nothing
       const SensorReading v = measured(sensor, first + k, s[k] ? 1 : 0);
       RC_ASSERT(v.values[0] == (reference.on[k] ? 1 : 0));
       RC_ASSERT(v.values[1] == rises);
@@ -79,7 +79,7 @@ TEST(DigitalInputSensor, FollowsItsDefinitionWhateverTheContactDoes) {
   }));
 }
 
-TEST(DigitalInputSensor, ABiasSetsTheCountToZeroAndLeavesTheStateAlone) {
+TEST(DigitalInputSensor, BiasSetsTheCountToZeroAndKeepsTheState) {
   DigitalInputSensor sensor = made_sensor();
   for (Tick tick = 0; tick < 6; ++tick) measured(sensor, tick, static_cast<double>(tick % 2));
   EXPECT_EQ(measured(sensor, 6, 0).values[1], 3);

@@ -13,7 +13,7 @@
 namespace mrroc {
 namespace {
 
-/// A `DigitalSensor` whose hardware plays `lines`; non-interactive with `period`. A step without robots is 10 ticks.
+/// A `DigitalSensor` whose hardware replays `lines`; non-interactive with `period`. A step without robots is 10 ticks.
 class DigitalSensorTest : public ::testing::Test {
  protected:
   void play(const std::string& lines, const std::string& toml = "", Tick period = 0) {
@@ -37,7 +37,7 @@ TEST_F(DigitalSensorTest, IsOffBeforeTheFirstReading) {
   EXPECT_TRUE(std::isnan(input().level()));
 }
 
-TEST_F(DigitalSensorTest, AWaitEndsWhenTheTerminalIsOnOrOff) {
+TEST_F(DigitalSensorTest, WaitEndsWhenTheInputIsOnOrOff) {
   play("0 0\n 20 5\n 40 0\n");
   const Outcome on = Wait({}, {input()}, On{input()});
   EXPECT_EQ(on.end_tick, 20U);
@@ -46,7 +46,7 @@ TEST_F(DigitalSensorTest, AWaitEndsWhenTheTerminalIsOnOrOff) {
   EXPECT_EQ(Wait({}, {input()}, !On{input()}).end_tick, 40U);
 }
 
-TEST_F(DigitalSensorTest, ARiseBetweenTwoReadingsIsNotLost) {
+TEST_F(DigitalSensorTest, RiseBetweenTwoReadingsIsNotLost) {
   play("0 0\n 13 1\n 14 0\n 17 1\n 18 0\n");
   const Outcome outcome = Wait({}, {input()}, Risen{input()});
   EXPECT_EQ(outcome.end_tick, 20U);
@@ -55,13 +55,13 @@ TEST_F(DigitalSensorTest, ARiseBetweenTwoReadingsIsNotLost) {
   EXPECT_EQ(input().rises(), 2U);
 }
 
-TEST_F(DigitalSensorTest, EveryInstructionWaitsForARiseOfItsOwn) {
+TEST_F(DigitalSensorTest, EveryInstructionWaitsForItsOwnRise) {
   play("0 0\n 13 1\n 25 0\n 33 1\n");
   EXPECT_EQ(Wait({}, {input()}, Risen{input()}).end_tick, 20U);
   EXPECT_EQ(Wait({}, {input()}, Risen{input()}).end_tick, 40U);
 }
 
-TEST_F(DigitalSensorTest, AfterABiasRisesCountFromZero) {
+TEST_F(DigitalSensorTest, RisesCountFromZeroAfterABias) {
   play("0 0\n 13 1\n 25 0\n 33 1\n");
   Wait({}, {input()}, Risen{input()});
   input().bias();
@@ -70,19 +70,19 @@ TEST_F(DigitalSensorTest, AfterABiasRisesCountFromZero) {
   EXPECT_EQ(input().rises(), 1U);
 }
 
-TEST_F(DigitalSensorTest, ARiseIsSeenThoughAnotherProgramHasSetTheCountToZero) {
+TEST_F(DigitalSensorTest, RiseIsDetectedAfterABiasOfAnotherProgram) {
   play("0 0\n 3 1\n 5 0\n 7 1\n 9 0\n 33 1\n");
   Wait({}, {input()}, When{"two", [this] { return input().rises() == 2; }});
   Risen risen{input()};
   risen.start();
   EXPECT_FALSE(risen.evaluate());
-  input().bias();  // what another program's request does
+  input().bias();  // the effect of another program's request
   EXPECT_FALSE(risen.evaluate());
   Wait({}, {input()}, On{input()});
   EXPECT_TRUE(risen.evaluate());
 }
 
-TEST_F(DigitalSensorTest, ADebouncedTerminalIsPublishedToo) {
+TEST_F(DigitalSensorTest, DebouncedInputIsPublishedToo) {
   play("0 0\n 10 1\n 12 0\n 14 1\n", "debounce = 0.01", 5);
   const Outcome outcome = Wait({}, {input()}, On{input()});
   EXPECT_EQ(outcome.end_tick, 20U);  // steady from 14 on, switched at 19, published at 20

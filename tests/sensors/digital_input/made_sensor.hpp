@@ -20,7 +20,7 @@ inline RawReading raw(Tick tick, double level) {
   return r;
 }
 
-/// What a reading at `tick` gives when the sensor is woken for it.
+/// The reading at `tick` when the sensor is woken for it.
 inline SensorReading measured(DigitalInputSensor& sensor, Tick tick, double level) {
   SensorReading v;
   v.channel_count = 3;

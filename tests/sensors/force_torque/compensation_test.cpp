@@ -1,4 +1,4 @@
-// How well a tool's weight is taken out, in MuJoCo: the IRb-6 at rest in random postures that touch nothing.
+// Residual of the weight compensation in MuJoCo: the IRb-6 at rest in random postures without contact.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -41,7 +41,7 @@ class Arm {
     hardware_ = std::make_unique<sim::SensorSource>(world_.model(), "wrist", "force_torque", "arm");
   }
 
-  /// Brings the arm to rest at `joints`, brakes on. False: it touches itself or the floor.
+  /// Brings the arm to rest at `joints`, with closed brakes. False: it touches itself or the floor.
   bool rest_at(const JointVector& joints) {
     world::JointDrive none;
     none.joint_count = 6;
@@ -65,7 +65,7 @@ class Arm {
     return r;
   }
 
-  /// e_l at `joints`, from the robot's closed forms, which know nothing of MuJoCo.
+  /// e_l at `joints`, from the robot's closed forms, which are independent of MuJoCo.
   RobotState state_at(const JointVector& joints) const {
     RobotState state;
     state.tick = tick_;
@@ -94,7 +94,7 @@ class Arm {
   Tick tick_ = 0;
 };
 
-/// Largest and root mean square of what is left, of the norms of force and torque.
+/// Maximum and root mean square of the residual norms of force and torque.
 struct Residual {
   void add(const Wrench& w) {
     const Eigen::Vector2d norms(w.head<3>().norm(), w.tail<3>().norm());
@@ -114,11 +114,11 @@ struct Residual {
   int count = 0;
 };
 
-TEST(ForceTorqueCompensation, LeavesLessThanItsLimitsOfAKilogramInAThousandFreePostures) {
+TEST(ForceTorqueCompensation, ResidualOfAKilogramIsBelowItsLimitsInAThousandFreePostures) {
   Arm arm;
   ForceTorqueSensor exact = made_sensor(kToolMass);
   ForceTorqueSensor noisy = made_sensor(std::string(kToolMass) + kNoise);
-  ForceTorqueSensor stale = made_sensor(kToolMass);  // as if the pose did not come
+  ForceTorqueSensor stale = made_sensor(kToolMass);  // as if the pose were missing
   ForceTorqueSensor without = made_sensor();
   stale.effector_state(arm.state_at(arm.model().parameters().home));
   Residual of_exact, of_noisy, of_stale, of_without;
@@ -147,7 +147,7 @@ TEST(ForceTorqueCompensation, LeavesLessThanItsLimitsOfAKilogramInAThousandFreeP
     EXPECT_LT(residual.worst[0], kForceLimit);
     EXPECT_LT(residual.worst[1], kTorqueLimit);
   }
-  EXPECT_GT(of_without.least[0], 5) << "the weight is felt in every posture";
+  EXPECT_GT(of_without.least[0], 5) << "the weight acts in every posture";
   EXPECT_GT(of_stale.root_mean_square()[0], 5) << "and the postures differ";
 }
 

@@ -30,7 +30,7 @@ RobotState state_of(const Eigen::Matrix3d& orientation, bool synchronised = true
   return state;
 }
 
-TEST(ForceTorqueSensor, GivesTheOppositeOfTheSupport) {
+TEST(ForceTorqueSensor, ReadsTheNegativeOfTheSupport) {
   EXPECT_TRUE(rc::check([] {
     ForceTorqueSensor sensor = made_sensor();
     const Wrench w = any_wrench();
@@ -40,7 +40,7 @@ TEST(ForceTorqueSensor, GivesTheOppositeOfTheSupport) {
   }));
 }
 
-TEST(ForceTorqueSensor, AfterABiasTheSameRawReadingGivesZeroAndOthersTheDifference) {
+TEST(ForceTorqueSensor, RawReadingOfTheBiasGivesZeroAndOthersTheDifference) {
   EXPECT_TRUE(rc::check([] {
     ForceTorqueSensor sensor = made_sensor(
         "force_noise = 0.3\ntorque_noise = 0.02\ncutoff = " + std::to_string(*rc::gen::element(0, 5, 250)) + ".0");
@@ -50,7 +50,7 @@ TEST(ForceTorqueSensor, AfterABiasTheSameRawReadingGivesZeroAndOthersTheDifferen
     const RawReading r = raw_of(any_wrench(), tick);
     RC_ASSERT(sensor.bias(r));
     RC_ASSERT(wrench_of(aggregated(sensor, r)) == Wrench::Zero());
-    RC_ASSERT(sensor.bias(r));  // and again: biasing the biased reading changes nothing
+    RC_ASSERT(sensor.bias(r));  // a repeated bias changes nothing
     RC_ASSERT(wrench_of(aggregated(sensor, r)) == Wrench::Zero());
   }));
   EXPECT_TRUE(rc::check([] {
@@ -61,7 +61,7 @@ TEST(ForceTorqueSensor, AfterABiasTheSameRawReadingGivesZeroAndOthersTheDifferen
   }));
 }
 
-TEST(ForceTorqueSensor, BeyondItsRangeTheReadingIsAnErrorAndTheNextIsNot) {
+TEST(ForceTorqueSensor, ReadingBeyondItsRangeIsAnErrorAndTheNextIsNot) {
   const Wrench limit{{130, 130, 400, 10, 10, 10}};
   for (int axis = 0; axis < 6; ++axis) {
     for (const double sign : {1.0, -1.0}) {
@@ -80,13 +80,13 @@ TEST(ForceTorqueSensor, BeyondItsRangeTheReadingIsAnErrorAndTheNextIsNot) {
   }
 }
 
-TEST(ForceTorqueSensor, TheErrorNamesAxisValueAndLimit) {
+TEST(ForceTorqueSensor, ErrorNamesAxisValueAndLimit) {
   ForceTorqueSensor sensor = made_sensor("force_range = [50.0, 50.0, 100.0]");
   const SensorReading v = aggregated(sensor, raw_of(Wrench{{0, 0, -123.5, 0, 0, 0}}));
   EXPECT_EQ(v.error.detail.view(), "force z -123.5 N, expected at most 100");
 }
 
-TEST(ForceTorqueSensor, ABiasBeyondTheRangeLeavesTheZero) {
+TEST(ForceTorqueSensor, BiasBeyondTheRangeKeepsTheZero) {
   ForceTorqueSensor sensor = made_sensor();
   const Wrench w{{1, 2, 3, 0.1, 0.2, 0.3}};
   sensor.bias(raw_of(w, 1));
@@ -94,7 +94,7 @@ TEST(ForceTorqueSensor, ABiasBeyondTheRangeLeavesTheZero) {
   EXPECT_EQ(wrench_of(aggregated(sensor, raw_of(w, 3))), Wrench::Zero());
 }
 
-TEST(ForceTorqueSensor, TakesTheToolsWeightOutInEveryOrientation) {
+TEST(ForceTorqueSensor, CompensatesTheToolsWeightInEveryOrientation) {
   EXPECT_TRUE(rc::check([] {
     ForceTorqueSensor sensor = made_sensor("tool_mass = 0.6\ntool_centre = [0.01, -0.02, 0.08]");
     const Eigen::Matrix3d orientation = any_rotation();
@@ -109,7 +109,7 @@ TEST(ForceTorqueSensor, TakesTheToolsWeightOutInEveryOrientation) {
   }));
 }
 
-TEST(ForceTorqueSensor, DoesNotKnowTheWeightWithoutThePoseOfASynchronisedRobot) {
+TEST(ForceTorqueSensor, NeedsThePoseOfASynchronisedRobotForTheWeight) {
   ForceTorqueSensor sensor = made_sensor("tool_mass = 0.6");
   const RawReading r = raw_of(Wrench::Zero());
   EXPECT_EQ(aggregated(sensor, r).error.code, ErrorCode::sensor_not_ready);

@@ -17,7 +17,7 @@ const std::string kHeader =
     "# mrroc readings support_force_x support_force_y support_force_z "
     "support_torque_x support_torque_y support_torque_z\n";
 
-/// A `ForceTorque` whose hardware plays `lines`.
+/// A `ForceTorque` whose hardware replays `lines`.
 class ForceTorqueTest : public ::testing::Test {
  protected:
   void play(const std::string& lines) {
@@ -41,7 +41,7 @@ TEST_F(ForceTorqueTest, GivesTheWrenchOnTheTool) {
   EXPECT_EQ(wrist().torque(), (Eigen::Vector3d{4, 5, 6}));
 }
 
-TEST_F(ForceTorqueTest, AWaitEndsAtTheFirstReadingAboveTheForce) {
+TEST_F(ForceTorqueTest, WaitEndsAtTheFirstReadingAboveTheForce) {
   play("0 0 0 5 0 0 0\n 47 6 0 8 0 0 0\n 51 6 0 8.1 0 0 0\n");
   const Outcome outcome = Wait({}, {wrist()}, ForceAbove{wrist(), 10});
   EXPECT_EQ(outcome.end_tick, 60U);  // readings at 0, 10, ... 60; exactly 10 N at 50 is not above
@@ -50,14 +50,14 @@ TEST_F(ForceTorqueTest, AWaitEndsAtTheFirstReadingAboveTheForce) {
   EXPECT_TRUE(outcome.by("wrist force above 10 N"));
 }
 
-TEST_F(ForceTorqueTest, ForceAlongLooksAtOneDirectionOnly) {
+TEST_F(ForceTorqueTest, ForceAlongUsesOneDirectionOnly) {
   play("0 50 0 -20 0 0 0\n 20 0 0 4 0 0 0\n 30 0 0 6 0 0 0\n");
-  // the support along +z is the environment pushing along -z, as it does on a tool that presses along +z
+  // support along +z means that the environment pushes along -z, as on a tool that presses along +z
   const Outcome outcome = Wait({}, {wrist()}, ForceAlongAbove{wrist(), {0, 0, -2}, 5});
   EXPECT_EQ(outcome.end_tick, 30U);
 }
 
-TEST_F(ForceTorqueTest, AfterABiasTheForceIsZero) {
+TEST_F(ForceTorqueTest, ForceIsZeroAfterABias) {
   play("0 0 0 -5.89 0 0 0\n 40 0 0 6.11 0 0 0\n");
   wrist().bias();
   EXPECT_EQ(wrist().wrench(), Wrench::Zero());
@@ -66,7 +66,7 @@ TEST_F(ForceTorqueTest, AfterABiasTheForceIsZero) {
   EXPECT_NEAR(wrist().force().z(), -12, 1e-12);
 }
 
-TEST_F(ForceTorqueTest, AnOverloadEndsTheWaitWithAnError) {
+TEST_F(ForceTorqueTest, OverloadEndsTheWaitWithAnError) {
   play("0 0 0 5 0 0 0\n 20 0 0 500 0 0 0\n 30 0 0 5 0 0 0\n");
   try {
     Wait({}, {wrist()}, ForceAbove{wrist(), 1000});
@@ -81,12 +81,12 @@ TEST_F(ForceTorqueTest, AnOverloadEndsTheWaitWithAnError) {
   EXPECT_EQ(outcome.end_tick, 30U);
 }
 
-TEST_F(ForceTorqueTest, AFailedTransducerIsAHardwareError) {
+TEST_F(ForceTorqueTest, FailedTransducerIsAHardwareError) {
   play("0 0 0 nan 0 0 0\n");
   EXPECT_THROW(Wait({}, {wrist()}, ForceAbove{wrist(), 1}), HardwareError);
 }
 
-TEST_F(ForceTorqueTest, ConditionsRefuseWhatIsNoForceOrDirection) {
+TEST_F(ForceTorqueTest, ConditionsRefuseInvalidForcesAndDirections) {
   play("0 0 0 0 0 0 0\n");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(ForceAbove(wrist(), -1), NonFatalError);

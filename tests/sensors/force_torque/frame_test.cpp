@@ -28,7 +28,7 @@ std::string text_of(const Eigen::Vector3d& v) {
   return text.str();
 }
 
-/// A sensor that reads `wrench` and the task it belongs to.
+/// A sensor with the reading `wrench`, and its task.
 struct Reading {
   explicit Reading(const Wrench& wrench)
       : task(aggregating, "force_torque",
@@ -47,7 +47,7 @@ struct Reading {
   ForceTorque wrist{task, "wrist"};
 };
 
-TEST(ForceTorqueFrame, AForceThroughTheFramesOriginHasNoTorqueThere) {
+TEST(ForceTorqueFrame, ForceThroughTheFramesOriginHasNoTorqueThere) {
   // 20 N up at (0.05, 0, 0.11): r x f = (0, 1, 0) for f = -20 z
   const Reading reading(Wrench{{0, 0, -20, 0, 1, 0}});
   const Wrench tip = reading.wrist.in(frame_at({0.05, 0, 0.11}, {0, 0, 0}));
@@ -74,7 +74,7 @@ TEST(ForceTorqueFrame, PowerIsTheSameInEveryFrame) {
 }
 
 // R of the sensor frame: from the tool's pose and the tool in use, not from the tool's own axes
-TEST(ForceTorqueFrame, TheWeightIsTakenOutWhateverToolIsWornAndHoweverTheSensorIsMounted) {
+TEST(ForceTorqueFrame, WeightIsCompensatedWithAnyToolAndAnyMount) {
   EXPECT_TRUE(rc::check([] {
     const Eigen::Vector3d turns = 0.4 * any_vector();
     vsp::ForceTorqueSensor sensor =

@@ -13,7 +13,7 @@
 namespace mrroc::vsp {
 namespace {
 
-/// Of the usual pattern of three beams.
+/// A calibration of the usual pattern of three beams.
 constexpr const char* kCalibration = R"(calibration = [
   -0.41,  0.18,  1.12, -33.52, -0.94,  33.81,
   -1.23, 39.47,  0.61, -19.18,  0.79, -19.63,
@@ -34,7 +34,7 @@ Wrench any_load() {
 
 RawReading raw_of_gauges(const GaugeVoltages& voltages, Tick tick = 0) { return raw_of(-voltages, tick); }
 
-/// Always gives the same.
+/// A source with constant readings.
 class OneReading final : public Source {
  public:
   OneReading(const RawReading& raw, SourceState state) : raw_(raw), state_(state) {}
@@ -65,14 +65,14 @@ std::string with_row(const std::string& row) {
 TEST(Gauges, ForceIsTheMatrixTimesTheVoltagesWithoutTheirZero) {
   ForceTorqueSensor sensor = made_sensor(kCalibration);
   EXPECT_EQ(wrench_of(aggregated(sensor, raw_of_gauges(kZero))), Wrench::Zero());
-  // a column of the matrix, by hand: 1 V more at gauge 3
+  // a column of the matrix, calculated by hand: 1 V more at gauge 3
   const Wrench column{{-33.52, -19.18, 1.24, -0.27, 0.40, 1.01}};
   GaugeVoltages voltages = kZero;
   voltages[3] += 1;
   EXPECT_LT((wrench_of(aggregated(sensor, raw_of_gauges(voltages))) - column).norm(), 1e-12);
 }
 
-TEST(Gauges, TheRawChannelsAreVoltagesOnlyWithACalibration) {
+TEST(Gauges, RawChannelsAreVoltagesOnlyWithACalibration) {
   EXPECT_EQ(made_sensor().raw_channels()[0].name, "support_force_x");
   const auto channels = made_sensor(kCalibration).raw_channels();
   ASSERT_EQ(channels.size(), 6U);
@@ -82,7 +82,7 @@ TEST(Gauges, TheRawChannelsAreVoltagesOnlyWithACalibration) {
   }
 }
 
-TEST(Gauges, SimulatedOnesGiveTheLoadBack) {
+TEST(Gauges, SimulatedGaugesReproduceTheLoad) {
   EXPECT_TRUE(rc::check([] {
     ForceTorqueSensor sensor = made_sensor(kCalibration);
     const Wrench load = any_load();
@@ -96,7 +96,7 @@ TEST(Gauges, SimulatedOnesGiveTheLoadBack) {
   }));
 }
 
-TEST(Gauges, SimulatedOnesPassOnWhatIsNoWrench) {
+TEST(Gauges, SimulatedGaugesPassInvalidWrenchesOn) {
   const Gauges gauges = *Gauges::of(entry_of("force_torque", "wrist", kCalibration));
   RawReading broken = raw_of(Wrench::Zero());
   broken.values[2] = std::numeric_limits<double>::quiet_NaN();
@@ -108,7 +108,7 @@ TEST(Gauges, SimulatedOnesPassOnWhatIsNoWrench) {
   EXPECT_EQ(silent.read(0, r), SourceState::silent);
 }
 
-TEST(Gauges, ASaturatedGaugeIsAnErrorNeitherAValueNorTheOneBefore) {
+TEST(Gauges, SaturatedGaugeIsAnErrorWithoutAValue) {
   const std::string toml = std::string(kCalibration) + "gauge_limit = 5.0\nforce_range = [1e9, 1e9, 1e9]\n";
   for (int gauge = 0; gauge < 6; ++gauge) {
     for (const double volts : {5.0, -5.0, 7.5}) {
@@ -127,7 +127,7 @@ TEST(Gauges, ASaturatedGaugeIsAnErrorNeitherAValueNorTheOneBefore) {
   }
 }
 
-TEST(Gauges, TheErrorNamesGaugeVoltageAndLimit) {
+TEST(Gauges, ErrorNamesGaugeVoltageAndLimit) {
   ForceTorqueSensor sensor = made_sensor(kCalibration);
   GaugeVoltages voltages = kZero;
   voltages[4] = -10;
@@ -135,7 +135,7 @@ TEST(Gauges, TheErrorNamesGaugeVoltageAndLimit) {
             "gauge 4 is saturated at -10 V, expected less than 10");
 }
 
-TEST(Gauges, AnOverloadOfTheSimulatedWristSaturatesThemInsteadOfGivingASmallerForce) {
+TEST(Gauges, OverloadOfTheSimulatedWristSaturatesThem) {
   const config::SensorEntry entry = entry_of("force_torque", "wrist", kCalibration);
   ForceTorqueSensor sensor = made_sensor(kCalibration);
   RawReading r;
@@ -145,14 +145,14 @@ TEST(Gauges, AnOverloadOfTheSimulatedWristSaturatesThemInsteadOfGivingASmallerFo
   EXPECT_EQ(aggregated(sensor, r).error.code, ErrorCode::sensor_out_of_range);
 }
 
-TEST(Gauges, RefusesAMatrixThatIsNone) {
+TEST(Gauges, RefusesAnInvalidMatrix) {
   EXPECT_EQ(refusal(with_row("0, 0, 0, 0, 1, 0")), "none");
   for (const char* row : {"0, 0, 0, 0, 0, 0", "0, 0, 0, 1, 0, 0", "0, 0, 0, -50, 1e-7, 0"}) {
     EXPECT_NE(refusal(with_row(row)).find("sensors.wrist.calibration: a matrix that cannot be inverted, expected 6"),
               std::string::npos)
         << row << ": " << refusal(with_row(row));
   }
-  // the file's errors: line and place in the array
+  // errors of the file: line and index in the array
   EXPECT_NE(refusal(with_row("0, 0, 0, 0, 1")).find("sensor.toml:1: calibration: has 35 values"), std::string::npos);
   EXPECT_NE(refusal(with_row("0, 0, 0, 0, nan, 0")).find("sensor.toml:3: calibration[28]"), std::string::npos)
       << refusal(with_row("0, 0, 0, 0, nan, 0"));

@@ -13,7 +13,7 @@ inline ForceTorqueSensor made_sensor(const std::string& toml = "", const std::st
   return sensor;
 }
 
-/// r when the environment and the tool's weight add up to `load`: the wrist supports it.
+/// r when the environment and the tool's weight add up to `load`, which the wrist supports.
 inline RawReading raw_of(const Wrench& load, Tick tick = 0) {
   RawReading r;
   r.tick = tick;

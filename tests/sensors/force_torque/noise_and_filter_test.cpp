@@ -36,7 +36,7 @@ TEST(ForceTorqueNoise, DependsOnNameAndTickOnly) {
   EXPECT_NE(aggregated(one, r).values, aggregated(other, r).values);
 }
 
-TEST(ForceTorqueFilter, AnswersAStepWithItsTimeConstant) {
+TEST(ForceTorqueFilter, StepResponseHasTheTimeConstant) {
   // 1 / (2 pi f) = 25 ticks of 2 ms
   const double cutoff = 1 / (2 * std::numbers::pi * 25 * kServoPeriod);
   ForceTorqueSensor sensor = made_sensor("cutoff = " + std::to_string(cutoff));
@@ -72,7 +72,7 @@ TEST(ForceTorqueFilter, LagsBehindARampByItsStatedDelay) {
   EXPECT_EQ(made_sensor().delay(), 0);
 }
 
-TEST(ForceTorqueFilter, DoesNotSeeWhatIsBeyondTheRange) {
+TEST(ForceTorqueFilter, IgnoresReadingsBeyondTheRange) {
   ForceTorqueSensor with = made_sensor("cutoff = 5.0"), without = made_sensor("cutoff = 5.0");
   for (Tick tick = 0; tick < 20; ++tick) {
     without.track(raw_of(force_z(10), tick));

@@ -35,8 +35,8 @@ class Hand {
  public:
   Hand() : model_(load(), mj_deleteModel), data_(mj_makeData(model_.get()), mj_deleteData) {}
 
-  /// Pushes down with `force` besides carrying its own weight, for 2 s: the hand comes to rest. Gives what the
-  /// simulator puts into the sensor's slot.
+  /// Pushes down with `force` in addition to its own weight, for 2 s, until the hand is at rest. Returns the value that
+  /// the simulator writes to the sensor's slot.
   RawReading push(double force) {
     data_->ctrl[0] = force - 1.6 * 9.81;
     for (int i = 0; i < 2000; ++i) mj_step(model_.get(), data_.get());
@@ -75,7 +75,7 @@ void expect_table(const SensorReading& v) {
   for (const int i : {0, 1, 3, 5}) EXPECT_NEAR(w[i], 0, 0.01) << i;
 }
 
-TEST(ForceTorqueSign, ATableUnderAToolThatPointsDownPushesAlongMinusZ) {
+TEST(ForceTorqueSign, TableUnderAToolThatPointsDownPushesAlongMinusZ) {
   Hand hand;
   ForceTorqueSensor sensor = made_sensor();
   const RawReading free = hand.push(0);
@@ -84,7 +84,7 @@ TEST(ForceTorqueSign, ATableUnderAToolThatPointsDownPushesAlongMinusZ) {
   expect_table(aggregated(sensor, hand.push(20)));
 }
 
-TEST(ForceTorqueSign, SoItDoesWithTheToolsMassInsteadOfABias) {
+TEST(ForceTorqueSign, EqualWithTheToolsMassInsteadOfABias) {
   Hand hand;
   ForceTorqueSensor sensor = made_sensor("tool_mass = 0.6\ntool_centre = [0.0, 0.0, 0.08]");
   RobotState state;

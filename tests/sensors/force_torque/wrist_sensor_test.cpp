@@ -1,4 +1,4 @@
-// The same sensor as the EDP of a robot reads it.
+// The same sensor in the EDP of a robot.
 #include "edp/force/wrist_sensor.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ constexpr const char* kCalibration = R"(calibration = [10.0, 0, 0, 0, 0, 0,  0, 
   0, 0, 0, 1, 0, 0,  0, 0, 0, 0, 1, 0,  0, 0, 0, 0, 0, 1]
 )";
 
-/// A wrist that plays `lines` of gauge voltages.
+/// A wrist that replays `lines` of gauge voltages.
 class Wrist {
  public:
   Wrist(const std::string& toml, const std::string& lines) : entry_(entry_of("force_torque", "wrist", toml)) {
@@ -32,14 +32,14 @@ class Wrist {
   std::optional<edp::WristSensor> sensor_;
 };
 
-TEST(ForceTorqueInTheEdp, TakesTheCalibrationToo) {
+TEST(ForceTorqueInTheEdp, UsesTheCalibrationToo) {
   Wrist wrist{kCalibration, "0 1 2 3 4 5 6\n"};
   const edp::WrenchReading reading = wrist.read(0, Pose::Identity());
   EXPECT_EQ(reading.error, ErrorCode::none);
   EXPECT_EQ(reading.wrench, (Wrench{{10, 20, 30, 4, 5, 6}}));
 }
 
-TEST(ForceTorqueInTheEdp, WhereAGaugeIsSaturatedTheWrenchIsInErrorAndTheRawOne) {
+TEST(ForceTorqueInTheEdp, SaturatedGaugeMakesBothWrenchesErrors) {
   Wrist wrist{std::string(kCalibration) + "gauge_limit = 5.0", "0 0 0 5 0 0 0\n1 0 0 4 0 0 0\n"};
   const edp::WrenchReading saturated = wrist.read(0, Pose::Identity());
   EXPECT_EQ(saturated.error, ErrorCode::sensor_out_of_range);
@@ -47,7 +47,7 @@ TEST(ForceTorqueInTheEdp, WhereAGaugeIsSaturatedTheWrenchIsInErrorAndTheRawOne) 
   EXPECT_EQ(wrist.read(1, Pose::Identity()).error, ErrorCode::none);
 }
 
-TEST(ForceTorqueInTheEdp, TurnsTheWeightIntoTheAxesOfATurnedSensor) {
+TEST(ForceTorqueInTheEdp, RotatesTheWeightIntoTheAxesOfARotatedSensor) {
   // the flange points down, the sensor on it is turned by 90 degrees about z: 1 kg pulls along its +z
   Wrist wrist{std::string(kCalibration) +
                   "tool_mass = 1.0\ntool_centre = [0.1, 0.0, 0.0]\nrotation = [0.0, 0.0, "
@@ -56,8 +56,8 @@ TEST(ForceTorqueInTheEdp, TurnsTheWeightIntoTheAxesOfATurnedSensor) {
   const edp::WrenchReading reading = wrist.read(0, frame_at({0.5, 0, 0.5}, {3.14159265358979323846, 0, 0}));
   EXPECT_EQ(reading.error, ErrorCode::none);
   EXPECT_LT(reading.wrench.norm(), 1e-9);
-  // on its side, its x axis down: the flange is turned by 90 degrees about y, so the weight is along flange x, sensor
-  // -y
+  // on its side, with its x axis down: the flange is turned by 90 degrees about y, so the weight is along flange x,
+  // sensor -y
   Wrist aside{std::string(kCalibration) + "tool_mass = 1.0\nrotation = [0.0, 0.0, 1.5707963267948966]",
               "0 0 -0.981 0 0 0 0\n"};
   EXPECT_LT(aside.read(0, frame_at({0, 0, 0}, {0, 1.5707963267948966, 0})).wrench.norm(), 1e-9);

@@ -12,7 +12,7 @@
 namespace mrroc::vsp {
 namespace {
 
-/// max_range 0.8 m, dead_zone 0.1 m are the defaults.
+/// The defaults: max_range 0.8 m, dead_zone 0.1 m.
 void expect_nothing_seen(const SensorReading& v) {
   EXPECT_EQ(v.error.error_class, ErrorClass::none);
   EXPECT_EQ(v.values[0], 0.8);
@@ -20,7 +20,7 @@ void expect_nothing_seen(const SensorReading& v) {
   EXPECT_EQ(v.values[2], 0);
 }
 
-/// Mean and standard deviation of what is read at `range`, less `range`.
+/// Mean and standard deviation of the readings at `range`, minus `range`.
 std::pair<double, double> errors_at(const std::string& toml, double range) {
   InfraredSensor sensor = made_sensor(toml);
   constexpr int kSamples = 20000;
@@ -33,7 +33,7 @@ std::pair<double, double> errors_at(const std::string& toml, double range) {
   return {sum / kSamples, std::sqrt(squares / kSamples)};
 }
 
-TEST(InfraredSensor, MeasuresBetweenDeadZoneAndMaxRangeBothIncluded) {
+TEST(InfraredSensor, MeasuresFromDeadZoneToMaxRangeInclusive) {
   InfraredSensor sensor = made_sensor();
   for (const double range : {0.1, 0.25, 0.8}) {
     const SensorReading v = aggregated(sensor, range);
@@ -43,14 +43,14 @@ TEST(InfraredSensor, MeasuresBetweenDeadZoneAndMaxRangeBothIncluded) {
   }
 }
 
-TEST(InfraredSensor, ReportsMaxRangeAndNotDetectedWhenNothingIsSeen) {
+TEST(InfraredSensor, ReportsMaxRangeAndNotDetectedWithoutATarget) {
   InfraredSensor sensor = made_sensor();
   aggregated(sensor, 0.2);
   expect_nothing_seen(aggregated(sensor, -1));
   expect_nothing_seen(aggregated(sensor, 0.8000001));
 }
 
-TEST(InfraredSensor, InItsDeadZoneTheReadingIsAnErrorWithoutAValueAndTheNextIsNot) {
+TEST(InfraredSensor, ReadingInTheDeadZoneIsAnErrorWithoutAValueAndTheNextIsNot) {
   InfraredSensor sensor = made_sensor();
   for (const double range : {0.0, 0.05, 0.0999}) {
     const SensorReading v = aggregated(sensor, range);
@@ -62,7 +62,7 @@ TEST(InfraredSensor, InItsDeadZoneTheReadingIsAnErrorWithoutAValueAndTheNextIsNo
   EXPECT_EQ(aggregated(sensor, 0.05).error.detail.view(), "range 0.05 m, expected at least 0.1 m, the dead zone");
 }
 
-TEST(InfraredSensor, ANegativeRangeIsAHardwareError) {
+TEST(InfraredSensor, NegativeRangeIsAHardwareError) {
   InfraredSensor sensor = made_sensor();
   const SensorReading v = aggregated(sensor, -0.5);
   EXPECT_EQ(v.error.error_class, ErrorClass::hardware);

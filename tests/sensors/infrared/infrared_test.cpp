@@ -14,7 +14,7 @@
 namespace mrroc {
 namespace {
 
-/// An `Infrared` whose hardware plays `lines`; non-interactive with `period`.
+/// An `Infrared` whose hardware replays `lines`; non-interactive with `period`.
 class InfraredTest : public ::testing::Test {
  protected:
   void play(const std::string& lines, Tick period = 0) {
@@ -29,7 +29,7 @@ class InfraredTest : public ::testing::Test {
   std::unique_ptr<Infrared> eye_;
 };
 
-TEST_F(InfraredTest, SeesNothingBeforeTheFirstReading) {
+TEST_F(InfraredTest, DetectsNothingBeforeTheFirstReading) {
   play("0 0.2\n");
   EXPECT_TRUE(std::isnan(eye().distance()));
   EXPECT_FALSE(eye().detected());
@@ -43,12 +43,12 @@ TEST_F(InfraredTest, WaitsForPresenceAndItsEnd) {
   EXPECT_EQ(eye().distance(), 0.33);
 }
 
-TEST_F(InfraredTest, APresenceThatIsOverBetweenTwoReadingsHasBeenSeen) {
+TEST_F(InfraredTest, PresenceBetweenTwoReadingsIsDetected) {
   play("0 -1\n 41 0.2\n 42 0.31\n", 50);  // at 42, between on and off: on only because of tick 41
   EXPECT_EQ(Wait({}, {eye()}, Presence{eye()}).end_tick, 50U);
 }
 
-TEST_F(InfraredTest, NearerLooksAtTheDistanceAndNotAtWhatIsNotSeen) {
+TEST_F(InfraredTest, NearerUsesTheDistanceAndIgnoresMissingTargets) {
   play("0 -1\n 20 0.5\n 40 0.29\n");
   const Outcome outcome = Wait({}, {eye()}, Nearer{eye(), 0.3});
   EXPECT_EQ(outcome.end_tick, 40U);
@@ -57,12 +57,12 @@ TEST_F(InfraredTest, NearerLooksAtTheDistanceAndNotAtWhatIsNotSeen) {
   EXPECT_EQ(Wait({}, {eye()}, Nearer{eye(), 100}).end_tick, 20U);
 }
 
-TEST_F(InfraredTest, SomethingInTheDeadZoneEndsTheWaitWithAnError) {
+TEST_F(InfraredTest, TargetInTheDeadZoneEndsTheWaitWithAnError) {
   play("0 -1\n 20 0.05\n");
   EXPECT_THROW(Wait({}, {eye()}, Presence{eye()}), NonFatalError);
 }
 
-TEST_F(InfraredTest, CannotBeBiasedAndRefusesWhatIsNoDistance) {
+TEST_F(InfraredTest, RefusesABiasAndInvalidDistances) {
   play("0 0.5\n");
   EXPECT_THROW(eye().bias(), NonFatalError);
   EXPECT_THROW(Nearer(eye(), 0), NonFatalError);

@@ -11,7 +11,7 @@ InfraredSensor switching() { return made_sensor("presence = 0.3\nhysteresis = 0.
 
 bool presence_at(InfraredSensor& sensor, double range) { return aggregated(sensor, range).values[2] == 1; }
 
-TEST(InfraredPresence, GoesOnAtItsDistanceAndOffBeyondTheHysteresis) {
+TEST(InfraredPresence, SwitchesOnAtItsDistanceAndOffBeyondTheHysteresis) {
   InfraredSensor sensor = switching();
   EXPECT_FALSE(presence_at(sensor, 0.35));  // between the two, from off
   EXPECT_FALSE(presence_at(sensor, 0.301));
@@ -23,7 +23,7 @@ TEST(InfraredPresence, GoesOnAtItsDistanceAndOffBeyondTheHysteresis) {
   EXPECT_FALSE(presence_at(sensor, -1));
 }
 
-TEST(InfraredPresence, StaysAsItWasWhileSomethingIsInTheDeadZone) {
+TEST(InfraredPresence, KeepsItsStateWhileATargetIsInTheDeadZone) {
   InfraredSensor sensor = switching();
   aggregated(sensor, 0.05);
   EXPECT_FALSE(presence_at(sensor, 0.32));
@@ -32,7 +32,7 @@ TEST(InfraredPresence, StaysAsItWasWhileSomethingIsInTheDeadZone) {
   EXPECT_TRUE(presence_at(sensor, 0.32));
 }
 
-TEST(InfraredPresence, WithinTheHysteresisNoiseNeverSwitchesIt) {
+TEST(InfraredPresence, NoiseWithinTheHysteresisNeverSwitchesIt) {
   EXPECT_TRUE(rc::check([] {
     InfraredSensor sensor = switching();
     bool on = false;
@@ -47,7 +47,7 @@ TEST(InfraredPresence, WithinTheHysteresisNoiseNeverSwitchesIt) {
   }));
 }
 
-TEST(InfraredPresence, IsThatOfEveryTickWhoeverAsksForReadings) {
+TEST(InfraredPresence, IsEvaluatedEveryTickForAnyRequests) {
   EXPECT_TRUE(rc::check([] {
     InfraredSensor asked = switching(), unasked = switching();
     EXPECT_TRUE(asked.continuous());

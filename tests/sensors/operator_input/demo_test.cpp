@@ -32,7 +32,7 @@ TEST(OperatorInputDemo, EventsAnswerAtTheirTicksOnEveryRun) {
 
 class Typed : public testing::TestWithParam<const char*> {};
 
-TEST_P(Typed, AnswersAreTakenAndBadOnesAskedForAgain) {
+TEST_P(Typed, BadAnswersAreRefusedAndAskedForAgain) {
   const ScratchFolder folder;
   Keyboard keyboard;
   MrrocRun run({"run", demo_with(folder, 0).string(), "--clock", GetParam()});
@@ -50,39 +50,41 @@ TEST_P(Typed, AnswersAreTakenAndBadOnesAskedForAgain) {
   EXPECT_NE(run.out().find("2 parts of 3.75 kg together"), std::string::npos) << run.out();
 }
 
-TEST_P(Typed, AnOperatorWhoLeavesEndsTheRunWithTheQuestion) {
+TEST_P(Typed, EndOfInputEndsTheRunWithTheQuestion) {
   const ScratchFolder folder;
   Keyboard keyboard;
   MrrocRun run({"run", demo_with(folder, 1).string(), "--clock", GetParam()});
   ASSERT_TRUE(run.wait_for_output("weight: What does")) << run.out() << run.err();
   keyboard.leave();
   EXPECT_EQ(run.wait(), 1) << run.out() << run.err();
-  EXPECT_NE(run.err().find("weight: What does the next part weigh, in kg? Nobody is left to answer"), std::string::npos)
+  EXPECT_NE(run.err().find("weight: What does the next part weigh, in kg? No operator is left to answer"),
+            std::string::npos)
       << run.err();
 }
 
 INSTANTIATE_TEST_SUITE_P(Clocks, Typed, testing::Values("paced", "real"),
                          [](const auto& test) { return std::string{test.param}; });
 
-TEST(OperatorInputDemo, WithoutAnybodyToAnswerNothingIsStarted) {
+TEST(OperatorInputDemo, StartIsRefusedWithoutASourceOfAnswers) {
   const ScratchFolder folder;
   const int null = open("/dev/null", O_RDONLY | O_CLOEXEC);
   const StandardInput nobody(null);
   const std::string demo = demo_with(folder, 0).string();
   for (const std::string clock : {"lockstep", "paced", "real"}) {
     const std::string output = run_mrroc({"run", demo, "--clock", clock}, 2);
-    EXPECT_NE(output.find("sensors.parts: asks the operator, and nobody answers"), std::string::npos) << output;
+    EXPECT_NE(output.find("sensors.parts: asks the operator, and no answer can be typed"), std::string::npos) << output;
     EXPECT_EQ(output.find("starting"), std::string::npos) << output;
   }
   close(null);
 }
 
-TEST(OperatorInputDemo, InLockstepAQuestionAfterTheLastEventEndsTheRun) {
+TEST(OperatorInputDemo, QuestionAfterTheLastEventEndsTheRunInLockstep) {
   const ScratchFolder folder;
-  Keyboard keyboard;  // what is typed would come at another tick on every run
+  Keyboard keyboard;  // typed answers would come at another tick in every run
   keyboard.type("1\n1\n");
   const std::string output = run_mrroc({"run", demo_with(folder, 2).string()}, 1);
-  EXPECT_NE(output.find("weight: What does the next part weigh, in kg? Nobody is left to answer"), std::string::npos)
+  EXPECT_NE(output.find("weight: What does the next part weigh, in kg? No operator is left to answer"),
+            std::string::npos)
       << output;
 }
 

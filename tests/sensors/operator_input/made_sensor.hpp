@@ -5,7 +5,7 @@
 
 namespace mrroc::vsp {
 
-/// Played: it has no operator.
+/// Replayed: it has no operator.
 inline OperatorInputSensor made_sensor(const std::string& toml = "") {
   OperatorInputSensor sensor;
   sensor.set_up(entry_of("operator_input", "parts", toml), 0.002);

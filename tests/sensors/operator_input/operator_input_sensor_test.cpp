@@ -10,7 +10,7 @@
 namespace mrroc::vsp {
 namespace {
 
-TEST(OperatorInputSensor, IsAnsweredByTheFirstAnswerAfterTheQuestionAndByTheNewest) {
+TEST(OperatorInputSensor, TakesTheFirstAnswerAfterTheQuestionAndThenTheNewest) {
   EXPECT_TRUE(rc::check([] {
     OperatorInputSensor sensor = made_sensor();
     const auto earlier = *rc::gen::inRange(0, 100);
@@ -23,10 +23,10 @@ TEST(OperatorInputSensor, IsAnsweredByTheFirstAnswerAfterTheQuestionAndByTheNewe
   }));
 }
 
-TEST(OperatorInputSensor, RefusesALeastAnswerAboveTheLargest) {
+TEST(OperatorInputSensor, RefusesAMinimumAnswerAboveTheMaximum) {
   try {
     made_sensor("min = 3\nmax = 2");
-    FAIL() << "no answer could be taken";
+    FAIL() << "no answer would be valid";
   } catch (const SystemError& error) {
     EXPECT_NE(std::string{error.what()}.find("sensors.parts.min"), std::string::npos) << error.what();
   }

@@ -13,7 +13,7 @@
 namespace mrroc {
 namespace {
 
-/// A played task whose operator ends every instruction after a given tick, as his superior's end-motion does.
+/// A replayed task whose operator ends every instruction after a given tick, like a superior's end-motion.
 class EndedTask : public vsp::PlayedTask {
  public:
   using PlayedTask::PlayedTask;
@@ -23,7 +23,7 @@ class EndedTask : public vsp::PlayedTask {
   Tick end = kNever;
 };
 
-/// An `OperatorInput` whose operator's answers are played: lines of tick, answers so far, the last of them. A step
+/// An `OperatorInput` with replayed answers: lines of tick, number of answers so far, and the last of them. A step
 /// without robots is 10 ticks.
 class OperatorInputTest : public ::testing::Test {
  protected:
@@ -54,19 +54,19 @@ TEST_F(OperatorInputTest, AskWaitsForTheAnswerAndReturnsIt) {
   EXPECT_TRUE(input().answered());
 }
 
-TEST_F(OperatorInputTest, AnEarlierAnswerDoesNotAnswerTheNextQuestion) {
+TEST_F(OperatorInputTest, EarlierAnswerDoesNotAnswerTheNextQuestion) {
   play("0 0 0\n 7 1 3\n 33 2 -4.5\n");
   EXPECT_EQ(ask(input()), 3);
   EXPECT_EQ(ask(input()), -4.5);
   EXPECT_EQ(task().tick(), 40U);
 }
 
-TEST_F(OperatorInputTest, AnAnswerFromBeforeTheQuestionIsNone) {
+TEST_F(OperatorInputTest, AnswerFromBeforeTheQuestionIsIgnored) {
   play("0 5 1\n 20 6 2\n");
   EXPECT_EQ(ask(input()), 2);
 }
 
-TEST_F(OperatorInputTest, AQuestionMayStandWhileAnotherConditionIsWaitedFor) {
+TEST_F(OperatorInputTest, QuestionMayBeOpenDuringAWaitForAnotherCondition) {
   play("0 0 0\n 25 1 8\n");
   input().ask();
   EXPECT_FALSE(input().answered());
@@ -75,19 +75,19 @@ TEST_F(OperatorInputTest, AQuestionMayStandWhileAnotherConditionIsWaitedFor) {
   EXPECT_EQ(input().answer(), 8);
 }
 
-TEST_F(OperatorInputTest, AWaitThatIsEndedFromOutsideIsNoAnswer) {
+TEST_F(OperatorInputTest, WaitEndedFromOutsideIsNoAnswer) {
   play("0 0 0\n");
   task().end = 30;
   try {
     ask(input());
-    FAIL() << "nobody has answered";
+    FAIL() << "there is no answer";
   } catch (const NonFatalError& error) {
     EXPECT_EQ(error.code(), ErrorCode::sensor_not_ready);
     EXPECT_NE(std::string{error.what()}.find("parts"), std::string::npos) << error.what();
   }
 }
 
-TEST_F(OperatorInputTest, ANonInteractiveSensorCannotAsk) {
+TEST_F(OperatorInputTest, NonInteractiveSensorCannotAsk) {
   play("0 0 0\n", 5);
   EXPECT_THROW(input().ask(), NonFatalError);
 }

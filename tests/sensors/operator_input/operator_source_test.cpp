@@ -13,7 +13,7 @@
 namespace mrroc::vsp {
 namespace {
 
-/// The source in a VSP and the operator's end of its link, in one process: a message is there when it is sent.
+/// The source in a VSP and the operator's end of its link, in one process: a message has arrived when it is sent.
 class OperatorSourceTest : public ::testing::Test {
  protected:
   RawReading read() {
@@ -37,7 +37,7 @@ class OperatorSourceTest : public ::testing::Test {
   Tick tick = 100;
 };
 
-TEST_F(OperatorSourceTest, PutsTheDeploymentsQuestion) {
+TEST_F(OperatorSourceTest, AsksTheQuestionOfTheDeployment) {
   source.ask(140);
   links::OperatorQuestion question;
   std::uint64_t number = 0;
@@ -56,26 +56,26 @@ TEST_F(OperatorSourceTest, CountsTheAnswerToTheOpenQuestion) {
   expect_answers(1, 4);
 }
 
-TEST_F(OperatorSourceTest, AnEventAnswersWhicheverQuestionIsOpen) {
+TEST_F(OperatorSourceTest, EventAnswersAnyOpenQuestion) {
   source.ask(101);
   source.ask(102);
   desk.answer({0, 7});
   expect_answers(1, 7);
 }
 
-TEST_F(OperatorSourceTest, LeavesOutWhatAnswersNoOpenQuestion) {
-  desk.answer({0, 1});  // nothing has been asked
+TEST_F(OperatorSourceTest, IgnoresAnswersWithoutAnOpenQuestion) {
+  desk.answer({0, 1});  // there is no question yet
   expect_answers(0, 0);
   source.ask(101);
   source.ask(102);
-  desk.answer({1, 2});  // that one has been given up
+  desk.answer({1, 2});  // that question was withdrawn
   expect_answers(0, 0);
   desk.answer({2, 3});
-  desk.answer({2, 4});  // answered already
+  desk.answer({2, 4});  // already answered
   expect_answers(1, 3);
 }
 
-TEST_F(OperatorSourceTest, LeavesOutWhatTheSensorDoesNotTake) {
+TEST_F(OperatorSourceTest, IgnoresAnswersThatTheSensorRefuses) {
   source.ask(101);
   for (const double value : {-1.0, 9.5, std::numeric_limits<double>::quiet_NaN()}) desk.answer({0, value});
   expect_answers(0, 0);
@@ -83,7 +83,7 @@ TEST_F(OperatorSourceTest, LeavesOutWhatTheSensorDoesNotTake) {
   expect_answers(1, 9);
 }
 
-TEST_F(OperatorSourceTest, TheSensorOpensItAndABiasAsks) {
+TEST_F(OperatorSourceTest, SensorOpensItAndABiasAsks) {
   OperatorInputSensor sensor;
   config::Deployment deployment;
   deployment.name = std::string{"t"};

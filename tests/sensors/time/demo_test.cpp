@@ -15,7 +15,7 @@ TEST(TimeDemo, EveryLapEndsAtItsTickOnEveryRun) {
   }
 }
 
-TEST(TimeDemo, RunsInRealTimeToo) {
+TEST(TimeDemo, RunsAlsoInRealTime) {
   const std::string output = run_mrroc({"run", kDemo, "--quiet", "--clock", "real"}, 0);
   EXPECT_NE(output.find("lap of 1.500 s ended at "), std::string::npos) << output;
 }

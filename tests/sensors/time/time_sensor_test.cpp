@@ -11,7 +11,7 @@ namespace {
 
 Tick any_tick() { return *rc::gen::inRange<Tick>(0, Tick{1} << 50); }
 
-TEST(TimeSensor, TheClockIsReadAtEveryTickAndIsItsNumber) {
+TEST(TimeSensor, ClockIsReadAtEveryTickAndReturnsItsNumber) {
   TimeSource source;
   for (const Tick tick : {Tick{0}, Tick{7}, Tick{1} << 53}) {
     RawReading r;
@@ -29,7 +29,7 @@ TEST(TimeSensor, TimeIsTicksTimesTheServoPeriod) {
   EXPECT_EQ(aggregated(sensor, 1500).values[1], 1500);
 }
 
-TEST(TimeSensor, AfterABiasItCountsFromThereAndTheTickIsNeverShifted) {
+TEST(TimeSensor, BiasSetsTheZeroOfTheTimeAndNotOfTheTick) {
   EXPECT_TRUE(rc::check([] {
     TimeSensor sensor = made_sensor(0.002);
     const Tick zero = any_tick(), later = any_tick();
@@ -42,7 +42,7 @@ TEST(TimeSensor, AfterABiasItCountsFromThereAndTheTickIsNeverShifted) {
   }));
 }
 
-TEST(TimeSensor, ItsSourceIsTheClockUnlessItIsPlayed) {
+TEST(TimeSensor, SourceIsTheClockUnlessItIsReplayed) {
   TimeSensor sensor = made_sensor();
   const config::Deployment deployment;
   config::SensorEntry entry;

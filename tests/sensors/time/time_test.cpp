@@ -14,7 +14,7 @@
 namespace mrroc {
 namespace {
 
-/// The clock, played: a line for each of the first 200 ticks. The servo period is 2 ms.
+/// A replay of the clock: a line for each of the first 200 ticks. The servo period is 2 ms.
 std::string ticks() {
   std::string lines = "# mrroc readings tick\n";
   for (int tick = 0; tick < 200; ++tick) {
@@ -40,15 +40,15 @@ class TimeTest : public ::testing::Test {
   std::unique_ptr<Time> clock_;
 };
 
-TEST_F(TimeTest, KnowsNothingBeforeTheFirstReading) {
+TEST_F(TimeTest, HasNoValueBeforeTheFirstReading) {
   play();
   EXPECT_TRUE(std::isnan(watch().time()));
   EXPECT_EQ(watch().tick(), 0U);
 }
 
-TEST_F(TimeTest, AWaitEndsAtTheFirstStepThatIsNotBeforeTheMoment) {
+TEST_F(TimeTest, WaitEndsAtTheFirstStepAfterTheTime) {
   play();
-  // a step without robots is 10 ticks, 0.02 s; 0.14 and 0.06 are no sums of binary fractions
+  // a step without robots is 10 ticks, 0.02 s; 0.14 and 0.06 are not finite binary fractions
   const Outcome outcome = Wait({}, {watch()}, TimeReached{watch(), 0.14});
   EXPECT_EQ(outcome.end_tick, 70U);
   EXPECT_EQ(watch().tick(), 70U);
@@ -57,13 +57,13 @@ TEST_F(TimeTest, AWaitEndsAtTheFirstStepThatIsNotBeforeTheMoment) {
   EXPECT_EQ(Wait({}, {watch()}, TimeReached{watch(), 0.1401}).end_tick, 80U);
 }
 
-TEST_F(TimeTest, AMomentThatHasPassedEndsTheWaitAtOnce) {
+TEST_F(TimeTest, PassedTimeEndsTheWaitAtOnce) {
   play();
   Wait({}, {watch()}, TimeReached{watch(), 0.1});
   EXPECT_EQ(Wait({}, {watch()}, TimeReached{watch(), 0.02}).steps, 0U);
 }
 
-TEST_F(TimeTest, ABiasStartsTheStopWatch) {
+TEST_F(TimeTest, BiasStartsTheStopWatch) {
   play();
   Wait({}, {watch()}, TimeReached{watch(), 0.1});
   watch().bias();
@@ -78,7 +78,7 @@ TEST_F(TimeTest, PublishedTimeIsThatOfItsReading) {
   EXPECT_EQ(Wait({}, {watch()}, TimeReached{watch(), 0.06}).end_tick, 50U);  // published at 0, 25, 50
 }
 
-TEST_F(TimeTest, TimeReachedRefusesWhatIsNoTime) {
+TEST_F(TimeTest, TimeReachedRefusesInvalidTimes) {
   play();
   EXPECT_THROW(TimeReached(watch(), std::numeric_limits<double>::quiet_NaN()), NonFatalError);
   EXPECT_THROW(TimeReached(watch(), std::numeric_limits<double>::infinity()), NonFatalError);

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 Vector3d position_of(const SensorReading& v) { return {v.values[0], v.values[1], v.values[2]}; }
 Quaterniond rotation_of(const SensorReading& v) { return {v.values[3], v.values[4], v.values[5], v.values[6]}; }
 
-TEST(TrackerSensor, TellsTheTargetsPose) {
+TEST(TrackerSensor, ReportsTheTargetsPose) {
   EXPECT_TRUE(rc::check([] {
     TrackerSensor sensor = made_sensor();
     const Pose pose = fakes::random_pose(2, 3);
@@ -31,7 +31,7 @@ TEST(TrackerSensor, TellsTheTargetsPose) {
   }));
 }
 
-TEST(TrackerSensor, NoiseHasItsStandardDeviationAndLeavesTheQuaternionAUnit) {
+TEST(TrackerSensor, NoiseHasItsStandardDeviationAndKeepsTheQuaternionNormalised) {
   TrackerSensor sensor = made_sensor("position_noise = 0.001\nrotation_noise = 0.01");
   constexpr int kCount = 20000;
   Vector3d way = Vector3d::Zero(), turn = Vector3d::Zero();
@@ -47,7 +47,7 @@ TEST(TrackerSensor, NoiseHasItsStandardDeviationAndLeavesTheQuaternionAUnit) {
   }
 }
 
-TEST(TrackerSensor, ATargetThatIsNotSeenIsNotReady) {
+TEST(TrackerSensor, InvisibleTargetIsNotReady) {
   TrackerSensor sensor = made_sensor();
   const SensorReading v = aggregated(sensor, raw({1, 2, 3}, Quaterniond(0, 0, 0, 0)));
   EXPECT_EQ(v.error.code, ErrorCode::sensor_not_ready);

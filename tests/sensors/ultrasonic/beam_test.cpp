@@ -19,14 +19,14 @@ double angle_of_ray(std::size_t i, std::size_t rays, double opening) {
   return opening * (static_cast<double>(i) / static_cast<double>(rays - 1) - 0.5);
 }
 
-/// Ranges of a fan to an endless wall whose foot point is `distance` away, its normal turned by `turn` off the axis.
+/// Ranges of a fan to an infinite wall at `distance`, with its normal turned by `turn` off the axis.
 std::vector<double> wall(std::size_t rays, double opening, double distance, double turn) {
   std::vector<double> ranges;
   for (std::size_t i = 0; i < rays; ++i) ranges.push_back(distance / std::cos(angle_of_ray(i, rays, opening) - turn));
   return ranges;
 }
 
-TEST(Beam, OfRoughSurfacesTheNearestHitIsTheEcho) {
+TEST(Beam, EchoIsTheNearestHitOfRoughSurfaces) {
   EXPECT_TRUE(rc::check([] {
     std::vector<double> ranges(*rc::gen::inRange<std::size_t>(1, 17));
     double nearest = INFINITY;
@@ -38,7 +38,7 @@ TEST(Beam, OfRoughSurfacesTheNearestHitIsTheEcho) {
   }));
 }
 
-TEST(Beam, AWallThatFacesTheTransducerIsSeenAtItsDistanceWhateverItIsMadeOf) {
+TEST(Beam, WallFacingTheTransducerIsDetectedWithAnyMaterial) {
   EXPECT_TRUE(rc::check([] {
     const std::size_t rays = *rc::gen::inRange<std::size_t>(3, 17);
     const double opening = any_between(0.05, 1), distance = any_between(0.1, 4);
@@ -50,7 +50,7 @@ TEST(Beam, AWallThatFacesTheTransducerIsSeenAtItsDistanceWhateverItIsMadeOf) {
   }));
 }
 
-TEST(Beam, AWallTurnedAwayByMoreThanHalfTheBeamAndTheIncidenceIsNotSeen) {
+TEST(Beam, WallTurnedByMoreThanHalfTheBeamAndTheIncidenceIsNotDetected) {
   EXPECT_TRUE(rc::check([] {
     const std::size_t rays = *rc::gen::inRange<std::size_t>(3, 17);
     const double opening = any_between(0.05, 1), distance = any_between(0.1, 4), incidence = any_between(0.02, 0.5);
@@ -58,13 +58,13 @@ TEST(Beam, AWallTurnedAwayByMoreThanHalfTheBeamAndTheIncidenceIsNotSeen) {
     const Beam beam{opening, incidence};
     const double limit = opening / 2 + incidence;
     RC_ASSERT(nearest_echo(wall(rays, opening, distance, away * (limit + 1e-6)), beam) == kNothingHit);
-    // just not too far: the outermost ray sees it, nearer than all others
+    // just within the limit: the outermost ray hits it, nearer than all others
     const double seen = nearest_echo(wall(rays, opening, distance, away * (limit - 1e-6)), beam);
     RC_ASSERT(std::abs(seen - distance / std::cos(incidence)) < 1e-5 * seen);
   }));
 }
 
-TEST(Beam, TheEdgeOfATurnedPlateIsSeenInsideTheBeamAndNotBeyondIt) {
+TEST(Beam, EdgeOfATurnedPlateIsDetectedOnlyInsideTheBeam) {
   std::vector<double> ranges = wall(7, 0.26, 1.0, 0.6);
   EXPECT_EQ(nearest_echo(ranges, {0.26, 0.1}), kNothingHit);
   ranges.back() = kNothingHit;  // the plate ends between the last two rays
@@ -73,9 +73,9 @@ TEST(Beam, TheEdgeOfATurnedPlateIsSeenInsideTheBeamAndNotBeyondIt) {
   EXPECT_EQ(nearest_echo(ranges, {0.26, 0.1}), ranges[5]);
 }
 
-TEST(Beam, BehindAMirrorThatSendsNothingBackTheNextThingIsSeen) {
+TEST(Beam, ObjectBehindAReflectingMirrorIsDetected) {
   std::vector<double> ranges = wall(7, 0.26, 1.0, 0.6);  // nearest at ray 6
-  ranges[0] = 2.6;                                       // beside the mirror, something round
+  ranges[0] = 2.6;                                       // beside the mirror, a round object
   ranges[1] = 2.5;
   ranges[2] = 2.6;
   ranges[3] = 2.8;
@@ -83,7 +83,7 @@ TEST(Beam, BehindAMirrorThatSendsNothingBackTheNextThingIsSeen) {
   EXPECT_EQ(nearest_echo(ranges, {0.26, 0.1}), 2.5);
 }
 
-TEST(Beam, AThingThatOnlyTheOutermostRayMeetsIsNoFlatSurface) {
+TEST(Beam, ObjectHitOnlyByTheOutermostRayIsNotAFlatSurface) {
   for (const double behind : {1.2, 2.0, kNothingHit}) {
     const std::vector<double> ranges{1.0, behind, behind, behind, behind};
     EXPECT_EQ(nearest_echo(ranges, {0.26, 0.1}), 1.0) << behind;

@@ -42,21 +42,21 @@ TEST(UltrasonicFan, HasARawChannelPerRay) {
   EXPECT_EQ(channels[6].name, "range_6");
 }
 
-TEST(UltrasonicFan, GivesTheNearestOfItsRays) {
+TEST(UltrasonicFan, ReturnsTheNearestOfItsRays) {
   UltrasonicSensor sensor = made_sensor(kFan);
   EXPECT_EQ(aggregated(sensor, {-1, 2, 1.5, 0.7, 3, -1, 0.9}).values[0], 0.7);
   EXPECT_EQ(aggregated(sensor, {-1, -1, -1, -1, -1, -1, -1}).values[1], 0);
   EXPECT_EQ(aggregated(sensor, {-1, -1, 5, 5, 4.1, -1, -1}).values[1], 0);
 }
 
-TEST(UltrasonicFan, OneRayInTheDeadZoneIsAnErrorAndSoIsARangeThatIsNone) {
+TEST(UltrasonicFan, InvalidRangeOrARayInTheDeadZoneIsAnError) {
   UltrasonicSensor sensor = made_sensor(kFan);
   EXPECT_EQ(aggregated(sensor, {1, 1, 1, 1, 1, 1, 0.01}).error.code, ErrorCode::sensor_out_of_range);
   EXPECT_EQ(aggregated(sensor, {1, 1, 1, 1, -0.5, 1, 1}).error.code, ErrorCode::sensor_hardware);
   EXPECT_EQ(aggregated(sensor, {1, 1, 1, 1, 1, 1, 1}).error.code, ErrorCode::none);
 }
 
-TEST(UltrasonicFan, RefusesABeamThatContradictsItself) {
+TEST(UltrasonicFan, RefusesAnInconsistentBeam) {
   EXPECT_NE(refusal("rays = 7").find("sensors.gate.beam_angle: 0 rad of 7 rays"), std::string::npos);
   EXPECT_NE(refusal("beam_angle = 0.2").find("rad of one ray, expected the key 'rays'"), std::string::npos);
   EXPECT_NE(refusal("rays = 2.5\nbeam_angle = 0.2").find("expected a whole number"), std::string::npos);
@@ -82,7 +82,7 @@ sim::World post_beside_the_axis(double offset) {
   return {sim::compose_texts(scratch, scene.str()), 0.002, 0.001};
 }
 
-TEST(UltrasonicFan, InTheSimulatedWorldItSeesWhatReachesIntoItsConeAndASingleRayDoesNot) {
+TEST(UltrasonicFan, DetectsATargetInItsConeThatASingleRayMisses) {
   for (const double offset : {-0.20, -0.14, -0.05, 0.0, 0.1, 0.14, 0.20}) {
     sim::World world = post_beside_the_axis(offset);
     world.start();

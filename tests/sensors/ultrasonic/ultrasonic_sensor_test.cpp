@@ -12,14 +12,14 @@
 namespace mrroc::vsp {
 namespace {
 
-/// max_range 4 m, dead_zone 0.02 m are the defaults.
+/// The defaults: max_range 4 m, dead_zone 0.02 m.
 void expect_nothing_seen(const SensorReading& v) {
   EXPECT_EQ(v.error.error_class, ErrorClass::none);
   EXPECT_EQ(v.values[0], 4.0);
   EXPECT_EQ(v.values[1], 0);
 }
 
-TEST(UltrasonicSensor, MeasuresBetweenDeadZoneAndMaxRangeBothIncluded) {
+TEST(UltrasonicSensor, MeasuresFromDeadZoneToMaxRangeInclusive) {
   UltrasonicSensor sensor = made_sensor();
   for (const double range : {0.02, 0.1, 1.5, 4.0}) {
     const SensorReading v = aggregated(sensor, range);
@@ -29,14 +29,14 @@ TEST(UltrasonicSensor, MeasuresBetweenDeadZoneAndMaxRangeBothIncluded) {
   }
 }
 
-TEST(UltrasonicSensor, ReportsMaxRangeAndNotDetectedWhenNothingIsSeen) {
+TEST(UltrasonicSensor, ReportsMaxRangeAndNotDetectedWithoutATarget) {
   UltrasonicSensor sensor = made_sensor();
   expect_nothing_seen(aggregated(sensor, -1));
   expect_nothing_seen(aggregated(sensor, 4.0000001));
   expect_nothing_seen(aggregated(sensor, 1e6));
 }
 
-TEST(UltrasonicSensor, InItsDeadZoneTheReadingIsAnErrorAndTheNextIsNot) {
+TEST(UltrasonicSensor, ReadingInTheDeadZoneIsAnErrorAndTheNextIsNot) {
   UltrasonicSensor sensor = made_sensor();
   for (const double range : {0.0, 0.0199}) {
     const SensorReading v = aggregated(sensor, range);
@@ -47,7 +47,7 @@ TEST(UltrasonicSensor, InItsDeadZoneTheReadingIsAnErrorAndTheNextIsNot) {
   }
 }
 
-TEST(UltrasonicSensor, ANegativeRangeIsAHardwareError) {
+TEST(UltrasonicSensor, NegativeRangeIsAHardwareError) {
   UltrasonicSensor sensor = made_sensor();
   const SensorReading v = aggregated(sensor, -0.5);
   EXPECT_EQ(v.error.error_class, ErrorClass::hardware);

@@ -14,7 +14,7 @@
 namespace mrroc {
 namespace {
 
-/// An `Ultrasonic` whose hardware plays `lines`; non-interactive with `period`.
+/// An `Ultrasonic` whose hardware replays `lines`; non-interactive with `period`.
 class UltrasonicTest : public ::testing::Test {
  protected:
   void play(const std::string& lines, Tick period) {
@@ -29,14 +29,14 @@ class UltrasonicTest : public ::testing::Test {
   std::unique_ptr<Ultrasonic> gate_;
 };
 
-TEST_F(UltrasonicTest, SeesNothingBeforeTheFirstReading) {
+TEST_F(UltrasonicTest, DetectsNothingBeforeTheFirstReading) {
   play("0 1\n", 5);
   EXPECT_FALSE(gate().interactive());
   EXPECT_TRUE(std::isnan(gate().distance()));
   EXPECT_FALSE(gate().detected());
 }
 
-TEST_F(UltrasonicTest, AWaitEndsWithTheFirstPublishedReadingThatIsCloser) {
+TEST_F(UltrasonicTest, WaitEndsWithTheFirstCloserPublishedReading) {
   play("0 -1\n 13 0.5\n 31 0.1\n 34 0.09\n", 25);
   const Outcome outcome = Wait({}, {gate()}, Closer{gate(), 0.10});
   EXPECT_EQ(outcome.end_tick, 50U);  // published at 0, 25, 50
@@ -45,13 +45,13 @@ TEST_F(UltrasonicTest, AWaitEndsWithTheFirstPublishedReadingThatIsCloser) {
   EXPECT_TRUE(outcome.by("gate closer than 0.1 m"));
 }
 
-TEST_F(UltrasonicTest, WhatIsNotDetectedIsNeverCloser) {
+TEST_F(UltrasonicTest, MissingTargetIsNeverCloser) {
   play("0 -1\n 40 3\n", 0);
   const Outcome outcome = Wait({}, {gate()}, Closer{gate(), 100});
   EXPECT_EQ(outcome.end_tick, 40U);
 }
 
-TEST_F(UltrasonicTest, SomethingInTheDeadZoneEndsTheWaitWithAnError) {
+TEST_F(UltrasonicTest, TargetInTheDeadZoneEndsTheWaitWithAnError) {
   play("0 -1\n 20 0.01\n", 10);
   EXPECT_THROW(Wait({}, {gate()}, Closer{gate(), 0.10}), NonFatalError);
   EXPECT_EQ(gate().reading().tick, 20U);
@@ -62,7 +62,7 @@ TEST_F(UltrasonicTest, CannotBeBiased) {
   EXPECT_THROW(gate().bias(), NonFatalError);
 }
 
-TEST_F(UltrasonicTest, CloserRefusesWhatIsNoDistance) {
+TEST_F(UltrasonicTest, CloserRefusesInvalidDistances) {
   play("0 1\n", 0);
   EXPECT_THROW(Closer(gate(), 0), NonFatalError);
   EXPECT_THROW(Closer(gate(), -1), NonFatalError);

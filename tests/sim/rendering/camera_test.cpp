@@ -72,7 +72,7 @@ class Camera : public testing::Test {
   Camera() { setenv("MRROC_SHARE", kData.c_str(), 1); }
 };
 
-TEST_F(Camera, SeesTheWorldAndWhereThingsMove) {
+TEST_F(Camera, ShowsTheWorldAndItsMotion) {
   const auto deployment = twolink_deployment(2);
   auto memory = std::make_unique<world::WorldMemory>();
   Simulation simulation(deployment, *memory);
@@ -84,7 +84,7 @@ TEST_F(Camera, SeesTheWorldAndWhereThingsMove) {
   EXPECT_EQ(first.height, 240);
   EXPECT_GT(colours(first), 200U) << "a uniform picture";
   const Red box = red_of(first);
-  EXPECT_GT(box.count, 30) << "the red box is not seen";
+  EXPECT_GT(box.count, 30) << "the red box is not visible";
 
   std::vector<double> lifted = start.positions;
   const int joint = mj_name2id(model.get(), mjOBJ_JOINT, "box");
@@ -98,7 +98,7 @@ TEST_F(Camera, SeesTheWorldAndWhereThingsMove) {
   EXPECT_GT(colours(renderer.render(start.positions, "")), 200U) << "the free camera";
 }
 
-TEST_F(Camera, AMissingCameraOrAnotherWorldsStateIsRefused) {
+TEST_F(Camera, RefusesAMissingCameraOrAnotherWorldsState) {
   const Model model = load_model(compose(kData / "scene.xml", {}));
   Renderer renderer(*model, 64, 48);
   const std::vector<double> positions(model->qpos0, model->qpos0 + model->nq);
@@ -114,7 +114,7 @@ TEST_F(Camera, AMissingCameraOrAnotherWorldsStateIsRefused) {
 class RenderProgram : public Camera {
  protected:
   RenderProgram() {
-    // a deployment names programs that must exist; nothing runs them here
+    // a deployment names programs that must exist; this test does not run them
     for (const char* program : {"mrroc_sim", "mrroc_mp", "mrroc_ecp", "twolink_edp"}) {
       chmod(scratch_.write(std::string("bin/") + program, "").c_str(), 0755);
     }
@@ -148,7 +148,7 @@ TEST_F(RenderProgram, WritesAPngOfASavedState) {
   EXPECT_GT(colours(picture), 200U);
 }
 
-TEST_F(RenderProgram, SaysWhatIsWrong) {
+TEST_F(RenderProgram, ReportsErrors) {
   EXPECT_EQ(run("--camera none --width 64 --height 48 --out " + (scratch_.path() / "out.png").string()), 2);
   std::ifstream err(scratch_.path() / "err");
   std::string line;

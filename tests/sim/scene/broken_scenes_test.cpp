@@ -24,8 +24,8 @@ constexpr const char* kRobot = R"(<mujoco>
 
 struct Broken {
   const char* what;
-  const char* scene;     ///< text that stands in the scene from its line 3 on
-  const char* place;     ///< how the message begins
+  const char* scene;     ///< text in the scene from its line 3 on
+  const char* place;     ///< beginning of the message
   const char* contains;  ///< of the message
 };
 
@@ -33,7 +33,7 @@ std::ostream& operator<<(std::ostream& out, const Broken& broken) { return out <
 
 class BrokenScene : public testing::TestWithParam<Broken> {};
 
-// closed stdin: MuJoCo's own error handler would ask for a key
+// closed stdin: MuJoCo's own error handler would wait for a key
 void close_stdin() {
   const int none = open("/dev/null", O_RDONLY);
   dup2(none, STDIN_FILENO);
@@ -50,7 +50,7 @@ TEST_P(BrokenScene, IsRefusedWithFileLineAndMujocosMessage) {
   EXPECT_TRUE(message.starts_with(GetParam().place)) << message;
   EXPECT_NE(message.find(GetParam().contains), std::string::npos) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  // the line of the composed text would only mislead
+  // the line of the composed text would be misleading
   EXPECT_EQ(message.find(" line "), std::string::npos) << message;
   EXPECT_EQ(message.find("column"), std::string::npos) << message;
 }

@@ -21,7 +21,7 @@ Eigen::Vector3d body_position(const mjModel& model, const mjData& data, const ch
   return Eigen::Map<const Eigen::Vector3d>(data.xpos + 3 * std::max(id, 0));
 }
 
-TEST(Compose, TwoRobotsOfOneTypeStandWhereTheDeploymentPutsThem) {
+TEST(Compose, TwoRobotsOfOneTypeStandAtTheirPosesInTheDeployment) {
   const Pose second = at(1, 2, 0.5, 1.25);
   const auto model = load_model(
       compose(kData / "scene.xml", {{"left", kTwolink, at(0, 0, 0.5), false}, {"right", kTwolink, second, false}}));
@@ -54,10 +54,10 @@ TEST(Compose, EveryKindOfNameIsPrefixedAndRefersToItsOwnRobot) {
     const int geom = mj_name2id(model.get(), mjOBJ_GEOM, (robot + "/lower").c_str());
     EXPECT_EQ(model->geom_matid[geom], mj_name2id(model.get(), mjOBJ_MATERIAL, (robot + "/steel").c_str()));
   }
-  EXPECT_EQ(model->nkey, 0) << "keyframes are of the size of their file's world";
+  EXPECT_EQ(model->nkey, 0) << "keyframes have the size of their file's world";
 }
 
-TEST(Compose, DefaultsStayWithTheirFile) {
+TEST(Compose, DefaultsApplyOnlyToTheirFile) {
   const ScratchFolder scratch;
   const std::string scene = R"(<mujoco><compiler angle="radian"/>
 <default><geom rgba="1 0 0 1"/><joint damping="3"/><default class="soft"><geom rgba="0 1 0 1"/></default></default>
@@ -75,7 +75,7 @@ TEST(Compose, DefaultsStayWithTheirFile) {
   EXPECT_EQ(colour("soft"), Eigen::Vector3f(0, 1, 0));
   EXPECT_EQ(colour("child"), Eigen::Vector3f(0, 1, 0));
   EXPECT_EQ(colour("r/g"), Eigen::Vector3f(0, 0, 1));
-  EXPECT_EQ(model->dof_damping[0], 0) << "the scene's joint default leaked into the robot";
+  EXPECT_EQ(model->dof_damping[0], 0) << "the scene's joint default was applied to the robot";
 }
 
 TEST(Compose, OptionsAreTheScenes) {
@@ -99,7 +99,7 @@ TEST(Compose, SceneMayReferToRobots) {
   EXPECT_GE(mj_name2id(model.get(), mjOBJ_SENSOR, "travel"), 0);
 }
 
-TEST(Compose, IncludesAndMeshesAreFoundBesideTheirFile) {
+TEST(Compose, FindsIncludesAndMeshesBesideTheirFile) {
   const ScratchFolder scratch;
   scratch.write("parts/meshes/wedge.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   scratch.write("parts/shapes.xml", R"(<mujoco><asset><mesh file="wedge.obj"/></asset></mujoco>)");
@@ -135,7 +135,7 @@ TEST(Compose, ForceTorqueIsAddedOnTheWristOnceAndOnlyIfMounted) {
   EXPECT_EQ(count(true, scratch.write("own.xml", own)), 2);
 }
 
-TEST(Compose, CompilerSettingsThatDifferNameBothFiles) {
+TEST(Compose, DifferentCompilerSettingsNameBothFiles) {
   const ScratchFolder scratch;
   const std::string message = message_of(scratch.path(), [&] {
     compose_texts(scratch, "<mujoco>\n<compiler/></mujoco>", {{"r", kBlock}});
@@ -151,7 +151,7 @@ TEST(Compose, SettingsEqualToTheDefaultDoNotDiffer) {
   EXPECT_NO_THROW(compose_texts(scratch, kEmptyScene, {{"r", robot}}));
 }
 
-TEST(Compose, SceneryIsAddedOnlyWhereTheSceneHasNone) {
+TEST(Compose, SceneryIsAddedOnlyToASceneWithoutIt) {
   const ScratchFolder scratch;
   const auto bare = load_model(compose_texts(scratch, kEmptyScene));
   EXPECT_EQ(bare->nlight, 1);

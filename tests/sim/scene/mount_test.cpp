@@ -30,8 +30,8 @@ Pose site(const mjModel& model, const mjData& data, const char* name) {
 
 const Pose kOffset = at(0.01, 0.02, 0.03, 0.4);
 
-TEST(Mount, ACarriedRobotIsInTheToolFrameOfItsCarrierInEveryPosture) {
-  // three in a chain, the last ones first
+TEST(Mount, CarriedRobotIsInTheToolFrameOfItsCarrierInEveryPosture) {
+  // three in a chain, listed from the last one
   const auto model = load_model(compose(kData / "scene.xml", {{"finger", kTwolink, kOffset, false, "hand"},
                                                               {"hand", kTwolink, Pose::Identity(), false, "arm"},
                                                               {"arm", kTwolink, at(1, 2, 0.5, 1.25), false}}));
@@ -47,7 +47,7 @@ TEST(Mount, ACarriedRobotIsInTheToolFrameOfItsCarrierInEveryPosture) {
   EXPECT_GT((body(*model, *data, "hand").translation() - body(*model, *data, "arm").translation()).norm(), 0.5);
 }
 
-/// Two blocks of 0.2 m in one place with a joint between them; whatever is mounted on the tool site is there, too.
+/// Two blocks of 0.2 m in one place with a joint between them; a robot mounted on the tool site is in the same place.
 constexpr const char* kMountedBlock = R"(<mujoco>
 <compiler angle="radian"/>
 <worldbody><body name="base"><geom name="base" type="box" size="0.1 0.1 0.1" mass="1"/>
@@ -55,10 +55,10 @@ constexpr const char* kMountedBlock = R"(<mujoco>
 <site name="tool"/></body></body></worldbody>
 </mujoco>)";
 
-TEST(Mount, CarrierAndCarriedMayOverlapButBothTouchWhatElseIsThere) {
+TEST(Mount, CarrierAndCarriedMayOverlapButBothCollideWithOtherBodies) {
   const ScratchFolder scratch;
   const auto hand = scratch.write("hand.xml", kMountedBlock);
-  // MuJoCo sees no neighbours of what is rigidly joined to the world
+  // MuJoCo has no neighbours of bodies that are rigidly joined to the world
   std::string text = kMountedBlock;
   text.insert(text.find("<geom"), "<joint name='lift' type='slide'/>");
   const auto arm = scratch.write("arm.xml", text);
@@ -73,12 +73,13 @@ TEST(Mount, CarrierAndCarriedMayOverlapButBothTouchWhatElseIsThere) {
     pair += std::string(" and ") + mj_id2name(model.get(), mjOBJ_GEOM, data->contact[i].geom2);
     if (pair.find("ball") == std::string::npos) touching.push_back(pair);
   }
-  for (const std::string& pair : touching) EXPECT_EQ(pair, "arm/base and hand/link") << "all others are neighbours";
-  EXPECT_FALSE(touching.empty()) << "blocks in one place touch";
+  for (const std::string& pair : touching)
+    EXPECT_EQ(pair, "arm/base and hand/link") << "all other pairs are neighbours";
+  EXPECT_FALSE(touching.empty()) << "overlapping blocks touch";
   EXPECT_GT(data->ncon, static_cast<int>(touching.size())) << "the ball touches nothing";
 }
 
-TEST(Mount, ACarrierWithoutAToolIsNamedWithItsFile) {
+TEST(Mount, CarrierWithoutAToolIsNamedWithItsFile) {
   const ScratchFolder scratch;
   std::string bare = kMountedBlock;
   bare.erase(bare.find("<site"), std::string("<site name=\"tool\"/>").size());
@@ -91,7 +92,7 @@ TEST(Mount, ACarrierWithoutAToolIsNamedWithItsFile) {
             "this file");
 }
 
-TEST(Mount, TheCarriersWristFeelsTheWeightOfWhatItCarries) {
+TEST(Mount, CarriersWristMeasuresTheWeightOfTheCarriedRobot) {
   setenv("MRROC_SHARE", kData.c_str(), 1);
   config::Deployment deployment = twolink_deployment(2);
   deployment.robots[1].mount = "a0";

@@ -8,7 +8,7 @@
 namespace mrroc::sim {
 namespace {
 
-/// Two slides: a valve that output 3 drives, a heater that analogue output 1 drives, both seen by inputs.
+/// Two slides: a valve on output 3, a heater on analogue output 1; inputs measure both.
 constexpr const char* kScene = R"(<mujoco>
   <compiler angle="radian"/>
   <worldbody>
@@ -40,12 +40,12 @@ TEST(Terminals, AreWiredToTheWorldByName) {
   world.start();
   Signals outputs;
   outputs.set(3, true);
-  outputs.set(5, true);  // wired to nothing
+  outputs.set(5, true);  // not connected
   outputs.analog[1] = -0.3;
   terminals.write(world.model(), world.data(), outputs);
   for (Tick k = 1; k <= 1000; ++k) world.step(k);
   Signals inputs = terminals.read(world.data());
-  EXPECT_EQ(inputs.digital, 1u) << "the valve is at 0.05; nothing else is wired";
+  EXPECT_EQ(inputs.digital, 1u) << "the valve is at 0.05; no other input is connected";
   EXPECT_NEAR(inputs.analog[7], -0.3, 1e-3);
   EXPECT_EQ(inputs.analog[0], 0);
 
@@ -55,7 +55,7 @@ TEST(Terminals, AreWiredToTheWorldByName) {
   EXPECT_EQ(terminals.read(world.data()).digital, 0u) << "the lower end of its range is -0.02";
 }
 
-TEST(Terminals, OnIsOneWhereTheActuatorHasNoRange) {
+TEST(Terminals, OnIsOneWhenTheActuatorHasNoRange) {
   const task_test::ScratchFolder scratch;
   World world(compose_texts(scratch, kScene), 0.002, 0.001);
   const Terminals terminals(world.model(), "arm");

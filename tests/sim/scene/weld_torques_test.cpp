@@ -29,7 +29,7 @@ std::string text(const Eigen::Quaterniond& q) {
   return line;
 }
 
-/// A holder with force and torque sensors that nothing moves, and a load that a weld holds at `place` of it.
+/// A fixed holder with force and torque sensors, and a load that a weld holds at `place` relative to it.
 std::string scene(const Pose& holder, const Pose& place, bool holder_first) {
   const Pose load = holder * place;
   const Pose relative = holder_first ? place : place.inverse();
@@ -45,7 +45,7 @@ std::string scene(const Pose& holder, const Pose& place, bool holder_first) {
          R"("/></equality><sensor><force name="force" site="wrist"/><torque name="torque" site="wrist"/></sensor></mujoco>)";
 }
 
-TEST(WeldTorques, ASensorTellsTheWeightAndItsLeverThroughAWeld) {
+TEST(WeldTorques, SensorMeasuresTheWeightAndItsTorqueThroughAWeld) {
   check_property(kCases, [] {
     const task_test::ScratchFolder scratch;
     const Pose holder = fakes::random_pose(0.5, 3), place = fakes::random_pose(0.3, 3);

@@ -1,4 +1,4 @@
-// The emergency stop as a user's task meets it: pressed by an event, by the operator's typed word, by an input.
+// The emergency stop in a user's task: pressed by an event, by the operator's typed word, by an input.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -30,7 +30,7 @@ void expect_stopped_and_went_on(const std::string& output) {
   EXPECT_NE(output.find("| went on"), std::string::npos) << output;
 }
 
-TEST(EmergencyStop, AnEventPressesItAnotherResetsIt) {
+TEST(EmergencyStop, OneEventPressesItAnotherResetsIt) {
   const ScratchFolder folder;
   const auto file =
       folder.write("stop.toml", deployment("event", "lockstep", event(1500, "estop") + event(3000, "reset")));
@@ -39,21 +39,21 @@ TEST(EmergencyStop, AnEventPressesItAnotherResetsIt) {
     const auto trace = folder.path() / "trace";
     const std::string output = run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, 0);
     expect_stopped_and_went_on(output);
-    EXPECT_NE(output.find("at tick 1500"), std::string::npos) << "every servo looks at every tick: " << output;
+    EXPECT_NE(output.find("at tick 1500"), std::string::npos) << "every servo checks it at every tick: " << output;
     hashes.insert(trace_hash(trace));
   }
   EXPECT_EQ(hashes.size(), 1U);
 }
 
-TEST(EmergencyStop, WithoutAResetTheTaskNeverGoesOn) {
+TEST(EmergencyStop, TaskNeverContinuesWithoutAReset) {
   const ScratchFolder folder;
   const auto file = folder.write("stop.toml", deployment("event", "lockstep", event(1500, "estop")));
   const std::string output = run_mrroc({"run", file.string(), "--quiet"}, 1);
-  EXPECT_NE(output.find("nobody has reset it"), std::string::npos) << output;
+  EXPECT_NE(output.find("the emergency stop was not reset"), std::string::npos) << output;
   EXPECT_EQ(output.find("went on"), std::string::npos) << output;
 }
 
-TEST(EmergencyStop, TheOperatorTypesIt) {
+TEST(EmergencyStop, OperatorTypesIt) {
   for (const std::string clock : {"paced", "real"}) {
     const ScratchFolder folder;
     Keyboard keyboard;
@@ -70,21 +70,21 @@ TEST(EmergencyStop, TheOperatorTypesIt) {
   }
 }
 
-TEST(EmergencyStop, AnInputPressesItAndTheOperatorResetsIt) {
+TEST(EmergencyStop, InputPressesItAndTheOperatorResetsIt) {
   const ScratchFolder folder;
   const auto file =
       folder.write("input.toml", deployment("input", "lockstep", "emergency_stop = 3\n" + event(4000, "reset")));
   expect_stopped_and_went_on(run_mrroc({"run", file.string(), "--quiet"}, 0));
 }
 
-TEST(EmergencyStop, AnInputThatTheSceneLacksIsNamedBeforeAnythingMoves) {
+TEST(EmergencyStop, InputThatIsNotInTheSceneIsNamedBeforeAnyMotion) {
   const ScratchFolder folder;
   std::string text = deployment("unwired", "lockstep",
                                 "emergency_stop = 3\n[sim]\nscene = \"" MRROC_SOURCE_DIR "/robots/irb6/demo.xml\"\n");
   text.replace(text.find("loopback"), std::string("loopback").size(), "mujoco");
   const std::string output = run_mrroc({"run", folder.write("unwired.toml", text).string()}, 2);
   EXPECT_NE(output.find("unwired.toml: robots.arm.emergency_stop: input_3 is not in the scene, so that it would be "
-                        "pressed for ever, expected a sensor 'arm/input_3'"),
+                        "pressed permanently, expected a sensor 'arm/input_3'"),
             std::string::npos)
       << output;
   EXPECT_EQ(output.find("moves"), std::string::npos) << output;

@@ -6,13 +6,13 @@
 namespace mrroc::task_test {
 namespace {
 
-/// tasks/press with faults, as its owner would test it.
+/// tasks/press with faults, as in a user's test.
 class FaultInjection : public DeploymentTest {
  protected:
   static DeploymentRun press() { return deployment("../../tasks/press/press.toml"); }
 };
 
-TEST_F(FaultInjection, AnEcpThatDiesAtAStepEndsTheRunThereAndTheArmBrakes) {
+TEST_F(FaultInjection, EcpDeathAtAStepEndsTheRunThereAndTheArmBrakes) {
   const RunResult run = press().inject("kill ecp:arm at step 120").run();
   EXPECT_EQ(run.exit_code, 4) << run.output;
   EXPECT_NE(run.error.find("process arm died: signal 9 (Killed)"), std::string::npos) << run.output;
@@ -20,12 +20,12 @@ TEST_F(FaultInjection, AnEcpThatDiesAtAStepEndsTheRunThereAndTheArmBrakes) {
   expect_safe(run);
   const Tick killed = run.injected.at("kill ecp:arm at step 120");
   const Motion& arm = run.motion.at("arm");
-  EXPECT_GT(arm.velocities[killed].cwiseAbs().maxCoeff(), 0.01) << "it was to be in motion";
+  EXPECT_GT(arm.velocities[killed].cwiseAbs().maxCoeff(), 0.01) << "it must be in motion";
   EXPECT_GT(arm.standstill(), killed);
 }
 
-/// Up to the last step that both have in their traces: when the runner hears of a task's end, and how long it takes
-/// until all have left, are matters of wall time.
+/// Up to the last step that both have in their traces: the time until the runner detects a task's end, and until all
+/// processes have left, is wall time.
 bool same_motion(const RunResult& one, const RunResult& other) {
   if (one.steps.empty() || other.steps.empty()) return false;
   const Motion &first = one.motion.at("arm"), &second = other.motion.at("arm");
@@ -35,7 +35,7 @@ bool same_motion(const RunResult& one, const RunResult& other) {
                                   second.positions.begin());
 }
 
-TEST_F(FaultInjection, TheSameFaultGivesTheSameRun) {
+TEST_F(FaultInjection, SameFaultGivesTheSameRun) {
   for (const char* fault : {"kill ecp:arm at step 120", "halt edp:arm at tick 2500", "kill mp at tick 1234",
                             "disconnect edp:arm axis 2 at step 100", "delay ecp:arm by 40 at step 50 for 100 ticks"}) {
     const RunResult first = press().inject(fault).run(), second = press().inject(fault).run();
@@ -48,7 +48,7 @@ TEST_F(FaultInjection, TheSameFaultGivesTheSameRun) {
   }
 }
 
-/// A system error while the robot is not at its task.
+/// A system error while the robot is not executing its task.
 class Halted : public FaultInjection {
  protected:
   /// An IRb-6 in the room of its demo, with another task; `more`: lines of its section.
@@ -81,11 +81,11 @@ TEST_F(Halted, WithoutItsPositionsTheRobotStops) {
   EXPECT_NE(run.error.find("process arm died: signal 9 (Killed)"), std::string::npos) << run.output;
   expect_safe(run);
   const Motion& arm = run.motion.at("arm");
-  EXPECT_GT(arm.velocities[run.injected.at(killed)].cwiseAbs().maxCoeff(), 1e-3) << "it was to be in motion";
+  EXPECT_GT(arm.velocities[run.injected.at(killed)].cwiseAbs().maxCoeff(), 1e-3) << "it must be in motion";
   EXPECT_GT(arm.standstill(), run.injected.at(killed));
 }
 
-TEST_F(FaultInjection, AProcessThatLeavesTooEarlyIsNamed) {
+TEST_F(FaultInjection, ProcessThatLeavesTooEarlyIsNamed) {
   for (const auto& [fault, name] : std::map<std::string, std::string>{{"end mp at tick 1500", "mp"},
                                                                       {"end ecp:arm at tick 1500", "arm"},
                                                                       {"end edp:arm at tick 1500", "arm_edp"},
@@ -97,7 +97,7 @@ TEST_F(FaultInjection, AProcessThatLeavesTooEarlyIsNamed) {
   }
 }
 
-TEST_F(FaultInjection, ACurrentThatStaysAtItsGreatestStopsTheArm) {
+TEST_F(FaultInjection, CurrentThatStaysAtItsMaximumStopsTheArm) {
   const RunResult run = press().inject("overload edp:arm axis 2 at tick 1000").run();
   EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_NE(run.error.find("hardware error: a drive's current has been at its limit for too long: axis 2 (lower_arm), "
@@ -107,15 +107,15 @@ TEST_F(FaultInjection, ACurrentThatStaysAtItsGreatestStopsTheArm) {
   expect_safe(run);
 }
 
-TEST_F(FaultInjection, AnAxisThatRunsAwayIsStopped) {
+TEST_F(FaultInjection, RunawayAxisIsStopped) {
   const RunResult run = press().inject("runaway edp:arm axis 2 at tick 2500").run();
   EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_NE(run.error.find("hardware error: a joint is faster than its limit"), std::string::npos) << run.output;
   expect_safe(run, kDisobedience);
-  EXPECT_NE(run.motion.at("arm").limits_exceeded(), std::vector<std::string>{}) << "it was to run away";
+  EXPECT_NE(run.motion.at("arm").limits_exceeded(), std::vector<std::string>{}) << "it must run away";
 }
 
-TEST_F(FaultInjection, ADriveFaultIsAHardwareErrorOfThatTick) {
+TEST_F(FaultInjection, DriveFaultIsAHardwareErrorOfItsTick) {
   const RunResult run = press().inject("fault edp:arm at tick 2500").run();
   EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_NE(run.error.find("hardware error: a drive reports a fault: at tick 2500"), std::string::npos) << run.output;
@@ -125,37 +125,37 @@ TEST_F(FaultInjection, ADriveFaultIsAHardwareErrorOfThatTick) {
                           [](const Step& step) { return step.process == "arm" && step.ending == "hardware_error"; }));
 }
 
-TEST_F(FaultInjection, ASensorThatGivesNoNumberIsAnErrorWhereItIsUsed) {
+TEST_F(FaultInjection, NanOfASensorIsAnErrorWhereItIsUsed) {
   const RunResult run = press().inject("nan vsp:wrist at tick 10").run();
   EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_NE(run.error.find("the sensor hardware malfunctions"), std::string::npos) << run.output;
   expect_safe(run);
 }
 
-TEST_F(FaultInjection, CommandsThatComeLateForAWhileAreMadeUpFor) {
+TEST_F(FaultInjection, TemporarilyLateCommandsAreCompensated) {
   const RunResult run = press().inject("delay ecp:arm by 40 at step 50 for 100 ticks").run();
   EXPECT_EQ(run.exit_code, 0) << run.output;
   expect_safe(run);
 }
 
-TEST_F(FaultInjection, ALostCommandStopsTheArmAndItsEcpMissesTheAnswer) {
+TEST_F(FaultInjection, LostCommandStopsTheArmAndItsEcpMissesTheAnswer) {
   const RunResult run = press().inject("lose ecp:arm at step 100").run();
   EXPECT_EQ(run.exit_code, 4) << run.output;
   EXPECT_NE(run.error.find("a process is silent: no answer to a command that was lost"), std::string::npos)
       << run.output;
   expect_safe(run);
   EXPECT_LT(run.motion.at("arm").standstill(), run.injected.at("lose ecp:arm at step 100") + 500)
-      << "the arm does not wait for what its ECP thinks";
+      << "the arm does not wait for its ECP";
 }
 
-TEST_F(FaultInjection, WithoutAFaultNothingIsInjected) {
+TEST_F(FaultInjection, NothingIsInjectedWithoutAFault) {
   const RunResult run = press().run();
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_TRUE(run.injected.empty());
   expect_safe(run);
 }
 
-TEST_F(FaultInjection, AWrongFaultIsRefusedBeforeAnythingIsStarted) {
+TEST_F(FaultInjection, InvalidFaultIsRefusedBeforeAnythingIsStarted) {
   for (const auto& [fault, message] : std::map<std::string, std::string>{
            {"kill arm",
             "the fault \"kill arm\": 'arm', expected mp, sim, ecp:ROBOT, edp:ROBOT, drives:ROBOT or vsp:SENSOR"},

@@ -23,17 +23,17 @@ std::set<std::string> shared_memory() {
   return names;
 }
 
-/// Waits until the run has started the process `name`; -1 when it has ended without one.
+/// Waits until the run has started the process `name`; returns -1 when it has ended without it.
 pid_t await_child(MrrocRun& run, const std::string& name) {
   pid_t pid = -1;
   while ((pid = run.child(name)) < 0 && !run.has_ended()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   return pid;
 }
 
-/// Clock, how many times, and the process to kill.
+/// Clock, number of repetitions, and the process to kill.
 class Kill : public testing::TestWithParam<std::tuple<std::tuple<const char*, int, int>, const char*>> {};
 
-/// Kills the process `name` of a run `delay` ms after it has come to be.
+/// Kills the process `name` of a run `delay` ms after its start.
 void kill_one(const std::vector<std::string>& arguments, const std::string& name, std::uint_fast32_t delay) {
   MrrocRun run(arguments);
   const pid_t victim = await_child(run, name);
@@ -54,7 +54,7 @@ TEST_P(Kill, AnyProcessIsNamedAndTheRestEnds) {
   const std::set<std::string> before = shared_memory();
   std::mt19937 random(static_cast<unsigned>(name.front()));
   for (int i = 0; i < tries(usual, thorough) && !HasFailure(); ++i) {
-    // some die while the deployment is being set up, most in the middle of the task
+    // some die during the start of the deployment, most in the middle of the task
     kill_one({"run", "tasks/press/press.toml", "--clock", clock}, name, random() % 900);
   }
   EXPECT_EQ(shared_memory(), before);
@@ -114,7 +114,7 @@ TEST_P(KillRunner, NoProcessOutlivesItBeforeTheBarrier) {
   }
 }
 
-TEST_P(KillRunner, NotEvenATaskThatNeverWaits) {
+TEST_P(KillRunner, TaskThatNeverWaitsDoesNotOutliveIt) {
   const ScratchFolder folder;
   MrrocRun run({"run", folder.write("endless.toml", faulty_deployment("endless", GetParam())).string()});
   ASSERT_TRUE(run.wait_for_output("elapsed")) << run.out() << run.err();

@@ -1,4 +1,4 @@
-// Robots and sensors that a task makes while it runs: where the task has no link to them they are refused at once.
+// Robots and sensors that a task makes while it runs: when the task has no link to them they are refused at once.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// One error, caught at the Move that meets it, in the behaviour, in the MP's task, and by no one but the shell: robots
-// hold each time, and the black box of who failed is on disk.
+// One error, caught at the Move that meets it, in the behaviour, in the MP's task, and only by the process itself:
+// robots hold each time, and the black box of the failed process is on disk.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -19,7 +19,7 @@ std::filesystem::path deployment(const ScratchFolder& folder) {
                                          kBelt + "[robots.right]\n" + kBelt);
 }
 
-/// What follows `word` in a line, up to the next blank or comma.
+/// The text after `word` in a line, up to the next blank or comma.
 std::string after(const std::string& line, const std::string& word) {
   const std::size_t at = line.find(word);
   if (at == std::string::npos) return "";
@@ -27,7 +27,7 @@ std::string after(const std::string& line, const std::string& word) {
   return line.substr(begin, line.find_first_of(" ,\n", begin) - begin);
 }
 
-/// What is printed behind `text`.
+/// The output behind `text`.
 std::string line_of(const std::string& output, const std::string& text) {
   const std::size_t at = output.find(text);
   EXPECT_NE(at, std::string::npos) << "'" << text << "' is missing in\n" << output;
@@ -70,18 +70,18 @@ TEST_P(NestedErrors, AreCaughtAtAMoveInABehaviourInTheTaskAndInTheShellAndRobots
   }
   EXPECT_NE(output.find("left rests, moved 0.000000 m"), std::string::npos) << output;
   EXPECT_NE(output.find("right rests, moved 0.000000 m"), std::string::npos) << output;
-  // the shell tells the operator, and names the files; the box of the behaviour that failed first is kept
+  // the process reports to the operator, and names the files; the box of the behaviour that failed first is kept
   const std::string reason = line_of(output, "mrroc: nested: ");
   std::string of_mp;
   for (const std::string& line : ends)
     if (line.find("process=mp") != std::string::npos) of_mp = line;
   EXPECT_EQ(reason,
-            "mrroc: nested: non-fatal error: a force limit is passed: nobody has taken the part [process mp, step " +
+            "mrroc: nested: non-fatal error: a force limit is passed: the part was not taken [process mp, step " +
                 after(of_mp, " step=") + ", tick " + after(of_mp, "tick=") + "]; black box: " +
                 (boxes / "nested-left-2.trace").string() + ", " + (boxes / "nested-mp.trace").string());
 }
 
-TEST_P(NestedErrors, TheBlackBoxOfWhoFailedHasTheLastLinesOfItsTrace) {
+TEST_P(NestedErrors, BlackBoxOfAFailedProcessHasTheLastLinesOfItsTrace) {
   for (const std::string process : {"left", "mp"}) {
     const auto box = boxes / ("nested-" + process + ".trace");
     expect_laws(box);
@@ -91,7 +91,7 @@ TEST_P(NestedErrors, TheBlackBoxOfWhoFailedHasTheLastLinesOfItsTrace) {
     EXPECT_NE(kept.back().find("end=non_fatal_error"), std::string::npos) << kept.back();
     const auto last = std::find(all.begin(), all.end(), kept.back());
     ASSERT_NE(last, all.end()) << process;
-    ASSERT_GE(last - all.begin(), 50) << process << ": nothing was left out";
+    ASSERT_GE(last - all.begin(), 50) << process << ": no line is missing";
     EXPECT_EQ(kept, std::vector<std::string>(last - 49, last + 1)) << process;
   }
   // the MP's has the steps of both Moves that continued when one failed
@@ -104,7 +104,7 @@ TEST_P(NestedErrors, TheBlackBoxOfWhoFailedHasTheLastLinesOfItsTrace) {
 INSTANTIATE_TEST_SUITE_P(Clocks, NestedErrors, testing::Values("lockstep", "real"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST(BlackBoxOption, AnEmptyFolderWritesNoneAndAFolderThatCannotBeMadeIsTold) {
+TEST(BlackBoxOption, EmptyFolderDisablesItAndAnInvalidFolderIsReported) {
   const ScratchFolder folder;
   const auto file = deployment(folder);
   const std::string none = run_mrroc({"run", file.string(), "--quiet", "--black-box", ""}, 1);

@@ -1,4 +1,4 @@
-// A fault of a robot in the simulated world, and the way back from it, as a user's task has them.
+// A fault of a robot in the simulated world, and the recovery from it, in a user's task.
 #include <gtest/gtest.h>
 
 #include <fstream>

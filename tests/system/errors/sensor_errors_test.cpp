@@ -1,4 +1,5 @@
-// A sensor that fails while a task uses it: each way gives its own error, at the step and in the process that met it.
+// A sensor that fails while a task uses it: each failure gives its own error, at the step and in the process that met
+// it.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -10,13 +11,13 @@ namespace {
 
 struct Failure {
   const char* name;
-  std::string gate;  ///< readings that the gate plays: the part comes when they say so
+  std::string gate;  ///< readings of the gate; they contain the arrival of the part
   const char* keys;  ///< of the gate
   int exit_code;
   const char* message;
 };
 
-/// Named in GoogleTest's messages.
+/// Name in GoogleTest's messages.
 void PrintTo(const Failure& failure, std::ostream* out) { *out << failure.name; }
 
 std::string noisy_gate() {

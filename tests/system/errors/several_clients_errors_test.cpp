@@ -11,7 +11,7 @@
 namespace mrroc::test {
 namespace {
 
-/// A sensor that can give no more from tick 150 on.
+/// A sensor without valid readings from tick 150 on.
 struct Failure {
   const char* name;
   const char* device;
@@ -20,12 +20,12 @@ struct Failure {
   const char* message;
 };
 
-/// Named in GoogleTest's messages.
+/// Name in GoogleTest's messages.
 void PrintTo(const Failure& failure, std::ostream* out) { *out << failure.name; }
 
 class FailingSensor : public testing::TestWithParam<Failure> {};
 
-TEST_P(FailingSensor, IsToldToEachClientAtItsNextReading) {
+TEST_P(FailingSensor, IsReportedToEachClientAtItsNextReading) {
   const Failure& failure = GetParam();
   const bool shared = failure.device == std::string("shared");
   const ScratchFolder folder;
@@ -47,7 +47,7 @@ TEST_P(FailingSensor, IsToldToEachClientAtItsNextReading) {
     const double step = numbers_after(line, ", step ").at(0), tick = numbers_after(line, ", tick ").at(0);
     EXPECT_EQ(step, steps.back().step + 1);
     EXPECT_EQ(static_cast<int>(step) % (shared ? kPeriods.at(client) : 1), 0);
-    const double own = 2 * steps.back().own - steps[steps.size() - 2].own;  // all steps are of one length
+    const double own = 2 * steps.back().own - steps[steps.size() - 2].own;  // all steps have the same length
     EXPECT_EQ(tick, shared ? own : 160);
     EXPECT_GE(tick, 150);
     EXPECT_LT(shared ? steps.back().shared : steps.back().free, 150);
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Sensors, FailingSensor,
                                                  3, "raw value tick is nan"}),
                          [](const auto& failure) { return std::string(failure.param.name); });
 
-/// Clock, and the sensor that is killed while all look at it.
+/// Clock, and the sensor that is killed while all clients use it.
 class KilledSensor : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
 TEST_P(KilledSensor, IsNamedOnceAndTheRestEnds) {

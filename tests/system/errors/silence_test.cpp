@@ -37,7 +37,7 @@ TEST_P(Silence, AStoppedProcessIsNamedAndTheRestEnds) {
   EXPECT_EQ(run.wait(), kSystem) << run.out() << run.err();
   EXPECT_NE(run.err().find("process "s + name + " is stopped by signal 19 (Stopped (signal))"), std::string::npos)
       << run.out() << run.err();
-  EXPECT_NE(run.out().find("process "s + name + " does not go on, killing it"), std::string::npos) << run.out();
+  EXPECT_NE(run.out().find("process "s + name + " does not continue, killing it"), std::string::npos) << run.out();
   EXPECT_TRUE(all_end(pids));
 }
 
@@ -48,14 +48,14 @@ INSTANTIATE_TEST_SUITE_P(Clocks, Silence,
                            return std::string{std::get<0>(test.param)} + "_" + std::get<1>(test.param);
                          });
 
-/// Holds every thread of a process as a debugger does at a breakpoint: no one is told, no signal is sent. Until it
-/// goes.
+/// Holds every thread of a process until its own destruction, like a debugger at a breakpoint: no process is notified,
+/// no signal is sent.
 class Debugger {
  public:
   explicit Debugger(pid_t pid) {
     for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(pid) + "/task")) {
       const pid_t id = std::stoi(thread.path().filename());
-      if (ptrace(PTRACE_SEIZE, id, nullptr, nullptr) != 0) continue;  // it ends
+      if (ptrace(PTRACE_SEIZE, id, nullptr, nullptr) != 0) continue;  // the thread ends
       threads_.push_back(id);
       EXPECT_EQ(ptrace(PTRACE_INTERRUPT, id, nullptr, nullptr), 0);
     }
@@ -63,7 +63,7 @@ class Debugger {
     for (const pid_t id : threads_) waitpid(id, &status, __WALL);
   }
   ~Debugger() {
-    // the first thread is buried last, and then by the parent
+    // the first thread is reaped last, by the parent
     for (auto id = threads_.rbegin(); id != threads_.rend(); ++id)
       if (ptrace(PTRACE_DETACH, *id, nullptr, nullptr) != 0) waitpid(*id, nullptr, __WALL);
   }
@@ -78,7 +78,7 @@ class Debugger {
 
 class Breakpoint : public testing::TestWithParam<const char*> {};
 
-TEST_P(Breakpoint, WhoStandsThereIsSilentAndTheRestEnds) {
+TEST_P(Breakpoint, ProcessHeldByDebuggerIsReportedSilent) {
   const ScratchFolder folder;
   MrrocRun run({"run", folder.write("hold.toml", faulty_deployment("hold", GetParam())).string()});
   ASSERT_TRUE(run.wait_for_output("never")) << run.out() << run.err();
@@ -96,10 +96,10 @@ TEST_P(Breakpoint, WhoStandsThereIsSilentAndTheRestEnds) {
 INSTANTIATE_TEST_SUITE_P(Clocks, Breakpoint, testing::Values("lockstep", "real"),
                          [](const auto& test) { return std::string{test.param}; });
 
-/// The runner of a task whose arm moves, under the real clock; at the end that arm stands.
+/// The runner of a task whose arm moves, under the real clock; at the end that arm is at rest.
 class Runner : public testing::Test {
  protected:
-  /// Until the arm is on its way to the part.
+  /// Waits until the arm moves to the part.
   void await_motion() {
     ASSERT_TRUE(run_.wait_for_output("JointLine")) << run_.out() << run_.err();
     while (fastest() < kMoving && !run_.has_ended()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -116,7 +116,7 @@ class Runner : public testing::Test {
 
   void expect_that_the_arm_has_braked() const {
     const task_test::Motion arm = task_test::read_motion(motion_).at("arm");
-    EXPECT_GE(fastest(), kMoving) << "it was to be in motion";
+    EXPECT_GE(fastest(), kMoving) << "it must be in motion";
     EXPECT_NE(arm.standstill(), kNever) << "it moved to the end";
     EXPECT_EQ(arm.limits_exceeded(), std::vector<std::string>{});
   }
@@ -127,7 +127,7 @@ class Runner : public testing::Test {
   MrrocRun run_{{"run", "tasks/press/press.toml", "--clock", "real", "--motion", motion_.string()}};
 };
 
-TEST_F(Runner, ThatIsStoppedLeavesNoRobotInMotion) {
+TEST_F(Runner, StoppedRunnerLeavesNoRobotInMotion) {
   ASSERT_NO_FATAL_FAILURE(await_motion());
   const std::vector<pid_t> pids = run_.children();
   EXPECT_EQ(pids.size(), 6U);
@@ -136,7 +136,7 @@ TEST_F(Runner, ThatIsStoppedLeavesNoRobotInMotion) {
   EXPECT_TRUE(all_end(pids));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - stopped;
   std::printf("all have left after %.3f s\n", taken.count());
-  EXPECT_LT(taken.count(), 4) << "they are told by the kernel within 20 ms, and brake";
+  EXPECT_LT(taken.count(), 4) << "the kernel notifies them within 20 ms, and they brake";
   expect_that_the_arm_has_braked();
   run_.signal(SIGCONT);
   EXPECT_EQ(run_.wait(), kSystem) << run_.out() << run_.err();
@@ -144,7 +144,7 @@ TEST_F(Runner, ThatIsStoppedLeavesNoRobotInMotion) {
       << run_.out() << run_.err();
 }
 
-TEST_F(Runner, ThatIsStoppedAndThenKilledLeavesNothing) {
+TEST_F(Runner, StoppedAndKilledRunnerLeavesNothing) {
   ASSERT_NO_FATAL_FAILURE(await_motion());
   const std::vector<pid_t> pids = run_.children();
   run_.signal(SIGSTOP);
@@ -154,7 +154,7 @@ TEST_F(Runner, ThatIsStoppedAndThenKilledLeavesNothing) {
   EXPECT_TRUE(all_end(pids));
 }
 
-TEST_F(Runner, ThatADebuggerHoldsForSecondsGoesOn) {
+TEST_F(Runner, RunnerHeldByDebuggerForSecondsContinues) {
   ASSERT_NO_FATAL_FAILURE(await_motion());
   {
     const Debugger debugger(run_.pid());
@@ -164,10 +164,10 @@ TEST_F(Runner, ThatADebuggerHoldsForSecondsGoesOn) {
   EXPECT_EQ(run_.wait(), 0) << run_.out() << run_.err();
 }
 
-/// It lives and beats; simulated time stands still, under the real clock its robots do.
+/// It lives and sends heartbeats; simulated time stands still, under the real clock its robots do.
 class Endless : public testing::TestWithParam<std::pair<const char*, std::vector<const char*>>> {};
 
-TEST_P(Endless, WhoComputesWithoutEndIsNamedAndTheOperatorEndsIt) {
+TEST_P(Endless, ComputingProcessIsNamedAndTheOperatorEndsIt) {
   const auto& [clock, texts] = GetParam();
   const ScratchFolder folder;
   MrrocRun run({"run", folder.write("endless.toml", faulty_deployment("endless", clock)).string()});

@@ -43,7 +43,7 @@ TEST(Supervision, TwoDeploymentsOnOneHostDoNotDisturbEachOther) {
   }
 }
 
-TEST(Supervision, ADomainThatAnotherDeploymentHasIsRefused) {
+TEST(Supervision, RefusesADomainThatAnotherDeploymentUses) {
   const ScratchFolder folder;
   const auto file = press_with(folder, "domain = 77", "press.toml");
   MrrocRun first({"run", file.string(), "--clock", "paced"});
@@ -54,9 +54,8 @@ TEST(Supervision, ADomainThatAnotherDeploymentHasIsRefused) {
   run_mrroc({"run", file.string()}, 0);  // free again
 }
 
-/// The DDS participants of a run that was killed are not known to be gone; the next one on the same domain does not
-/// listen to them.
-TEST(Supervision, ARunIsNotDisturbedByTheGhostsOfTheOneBefore) {
+/// The DDS participants of a killed run are not known to have ended; the next run on the same domain ignores them.
+TEST(Supervision, ParticipantsOfTheKilledRunDoNotDisturbTheNext) {
   const ScratchFolder folder;
   const auto file = press_with(folder, "domain = 78", "press.toml");
   const std::string trace = (folder.path() / "trace").string();
@@ -75,8 +74,8 @@ TEST(Supervision, ARunIsNotDisturbedByTheGhostsOfTheOneBefore) {
   }
 }
 
-/// UDP sockets on the RTPS ports (OMG DDSI-RTPS 2.3, 9.6.1.1) of the first `processes` of a domain, as another program
-/// may have them.
+/// UDP sockets on the RTPS ports (OMG DDSI-RTPS 2.3, 9.6.1.1) of the first `processes` of a domain, in use by
+/// another program.
 class ForeignProgram {
  public:
   ForeignProgram(int domain, int processes) {
@@ -98,7 +97,7 @@ class ForeignProgram {
   std::vector<int> sockets_;
 };
 
-TEST(Supervision, PortsThatAnotherProgramHasAreLeftOut) {
+TEST(Supervision, SkipsPortsThatAnotherProgramUses) {
   const ScratchFolder folder;
   const std::string alone = (folder.path() / "alone").string(), beside = (folder.path() / "beside").string();
   const auto file = press_with(folder, "domain = 79", "press.toml");
@@ -108,7 +107,7 @@ TEST(Supervision, PortsThatAnotherProgramHasAreLeftOut) {
   EXPECT_EQ(trace_hash(beside), trace_hash(alone));
 }
 
-TEST(Supervision, ADomainWithoutAFreePortIsRefused) {
+TEST(Supervision, RefusesADomainWithoutAFreePort) {
   const ScratchFolder folder;
   const auto file = press_with(folder, "domain = 80", "press.toml");
   const ForeignProgram foreign(80, 61);
@@ -116,9 +115,9 @@ TEST(Supervision, ADomainWithoutAFreePortIsRefused) {
   EXPECT_NE(output.find("DDS domain 80: no free port"), std::string::npos) << output;
 }
 
-/// The runner is held up, so that it cannot take note of the death. In lockstep no one else does anything about that:
-/// under the real clock a stopped runner is itself a reason to end (silence_test).
-TEST(Supervision, AProcessThatIsAZombieIsNamed) {
+/// The runner is stopped, so that it cannot detect the death. In lockstep no other process reacts to it; under the real
+/// clock a stopped runner is itself a reason to end (silence_test).
+TEST(Supervision, ZombieProcessIsNamed) {
   const ScratchFolder folder;
   MrrocRun run({"run", folder.write("hold.toml", faulty_deployment("hold", "lockstep")).string()});
   ASSERT_TRUE(run.wait_for_output("never")) << run.out() << run.err();
@@ -128,7 +127,7 @@ TEST(Supervision, AProcessThatIsAZombieIsNamed) {
   ASSERT_EQ(kill(arm, SIGKILL), 0);
   while (parent_of(arm) != -1) {
   }
-  EXPECT_EQ(kill(arm, 0), 0) << "its place in the table of processes is taken";
+  EXPECT_EQ(kill(arm, 0), 0) << "its entry in the table of processes remains";
   run.signal(SIGCONT);
   EXPECT_EQ(run.wait(), kSystem) << run.out() << run.err();
   EXPECT_NE(run.err().find("process arm_edp died: signal 9 (Killed)"), std::string::npos) << run.err();
@@ -137,8 +136,8 @@ TEST(Supervision, AProcessThatIsAZombieIsNamed) {
 
 class StartFailure : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
-/// A program that is no program of ours.
-TEST_P(StartFailure, IsNamedAndNothingIsLeft) {
+/// A program that is not part of the project.
+TEST_P(StartFailure, IsNamedAndNoProcessRemains) {
   const auto [script, reason] = GetParam();
   const ScratchFolder folder;
   const auto program = folder.write("program", script);

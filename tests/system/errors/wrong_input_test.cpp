@@ -26,7 +26,7 @@ void expect_nothing_started(const std::string& output) {
   expect_nothing_moved(output);
 }
 
-TEST(WrongInput, OfTheCommandLine) {
+TEST(WrongInput, CommandLineIsRefused) {
   expect_text(run_mrroc({}, kUsage), "subcommand");
   expect_text(run_mrroc({"rum", "tasks/press/press.toml"}, kUsage), "subcommand");
   expect_text(run_mrroc({"run"}, kUsage), "FILE is required");
@@ -37,10 +37,10 @@ TEST(WrongInput, OfTheCommandLine) {
   expect_text(run_mrroc({"run", "tasks/press"}, kUsage), "tasks/press");
 }
 
-TEST(WrongInput, AFileThatIsNoTrace) {
+TEST(WrongInput, RefusesAFileThatIsNotATrace) {
   const ScratchFolder folder;
-  expect_text(run_mrroc({"trace", "hash", "README.md"}, kUsage), "README.md:1: is no trace");
-  expect_text(run_mrroc({"trace", "hash", folder.write("empty", "").string()}, kUsage), "empty:1: is no trace");
+  expect_text(run_mrroc({"trace", "hash", "README.md"}, kUsage), "README.md:1: is not a trace");
+  expect_text(run_mrroc({"trace", "hash", folder.write("empty", "").string()}, kUsage), "empty:1: is not a trace");
   expect_text(run_mrroc({"trace", "hash", "no/such/trace"}, kUsage), "no/such/trace");
   expect_text(run_mrroc({"trace", "hash", "tasks"}, kUsage), "tasks");
 }
@@ -61,8 +61,8 @@ TEST(WrongInput, CheckStartsNothing) {
   expect_nothing_started(output);
 }
 
-/// A deployment that loads, with something that only its processes can find wrong.
-TEST(WrongInput, ASceneThatMuJoCoRejectsIsShownWithItsMessageAndLine) {
+/// A valid deployment with an error that only its processes can detect.
+TEST(WrongInput, SceneThatMuJoCoRejectsIsReportedWithItsMessageAndLine) {
   const ScratchFolder folder;
   folder.write("scene.xml",
                "<mujoco>\n  <compiler angle=\"radian\"/>\n  <worldbody>\n    <geom type=\"cylindre\" size=\"1 1\"/>\n  "
@@ -83,7 +83,7 @@ TEST(WrongInput, ASceneThatMuJoCoRejectsIsShownWithItsMessageAndLine) {
   }
 }
 
-TEST(WrongInput, AReplayFileIsRefusedWithItsLine) {
+TEST(WrongInput, ReplayFileIsRefusedWithItsLine) {
   const ScratchFolder folder;
   folder.write("gate.txt", "# mrroc readings range\n0 4\n100 near\n");
   const auto file = folder.write("replay.toml",
@@ -96,7 +96,7 @@ TEST(WrongInput, AReplayFileIsRefusedWithItsLine) {
   expect_nothing_moved(output);
 }
 
-TEST(WrongInput, ADomainInUseIsSaid) {
+TEST(WrongInput, DomainInUseIsReported) {
   const ScratchFolder folder;
   const std::string deployment = faulty_deployment("hold");
   const std::string name = "[deployment]\n";
@@ -106,24 +106,24 @@ TEST(WrongInput, ADomainInUseIsSaid) {
   const std::string output = run_mrroc({"run", file.string()}, kUsage);
   expect_text(output, "DDS domain 97 is in use");
   expect_nothing_started(output);
-  // a domain of its own: both run
+  // with separate domains both run
   run_mrroc({"run", folder.write("own.toml", faulty_deployment("caught")).string(), "--quiet"}, 0);
 }
 
-TEST(WrongInput, ATraceThatCannotBeWrittenIsSaidBeforeAnythingStarts) {
+TEST(WrongInput, UnwritableTraceIsReportedBeforeAnythingStarts) {
   const std::string output = run_mrroc({"run", "tasks/press/press.toml", "--trace", "/no/such/folder/trace"}, kUsage);
   expect_text(output, "/no/such/folder/trace: No such file or directory");
   expect_nothing_started(output);
   expect_nothing_started(run_mrroc({"run", "tasks/press/press.toml", "--trace", "tasks"}, kUsage));
 }
 
-TEST(WrongInput, ATraceThatIsLostAtTheEndIsAnErrorAndItsPartsAreKept) {
+TEST(WrongInput, TraceThatIsLostAtTheEndIsAnErrorAndItsPartsAreKept) {
   const ScratchFolder folder;
   std::filesystem::create_symlink("/dev/full", folder.path() / "trace");
   MrrocRun run({"run", "tasks/press_replay/press_replay.toml", "--quiet", "--trace", folder.path() / "trace"});
   EXPECT_EQ(run.wait(), kSystem);
   expect_text(run.err(), "cannot write the trace " + (folder.path() / "trace").string());
-  // a device has no place beside it: the parts are in the folder for temporary files
+  // a device has no folder for parts: they are in the folder for temporary files
   const std::string mark = "its parts are kept: ";
   const std::string err = run.err();
   ASSERT_NE(err.find(mark), std::string::npos) << err;
@@ -137,13 +137,13 @@ TEST(WrongInput, ATraceThatIsLostAtTheEndIsAnErrorAndItsPartsAreKept) {
   EXPECT_GT(size, 0U);
 }
 
-TEST(WrongInput, SnapshotsThatCannotBeWrittenAreSaidBeforeAnythingStarts) {
+TEST(WrongInput, UnwritableSnapshotsAreReportedBeforeAnythingStarts) {
   const std::string output = run_mrroc({"run", "tasks/press/press.toml", "--snapshots", "README.md/snapshots"}, kUsage);
   expect_text(output, "README.md/snapshots");
   expect_nothing_started(output);
 }
 
-/// Runs a deployment of one irb6 whose files are those of this project with the first `from` in `file` replaced by
+/// Runs a deployment of one irb6 with the files of this project, in which the first `from` in `file` is replaced by
 /// `to`.
 std::string run_with_changed_robot(const std::string& file, const std::string& from, const std::string& to) {
   const std::filesystem::path share = std::filesystem::path(MRROC_BINARY_DIR) / "share/mrroc";
@@ -163,7 +163,7 @@ std::string run_with_changed_robot(const std::string& file, const std::string& f
   return output;
 }
 
-TEST(WrongInput, AUrdfOfAnotherMachineIsRefusedWithBothPositions) {
+TEST(WrongInput, UrdfOfAnotherMachineIsRefusedWithBothPositions) {
   const std::string output = run_with_changed_robot("irb6.urdf", "xyz=\"0.67 0 0\"", "xyz=\"0.68 0 0\"");
   expect_text(output, "process arm_edp died: exit code 2: ");
   expect_text(output, "robots/irb6/irb6.urdf:");
@@ -172,21 +172,21 @@ TEST(WrongInput, AUrdfOfAnotherMachineIsRefusedWithBothPositions) {
   expect_nothing_moved(output);
 }
 
-TEST(WrongInput, ATransmissionThatReachesItsDeadCentreIsRefused) {
+TEST(WrongInput, TransmissionThatReachesItsDeadCentreIsRefused) {
   const std::string output =
       run_with_changed_robot("irb6.toml", "synchro_length = 0.1838348", "synchro_length = 0.1238348");
   expect_text(output, ": geometry.upper_arm_screw.synchro_length: the screw is ");
   expect_nothing_moved(output);
 }
 
-TEST(WrongInput, AParameterFileWhoseNumbersDoNotGoTogetherIsRefused) {
+TEST(WrongInput, InconsistentParameterFileIsRefused) {
   const std::string output = run_with_changed_robot("irb6.toml", "motor_min = -470.0", "motor_min = -100.0");
   expect_text(output, "process arm_edp died: exit code 2: ");
   expect_text(output, ": axes[0].position_max: 2.87 is out of the motors' reach, expected ");
   expect_nothing_moved(output);
 }
 
-TEST(WrongInput, AnMpThatAsksForARobotThatTheDeploymentDoesNotHave) {
+TEST(WrongInput, MpThatRequestsAMissingRobotIsRefused) {
   const ScratchFolder folder;
   const auto file = folder.write("names.toml",
                                  "[deployment]\nname = \"names\"\n[mp]\nprogram = \"press_mp\"\n"
@@ -197,7 +197,7 @@ TEST(WrongInput, AnMpThatAsksForARobotThatTheDeploymentDoesNotHave) {
   expect_nothing_moved(output);
 }
 
-TEST(WrongInput, AnEcpThatAsksForASensorThatTheDeploymentDoesNotHave) {
+TEST(WrongInput, EcpThatRequestsAMissingSensorIsRefused) {
   const ScratchFolder folder;
   const auto file = folder.write("sensors.toml",
                                  "[deployment]\nname = \"sensors\"\n[robots.arm]\ntype = \"irb6\"\nhardware = "

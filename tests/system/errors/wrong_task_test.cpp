@@ -8,7 +8,7 @@
 namespace mrroc::test {
 namespace {
 
-/// What the task does wrong (tests/system/programs/faulty.cpp), the exit code, and the reason on stderr.
+/// The error in the task (tests/system/programs/faulty.cpp), the exit code, and the reason on stderr.
 struct Fault {
   const char* kind;
   int exit_code;
@@ -19,7 +19,7 @@ void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.kind; }
 
 class WrongTask : public testing::TestWithParam<Fault> {
  protected:
-  /// A gate that sees nothing, beside the arm.
+  /// A gate that detects nothing, beside the arm.
   static std::string deployment(const std::string& clock) {
     return faulty_deployment(GetParam().kind, clock) +
            "[sensors.gate]\ntype = \"ultrasonic\"\nsource = \"replay\"\nreplay = \"" MRROC_SOURCE_DIR
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Refused, WrongTask,
 INSTANTIATE_TEST_SUITE_P(Failed, WrongTask,
                          testing::Values(Fault{"exception", kSystem, "the task failed: a task's own exception"},
                                          Fault{"hardware", kHardware,
-                                               "hardware error: a drive reports a fault: as the task says"},
+                                               "hardware error: a drive reports a fault: thrown by the task"},
                                          Fault{"crash", kSystem, "process arm died: signal 6 (Aborted)"}),
                          [](const auto& test) { return std::string{test.param.kind}; });
 

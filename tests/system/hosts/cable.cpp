@@ -39,7 +39,7 @@ int open_space(pid_t pid) {
   return fd;
 }
 
-/// A device that leaves checksums to the next one would hand frames without any to the carrying thread.
+/// A device that offloads checksums would pass frames without checksums to the carrying thread.
 void compute_checksums(const std::string& device) {
   const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   ethtool_value off{ETHTOOL_STXCSUM, 0};
@@ -51,7 +51,7 @@ void compute_checksums(const std::string& device) {
   if (result != 0) refuse("checksums of " + device);
 }
 
-/// All frames of a device, and a way to send some.
+/// Receives all frames of a device, and sends frames.
 int open_end(const std::string& device) {
   const int end = socket(AF_PACKET, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, htons(ETH_P_ALL));
   sockaddr_ll address{};
@@ -115,7 +115,7 @@ Inside::~Inside() {
   close(outside_);
 }
 
-/// On its way to the end `to`.
+/// A frame in transit to the end `to`.
 struct Cable::Frame {
   std::int64_t due;
   int to;
@@ -169,10 +169,10 @@ Cable::Counts Cable::counts() const {
 
 void Cable::carry() {
   sched_param parameters{};
-  parameters.sched_priority = 90;  // a cable is never late; where this is refused it is a little
+  parameters.sched_priority = 90;  // a cable is never late; without this priority it is slightly late
   sched_setscheduler(0, SCHED_FIFO, &parameters);
   const auto later = [](const Frame& one, const Frame& other) { return one.due > other.due; };
-  std::vector<Frame> queue;  // a heap: the next one is in front
+  std::vector<Frame> queue;  // a heap with the next frame in front
   while (!ended_) {
     std::int64_t wait = clock::kSecond / 50;
     if (!queue.empty()) wait = std::clamp<std::int64_t>(queue.front().due - clock::monotonic_ns(), 0, wait);
@@ -183,7 +183,7 @@ void Cable::carry() {
     while (!queue.empty() && queue.front().due <= clock::monotonic_ns()) {
       std::pop_heap(queue.begin(), queue.end(), later);
       const Frame& frame = queue.back();
-      // one that does not fit into the socket is lost, as in a switch
+      // a frame that does not fit into the socket is lost, as in a switch
       if (send(ends_[frame.to], frame.bytes.data(), frame.bytes.size(), 0) >= 0) {
         const std::lock_guard lock(mutex_);
         ++counts_.carried;
@@ -200,7 +200,7 @@ void Cable::receive(int end, std::vector<Frame>& queue) {
   ssize_t length = 0;
   const auto later = [](const Frame& one, const Frame& other) { return one.due > other.due; };
   while ((length = recvfrom(ends_[end], buffer, sizeof buffer, 0, reinterpret_cast<sockaddr*>(&from), &size)) > 0) {
-    if (from.sll_pkttype == PACKET_OUTGOING) continue;  // its own
+    if (from.sll_pkttype == PACKET_OUTGOING) continue;  // a frame of its own
     const std::lock_guard lock(mutex_);
     const auto happens = [this](double probability) {
       return probability > 0 && std::uniform_real_distribution<>(0, 1)(random_) < probability;

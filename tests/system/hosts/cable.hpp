@@ -13,39 +13,38 @@
 
 namespace mrroc::test {
 
-/// What happens to the frames on a cable, in either direction; the times in s, the others are probabilities of each
-/// frame.
+/// Disturbances of the frames on a cable, in both directions; times in s, the others are probabilities of each frame.
 struct CableFaults {
   double delay = 0;
-  double jitter = 0;  ///< on top of the delay, uniformly from 0
+  double jitter = 0;  ///< added to the delay, uniform from 0
   double loss = 0;
   double duplicate = 0;
-  double reorder = 0;  ///< held back for 3 ms more, so that others overtake it
-  double corrupt = 0;  ///< one bit of it is turned over, behind the Ethernet header
+  double reorder = 0;  ///< held back for 3 ms more, so that others overtake the frame
+  double corrupt = 0;  ///< one bit behind the Ethernet header is flipped
   bool cut = false;
 };
 
-/// A network namespace of its own, empty but for `lo`: gone with the object, even when the test is killed.
+/// A separate network namespace with only `lo`, removed with the object, even when the test is killed.
 class Namespace {
  public:
-  /// Throws std::system_error where the kernel refuses.
+  /// Throws std::system_error when the kernel refuses.
   Namespace();
   ~Namespace();
   Namespace(const Namespace&) = delete;
   Namespace& operator=(const Namespace&) = delete;
 
-  /// A process that is in it for as long as the object lives.
+  /// A process that is in the namespace during the lifetime of the object.
   pid_t holder() const noexcept { return holder_; }
-  /// The words before a command that is to run in it.
+  /// The prefix of a command that runs in the namespace.
   std::vector<std::string> command() const;
-  /// Runs `ip` in it; throws std::runtime_error when that fails.
+  /// Runs `ip` in the namespace; throws std::runtime_error when that fails.
   void ip(const std::string& arguments) const;
 
  private:
   pid_t holder_ = -1;
 };
 
-/// While it lives the calling thread is in the namespace, and so is every process that it starts.
+/// During its lifetime the calling thread is in the namespace, with every process that it starts.
 class Inside {
  public:
   explicit Inside(const Namespace& space);
@@ -57,13 +56,13 @@ class Inside {
   int outside_;
 };
 
-/// Two hosts, a and b, joined by a cable that can be spoilt: namespaces with the device `cable0` and the addresses
+/// Two hosts, a and b, connected by a cable with disturbances: namespaces with the device `cable0` and the addresses
 /// 10.77.0.1 and 10.77.0.2. Each end is one of a veth pair whose other end is in a third namespace, where a thread of
-/// this test carries the frames over (this kernel has no netem: docs/decisions/0016-cable.md). The hosts compute their
-/// checksums themselves, as before real cables.
+/// this test forwards the frames (this kernel has no netem: docs/decisions/0016-cable.md). The hosts compute their
+/// checksums themselves, as for real cables.
 class Cable {
  public:
-  /// As root, of a user namespace at least (privileges.hpp). Throws std::system_error where the kernel refuses
+  /// Needs root, at least of a user namespace (privileges.hpp). Throws std::system_error when the kernel refuses
   /// namespaces.
   explicit Cable(std::uint64_t seed = 1);
   ~Cable();
@@ -77,7 +76,7 @@ class Cable {
   static constexpr const char* kAddressOfB = "10.77.0.2";
 
   void set(const CableFaults& faults);
-  /// Of all devices on the way; 1500 bytes at first.
+  /// Of all devices of the path; 1500 bytes at first.
   void set_mtu(int bytes) const;
   struct Counts {
     std::uint64_t carried = 0, lost = 0, duplicated = 0, reordered = 0, corrupted = 0;

@@ -1,4 +1,4 @@
-// What becomes of a run when the cable between its hosts is spoilt or cut.
+// Behaviour of a run when the cable between its hosts is disturbed or cut.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -15,9 +15,9 @@ namespace {
 using task_test::Motion;
 using task_test::read_motion;
 
-/// Waits until the arm is moving fast; its motion so far, which the simulator writes meanwhile.
+/// Waits until the arm is moving fast; returns its motion so far, which the simulator writes meanwhile.
 Motion await_motion(MrrocRun& run, const std::filesystem::path& file) {
-  constexpr double kFast = 0.1;  // rad/s: five times what counts as rest
+  constexpr double kFast = 0.1;  // rad/s: five times the threshold of rest
   for (;; pause_for(0.005)) {
     if (run.has_ended()) throw std::runtime_error("it has ended: " + run.out() + run.err());
     if (!std::filesystem::exists(file)) continue;
@@ -28,7 +28,7 @@ Motion await_motion(MrrocRun& run, const std::filesystem::path& file) {
   }
 }
 
-/// The arm, which moved at the tick `moving`, has come to rest after it, and at no tick passed a limit.
+/// The arm, which moved at the tick `moving`, has come to rest after it, and at no tick exceeded a limit.
 void expect_stop(const std::filesystem::path& file, Tick moving) {
   const Motion motion = read_motion(file).at("arm");
   const Tick stands = motion.standstill();
@@ -40,7 +40,7 @@ void expect_stop(const std::filesystem::path& file, Tick moving) {
               static_cast<unsigned long long>(motion.ticks.back()), motion.fastest());
 }
 
-/// What the messages' signatures may change.
+/// Behaviour that the messages' signatures may change.
 class TwoHostsWithOrWithoutKeys : public TwoHosts, public testing::WithParamInterface<bool> {
   bool with_keys() const override { return GetParam(); }
 };
@@ -48,10 +48,10 @@ class TwoHostsWithOrWithoutKeys : public TwoHosts, public testing::WithParamInte
 INSTANTIATE_TEST_SUITE_P(Security, TwoHostsWithOrWithoutKeys, testing::Bool(),
                          [](const auto& test) { return test.param ? "keys" : "no_keys"; });
 
-TEST_P(TwoHostsWithOrWithoutKeys, GoOnOverABadCable) {
+TEST_P(TwoHostsWithOrWithoutKeys, ContinueOverABadCable) {
   const auto trace = file("press.trace");
   const CableFaults faults{.delay = 0.005, .jitter = 0.002, .loss = 0.02, .duplicate = 0.02, .reorder = 0.02};
-  // with keys once all are there: a start may fail when messages of the hand-shakes are lost (docs/how-to/two-hosts.md)
+  // with keys only after the start, which may fail when handshake messages are lost (docs/how-to/two-hosts.md)
   if (!GetParam()) cable_->set(faults);
   MrrocRun& run =
       start(write(hosts("two", "link_timeout = 2\nclock_error = 0.02\n", {}, press())), {"--trace", trace.string()});
@@ -73,22 +73,22 @@ TEST_P(TwoHostsWithOrWithoutKeys, StopBothWhenTheCableIsCut) {
   const std::vector<pid_t> pids = run.descendants();
   EXPECT_GE(pids.size(), 7U);
   cable_->set({.cut = true});
-  expect_end(kSystem, "lost: nothing heard for 0.2", pids);
+  expect_end(kSystem, "lost: nothing received for 0.2", pids);
   expect_stop(file("motion"), moving);
 }
 
-/// No one on this arm's side needs the cable: only the link's silence stops it.
+/// No process on this arm's host needs the cable: only the silence of the link stops the arm.
 TEST_F(TwoHostsWithKeys, StopAnArmThatItsOwnHostMoves) {
   MrrocRun& run = start(write(hosts("to_and_fro", "link_timeout = 0.2\n", {}, to_and_fro())),
                         {"--motion", file("motion").string()});
   const Tick moving = await_motion(run, file("motion")).ticks.back();
   const std::vector<pid_t> pids = run.descendants();
   cable_->set({.cut = true});
-  expect_end(kSystem, "lost: nothing heard for 0.2", pids);
+  expect_end(kSystem, "lost: nothing received for 0.2", pids);
   expect_stop(file("motion"), moving);
 }
 
-TEST_F(TwoHostsWithKeys, DropWhatIsCorrupted) {
+TEST_F(TwoHostsWithKeys, DropCorruptedFrames) {
   MrrocRun& run = start(write(hosts("two", kPatientLink, {}, press())));
   ASSERT_TRUE(run.wait_for_output("running")) << output();
   cable_->set({.corrupt = 0.05});
@@ -96,7 +96,7 @@ TEST_F(TwoHostsWithKeys, DropWhatIsCorrupted) {
   EXPECT_GT(cable_->counts().corrupted, 50U);
 }
 
-TEST_F(TwoHostsWithKeys, BearAShortCut) {
+TEST_F(TwoHostsWithKeys, TolerateAShortCut) {
   MrrocRun& run = start(write(hosts("two", kPatientLink, {}, press())));
   ASSERT_TRUE(run.wait_for_output("JointLine")) << output();
   cable_->set({.cut = true});
@@ -106,7 +106,7 @@ TEST_F(TwoHostsWithKeys, BearAShortCut) {
   EXPECT_GT(cable_->counts().lost, 10U);
 }
 
-/// Of two arms the one that keeps still is on host a: what stops the other stops it, too.
+/// One of two arms is at rest on host a; a stop of the other one stops it, too.
 TEST_F(TwoHosts, StopARobotOnEitherSide) {
   const std::string second = "[robots.second]\ntype = \"irb6\"\nhardware = \"loopback\"\nprogram = \"" MRROC_BINARY_DIR
                              "/tests/faulty_ecp\"\n";
@@ -116,7 +116,7 @@ TEST_F(TwoHosts, StopARobotOnEitherSide) {
   const std::vector<pid_t> pids = run.descendants();
   ASSERT_EQ(parent_of(run.descendant("second_edp")), run.pid());
   cable_->set({.cut = true});
-  expect_end(kSystem, "lost: nothing heard for 2", pids);
+  expect_end(kSystem, "lost: nothing received for 2", pids);
   EXPECT_EQ(run.out().find("killing it"), std::string::npos) << output();
 }
 

@@ -1,4 +1,4 @@
-// Who dies or stops on either host, and who asks for the end or for an emergency stop.
+// Death or stop of a process on either host, and requests for the end or for an emergency stop.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -15,7 +15,7 @@
 namespace mrroc::test {
 namespace {
 
-/// The ECP there ends because of it, and its last steps come over.
+/// The ECP on that host ends because of it, and its last steps are transmitted.
 TEST_F(TwoHosts, NameADeadProcessWithItsHost) {
   MrrocRun& run = start(write(hosts("hold", kPatientLink, {}, hold())), {"--black-box", file("boxes").string()});
   ASSERT_TRUE(run.wait_for_output("never")) << output();
@@ -48,9 +48,9 @@ TEST_F(TwoHosts, NameADeadAgent) {
   ASSERT_GT(agent, 0);
   kill(agent, SIGKILL);
   std::vector<std::string> causes{"host cell: its agent is gone: signal 9 (Killed)"};
-  // its channel closes after the kernel has freed its memory: with a sanitizer's terabytes the beats may be missed
+  // its channel closes after the kernel has freed its memory: with a sanitizer's terabytes the heartbeats may be missed
   // before
-  if (kSanitized) causes.emplace_back("host cell: link lost: nothing heard for 2 s");
+  if (kSanitized) causes.emplace_back("host cell: link lost: nothing received for 2 s");
   expect_end(kSystem, causes, pids);
 }
 
@@ -59,11 +59,11 @@ TEST_F(TwoHosts, NameAStoppedAgent) {
   ASSERT_TRUE(run.wait_for_output("never")) << output();
   const std::vector<pid_t> pids = run.descendants();
   kill(parent_of(run.descendant("arm_edp")), SIGSTOP);
-  expect_end(kSystem, "host cell: link lost: nothing heard for 2 s", pids);
+  expect_end(kSystem, "host cell: link lost: nothing received for 2 s", pids);
 }
 
-/// Its processes have left by then: their ends are but a consequence.
-TEST_F(TwoHosts, NameAnAgentThatWasStoppedAndGoesOn) {
+/// Its processes have left before; their ends are only a consequence.
+TEST_F(TwoHosts, NameAnAgentThatWasStoppedAndContinues) {
   MrrocRun& run = start(write(hosts("hold", kPatientLink, {}, hold())));
   ASSERT_TRUE(run.wait_for_output("never")) << output();
   const std::vector<pid_t> pids = run.descendants();
@@ -91,16 +91,16 @@ TEST_F(TwoHosts, StopForTheOperator) {
   expect_end(5, "stopped by the operator", pids);
 }
 
-/// The tick at which the emergency stop was found pressed, as the program of a robot has said; 0: it has not.
+/// The tick at which a robot's program reported the pressed emergency stop; 0: it has not reported it.
 Tick emergency_at(const std::string& output, const std::string& robot) {
   const std::string said = robot + " | stopped: hardware error: the emergency stop is pressed or not reset: at tick ";
   const std::size_t place = output.find(said);
   return place == std::string::npos ? 0 : std::stoull(output.substr(place + said.size()));
 }
 
-/// An arm on either host, each moved by its own program there, which checks that nothing moves before the reset and
-/// `recover()`; the cable is a bad one.
-TEST_F(TwoHosts, StopForAnEmergencyAndGoOn) {
+/// An arm on either host, each moved by its own program there, which checks that no joint moves before the reset and
+/// `recover()`; the cable has disturbances.
+TEST_F(TwoHosts, StopForAnEmergencyAndContinue) {
   Keyboard keyboard;
   const std::string arm =
       "type = \"irb6\"\nhardware = \"loopback\"\nprogram = \"" MRROC_BINARY_DIR "/tests/emergency_stop_ecp\"\n";
@@ -127,8 +127,8 @@ TEST_F(TwoHosts, StopForAnEmergencyAndGoOn) {
     EXPECT_NE(run.out().find(went_on), std::string::npos) << output();
 }
 
-/// As on one machine: it is an error of the hardware.
-TEST_F(TwoHosts, EndByAnEmergencyThatNobodyExpects) {
+/// As on one machine, it is a hardware error.
+TEST_F(TwoHosts, EndOnAnUncaughtEmergencyStop) {
   Keyboard keyboard;
   MrrocRun& run = start(write(hosts("hold", kPatientLink, {}, hold())));
   ASSERT_TRUE(run.wait_for_output("never")) << output();

@@ -23,8 +23,8 @@ void sh(const std::string& line) {
   if (std::system(line.c_str()) != 0) throw std::runtime_error(line);
 }
 
-/// A real sshd in host b of the cable, with keys of its own and one user, the one that it runs as: it is root nowhere.
-/// Its /run and its /etc/passwd are its own, too.
+/// A real sshd in host b of the cable, with its own keys and one user, its own one: it has no root privileges. Its /run
+/// and its /etc/passwd are separate, too.
 class SshServer {
  public:
   SshServer(const Cable& cable, const std::filesystem::path& folder) {
@@ -36,7 +36,7 @@ class SshServer {
     std::ofstream(folder / "ssh_config") << "IdentityFile " << path << "/user_key\nIdentitiesOnly yes\n"
                                          << "UserKnownHostsFile " << path << "/known_hosts\nUser lab\n";
     sh("(cat /etc/passwd; echo lab:x:1000:1000::" + path + ":/bin/sh) > " + path + "/passwd");
-    // the ssh that `mrroc run` finds: the real one, told where this test's keys are
+    // the ssh that `mrroc run` finds: the real one, with the location of this test's keys
     std::filesystem::create_directory(folder / "bin");
     std::ofstream(folder / "bin" / "ssh") << "#!/bin/sh\nexec /usr/bin/ssh -F " << path << "/ssh_config \"$@\"\n";
     std::filesystem::permissions(folder / "bin" / "ssh", std::filesystem::perms::owner_all);
@@ -51,7 +51,7 @@ class SshServer {
     pid_ = fork();
     if (pid_ == 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
-      // with processes of its own: a login behind a cut cable would stay for hours
+      // in a separate process namespace: a login behind a cut cable would stay for hours
       execl("/usr/bin/unshare", "unshare", "--mount", "--pid", "--fork", "--kill-child", "--mount-proc", "--", "sh",
             "-c", server.c_str(), nullptr);
       _exit(127);
@@ -78,7 +78,7 @@ bool is_agent(pid_t pid) {
 class TwoHostsOverSsh : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(std::filesystem::exists("/usr/sbin/sshd")) << "scripts/install_dependencies has openssh-server";
+    ASSERT_TRUE(std::filesystem::exists("/usr/sbin/sshd")) << "scripts/install_dependencies installs openssh-server";
     cable_.emplace();
     server_.emplace(*cable_, folder_.path());
     const std::string path = std::getenv("PATH");
@@ -86,7 +86,7 @@ class TwoHostsOverSsh : public testing::Test {
     await_server();
   }
 
-  /// Until someone may log in.
+  /// Waits until a login is possible.
   void await_server() const {
     const Inside inside(cable_->a());
     const std::string login = "ssh -o BatchMode=yes " + std::string{Cable::kAddressOfB} + " true 2> /dev/null";
@@ -108,7 +108,7 @@ class TwoHostsOverSsh : public testing::Test {
     return run_.emplace(std::vector<std::string>{"run", file.string()});
   }
 
-  /// Everything on either host that belongs to this test's deployment.
+  /// Every process on either host that belongs to this test's deployment.
   std::vector<pid_t> processes() const {
     std::vector<pid_t> pids = run_->descendants();
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -150,7 +150,7 @@ TEST_F(TwoHostsOverSsh, LeaveNothingWhenTheCableWithTheControlChannelIsCut) {
   const std::vector<pid_t> pids = processes();
   cable_->set({.cut = true});
   EXPECT_EQ(run.wait(), kSystem) << output();
-  EXPECT_NE(run.err().find("host cell: link lost: nothing heard for 2 s"), std::string::npos) << output();
+  EXPECT_NE(run.err().find("host cell: link lost: nothing received for 2 s"), std::string::npos) << output();
   EXPECT_TRUE(all_end(pids)) << output();
 }
 
@@ -163,8 +163,8 @@ TEST_F(TwoHostsOverSsh, LeaveNothingWhenTheRunnerIsKilled) {
   EXPECT_TRUE(all_end(pids)) << output();
 }
 
-/// Which the runner cannot kill: sshd hands no signal on.
-TEST_F(TwoHostsOverSsh, LeaveNoRobotToAStoppedAgent) {
+/// The runner cannot kill it: sshd forwards no signals.
+TEST_F(TwoHostsOverSsh, LeaveNoRobotUnderAStoppedAgent) {
   MrrocRun& run = start(Cable::kAddressOfB);
   ASSERT_TRUE(run.wait_for_output("never")) << output();
   std::vector<pid_t> pids = processes();
@@ -174,16 +174,16 @@ TEST_F(TwoHostsOverSsh, LeaveNoRobotToAStoppedAgent) {
   pids.erase(agent);
   ASSERT_EQ(kill(stopped, SIGSTOP), 0);
   EXPECT_EQ(run.wait(), kSystem) << output();
-  EXPECT_NE(run.err().find("host cell: link lost: nothing heard for 2 s"), std::string::npos) << output();
+  EXPECT_NE(run.err().find("host cell: link lost: nothing received for 2 s"), std::string::npos) << output();
   EXPECT_TRUE(all_end(pids)) << output();
-  EXPECT_GE(parent_of(stopped), 0) << "still there: they have ended by themselves";
+  EXPECT_GE(parent_of(stopped), 0) << "still there: the other processes have ended on their own";
   kill(stopped, SIGKILL);
 }
 
-TEST_F(TwoHostsOverSsh, SayWhenNobodyAnswers) {
+TEST_F(TwoHostsOverSsh, ReportAnUnreachableHost) {
   MrrocRun& run = start("10.77.0.9");
   EXPECT_EQ(run.wait(), kSystem) << output();
-  // in ssh's words, which depend on when the kernel gives up
+  // with ssh's text, which depends on the kernel's timeout
   EXPECT_NE(run.err().find("host cell: no agent could be started: exit code 255: "), std::string::npos) << output();
   EXPECT_TRUE(run.err().find("No route to host") != std::string::npos ||
               run.err().find("ssh: connect to host 10.77.0.9 port 22: ") != std::string::npos)

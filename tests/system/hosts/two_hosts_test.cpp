@@ -14,7 +14,7 @@ namespace {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-TEST_F(TwoHostsWithKeys, DoATaskTogether) {
+TEST_F(TwoHostsWithKeys, RunATaskTogether) {
   const auto trace = file("press.trace");
   start(write(hosts("two", kPatientLink, {}, press())), {"--trace", trace.string()});
   EXPECT_EQ(run_->wait(), 0) << output();
@@ -24,7 +24,7 @@ TEST_F(TwoHostsWithKeys, DoATaskTogether) {
   expect_laws(trace);
 }
 
-/// Devices as people have them; the addresses of the hosts stay.
+/// Devices of usual machines; the addresses of the hosts stay the same.
 struct Devices {
   const char* name;
   std::vector<std::string> a, b;  ///< commands of iproute2 on the hosts
@@ -66,8 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
                              "address add 10.77.0.2 peer 10.77.0.1 dev cable0"}}),
     [](const auto& test) { return test.param.name; });
 
-TEST_F(TwoHosts, HaveClocksOfTheirOwn) {
-  // host b has been up for a thousand seconds more
+TEST_F(TwoHosts, HaveSeparateClocks) {
+  // host b has an uptime that is a thousand seconds longer
   std::vector<std::string> command = cable_->b().command();
   for (const char* word : {"unshare", "--time", "--monotonic", "1000", "--fork", "--kill-child", "--"})
     command.emplace_back(word);
@@ -75,7 +75,7 @@ TEST_F(TwoHosts, HaveClocksOfTheirOwn) {
   EXPECT_EQ(run_->wait(), 0) << output();
 }
 
-TEST_F(TwoHosts, RefuseAClockThatIsKnownTooBadly) {
+TEST_F(TwoHosts, RefuseAClockWithALargeUncertainty) {
   cable_->set({.delay = 0.01});
   start(write(hosts("two", "start_timeout = 10\nlink_timeout = 0.2\n", {}, press())));
   EXPECT_EQ(run_->wait(), kSystem) << output();
@@ -94,12 +94,12 @@ TEST_F(TwoHosts, RefuseAnInterfaceThatDoesNotLeadToTheHost) {
   const std::string named = "interface = \"cable0\"";
   start(write(text.replace(text.find(named), named.size(), "interface = \"other0\"")));
   EXPECT_EQ(run_->wait(), kUsage) << output();
-  EXPECT_TRUE(
-      contains(run_->err(), "network.interface: 'other0' has the address 10.78.0.1, and the way to the host begins at"))
+  EXPECT_TRUE(contains(run_->err(),
+                       "network.interface: 'other0' has the address 10.78.0.1, but the route to the host begins at"))
       << output();
 }
 
-/// A table that someone has repaired on one machine only.
+/// A table that was edited on one machine only.
 TEST_F(TwoHosts, RefuseFilesThatDiffer) {
   const ScratchFolder other;
   const std::string text =
@@ -110,7 +110,7 @@ TEST_F(TwoHosts, RefuseFilesThatDiffer) {
   const std::string table{std::istreambuf_iterator<char>(file), {}};
   other.write("two.toml", text);
   folder_.write("arm_drives.toml", table);
-  other.write("arm_drives.toml", table + "# mended\n");
+  other.write("arm_drives.toml", table + "# repaired\n");
   start(write(text));
   EXPECT_EQ(run_->wait(), kUsage) << output();
   EXPECT_TRUE(
@@ -130,7 +130,7 @@ void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; 
 
 class TwoHostsMistaken : public TwoHosts, public testing::WithParamInterface<Mistake> {};
 
-TEST_P(TwoHostsMistaken, SayItInOneLine) {
+TEST_P(TwoHostsMistaken, ReportErrorsInOneLine) {
   const Mistake& mistake = GetParam();
   start(write(hosts("two", kPatientLink, mistake.command, mistake.host + press())));
   EXPECT_EQ(run_->wait(), mistake.code) << output();

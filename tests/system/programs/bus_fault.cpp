@@ -1,5 +1,4 @@
-// The arm goes to and fro; whenever a drive stops it, it recovers, again and again until the cause is gone, and goes
-// home.
+// The arm moves to and fro. Whenever a drive stops it, it recovers, repeatedly until the cause is gone, and moves home.
 #include <cstdio>
 
 #include "mrroc/ecp.hpp"
@@ -14,7 +13,7 @@ namespace {
 
 class BusFault : public ecp::Task {
   static constexpr int kLines = 6;   // 10 s
-  static constexpr int kTries = 20;  // each that fails takes up to 2 s
+  static constexpr int kTries = 20;  // each failing one takes up to 2 s
   Irb6 arm{*this};
 
   void go(double height) { Move({arm}, {}, JointLine{arm, Irb6::tool_down(0.75, 0, height)}); }
@@ -38,9 +37,9 @@ class BusFault : public ecp::Task {
       std::printf("stopped: %s\n", error.what());
       stopped = true;
     }
-    require(stopped, "nothing has happened");
+    require(stopped, "no fault has occurred");
     int tries = 1;
-    while (!goes_home()) require(++tries <= kTries, "the cause has been gone for long");
+    while (!goes_home()) require(++tries <= kTries, "the robot does not recover although the cause is gone");
     std::printf("recovered\n");
   }
 };

@@ -4,24 +4,24 @@
 
 namespace mrroc::test {
 
-/// A behaviour: the belt goes to `position` m at a part of its speed.
+/// A behaviour: the belt moves to `position` m at a part of its speed.
 struct Go {
   double position = 0;
   double speed = 0.9;
 };
 MRROC_MESSAGE(Go, position, speed)
 
-/// A behaviour: the belt runs at `speed` m/s until it is told otherwise.
+/// A behaviour: the belt runs at `speed` m/s until a message changes it.
 struct Run {
   double speed = 0;
 };
 MRROC_MESSAGE(Run, speed)
 
-/// A behaviour: the operator is asked for the place to go to.
+/// A behaviour: asks the operator for the target position.
 struct Ask {};
 MRROC_MESSAGE(Ask)
 
-/// From the ECP: where it has come to.
+/// From the ECP: the position that it has reached.
 struct Arrived {
   double position = 0;
   Tick tick = 0;
@@ -35,7 +35,7 @@ struct Faster {
 };
 MRROC_MESSAGE(Faster, speed)
 
-/// What no ECP has a behaviour for.
+/// A message without a behaviour in any ECP.
 struct Fly {};
 MRROC_MESSAGE(Fly)
 

@@ -1,5 +1,5 @@
-// Two belts: what an MP can do with the programs of ECPs, and with robots of its own side by side. The scenario is the
-// operator's choice.
+// Two belts: coordination of the programs of ECPs by an MP, and of its own robots at the same time. The operator
+// selects the scenario.
 #include <cstdio>
 
 #include "mrroc/generators/together.hpp"
@@ -96,7 +96,7 @@ class Coordination : public mp::Task {
     std::printf("all have ended\n");
   }
 
-  /// Two Moves at a time, of other lengths and macrosteps, and a third part that only looks on.
+  /// Two simultaneous Moves of different lengths and macrosteps, and a third part without a robot.
   void strands() {
     left.set_macrostep(10, 8);
     right.set_macrostep(7, 5);

@@ -1,5 +1,5 @@
-// The arm goes to and fro until an emergency stop ends that, waits for the reset, and goes home. In a deployment named
-// `input` it presses the stop itself, by the output that the loopback wires to the emergency-stop input.
+// The arm moves to and fro until an emergency stop ends that, waits for the reset, and moves home. In a deployment
+// named `input` it presses the stop itself, through the output that the loopback connects to the emergency-stop input.
 #include <cstdio>
 #include <functional>
 
@@ -23,7 +23,7 @@ class EmergencyStop : public ecp::Task {
     arm.set_outputs(outputs);
   }
 
-  /// Whether `instruction` is ended by the emergency stop.
+  /// Whether the emergency stop ends `instruction`.
   static bool stopped(const std::function<void()>& instruction) {
     try {
       instruction();
@@ -53,7 +53,7 @@ class EmergencyStop : public ecp::Task {
     })) {
     }
     require(stopped([&] { Move({arm}, {}, JointLine{arm, home}); }), "it moved with the stop pressed");
-    if (by_input) require(stopped([&] { press(false); }), "outputs are set and the fault is told");
+    if (by_input) require(stopped([&] { press(false); }), "outputs are set and the fault is reported");
 
     // the arm has come to rest, and stays there until it is instructed to move, reset or not
     JointVector stands;
@@ -66,8 +66,8 @@ class EmergencyStop : public ecp::Task {
         require(error.code() == ErrorCode::emergency_stop, "another error");
       }
       if (pressed == 0) pressed = arm.state().tick;
-      require(arm.state().tick < pressed + 5000, "nobody has reset it");
-      if (arm.state().tick < pressed + 300) continue;  // it brakes, the drive's brakes hold it
+      require(arm.state().tick < pressed + 5000, "the emergency stop was not reset");
+      if (arm.state().tick < pressed + 300) continue;  // it brakes, then the drives' brakes hold it
       if (stands.size() == 0) stands = arm.state().joints;
       require(arm.state().joints == stands, "it moved before it was recovered");
     }
@@ -76,7 +76,7 @@ class EmergencyStop : public ecp::Task {
     Wait({arm}, {}, ElapsedSteps{20});
     require(arm.state().desired_joints == stands, "it moved without a command");
     Move({arm}, {}, JointLine{arm, home});
-    require((arm.state().joints - arm.parameters().home).cwiseAbs().maxCoeff() < 1e-3, "it did not come home");
+    require((arm.state().joints - arm.parameters().home).cwiseAbs().maxCoeff() < 1e-3, "it did not reach home");
     std::printf("went on\n");
   }
 };

@@ -11,7 +11,7 @@ class Failing : public Generator {
   explicit Failing(Robot& belt) : Generator("Failing"), velocity_(belt, {0.05, 0, 0}) {}
   void start() override { velocity_.start(); }
   void next_state() override {
-    if (++steps_ > 20) throw NonFatalError(ErrorCode::force_limit, "nobody has taken the part");
+    if (++steps_ > 20) throw NonFatalError(ErrorCode::force_limit, "the part was not taken");
     velocity_.next_state();
   }
 

@@ -32,7 +32,7 @@ class Once : public Generator {
   bool done_ = false;
 };
 
-/// Does one thing wrong: the one that the name of its deployment says.
+/// Makes one error, selected by the name of its deployment.
 class Faulty : public ecp::Task {
   Irb6 arm{*this};
 
@@ -59,7 +59,7 @@ class Faulty : public ecp::Task {
         {"reply", [this] { command([](RobotCommand& c) { c.reply_step = 12; }); }},
         {"caught", [this] { recover(); }},
         {"exception", [] { throw std::runtime_error("a task's own exception"); }},
-        {"hardware", [] { throw HardwareError(ErrorCode::drive_fault, "as the task says"); }},
+        {"hardware", [] { throw HardwareError(ErrorCode::drive_fault, "thrown by the task"); }},
         {"crash", [] { std::abort(); }},
         {"hold",
          [this] {
@@ -85,7 +85,7 @@ class Faulty : public ecp::Task {
     try {
       kinds.at(kind)();
     } catch (const NonFatalError&) {
-      // what is refused leaves the robot where it was
+      // a refused command does not move the robot
       Wait({arm}, {}, ElapsedSteps{2});
       if (arm.state().desired_joints != before) throw SystemError(ErrorCode::invalid_argument, "the robot has moved");
       throw;
@@ -105,7 +105,7 @@ class Faulty : public ecp::Task {
     });
   }
 
-  /// A non-fatal error is the task's to catch; the robot still takes commands.
+  /// The task may catch a non-fatal error; the robot still accepts commands.
   void recover() {
     try {
       Move({arm}, {}, JointLine{arm, Irb6::tool_down(5, 0, 0)});

@@ -1,4 +1,4 @@
-// The receiver of the task hand_over, but one that pulls only after some seconds, and never if they are long.
+// A receiver of the task hand_over that pulls only after some seconds, and never if they are long.
 #include "mrroc/ecp.hpp"
 #include "mrroc/robots/irb6.hpp"
 #include "tasks/hand_over/hand_over.hpp"

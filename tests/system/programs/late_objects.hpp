@@ -23,7 +23,7 @@ struct Make {
 };
 MRROC_MESSAGE(Make, unused)
 
-/// Makes robots and sensors while the task runs: what the name of the deployment says. A deployment whose name begins
+/// Makes robots and sensors while the task runs, selected by the name of the deployment. A deployment whose name starts
 /// with "second" has a robot and a sensor from the start.
 class LateObjects {
  public:
@@ -67,7 +67,7 @@ class LateObjects {
     require(belt.state().tick > 0, "no state");
   }
 
-  /// A refusal is the task's to catch, and what it has from the start still works.
+  /// The task may catch a refusal, and its initial objects still work.
   void go_on() {
     bool refused = false;
     try {

@@ -11,7 +11,7 @@ struct Fail {
 };
 MRROC_MESSAGE(Fail, where)
 
-/// From the ECP: an error that it has caught, and how far the belt was moved after it had come to rest, m.
+/// From the ECP: an error that it has caught, and the distance that the belt moved after it had come to rest, m.
 struct Caught {
   FixedText<31> where;
   std::uint64_t step = 0;

@@ -48,7 +48,7 @@ class Belt : public ecp::Task {
     Move({belt}, {}, JointLine{belt, Conveyor::at(0.0), 0.9});
   }
 
-  /// Commands nothing for a while: the belt is to have come to rest on its own, and to stay.
+  /// Commands nothing for a while: the belt must have come to rest on its own, and stay there.
   void tell_caught(const char* where, const Error& error) {
     if (error.black_box()->newest().ending != StepEnding::non_fatal_error) throw NonFatalError("no black box");
     sleep_until(tick() + 200);

@@ -1,4 +1,5 @@
-// Meets the errors of a behaviour: those that the ECP catches, in a wait, in a Move of its own, and at last nowhere.
+// Meets the errors of a behaviour: those that the ECP catches, then one in a wait, one in its own Move, and an uncaught
+// one.
 #include <cmath>
 #include <cstdio>
 
@@ -48,7 +49,7 @@ class Nested : public mp::Task {
     rests("left", left);
     rests("right", right);
 
-    // two Moves side by side, of which one fails
+    // two simultaneous Moves, of which one fails
     right.set_macrostep(7, 5);
     concurrently({[this] {
                     Move({left}, {}, ToolVelocity{left, {0.03, 0, 0}});
@@ -66,7 +67,7 @@ class Nested : public mp::Task {
                 static_cast<int>(origin.step), static_cast<int>(origin.tick));
   }
 
-  /// It stands when no one has commanded it, and continues standing.
+  /// The robot is at rest without commands, and stays at rest.
   void rests(const char* name, Robot& belt) {
     Wait({belt}, {}, ElapsedSteps{1});
     const double place = belt.state().desired_joints[0];

@@ -1,5 +1,5 @@
-// The arm is sent into a block, stops with a following error, recovers and goes home. In a deployment called "uncaught"
-// the task lets the error pass.
+// The arm is sent into a block, stops with a following error, recovers and moves home. In a deployment called
+// "uncaught" the task does not catch the error.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +18,7 @@ namespace {
 class Recover : public ecp::Task {
   Irb6 arm{*this};
 
-  /// Goes to `target`; the code of the hardware error that ends it, or `none`.
+  /// Moves to `target`; returns the code of the hardware error that ends it, or `none`.
   ErrorCode go(const Pose& target) {
     try {
       Move({arm}, {}, JointLine{arm, target});
@@ -33,17 +33,17 @@ class Recover : public ecp::Task {
     const Pose home = Irb6::tool_down(0.75, 0, 0);
     if (process().deployment().name == "uncaught") Move({arm}, {}, JointLine{arm, Irb6::tool_down(0.75, 0, -0.12)});
     require(go(Irb6::tool_down(0.75, 0, -0.12)) == ErrorCode::following_error, "it went through the block");
-    // latched: nothing moves it, the cause being over or not
+    // latched: no command moves it, with or without the cause
     require(go(home) == ErrorCode::following_error, "it moved with a fault");
-    require(go(home) == ErrorCode::following_error, "the fault went by itself");
+    require(go(home) == ErrorCode::following_error, "the fault cleared itself");
 
     arm.recover();
     const JointVector stands = arm.state().joints;
     require(arm.state().enabled, "it is not on");
-    require(arm.state().desired_joints == stands, "it is not desired where it is measured");
+    require(arm.state().desired_joints == stands, "the desired position is not the measured one");
     require(arm.kinematics().direct(stands).translation().z() < -0.03, "it has not been in the block");
 
-    // no step of the way home is longer than the joints' speeds allow, measured or desired
+    // no step of the path home is longer than the joints' speeds allow, measured or desired
     JointVector measured = stands, desired = stands;
     double fastest = 0;
     const auto look = [&] {
@@ -62,7 +62,7 @@ class Recover : public ecp::Task {
     std::printf("fastest %.3f of the limit\n", fastest);
     require(fastest > 0.05 && fastest < 1.1, "a joint has jumped");
     const JointVector error = arm.state().joints - arm.parameters().home;
-    require(error.cwiseAbs().maxCoeff() < 1e-3, "it did not come home");
+    require(error.cwiseAbs().maxCoeff() < 1e-3, "it did not reach home");
     std::printf("recovered\n");
   }
 };

@@ -6,7 +6,7 @@
 
 namespace mrroc::test {
 
-/// Ends the task, as failed, with `what` where something does not hold.
+/// Ends the task, as failed, with `what` when the condition does not hold.
 inline void require(bool holds, const std::string& what) {
   if (!holds) throw NonFatalError(ErrorCode::task_failed, what);
 }

@@ -11,18 +11,18 @@
 
 namespace mrroc::test {
 
-/// Steps of each of the three instructions by which a client looks at its sensors.
+/// Steps of each of the three instructions in which a client reads its sensors.
 inline constexpr std::uint64_t kClientSteps = 30;
 
-/// One of the processes that use the sensors "shared" and "free" of any type at the same time. A deployment of the name
-/// "hold" lets it look without end.
+/// One of the processes that use the sensors "shared" and "free" of any type at the same time. In a deployment named
+/// "hold" it reads them in an endless loop.
 class Client {
  public:
   explicit Client(process::TaskProcess& task)
       : task_(task), shared_(task, "shared", type(0)), free_(task, "free", type(1)) {}
 
-  /// A new reading of "shared" every `period` steps, of "free" at each; after instruction number `bias_after` takes
-  /// the present as zero and prints it.
+  /// Takes a new reading of "shared" every `period` steps, of "free" at each; after instruction number `bias_after` it
+  /// sets the present value as zero and prints it.
   void run(const RobotList& robots, std::uint32_t period, int bias_after) {
     shared_.set_period(period);
     for (int i = 1; i <= 3; ++i) {
@@ -47,7 +47,7 @@ class Client {
     Wait(robots, {shared_, free_}, seen || ElapsedSteps{kClientSteps});
   }
 
-  /// A reading is the one before, or a later one with a higher number.
+  /// A reading equals the previous one, or is later and has a higher number.
   static void check(const Sensor& sensor, SensorReading& last) {
     const SensorReading& now = sensor.reading();
     const bool same = now.sequence == last.sequence && now.tick == last.tick;
@@ -57,7 +57,7 @@ class Client {
 
   void bias() {
     shared_.bias();
-    require(shared_.value(0) == 0, "it has taken no zero");
+    require(shared_.value(0) == 0, "its zero was not set");
     std::printf("zero at %.0f\n", shared_.value(1));
   }
 

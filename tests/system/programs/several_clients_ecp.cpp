@@ -1,5 +1,5 @@
-// A belt whose program looks at sensors that others use, too: "left" and "right" differ in their macrosteps, in how
-// often they look, and in who takes the zero.
+// A belt whose program uses sensors that other programs use, too: "left" and "right" differ in their macrosteps, in the
+// period of their readings, and in the process that sets the zero.
 #include <cstdio>
 
 #include "mrroc/ecp.hpp"
@@ -21,7 +21,7 @@ class SeveralClients : public ecp::Task {
       client.run({belt}, left ? 3 : 5, left ? 2 : 0);
     } catch (const Error& error) {
       std::printf("met %s\n", error.what());
-      Wait({belt}, {}, ElapsedSteps{100});  // the others meet it, too
+      Wait({belt}, {}, ElapsedSteps{100});  // the others receive it, too
       throw;
     }
   }

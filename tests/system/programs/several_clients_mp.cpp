@@ -1,4 +1,4 @@
-// Looks at the sensors that the programs of its robots use at the same time.
+// Reads the sensors that the programs of its robots use at the same time.
 #include <cstdio>
 
 #include "mrroc/mp.hpp"

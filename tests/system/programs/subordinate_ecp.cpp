@@ -1,4 +1,4 @@
-// A belt that runs until it is stopped; the one called "failing" then asks for more than it can do.
+// A belt that runs until it is stopped; the one named "failing" then commands more than it can do.
 #include "mrroc/ecp.hpp"
 #include "mrroc/robots/conveyor.hpp"
 

@@ -19,7 +19,7 @@ class Superior : public mp::Task {
     try {
       Move({own}, {}, JointLine{own, Conveyor::at(0.5)});
     } catch (const Error& error) {
-      std::printf("told: %s\n", error.what());
+      std::printf("reported: %s\n", error.what());
     }
     Move({own}, {}, JointLine{own, Conveyor::at(0.05)});
     std::printf("moved on to %.3f m\n", own.state().desired_joints[0]);

@@ -1,5 +1,5 @@
-// A robot of any type that does not know where it is: it may move its motors slowly, synchronises, and then goes where
-// it is asked to. Prints that target for the test, which looks where the simulated world has it.
+// A robot of any type without known positions: it may move its motors slowly, synchronises, and then moves to its
+// target. Prints that target for the test, which compares it with the simulated world.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -30,7 +30,7 @@ std::unique_ptr<Robot> make(ecp::Task& task) {
   return std::make_unique<Type>(task);
 }
 
-/// The robot that the deployment has.
+/// The robot of the deployment.
 std::unique_ptr<Robot> robot_of(ecp::Task& task) {
   const std::map<std::string, std::function<std::unique_ptr<Robot>(ecp::Task&)>> types{
       {"irb6", make<Irb6>},
@@ -42,7 +42,7 @@ std::unique_ptr<Robot> robot_of(ecp::Task& task) {
   return types.at(task.process().deployment().robots.front().type)(task);
 }
 
-/// One macrostep by which every motor turns on by so much.
+/// One macrostep that turns every motor by this angle.
 class Turn : public Generator {
  public:
   Turn(Robot& robot, JointVector by) : Generator("Turn"), robot_(robot), by_(std::move(by)) {}
@@ -64,10 +64,10 @@ class Synchronise : public ecp::Task {
   std::unique_ptr<Robot> owner = robot_of(*this);
   Robot& robot = *owner;
 
-  /// Macrosteps until the regulators have taken over the weight, or a motion's rest: 3 s.
+  /// Macrosteps until the regulators hold the weight, or until a motion has settled: 3 s.
   static constexpr int kSettled = 150;
 
-  /// Largest of `values` per axis, in units of what `tolerance` gives for the axis.
+  /// Largest of `values` per axis, in units of the axis's `tolerance`.
   template <class Tolerance>
   double worst(const JointVector& values, Tolerance tolerance) const {
     double result = 0;
@@ -100,7 +100,7 @@ class Synchronise : public ecp::Task {
     Move({robot}, {}, turn);
     robot.set_macrostep(10, 8);
     Wait({robot}, {}, ElapsedSteps{kSettled});
-    require(worst(robot.state().motors - before - by, two_increments) <= 1, "its motors did not turn as they should");
+    require(worst(robot.state().motors - before - by, two_increments) <= 1, "its motors did not turn as commanded");
     require(!robot.state().synchronised, "it is synchronised by turning");
   }
 
@@ -115,7 +115,7 @@ class Synchronise : public ecp::Task {
     for (Eigen::Index i = 0; i < synchro.size(); ++i) {
       const AxisParameters& axis = robot.parameters().axes[static_cast<std::size_t>(i)];
       synchro[i] = axis.motor_synchro;
-      // towards the middle of its way, so that no motor comes near its limit
+      // towards the middle of its range, so that no motor comes near its limit
       target[i] += 0.05 * (axis.position_min / 2 + axis.position_max / 2 - target[i]);
     }
     const auto stop = [](const AxisParameters& axis) { return 0.5 + 0.15 * std::abs(axis.synchro_fine); };
@@ -125,7 +125,7 @@ class Synchronise : public ecp::Task {
     Wait({robot}, {}, ElapsedSteps{kSettled});
     JointVector motors;
     require(robot.models().front()->joints_to_motors(target, motors) == ErrorCode::none, "no motors for the target");
-    require(worst(robot.state().motors - motors, two_increments) <= 1, "it is not where it was sent");
+    require(worst(robot.state().motors - motors, two_increments) <= 1, "it did not reach its target");
     std::printf("target");
     for (const double joint : target) std::printf(" %.17g", joint);
     std::printf("\n");

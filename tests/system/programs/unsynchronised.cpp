@@ -1,4 +1,4 @@
-// Synchronises the arm, continues with another tool and the calibrated model, and checks what it sees on its way.
+// Synchronises the arm, continues with another tool and the calibrated model, and checks the states on the way.
 #include <cmath>
 #include <cstdio>
 
@@ -30,7 +30,7 @@ class Unsynchronised : public ecp::Task {
       require(std::abs(arm.state().motors[static_cast<Eigen::Index>(i)] - arm.parameters().axes[i].motor_synchro) < 6,
               "a motor is far from its synchronisation position");
     Move({arm}, {}, JointLine(arm, arm.parameters().home));
-    require((arm.state().joints - arm.parameters().home).cwiseAbs().maxCoeff() < 1e-2, "it did not go home");
+    require((arm.state().joints - arm.parameters().home).cwiseAbs().maxCoeff() < 1e-2, "it did not reach home");
 
     const Pose with_tool = arm.state().desired_pose;
     arm.set_tool(Pose::Identity());

@@ -18,10 +18,10 @@ std::vector<std::string> run_of(const std::filesystem::path& deployment, const s
   return {"run", deployment.string(), "--quiet", "--clock", "lockstep", "--trace", trace.string()};
 }
 
-/// The bars of `bench/transfer_sweep` are more and take longer.
+/// `bench/transfer_sweep` has more bars and takes longer.
 class CooperativeTransfer : public testing::TestWithParam<Variant> {};
 
-TEST_P(CooperativeTransfer, TheBarFollowsItsPathAndTheArmsDoNotFight) {
+TEST_P(CooperativeTransfer, BarFollowsItsPathWithoutInternalForce) {
   const ScratchFolder folder;
   const auto trace = folder.path() / "trace";
   const std::string out = run_mrroc(run_of(write_variant(GetParam(), folder.path()), trace), 0);
@@ -31,7 +31,7 @@ TEST_P(CooperativeTransfer, TheBarFollowsItsPathAndTheArmsDoNotFight) {
   EXPECT_LT(report.worst_turn(), 0.5 * kDegree);
   EXPECT_LT(report.worst_internal(), 15);
   EXPECT_EQ(report.skew, 0u);
-  // both arms bear the bar, no more and no less
+  // both arms carry exactly the weight of the bar
   const auto& half_way = report.steps[report.steps.size() / 2];
   EXPECT_NEAR(half_way.weight, 9.81 * GetParam().mass, 3);
   std::printf("%g kg: off by %.2f mm, %.3f degrees, internal force %.1f N\n", GetParam().mass,
@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(Bars, CooperativeTransfer,
                          testing::Values(Variant{0.5, Variant::error_of(1)}, Variant{3, Variant::error_of(2)},
                                          Variant{1.5, Variant::error_of(3)}));
 
-TEST(CooperativeTransferTask, GoesOnAfterAPauseOnTheWay) {
+TEST(CooperativeTransferTask, ContinuesAfterAPauseDuringTheTransfer) {
   const ScratchFolder folder;
   const auto trace = folder.path() / "trace", deployment = write_variant(Variant{}, folder.path());
   std::ofstream(deployment, std::ios::app) << "\n[[events]]\ntick = 6000\ncommand = \"pause\"\n"
@@ -53,7 +53,7 @@ TEST(CooperativeTransferTask, GoesOnAfterAPauseOnTheWay) {
   EXPECT_LT(report.worst_internal(), 15);
 }
 
-TEST(CooperativeTransferTask, AllRunsAreTheSameBitForBit) {
+TEST(CooperativeTransferTask, AllRunsAreEqualBitForBit) {
   const ScratchFolder folder;
   expect_equal_runs("tasks/cooperative_transfer/cooperative_transfer.toml", folder, MrrocRun::kLongPatience);
 }

@@ -12,7 +12,7 @@ namespace {
 
 using Place = std::array<double, 3>;
 
-/// A stroke as the trace has it: commanded and measured places of the tool, m.
+/// A stroke from the trace: commanded and measured positions of the tool, m.
 struct Stroke {
   std::string generator;
   std::vector<Place> commanded, measured;
@@ -22,7 +22,7 @@ Place place_of(const std::vector<double>& pose) { return {pose.at(0), pose.at(1)
 
 double distance(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// Distance of a place from a chain of places.
+/// Distance of a position from a chain of positions.
 double beside(const Place& place, const std::vector<Place>& chain) {
   double least = 1e9;
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
@@ -57,7 +57,7 @@ std::vector<Stroke> strokes_of(const std::filesystem::path& trace) {
   return strokes;
 }
 
-TEST(Draw, EveryStrokeIsOnItsPathOnEveryRun) {
+TEST(Draw, EveryStrokeIsOnItsPathInEveryRun) {
   const ScratchFolder folder;
   const auto trace = expect_equal_runs("tasks/draw/draw.toml", folder).trace;
 

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kDeployment = "tasks/engraving/engraving.toml";
 constexpr double kDepth = 0.001;
 
-/// Depths of the cutter's tip, and what is said of them.
+/// Depths of the cutter's tip, and their statistics.
 struct Depths {
   std::vector<double> values;
 
@@ -36,7 +36,7 @@ struct Depths {
   }
 };
 
-/// What a trace tells of the strokes: the depths of the measured tip, and the ticks of each instruction.
+/// Data of the strokes from a trace: the depths of the measured tip, and the ticks of each instruction.
 struct Strokes {
   Depths measured;
   std::vector<std::pair<double, double>> ticks;
@@ -64,7 +64,7 @@ Strokes strokes_of(const std::filesystem::path& trace) {
   return strokes;
 }
 
-/// Depths of the cutter's tip in the simulated world, while strokes were carved.
+/// Depths of the cutter's tip in the simulated world during the strokes.
 Depths true_depths(const std::filesystem::path& states, const Strokes& strokes) {
   setenv("MRROC_PROGRAMS", MRROC_BINARY_DIR "/bin", 1);
   const auto deployment = config::load_deployment(std::filesystem::path(MRROC_SOURCE_DIR) / kDeployment);
@@ -80,7 +80,7 @@ Depths true_depths(const std::filesystem::path& states, const Strokes& strokes) 
   return depths;
 }
 
-/// The deployment with another order for the machine, in `folder`.
+/// The deployment with another inscription for the machine, in `folder`.
 std::filesystem::path deployment_with(const ScratchFolder& folder, const std::string& what,
                                       const std::string& instead) {
   const std::filesystem::path task = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/engraving";
@@ -93,7 +93,7 @@ std::filesystem::path deployment_with(const ScratchFolder& folder, const std::st
   return folder.write("engraving.toml", deployment);
 }
 
-TEST(Engraving, CarvesTheInscriptionATenthOfAMillimetreExactIntoABoardThatItHasTouched) {
+TEST(Engraving, CarvesTheInscriptionToATenthOfAMillimetreIntoAMeasuredBoard) {
   const ScratchFolder folder;
   const EqualRuns runs = expect_equal_runs(kDeployment, folder, MrrocRun::kLongPatience);
   for (const std::string& output : runs.outputs)
@@ -101,7 +101,7 @@ TEST(Engraving, CarvesTheInscriptionATenthOfAMillimetreExactIntoABoardThatItHasT
 
   const Strokes strokes = strokes_of(runs.trace);
   ASSERT_GT(strokes.measured.values.size(), 1000u);
-  EXPECT_EQ(strokes.ticks.size(), 16u) << "pieces of strokes between corners";
+  EXPECT_EQ(strokes.ticks.size(), 16u) << "parts of strokes between corners";
   const Depths truth = true_depths(runs.states, strokes);
   ASSERT_GT(truth.values.size(), 100u);
   std::printf("depth 1 mm: error %.3f mm RMS, %.3f mm at most as measured; %.3f mm RMS, %.3f mm at most in the world\n",
@@ -111,26 +111,26 @@ TEST(Engraving, CarvesTheInscriptionATenthOfAMillimetreExactIntoABoardThatItHasT
   EXPECT_LT(truth.error(), 1e-4);
 }
 
-TEST(Engraving, ABoardTakenForFlatIsCarvedMillimetresWrong) {
+TEST(Engraving, BoardAssumedFlatIsCarvedMillimetresWrong) {
   const ScratchFolder folder;
   const auto trace = folder.path() / "trace";
   const auto deployment = deployment_with(folder, "columns = 11, rows = 4", "columns = 1, rows = 1");
   run_mrroc({"run", deployment.string(), "--quiet", "--trace", trace.string()}, 0, MrrocRun::kLongPatience);
   const Strokes strokes = strokes_of(trace);
   ASSERT_EQ(strokes.ticks.size(), 16u);
-  std::printf("taken for flat: error %.3f mm RMS, %.3f mm at most\n", 1000 * strokes.measured.error(),
+  std::printf("assumed flat: error %.3f mm RMS, %.3f mm at most\n", 1000 * strokes.measured.error(),
               1000 * strokes.measured.worst());
   EXPECT_GT(strokes.measured.error(), 1e-3);
 }
 
-TEST(Engraving, ALetterWithoutStrokesIsToldBeforeTheMachineMoves) {
+TEST(Engraving, LetterWithoutStrokesIsReportedBeforeAnyMotion) {
   const ScratchFolder folder;
   const auto deployment = deployment_with(folder, "MRROC++", "MRROC%");
   const std::string output = run_mrroc({"run", deployment.string(), "--quiet"}, 1);
   EXPECT_NE(output.find("no strokes for the character '%'"), std::string::npos) << output;
 }
 
-TEST(Engraving, WithoutABoardTheTaskSaysSo) {
+TEST(Engraving, TaskReportsAMissingBoard) {
   const ScratchFolder folder;
   const auto deployment = deployment_with(folder, "columns = 11", "columns = 11");
   const std::filesystem::path task = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/engraving";

@@ -12,12 +12,12 @@ namespace {
 
 constexpr const char* kDeployment = "tasks/follow/follow.toml";
 
-/// One step of ForceControl: when, where, and the force along the tool's z axis.
+/// One step of ForceControl: tick, position, and the force along the tool's z axis.
 struct Step {
   double time = 0, y = 0, z = 0, force = 0;
 };
 
-/// The last instruction of ForceControl: going along the workpiece.
+/// The last instruction of ForceControl: the motion along the workpiece.
 std::vector<Step> way_along(const std::filesystem::path& trace) {
   std::vector<Step> steps;
   std::ifstream file(trace);

@@ -29,14 +29,14 @@ void replace(std::string& text, const std::string& from, const std::string& to) 
   text.replace(at, from.size(), to);
 }
 
-/// The task's deployment for a file elsewhere.
+/// The task's deployment for a file in another folder.
 std::string deployment() {
   std::string text = text_of(kDeployment);
   replace(text, "hand_over.xml", (kTask / "hand_over.xml").string());
   return text;
 }
 
-/// One in which the receiver pulls `seconds` after it has gripped.
+/// A deployment in which the receiver pulls `seconds` after it has gripped.
 std::string late_deployment(int seconds) {
   std::string text = deployment();
   const std::size_t receiver = text.find("[robots.receiver]");
@@ -46,7 +46,7 @@ std::string late_deployment(int seconds) {
          std::to_string(seconds) + "\"\n";
 }
 
-/// Where the bars are in the newest of the states that a run has saved: x, y, z (m) and their turn (rad).
+/// Poses of the bars in the newest of the states that a run has saved: x, y, z (m) and their rotation (rad).
 std::vector<Eigen::Vector4d> bars_at_the_end(const std::filesystem::path& states) {
   std::set<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(states)) files.insert(entry.path());
@@ -67,7 +67,7 @@ void expect_in_place(const std::filesystem::path& states) {
   const std::vector<Eigen::Vector4d> bars = bars_at_the_end(states);
   for (int bar = 0; bar < kBars; ++bar) {
     const Eigen::Vector4d& at = bars[static_cast<std::size_t>(bar)];
-    std::printf("bar %d lies %.2f mm off its place, turned by %.4f rad\n", bar + 1,
+    std::printf("bar %d lies %.2f mm off its position, turned by %.4f rad\n", bar + 1,
                 1000 * std::hypot(at[0] - (0.9 - 0.1 * bar), at[1] - 0.5), at[3]);
     EXPECT_NEAR(at[0], 0.9 - 0.1 * bar, kTolerance);
     EXPECT_NEAR(at[1], 0.5, kTolerance);
@@ -76,9 +76,9 @@ void expect_in_place(const std::filesystem::path& states) {
   }
 }
 
-/// What a trace says of the hand-overs.
+/// Data of the hand-overs from a trace.
 struct HandOvers {
-  std::vector<Tick> felt;             // when the giver felt a pull
+  std::vector<Tick> felt;             // when the giver detected a pull
   double largest_before = 0;          // N, the largest pull in the steps before
   std::vector<Tick> opened;           // when its hand was commanded to open
   double last_opening = 0, last = 0;  // m, of its hand, commanded; s, the newest step of the giver
@@ -109,11 +109,11 @@ HandOvers hand_overs_of(const std::filesystem::path& trace) {
   return found;
 }
 
-TEST(HandOver, ThreeBarsGoFromHandToHandWhenTheGiverFeelsThePullTheSameEachRun) {
+TEST(HandOver, ThreeBarsAreHandedOverOnAPullEquallyInEveryRun) {
   const ScratchFolder folder;
   const EqualRuns runs = expect_equal_runs(kDeployment, folder, MrrocRun::kLongPatience);
   for (const std::string& output : runs.outputs)
-    EXPECT_NE(output.find("bar 3: the giver feels the pull and lets go"), std::string::npos) << output;
+    EXPECT_NE(output.find("bar 3: the giver detects the pull and lets go"), std::string::npos) << output;
   expect_in_place(runs.states);
 
   const HandOvers found = hand_overs_of(runs.trace);
@@ -126,7 +126,7 @@ TEST(HandOver, ThreeBarsGoFromHandToHandWhenTheGiverFeelsThePullTheSameEachRun) 
   }
 }
 
-TEST(HandOver, BarsThatComeOtherwiseLieInTheirPlacesToo) {
+TEST(HandOver, BarsInAnotherOrderReachTheirPositionsToo) {
   const ScratchFolder folder;
   std::array<std::filesystem::path, 2> states;
   std::array<std::vector<std::string>, 2> runs;
@@ -145,14 +145,14 @@ TEST(HandOver, BarsThatComeOtherwiseLieInTheirPlacesToo) {
   for (const auto& folder_of_run : states) expect_in_place(folder_of_run);
 }
 
-TEST(HandOver, WithoutAPullTheGiverSaysSoAndKeepsTheBar) {
+TEST(HandOver, GiverWithoutAPullReportsItAndKeepsTheBar) {
   const ScratchFolder folder;
   const auto states = folder.path() / "states", trace = folder.path() / "trace";
   std::filesystem::create_directory(states);
   const std::string output = run_mrroc({"run", folder.write("hand_over.toml", late_deployment(60)).string(), "--trace",
                                         trace.string(), "--snapshots", states.string()},
                                        1, MrrocRun::kLongPatience);
-  EXPECT_NE(output.find("nobody pulls at the bar"), std::string::npos) << output;
+  EXPECT_NE(output.find("the bar was not pulled"), std::string::npos) << output;
   const HandOvers found = hand_overs_of(trace);
   EXPECT_TRUE(found.felt.empty());
   EXPECT_LT(found.largest_before, kFelt);
@@ -161,7 +161,7 @@ TEST(HandOver, WithoutAPullTheGiverSaysSoAndKeepsTheBar) {
   EXPECT_NEAR(bars_at_the_end(states).front()[2], 0.85, 0.002);
 }
 
-TEST(HandOver, ALaterPullIsFeltLater) {
+TEST(HandOver, LaterPullIsDetectedLater) {
   constexpr Tick kLater = 2500;
   const ScratchFolder folder;
   const std::string end = "\n[[events]]\ntick = 24000\ncommand = \"stop\"\n";

@@ -13,8 +13,8 @@ namespace {
 
 constexpr const char* kDeployment = "tasks/insert/insert.toml";
 
-/// A search and the way in that follows it: where the tip began beside the hole, its lowest point below that, the
-/// largest force sideways.
+/// A search and the following insertion: position of the tip beside the hole at the start, its lowest point below that,
+/// the largest lateral force.
 struct Trial {
   double error = 0, depth = 0, sideways = 0;
 };
@@ -22,7 +22,8 @@ struct Trial {
 std::vector<Trial> trials_of(const std::filesystem::path& trace) {
   std::vector<Trial> trials;
   std::ifstream file(trace);
-  std::string searching, going_in;  // the two instructions of a trial; the pull out and the next way down are no part
+  std::string searching,
+      going_in;  // the two instructions of a trial; the extraction and the next descent are not included
   double top = 0;
   for (std::string line; std::getline(file, line);) {
     const bool search = line.find("move=\"SpiralSearch\"") != std::string::npos;
@@ -44,7 +45,7 @@ std::vector<Trial> trials_of(const std::filesystem::path& trace) {
   return trials;
 }
 
-TEST(Insert, PutsThePegIntoTheHoleFromTenPlacesUpTo2MillimetresBesideIt) {
+TEST(Insert, InsertsThePegFromTenPositionsUpTo2MillimetresBesideTheHole) {
   const ScratchFolder folder;
   const auto trace = expect_equal_runs(kDeployment, folder).trace;
 
@@ -58,10 +59,10 @@ TEST(Insert, PutsThePegIntoTheHoleFromTenPlacesUpTo2MillimetresBesideIt) {
     EXPECT_LT(trial.sideways, 30);
     farthest = std::max(farthest, trial.error);
   }
-  EXPECT_GT(farthest, 0.0015) << "the errors are not all small";
+  EXPECT_GT(farthest, 0.0015) << "some errors must be large";
 }
 
-TEST(Insert, WithoutAHoleTheTaskSaysSo) {
+TEST(Insert, TaskReportsAMissingHole) {
   const ScratchFolder folder;
   const std::filesystem::path tasks = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/insert";
   std::string scene = text_of(tasks / "insert.xml");

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 const std::filesystem::path kTask = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/inspect";
 
-/// Where a tool stands before the scene's plate.
+/// Pose of a tool relative to the scene's plate.
 struct Place {
   double beside, before, lean;  // m from the spot along the plate, m from its surface, rad off its normal
 };
@@ -29,7 +29,7 @@ Place place_of(const std::vector<double>& pose) {
   return {tool.head<2>().norm(), tool.z(), std::acos(std::min(1.0, -axis.dot(plate.linear() * Vector3d::UnitZ())))};
 }
 
-/// The tool's place in the last step of the Move with a generator.
+/// The tool's pose in the last step of the Move with a generator.
 Place last_place(const std::filesystem::path& trace, const std::string& generator) {
   std::ifstream file(trace);
   std::vector<double> pose;
@@ -57,7 +57,7 @@ TEST(Inspect, BringsTheGaugeSquareBeforeAPlateThatItsCameraHasFound) {
   }
 }
 
-TEST(Inspect, WithoutAPlateTheTaskSaysSo) {
+TEST(Inspect, TaskReportsAMissingPlate) {
   const ScratchFolder folder;
   std::string scene = text_of(kTask / "inspect.xml");
   const std::string material = "material=\"marker\"";

@@ -37,7 +37,7 @@ std::vector<Step> steps_of(const std::filesystem::path& trace, const std::string
   return steps;
 }
 
-TEST(Polish, PressesTheWorkpieceAlongLinesWithItsToolTurnedToTheNormal) {
+TEST(Polish, PressesTheWorkpieceAlongLinesWithItsToolAlongTheNormal) {
   const ScratchFolder folder;
   const EqualRuns runs = expect_equal_runs(kDeployment, folder, MrrocRun::kLongPatience);
   ASSERT_FALSE(testing::Test::HasFailure());
@@ -75,7 +75,7 @@ TEST(Polish, PressesTheWorkpieceAlongLinesWithItsToolTurnedToTheNormal) {
   }
 }
 
-TEST(Polish, WithoutAWorkpieceTheTaskSaysSo) {
+TEST(Polish, TaskReportsAMissingWorkpiece) {
   const ScratchFolder folder;
   const std::filesystem::path tasks = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/polish";
   std::string scene = text_of(tasks / "polish.xml");

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kDeployment = "tasks/press_replay/press_replay.toml";
 
-TEST(Replay, LoopbackDrivesAndPlayedReadingsNeedNoSimulator) {
+TEST(Replay, LoopbackDrivesAndReplayedReadingsNeedNoSimulator) {
   const ScratchFolder folder;
   const auto first = folder.path() / "first";
   const auto second = folder.path() / "second";
@@ -17,10 +17,10 @@ TEST(Replay, LoopbackDrivesAndPlayedReadingsNeedNoSimulator) {
   run_mrroc({"run", kDeployment, "--quiet", "--trace", second.string()}, 0);
   EXPECT_EQ(trace_hash(first), trace_hash(second));
   const std::string text = text_of(first);
-  EXPECT_NE(text.find("condition=\"wrist force above 10 N\":1"), std::string::npos) << "no contact was played";
+  EXPECT_NE(text.find("condition=\"wrist force above 10 N\":1"), std::string::npos) << "no contact was replayed";
 }
 
-TEST(Replay, TheSameRunsInRealTime) { run_mrroc({"run", kDeployment, "--quiet", "--clock", "real"}, 0); }
+TEST(Replay, RunsAlsoInRealTime) { run_mrroc({"run", kDeployment, "--quiet", "--clock", "real"}, 0); }
 
 }  // namespace
 }  // namespace mrroc::test

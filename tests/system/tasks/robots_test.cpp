@@ -11,7 +11,7 @@ namespace {
 
 const std::filesystem::path kRobots = std::filesystem::path(MRROC_SOURCE_DIR) / "robots";
 
-/// Every demo of a robot, "<type>/<file>": a new one is tested without being named here.
+/// Every demo of a robot, "<type>/<file>"; a new one is tested without a list.
 std::vector<std::string> demos() {
   std::vector<std::string> demos;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kRobots)) {
@@ -31,11 +31,11 @@ std::string name_of(const testing::TestParamInfo<std::string>& test) {
 
 class Demo : public testing::TestWithParam<std::string> {};
 
-TEST_P(Demo, ToursItsWorkspaceTheSameWay) {
+TEST_P(Demo, ToursItsWorkspaceEquallyInEveryRun) {
   const ScratchFolder folder;
   const std::string deployment = "robots/" + GetParam();
   const EqualRuns runs = expect_equal_runs(deployment, folder);
-  EXPECT_NE(text_of(runs.trace).find(" move="), std::string::npos) << "nothing has moved";
+  EXPECT_NE(text_of(runs.trace).find(" move="), std::string::npos) << "the robot has not moved";
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Demo, testing::ValuesIn(demos()), name_of);
@@ -50,8 +50,8 @@ std::vector<std::string> types() {
 
 class OwnParameters : public testing::TestWithParam<std::string> {};
 
-/// A copy of the type's parameters with a lower speed limit is all that another machine of the type needs.
-TEST_P(OwnParameters, BesideTheDeploymentAreEnough) {
+/// Another machine of the type needs only a copy of the type's parameters, here with a lower speed limit.
+TEST_P(OwnParameters, ParametersBesideTheDeploymentAreSufficient) {
   const ScratchFolder folder;
   const std::string text = text_of(kRobots / GetParam() / (GetParam() + ".toml"));
   const std::regex speed("\nvelocity_max = ([0-9.e+-]+)");
@@ -68,7 +68,7 @@ TEST_P(OwnParameters, BesideTheDeploymentAreEnough) {
 INSTANTIATE_TEST_SUITE_P(Robots, OwnParameters, testing::ValuesIn(types()),
                          [](const auto& test) { return test.param; });
 
-/// tests/system/programs/unsynchronised.cpp on an IRb-6 whose drives do not know where they are.
+/// tests/system/programs/unsynchronised.cpp on an IRb-6 whose drives have no known positions.
 constexpr const char* kUnsynchronised = R"([deployment]
 name = "unsynchronised"
 clock = "lockstep"
@@ -80,7 +80,7 @@ hardware = "loopback"
 synchronised = false
 )";
 
-TEST(Synchronisation, ATaskFindsThePositionsChangesToolAndModelAndWorks) {
+TEST(Synchronisation, TaskFindsThePositionsChangesToolAndModelAndWorks) {
   const ScratchFolder folder;
   const auto deployment = folder.write("unsynchronised.toml", kUnsynchronised);
   const std::string output = run_mrroc({"run", deployment.string(), "--quiet"}, 0);

@@ -1,4 +1,4 @@
-// Robots that start without knowing where they are, in the simulated world, as a user runs them.
+// Robots that start without known positions, in the simulated world, as run by a user.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-/// The demo's deployment of a robot with another program, which has to synchronise it first.
+/// The demo's deployment of a robot with another program, which must synchronise it first.
 std::string unsynchronised(const std::string& robot) {
   std::string text = text_of(kRobots / robot / "demo.toml");
   text = replaced(text, std::string("\"").append(robot).append("_demo\"\nhardware"),
@@ -57,7 +57,7 @@ std::vector<double> joints_in_the_world(const std::filesystem::path& deployment,
 
 class Synchronisation : public testing::TestWithParam<std::string> {};
 
-/// Runs `text` in the simulated world: the robot finds its positions and goes where it is sent.
+/// Runs `text` in the simulated world: the robot finds its positions and moves to its target.
 void expect_synchronisation(const ScratchFolder& folder, const std::string& text) {
   const auto deployment = folder.write("unsynchronised.toml", text);
   const auto states = folder.path() / "states";
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, Synchronisation,
                                          "two_finger_gripper"),
                          [](const auto& test) { return test.param; });
 
-TEST(SynchronisationOnABus, TheDrivesFindThePositionsAndTheRobotGoesWhereItIsSent) {
+TEST(SynchronisationOnABus, DrivesFindThePositionsAndTheRobotReachesItsTarget) {
   const ScratchFolder folder;
   const std::string text = replaced(unsynchronised("irb6"), "\"mujoco\"", "\"socketcan\"");
   expect_synchronisation(folder, text + "\n[robots.arm.can]\nsimulated = true\ninterface = \"unix:" +
@@ -96,7 +96,7 @@ TEST(SynchronisationOnABus, TheDrivesFindThePositionsAndTheRobotGoesWhereItIsSen
 
 class WithoutSwitches : public testing::TestWithParam<std::string> {};
 
-TEST_P(WithoutSwitches, StartingUnsynchronisedIsRefusedBeforeAnythingStarts) {
+TEST_P(WithoutSwitches, UnsynchronisedStartIsRefusedBeforeAnythingStarts) {
   const ScratchFolder folder;
   const auto deployment = folder.write("unsynchronised.toml", unsynchronised(GetParam()));
   const std::string output = run_mrroc({"run", deployment.string(), "--quiet"}, 2);

@@ -1,4 +1,4 @@
-// The task teach: what the operator jogs and what a hand leads is saved, loaded and replayed.
+// The task teach: poses from jogging and hand guiding are saved, loaded and replayed.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@ using Places = std::vector<Vector3d>;
 
 constexpr const char* kDeployment = "tasks/teach/teach.toml";
 
-/// Of one Move of the arm: the generator's name and the measured tool at every step.
+/// Data of one Move of the arm: the generator's name and the measured tool at every step.
 struct Motion {
   std::string name;
   Places places;
@@ -39,7 +39,7 @@ std::vector<Motion> motions_of_arm(const std::filesystem::path& trace) {
   return motions;
 }
 
-/// The places of every motion of this name.
+/// The positions of every motion of this name.
 std::vector<Places> named(const std::vector<Motion>& motions, const std::string& name) {
   std::vector<Places> found;
   for (const Motion& motion : motions)
@@ -47,7 +47,7 @@ std::vector<Places> named(const std::vector<Motion>& motions, const std::string&
   return found;
 }
 
-/// From the line through the places of a way.
+/// Distance from the line through the positions of a path.
 double distance(const Vector3d& place, const Places& way) {
   double nearest = 1e9;
   for (std::size_t i = 1; i < way.size(); ++i) {
@@ -64,7 +64,7 @@ double farthest(const Places& places, const Places& way) {
   return most;
 }
 
-TEST(Teach, WhatWasTaughtIsReplayed) {
+TEST(Teach, TaughtPathIsReplayed) {
   const ScratchFolder folder;
   const EqualRuns runs = expect_equal_runs(kDeployment, folder, MrrocRun::kLongPatience);
   ASSERT_FALSE(testing::Test::HasFailure());
@@ -74,7 +74,7 @@ TEST(Teach, WhatWasTaughtIsReplayed) {
   ASSERT_EQ(led.size(), 1u);
   ASSERT_EQ(replays.size(), 2u);
 
-  // jogged places of the handle: at home, 80 mm along x, -60 mm along the tool's y and 50 along its z, which points
+  // jogged positions of the handle: at home, 80 mm along x, -60 mm along the tool's y and 50 along its z, which points
   // down
   for (const Vector3d& place : {Vector3d(1.0, 0, 0), Vector3d(1.08, 0, 0), Vector3d(1.08, 0.06, -0.05)}) {
     EXPECT_LT(distance(place, replays[0]), 1e-3) << place.transpose();
@@ -88,11 +88,11 @@ TEST(Teach, WhatWasTaughtIsReplayed) {
   const Places way(begin, replays[1].end());
   ASSERT_GT(way.size(), 100u);
   EXPECT_LT(farthest(way, led[0]), 1e-3);
-  EXPECT_LT(farthest(led[0], way), 1e-3) << "the other way round: nothing is left out";
+  EXPECT_LT(farthest(led[0], way), 1e-3) << "in the other direction: no position is missing";
 }
 
-// the weight of the handle is known and leads the tool nowhere
-TEST(Teach, AToolThatNobodyHoldsIsLedNowhere) {
+// the weight of the handle is compensated and does not move the tool
+TEST(Teach, ReleasedToolDoesNotMove) {
   const ScratchFolder folder;
   const std::filesystem::path task = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/teach";
   std::string scene = text_of(task / "teach.xml");
@@ -107,7 +107,7 @@ TEST(Teach, AToolThatNobodyHoldsIsLedNowhere) {
   const auto led = named(motions_of_arm(trace), "LeadThrough + TeachIn");
   ASSERT_EQ(led.size(), 1u);
   ASSERT_GT(led[0].size(), 1000u);
-  // the sensor's noise and the arm's swinging move it by a millimetre or two in 24 s
+  // the sensor's noise and the arm's oscillation move it by a millimetre or two in 24 s
   for (const Vector3d& place : led[0]) ASSERT_LT((place - led[0].front()).norm(), 5e-3);
 }
 

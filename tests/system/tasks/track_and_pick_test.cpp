@@ -24,7 +24,7 @@ sim::WorldState last_state(const std::filesystem::path& folder) {
   return sim::load_state(*files.rbegin());
 }
 
-/// How many parts lie in one of the 20 places on the table: rows of five, two deep, two high.
+/// Number of parts at one of the 20 positions on the table: rows of five, two deep, two high.
 int parts_in_place(const sim::WorldState& state) {
   setenv("MRROC_PROGRAMS", MRROC_BINARY_DIR "/bin", 1);
   const auto deployment = config::load_deployment(std::filesystem::path(MRROC_SOURCE_DIR) / kDeployment);

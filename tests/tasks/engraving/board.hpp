@@ -6,8 +6,8 @@
 
 namespace mrroc::test {
 
-/// The true surface of the board of tasks/engraving, as tasks/engraving/board.py makes its height field: m, at u to the
-/// right and v away from the reader.
+/// The true surface of the board of tasks/engraving, with the formula of its height field in tasks/engraving/board.py:
+/// m, at u to the right and v away from the reader.
 inline double board_height(double u, double v) {
   return 0.0025 * std::sin(2 * std::numbers::pi * u / 0.16 + 0.8) + 0.9 * v * v + 0.45 * u * v + 0.02 * u;
 }
@@ -20,7 +20,7 @@ inline Eigen::Vector3d board_normal(double u, double v) {
       .normalized();
 }
 
-/// How deep a point of the machine's base frame is below the surface, along its normal, m.
+/// Depth of a point of the machine's base frame below the surface, along its normal, m.
 inline double board_depth(const Eigen::Vector3d& point) {
   const double u = -point.y(), v = point.x() - 0.05;
   return (board_height(u, v) - 0.551 - point.z()) * board_normal(u, v).z();

@@ -11,7 +11,7 @@
 namespace mrroc::test {
 namespace {
 
-TEST(Board, TheHeightFieldIsTheFormula) {
+TEST(Board, HeightFieldEqualsTheFormula) {
   std::ifstream file(std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/engraving/board.hfield", std::ios::binary);
   std::int32_t rows = 0, columns = 0;
   file.read(reinterpret_cast<char*>(&rows), 4);
@@ -27,7 +27,7 @@ TEST(Board, TheHeightFieldIsTheFormula) {
       ASSERT_NEAR(heights[static_cast<std::size_t>(row * columns + column)], board_height(u, v), 1e-8);
     }
   }
-  // what engraving.xml says of it: MuJoCo scales the heights to 0..1
+  // the scale in engraving.xml: MuJoCo scales the heights to 0..1
   const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
   EXPECT_NEAR(*highest - *lowest, 0.009828575, 1e-8);
   EXPECT_NEAR(*lowest, 0.044992132 - (0.6 - 0.551), 1e-8);

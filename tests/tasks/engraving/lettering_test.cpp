@@ -20,7 +20,7 @@ const Vector2d kLarge(100, 100);
 
 Lettering capitals() { return Lettering(std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/engraving/capitals.txt"); }
 
-/// Of a file with this text; it is read when this returns.
+/// Lettering from a file with this text; the file is read when this returns.
 Lettering letters(const std::string& text) {
   const mrroc::task_test::ScratchFolder folder;
   return Lettering(folder.write("letters.txt", text));
@@ -77,10 +77,10 @@ TEST(Lettering, TheInscriptionHasElevenStrokesOfSixteenPieces) {
   EXPECT_EQ(pieces, 16u);
 }
 
-TEST(Lettering, LinesAndArcsAreWhereTheFileHasThem) {
+TEST(Lettering, LinesAndArcsHaveTheirPositionsInTheFile) {
   const auto strokes = letters("gap 0.5\nglyph x 1\nstroke 0 0  1 0  arc 1 0.5 180\n").strokes("xx", kLarge, 2, 10);
   ASSERT_EQ(strokes.size(), 2u);
-  // the whole is 2 * (1 + 0.5 + 1) wide
+  // the text is 2 * (1 + 0.5 + 1) wide
   EXPECT_LT((strokes[0][0].front() - Vector2d(-2.5, -1)).norm(), 1e-12);
   EXPECT_LT((strokes[0][0].back() - Vector2d(-0.5, 1)).norm(), 1e-12);
   EXPECT_LT((strokes[1][0].front() - Vector2d(0.5, -1)).norm(), 1e-12);
@@ -88,7 +88,7 @@ TEST(Lettering, LinesAndArcsAreWhereTheFileHasThem) {
     EXPECT_NEAR((strokes[0][0][i] - Vector2d(-0.5, 0)).norm(), 1, 1e-12);
 }
 
-TEST(Lettering, RefusesWhatItCannotWrite) {
+TEST(Lettering, RefusesUnwritableTexts) {
   try {
     capitals().strokes("AB*", kLarge, 1, 1);
     FAIL();
@@ -99,14 +99,14 @@ TEST(Lettering, RefusesWhatItCannotWrite) {
   EXPECT_THROW(capitals().strokes("MRROC++", {0.18, 0.02}, 0.026, 0.002), mrroc::NonFatalError);
 }
 
-TEST(Lettering, BearsWhatEditorsAdd) {
+TEST(Lettering, AcceptsAdditionsOfEditors) {
   for (const char* const text :
        {"\xEF\xBB\xBFgap 0\nglyph A 1\nstroke 0 0 1 1\n", "gap 0\r\nglyph A 1\r\nstroke 0 0 1 1\r\n",
         "gap +0 \t# none\n\nglyph A 1. # wide\nstroke 0 0 1 1 # slanted", "glyph # 1\nglyph A 1\nstroke\t0 0 +1 1e0"})
     EXPECT_EQ(letters(text).strokes("A", kLarge, 1, 10).size(), 1u) << text;
 }
 
-TEST(Lettering, AMistakeInTheFileIsToldWithItsLine) {
+TEST(Lettering, ErrorInTheFileIsReportedWithItsLine) {
   for (const char* wrong :
        {"gap -1\n", "glyph A\n", "stroke 0 0 1 1\n", "glyph A 1\nstroke 0 0\n", "glyph A 1\nstroke arc 0 0 90\n",
         "glyph A 1\nstroke 0 0 arc 1 1\n", "letter A 1\n", "glyph A 1\nstroke 0 0 1\n",

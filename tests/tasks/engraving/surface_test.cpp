@@ -72,7 +72,7 @@ TEST(Surface, FindsTheBoardOfTheTaskWithin20MicrometresFromTouchesThatAreOffBySi
   }
 }
 
-TEST(Surface, AToolStandsAtRightAnglesItsTipTheDepthInside) {
+TEST(Surface, ToolIsNormalToTheSurfaceWithItsTipAtTheDepth) {
   const Surface slope({{0, 0, 0}, {0.1, 0, 0.01}, {0, 0.1, 0.02}, {0.1, 0.1, 0.03}}, 0, 2, 2);
   const mrroc::Pose tool = slope.tool_at({0.05, 0.02}, 0.001);
   const Vector3d normal = Vector3d(-0.1, -0.2, 1).normalized();
@@ -83,7 +83,7 @@ TEST(Surface, AToolStandsAtRightAnglesItsTipTheDepthInside) {
   EXPECT_NEAR(tool.linear().determinant(), 1, 1e-12);
 }
 
-TEST(Surface, ASinglePlaceIsAFlatSurface) {
+TEST(Surface, SinglePointIsAFlatSurface) {
   const Surface flat({{0.05, 0, 0.101}}, 0.001, 1, 1);
   EXPECT_NEAR(flat.height(0.1, 0.05), 0.1, 1e-15);
   EXPECT_EQ(flat.normal(0.1, 0.05), Vector3d::UnitZ());
@@ -95,7 +95,7 @@ TEST(Surface, RefusesPointsThatDoNotDetermineIt) {
   EXPECT_THROW(grid({1, 1}, 0, 3), mrroc::NonFatalError);
 }
 
-TEST(Surface, AGridGoesToAndFroThroughItsColumns) {
+TEST(Surface, GridTraversesItsColumnsInAlternatingDirections) {
   const std::vector<Vector2d> places = grid({2, 4}, 2, 3);
   const std::vector<Vector2d> expected{{-1, -2}, {-1, 0}, {-1, 2}, {1, 2}, {1, 0}, {1, -2}};
   EXPECT_EQ(places, expected);

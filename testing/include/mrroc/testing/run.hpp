@@ -10,26 +10,26 @@
 
 namespace mrroc::task_test {
 
-/// One step of a Move or Wait, as the trace tells it (docs/reference/trace.md).
+/// One step of a Move or Wait, as recorded in the trace (docs/reference/trace.md).
 struct Step {
   Tick tick = 0;
-  std::string process;      ///< that runs the instruction
+  std::string process;      ///< the process that runs the instruction
   std::string instruction;  ///< name of the generator, or of the condition waited for
   bool is_move = false;
   std::uint64_t step = 0;  ///< of the instruction, from 0
-  std::string ending;      ///< what ends the instruction here; empty: it continues
-  std::string line;        ///< the whole
+  std::string ending;      ///< why the instruction ends here; empty: it continues
+  std::string line;        ///< the whole line
 };
 
-/// What a run did.
+/// Results of a run.
 struct RunResult {
-  int exit_code = 0;                     ///< of `mrroc run`; minus the signal that has ended it
-  std::string output;                    ///< stdout and stderr
-  std::string error;                     ///< the line that says why it ended: "mrroc: <deployment>: ..."; may be empty
-  std::vector<Step> steps;               ///< of all task processes, as the trace has them
+  int exit_code = 0;        ///< of `mrroc run`; minus the signal that has ended it
+  std::string output;       ///< stdout and stderr
+  std::string error;        ///< the line with the reason of the end: "mrroc: <deployment>: ..."; may be empty
+  std::vector<Step> steps;  ///< of all task processes, as the trace has them
   std::map<std::string, Motion> motion;  ///< of every robot of the simulated world
-  std::map<std::string, Tick> injected;  ///< when each fault was set off; those that never were are not there
-  std::vector<std::string> leftovers;    ///< processes that have outlived it: "<pid> <command>"; they have been killed
+  std::map<std::string, Tick> injected;  ///< when each fault was injected; faults that never occurred are absent
+  std::vector<std::string> leftovers;    ///< processes that outlived the run: "<pid> <command>"; they have been killed
 
   /// The steps of one process.
   std::vector<Step> steps_of(const std::string& process) const;
@@ -37,8 +37,8 @@ struct RunResult {
   std::vector<Step> endings() const;
 };
 
-/// Runs a deployment with `mrroc run`, in lockstep unless an option says otherwise, with faults injected, and gives
-/// what it did. One thread.
+/// Runs a deployment with `mrroc run`, in lockstep unless an option selects another clock, with faults injected, and
+/// returns the results. One thread.
 class DeploymentRun {
  public:
   /// `command`: the `mrroc` program.
@@ -48,8 +48,8 @@ class DeploymentRun {
   DeploymentRun& inject(std::string fault);
   /// Further arguments of `mrroc run`, one word each.
   DeploymentRun& option(std::string word);
-  /// Starts it and waits for its end; after `patience` s it is killed. Throws std::runtime_error when it cannot be
-  /// started or what it has written cannot be read.
+  /// Starts the deployment and waits for its end; kills it after `patience` s. Throws std::runtime_error when it cannot
+  /// be started or its files cannot be read.
   RunResult run(int patience = 120);
 
  private:

@@ -11,11 +11,11 @@
 
 namespace mrroc::task_test {
 
-/// A new folder below the system's folder for temporary files, removed with all that is in it when this object goes: no
-/// name in it is another run's or another user's. Its path is short enough for sockets. One thread.
+/// A new folder below the system's folder for temporary files. The destructor removes it with its contents. Its name is
+/// unique, and its path is short enough for sockets. One thread.
 class ScratchFolder {
  public:
-  /// Throws std::runtime_error when there is no place for it.
+  /// Throws std::runtime_error when the folder cannot be made.
   ScratchFolder() {
     std::string pattern = std::filesystem::temp_directory_path() / "mrroc_XXXXXX";
     if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no scratch folder " + pattern);

@@ -13,9 +13,8 @@ using canopen::DriveMode;
 
 class Allocation : public testing::TestWithParam<DriveMode> {};
 
-/// All that the servo's thread does with the drives: motion, an EMCY, a drive that restarts and is set up again, a
-/// stop.
-TEST_P(Allocation, TheCyclicPathAllocatesNothing) {
+/// All work of the servo's thread with the drives: motion, an EMCY, a drive that restarts and is set up again, a stop.
+TEST_P(Allocation, CyclicPathDoesNotAllocate) {
   CanRig<Gantry> rig(GetParam());
   rig.replies.reserve(100);
   ASSERT_TRUE(rig.seen().enabled());
@@ -64,13 +63,13 @@ INSTANTIATE_TEST_SUITE_P(Can, Allocation,
                                                                                          : "Torque");
                          });
 
-/// Its axes begin beside their switches.
+/// Its axes start beside their switches.
 class BesideSwitches : public Switched {
  public:
   BesideSwitches() { parameters_.home = JointVector::Constant(4, 0.05); }
 };
 
-TEST(AllocationOfHoming, IsNone) {
+TEST(AllocationOfHoming, HomingDoesNotAllocate) {
   CanRig<BesideSwitches> rig(DriveMode::cyclic_position, false);
   rig.replies.reserve(100);
   ASSERT_TRUE(rig.seen().enabled());

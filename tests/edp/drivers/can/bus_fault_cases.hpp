@@ -1,4 +1,4 @@
-// What may go wrong on a bus or in a drive.
+// Faults of a bus or a drive.
 #pragma once
 
 #include <functional>
@@ -14,20 +14,20 @@ namespace mrroc::edp {
 /// One kind of fault.
 struct Case {
   std::string name;
-  std::vector<ErrorCode> codes;  ///< that it may be found as
-  std::string text;              ///< in the error's
+  std::vector<ErrorCode> codes;  ///< permitted codes of the error
+  std::string text;              ///< text of the error
   std::function<void(Rig&)> begin;
   std::function<void(Rig&)> end;
-  bool on_sockets = true;  ///< also where the kernel carries the frames
-  bool hears = true;       ///< drives still hear something that stops them
-  bool obeys = true;       ///< motors do what the EDP tells them, and encoders tell the truth
+  bool on_sockets = true;  ///< also on the kernel's sockets
+  bool hears = true;       ///< drives still receive a frame that stops them
+  bool obeys = true;       ///< motors follow the EDP's commands, and encoders are correct
 };
 
 inline void with_node(Rig& rig, const std::function<void(sim::DriveNode&)>& action) {
   rig.rack.with([&](auto& nodes) { action(rig.node(nodes)); });
 }
 
-/// What the controller reports comes as a frame from outside.
+/// Injects a report of the controller as a frame from outside.
 inline void report(Rig& rig, std::uint32_t classes, std::uint8_t controller) {
   can::Frame frame{classes, {0, controller, 0, 0, 0, 0, 0, 0}};
   frame.error = true;
@@ -36,7 +36,7 @@ inline void report(Rig& rig, std::uint32_t classes, std::uint8_t controller) {
 
 inline void nothing(Rig&) {}
 
-/// From now on someone else sends `count` frames in every tick, with random data: what `identifier` gives.
+/// From now on another node sends `count` frames in every tick, with random data and the identifiers of `identifier`.
 inline void babble(Rig& rig, int count, const std::function<std::uint32_t(std::mt19937&)>& identifier) {
   rig.before_tick = [&rig, count, identifier, babbler = std::shared_ptr<can::Bus>(rig.bus.open())] {
     for (int i = 0; i < count; ++i) {
@@ -49,12 +49,12 @@ inline void babble(Rig& rig, int count, const std::function<std::uint32_t(std::m
   };
 }
 
-/// In every tick someone else sends what is the master's to send.
+/// In every tick another node sends frames that only the master may send.
 inline void command(Rig& rig, const std::function<can::Frame(Rig&)>& frame) {
   rig.before_tick = [&rig, frame, stranger = std::shared_ptr<can::Bus>(rig.bus.open())] { stranger->send(frame(rig)); };
 }
 
-/// That the axis is to stay where it is.
+/// A set-point that keeps the axis at its position.
 inline can::Frame foreign_set_point(Rig& rig) {
   can::Frame frame{0x203, {canopen::kEnableOperation, 0, 0, 0, 0, 0, 8}};
   const double units = rig.rack.shafts()[kAxis] / (2 * std::numbers::pi) * 4000;
@@ -62,7 +62,7 @@ inline can::Frame foreign_set_point(Rig& rig) {
   return frame;
 }
 
-/// `frame` of another master.
+/// `frame` from another master.
 inline Case foreign(const std::string& name, const std::function<can::Frame(Rig&)>& frame) {
   return {"Foreign" + name,
           {ErrorCode::bus_error},

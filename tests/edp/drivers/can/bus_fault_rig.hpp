@@ -19,8 +19,8 @@ namespace mrroc::edp {
 
 inline constexpr int kAxis = 2;  // z, node 3
 
-/// A bus whose transmit queue can be full, whose interface can be down, and where SYNCs can get lost. It sees what its
-/// owner gets to know in time.
+/// A bus whose transmit queue can be full, whose interface can be down, and which can lose SYNCs. It records what its
+/// owner receives in time.
 class WeakBus : public can::Bus {
  public:
   explicit WeakBus(std::unique_ptr<can::Bus> bus) : bus_(std::move(bus)) {}
@@ -29,7 +29,7 @@ class WeakBus : public can::Bus {
       answers_ = 0;
       synced_ = clock::monotonic_ns();
       if (loses_syncs) return can::Sent::yes;
-    } else if (frame.id == canopen::kReceivePdo1 + 1) {  // the first set-point: nothing is waited for any more
+    } else if (frame.id == canopen::kReceivePdo1 + 1) {  // the first set-point: the driver no longer waits for answers
       ++cycles;
       if (answers_ != kAllAnswers) ++unanswered;
       if (clock::monotonic_ns() - synced_ > kSlow) ++slow;
@@ -51,8 +51,8 @@ class WeakBus : public can::Bus {
   can::Sent answer = can::Sent::yes;
   bool loses_syncs = false;
   bool goes_off = false;  ///< at the next error frame
-  bool is_off = false;    ///< as a controller in bus-off: nothing goes out or in, and the kernel says nothing
-  // cycles, those in which not all drives have answered, those in which that has taken long
+  bool is_off = false;    ///< like a controller in bus-off: no frames in either direction, and no report of the kernel
+  // counts of cycles, of cycles with missing answers, of cycles with late answers
   int cycles = 0, unanswered = 0, slow = 0;
 
  private:
@@ -63,7 +63,7 @@ class WeakBus : public can::Bus {
   std::int64_t synced_ = 0;
 };
 
-/// As the robots' files have it: what reads the same position while it is instructed to continue is stuck.
+/// As in the robots' files: an axis that reads the same position while it is commanded to move is stuck.
 class Watched : public Gantry {
  public:
   Watched() {
@@ -85,10 +85,10 @@ inline config::DriveTable watched_table(bool absolute_encoders, double ramp) {
   return table;
 }
 
-/// What becomes of the frames of a hub, whose thread asks while a test changes its mind.
+/// Decides about the frames of a hub, whose thread asks while a test changes the rule.
 class Spoiler {
  public:
-  /// From now on; without `how` they all pass.
+  /// From now on; without `how` all frames pass.
   void use(can::Hub::Disturbance how) {
     const std::lock_guard lock(mutex_);
     how_ = std::move(how);
@@ -103,10 +103,10 @@ class Spoiler {
   can::Hub::Disturbance how_;
 };
 
-/// A gantry under way, with everything that may go wrong at hand.
+/// A gantry in motion, with all faults available.
 class Rig {
  public:
-  /// `ramp` in rad/s^2: of the drives' stops, 0: their usual one.
+  /// `ramp` in rad/s^2: of the drives' stops, 0: their default ramp.
   explicit Rig(unsigned seed, bool absolute_encoders = true, double ramp = 0, CanHardware::Timing timing = kTestTiming)
       : random(seed),
         table(watched_table(absolute_encoders, ramp)),
@@ -128,7 +128,7 @@ class Rig {
     if (before_tick) before_tick();
     const std::uint64_t cycles = rack.cycles();
     servo->tick(now++);
-    if (!servo->drives_on()) await_cycle_after(cycles);  // no one who answers paces the ticks
+    if (!servo->drives_on()) await_cycle_after(cycles);  // no answers pace the ticks
     Reply reply;
     while (effector.poll(reply)) last = reply;
     const Snapshot& seen = servo->snapshot();
@@ -152,7 +152,7 @@ class Rig {
     worst_mean_speed = std::max(worst_mean_speed, mean / model.parameters().axes[0].velocity_max);
     past_.pop_front();
   }
-  /// Ticks until the servo has found a fault and its drives are off; then nothing may move.
+  /// Ticks until the servo has found a fault and its drives are off; then no axis may move.
   void stop() {
     const Tick begin = now;
     while ((servo->snapshot().fault.code == ErrorCode::none || servo->drives_on()) && now < begin + 3000) tick();
@@ -162,11 +162,11 @@ class Rig {
     for (int i = 0; i < 50; ++i) tick();
     for (int i = 0; i < 5; ++i) {
       tick();
-      ::usleep(2000);  // without answers ticks are so short that the bus does not carry what is sent in them
+      ::usleep(2000);  // without answers ticks are too short for the bus to carry their frames
     }
     moved = (rack.shafts() - there).cwiseAbs().maxCoeff();
   }
-  /// The bus carries what was sent in the fault, which no one paced, and what comes in order again.
+  /// Waits until the bus has carried the unpaced frames of the fault, and frames arrive in order again.
   void settle() {
     paced_ = true;
     for (int i = 0; i < 60; ++i) tick();
@@ -189,7 +189,7 @@ class Rig {
   }
   const Fault& fault() const { return servo->snapshot().fault; }
   std::string text() const { return std::string(make_report(fault(), model.parameters()).detail.view()); }
-  /// Whether some drive still follows set-points, or has power at all.
+  /// Whether a drive still follows set-points, or has power at all.
   bool operates() {
     return any([](const sim::DriveNode& node) { return node.state() == canopen::DriveState::operation_enabled; });
   }
@@ -215,10 +215,10 @@ class Rig {
   Reply answer, last;
   /// Parts of the limit: of the set-points, of the shafts from tick to tick and in kWindow ticks; rad after the stop.
   double worst_speed = 0, worst_real_speed = 0, worst_mean_speed = 0, moved = 0;
-  /// Of the set-points, a part of the limit; of the shafts, how far beyond either end of the way, rad of a joint.
+  /// Of the set-points, a part of the limit; of the shafts, distance beyond either end of the path, rad of a joint.
   double worst_position = 0, off_its_way = 0;
   Tick stopped_after = 0;
-  std::function<void()> before_tick;  ///< what else happens on the bus
+  std::function<void()> before_tick;  ///< other traffic on the bus
 
  private:
   bool any(const std::function<bool(const sim::DriveNode&)>& is) {
@@ -227,8 +227,9 @@ class Rig {
     return found;
   }
 
-  /// Drives whose answers no one waits for have got the SYNC, or the bus has had the time for it. What the driver
-  /// counts in ticks, as its patience with a restarted drive, must not pass while their thread has no processor.
+  /// Waits until drives without awaited answers have received the SYNC, or the bus has had the time for it. The
+  /// driver's timeouts in ticks, for example for a restarted drive, must not expire while the drives' thread has no
+  /// processor.
   void await_cycle_after(std::uint64_t cycles) {
     const int glances = paced_ && !weak_bus->is_off ? 4000 : 1;
     for (int i = 0; i < glances && rack.cycles() == cycles; ++i) ::usleep(50);
@@ -241,21 +242,21 @@ class Rig {
   bool paced_ = false;
 };
 
-/// Where the kernel carries the frames: a command of ip(8) or tc(8) about the interface, "DEV" in it. Root.
+/// On the kernel's sockets: a command of ip(8) or tc(8) about the interface, "DEV" in it. Root.
 inline void interface(const Rig& rig, std::string command) {
   command.replace(command.find("DEV"), 3, rig.bus.name());
   command.insert(0, "PATH=$PATH:/usr/sbin:/sbin ");
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
 }
 
-/// And what it does with each of them from now on (tc-netem(8)): where a program's own loop-back passes the queue.
+/// The kernel's treatment of each frame from now on (tc-netem(8)), where a program's own loop-back passes the queue.
 inline void disturb(const Rig& rig, const std::string& netem) {
   interface(rig, "tc qdisc replace dev DEV root netem " + netem);
 }
 
 inline void leave_in_peace(const Rig& rig) { interface(rig, "tc qdisc del dev DEV root"); }
 
-/// Random moments that each fault is tried at: MRROC_TEST_SEEDS, else 20.
+/// Number of random moments for each fault: MRROC_TEST_SEEDS, else 20.
 inline unsigned seeds() {
   const char* const given = std::getenv("MRROC_TEST_SEEDS");
   return static_cast<unsigned>(given != nullptr ? std::atoi(given) : test::tries(6, 20));

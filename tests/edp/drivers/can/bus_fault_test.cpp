@@ -1,5 +1,5 @@
-// What goes wrong on a bus or in a drive, at random moments of a motion: the robot stops inside its limits, the error
-// names the drive and the cause, nothing moves any more, and `recover` works when the cause has gone.
+// Faults of a bus or a drive at random moments of a motion: the robot stops inside its limits, the error names the
+// drive and the cause, no axis moves afterwards, and `recover` works when the cause is gone.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -44,7 +44,7 @@ TEST_P(BusFault, StopsTheRobotAndCanBeRecovered) {
 
 INSTANTIATE_TEST_SUITE_P(Can, BusFault, testing::ValuesIn(cases()), [](const auto& each) { return each.param.name; });
 
-TEST(BusFault, ADriveThatHasRestartedWithoutAnAbsoluteEncoderIsNotSynchronised) {
+TEST(BusFault, RestartedDriveWithoutAnAbsoluteEncoderIsNotSynchronised) {
   Rig rig(1, false);
   with_node(rig, [](auto& node) { node.boot(0); });
   rig.stop();
@@ -52,10 +52,10 @@ TEST(BusFault, ADriveThatHasRestartedWithoutAnAbsoluteEncoderIsNotSynchronised) 
   EXPECT_FALSE(rig.servo->snapshot().synchronised);
   EXPECT_TRUE(rig.recover()) << rig.text();
   EXPECT_TRUE(rig.servo->snapshot().enabled());
-  EXPECT_FALSE(rig.moves_again()) << "joints are not known";
+  EXPECT_FALSE(rig.moves_again()) << "joints are unknown";
 }
 
-TEST(BusFault, WhoRecoversAtOnceTakesNoDrivesPowerInItsStop) {
+TEST(BusFault, ImmediateRecoveryTakesNoDrivesPowerDuringItsStop) {
   Rig rig(1, true, 100);  // rad/s^2: a stop of a quarter of a second
   with_node(rig, [](auto& node) { node.fail(0x7305); });
   while (rig.fault().code == ErrorCode::none) rig.tick();
@@ -76,12 +76,12 @@ TEST(BusFault, WhoRecoversAtOnceTakesNoDrivesPowerInItsStop) {
       }
     });
   }
-  EXPECT_GT(slowing_down, 40) << "they were under way";
+  EXPECT_GT(slowing_down, 40) << "the drives were moving";
   EXPECT_EQ(rig.last.state.error.error_class, ErrorClass::none) << rig.text();
   EXPECT_TRUE(rig.moves_again());
 }
 
-TEST(BusFault, WhatLastsIsToldAtEachRecovery) {
+TEST(BusFault, PersistentCauseIsReportedAtEachRecovery) {
   Rig rig(1);
   rig.weak_bus->goes_off = true;
   report(rig, 0x40, 0);
@@ -99,7 +99,7 @@ TEST(BusFault, WhatLastsIsToldAtEachRecovery) {
   EXPECT_TRUE(rig.moves_again()) << rig.text();
 }
 
-/// What resets drives or writes into them no driver can stop; all else may come.
+/// No driver can prevent frames that reset drives or write to them; all other frames may occur.
 std::uint32_t harmful(std::mt19937& random) {
   for (;;) {
     const std::uint32_t id = random() % 0x800, function = id & 0x780;
@@ -107,7 +107,7 @@ std::uint32_t harmful(std::mt19937& random) {
   }
 }
 
-TEST(BusFault, BesideANodeThatBabblesTheRobotEndsItsMotionOrStopsAndSaysWhy) {
+TEST(BusFault, BabblingNodeLetsTheMotionEndOrTheRobotStopsWithTheCause) {
   unsigned stopped = 0, foreign_masters = 0;
   for (unsigned seed = 1; seed <= seeds(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -131,16 +131,16 @@ TEST(BusFault, BesideANodeThatBabblesTheRobotEndsItsMotionOrStopsAndSaysWhy) {
     }
     EXPECT_LE(rig.worst_speed, 1 + 1e-6);
   }
-  EXPECT_EQ(stopped, seeds()) << "so much comes that some of it is a master's";
+  EXPECT_EQ(stopped, seeds()) << "some of so many frames are those of a master";
   EXPECT_GT(foreign_masters, 0u);
   std::printf("%u of %u were stopped, %u for another master\n", stopped, seeds(), foreign_masters);
 }
 
-TEST(BusFault, AnswersThatAreLostWhileADriveIsSetUpAnewAreAskedForAgain) {
+TEST(BusFault, LostAnswersDuringARepeatedSetUpAreRequestedAgain) {
   for (unsigned seed = 1; seed <= seeds(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rig rig(seed);
-    if (!rig.bus.is_hub()) return;  // the kernel loses frames of no single kind
+    if (!rig.bus.is_hub()) return;  // the kernel cannot lose frames of one kind only
     with_node(rig, [](auto& node) { node.boot(0); });
     rig.stop();
     int lost = 0;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace canopen;
 
-/// Drives that are on, and everything that has passed their bus since they were set up.
+/// Drives that are on, and all frames on their bus since the set-up.
 struct HeardGantry : HeldGantry {
   explicit HeardGantry(const config::DriveTable& wanted, can::Hub::Disturbance fault = {})
       : HeldGantry(wanted, wanted, true, std::move(fault)) {
@@ -36,8 +36,8 @@ struct HeardGantry : HeldGantry {
 
 config::DriveTable gantry_table() { return table_for(Gantry{}.parameters(), DriveMode::cyclic_position); }
 
-/// An SDO answer may take long: it would come between the SYNC and what is measured at it.
-TEST(BusOrder, ADriveIsAskedAfterAllHaveAnsweredTheSync) {
+/// An SDO answer may take long: it would come between the SYNC and the measurements.
+TEST(BusOrder, SdoRequestFollowsTheAnswersToTheSync) {
   HeardGantry rig(gantry_table());
   rig.run(1000);
   std::set<std::uint32_t> answered;
@@ -53,7 +53,7 @@ TEST(BusOrder, ADriveIsAskedAfterAllHaveAnsweredTheSync) {
   EXPECT_GE(questions, 4);
 }
 
-TEST(BusOrder, ADriveThatHearsNoStopIsStoppedAgainBeforeTheNextHeartbeat) {
+TEST(BusOrder, DriveThatIgnoresAStopIsStoppedAgainBeforeTheNextHeartbeat) {
   std::atomic<bool> deaf{false};
   std::atomic<int> stops{0};
   config::DriveTable table = gantry_table();
@@ -63,10 +63,10 @@ TEST(BusOrder, ADriveThatHearsNoStopIsStoppedAgainBeforeTheNextHeartbeat) {
     if (stop) ++stops;
     return !deaf || (!stop && frame.id != kReceivePdo1 + 2);
   });
-  if (!rig.bus.is_hub()) return;  // the kernel loses frames of no single kind
+  if (!rig.bus.is_hub()) return;  // the kernel cannot lose frames of one kind only
   deaf = true;
   rig.hardware->enable(false);
-  rig.run(1000);  // 2 s: 0.5 s that it has to obey, then a stop each 0.1 s
+  rig.run(1000);  // 2 s: 0.5 s for the drive to obey, then a stop each 0.1 s
   EXPECT_GE(stops, 14);
   EXPECT_LE(stops, 16);
   rig.rack.with([](auto& nodes) { EXPECT_TRUE(nodes[1].powered()); });
@@ -75,8 +75,8 @@ TEST(BusOrder, ADriveThatHearsNoStopIsStoppedAgainBeforeTheNextHeartbeat) {
   rig.rack.with([](auto& nodes) { EXPECT_FALSE(nodes[1].powered()); });
 }
 
-/// Drives take it with the quick stop: one that regulates until it stands would jump.
-TEST(BusOrder, TheLastCommandIsToStayWhereTheDriveIs) {
+/// Drives receive it with the quick stop: a drive that regulates until it stands would jump.
+TEST(BusOrder, LastCommandHoldsThePositionOfTheDrive) {
   HeardGantry rig(gantry_table());
   JointVector target = rig.input.motors;
   for (int i = 0; i < 50; ++i) {

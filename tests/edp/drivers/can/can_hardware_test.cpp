@@ -20,7 +20,7 @@ constexpr double kIncrement = 2 * std::numbers::pi / 4000;
 
 class EveryMode : public testing::TestWithParam<DriveMode> {};
 
-TEST_P(EveryMode, TheRobotGoesWhereItIsSent) {
+TEST_P(EveryMode, RobotReachesItsTarget) {
   CanRig<Gantry> rig(GetParam());
   ASSERT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   const JointVector begin = rig.seen().joints;
@@ -31,17 +31,17 @@ TEST_P(EveryMode, TheRobotGoesWhereItIsSent) {
   EXPECT_EQ(rig.replies[0].state.error.error_class, ErrorClass::none) << rig.replies[0].state.error.detail.view();
   EXPECT_LT((rig.seen().joints - begin - way).cwiseAbs().maxCoeff() * GearedModel::kGear, 20 * kIncrement);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
-  EXPECT_LT((rig.rack.shafts() - rig.seen().motors).cwiseAbs().maxCoeff(), 20 * kIncrement) << "what the plant says";
+  EXPECT_LT((rig.rack.shafts() - rig.seen().motors).cwiseAbs().maxCoeff(), 20 * kIncrement) << "the plant's position";
 }
 
-TEST_P(EveryMode, AnAxisAtRestIsNotStuck) {
+TEST_P(EveryMode, AxisAtRestIsNotStuck) {
   CanRig<Gantry> rig(GetParam());
   ASSERT_FALSE(rig.send(relative_joints((JointVector(4) << 0.0123, -0.0077, 0.02, 0.0001).finished(), 300)));
   rig.run(test::repetitions(Tick{12'000}));
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none) << describe(rig.seen().fault.code);
 }
 
-TEST_P(EveryMode, AnAxisThatReadsTheSameInMotionIsStuck) {
+TEST_P(EveryMode, AxisThatReadsTheSameInMotionIsStuck) {
   for (const std::size_t axis : {0u, 1u, 3u}) {
     for (const double way : {0.05, 0.4}) {
       SCOPED_TRACE(testing::Message() << "axis " << axis << ", " << way << " rad");
@@ -65,11 +65,11 @@ TEST_P(EveryMode, AnAxisThatReadsTheSameInMotionIsStuck) {
   }
 }
 
-TEST_P(EveryMode, WhoIsSwitchedOffInMotionIsStoppedByHisDrives) {
+TEST_P(EveryMode, RobotSwitchedOffInMotionIsStoppedByItsDrives) {
   CanRig<Gantry> rig(GetParam());
   rig.send(relative_joints(JointVector::Constant(4, 0.4), 600));
   rig.run(300);
-  ASSERT_GT(rig.seen().velocity.norm(), 0.1) << "it is under way";
+  ASSERT_GT(rig.seen().velocity.norm(), 0.1) << "the robot is moving";
   rig.rack.with([](auto& nodes) {
     for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::operation_enabled);
   });
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Can, EveryMode,
                                                                                          : "Torque");
                          });
 
-TEST(CanHardware, AnEmergencyStopEndsTheSwitchingOn) {
+TEST(CanHardware, EmergencyStopEndsTheSwitchingOn) {
   CanRig<Gantry> rig(DriveMode::cyclic_position);
   rig.servo.use_emergency_stop(rig.operators);
   RobotCommand recover;
@@ -118,7 +118,7 @@ TEST(CanHardware, AnEmergencyStopEndsTheSwitchingOn) {
   EXPECT_TRUE(rig.seen().enabled());
 }
 
-TEST_P(EveryMode, ADriveThatCountsBackwardsAndInUnitsOfItsOwnIsNoOther) {
+TEST_P(EveryMode, ReversedCounterAndOtherUnitsBehaveTheSame) {
   config::DriveTable table = table_for(Gantry{}.parameters(), GetParam());
   table.drives[1].units_per_turn = table.drives[1].velocity_units_per_turn = -4000;
   table.drives[2].units_per_turn = 65536;
@@ -134,7 +134,7 @@ TEST_P(EveryMode, ADriveThatCountsBackwardsAndInUnitsOfItsOwnIsNoOther) {
   EXPECT_LT((rig.seen().joints - begin - way).cwiseAbs().maxCoeff() * GearedModel::kGear, 60 * kIncrement);
 }
 
-TEST_P(EveryMode, NoAxisIsLetGoBeforeAllDrivesAreReady) {
+TEST_P(EveryMode, NoAxisIsReleasedBeforeAllDrivesAreReady) {
   HeldGantry rig(GetParam());
   rig.hardware->open();
   rig.rack.with([](auto& nodes) { nodes[2].hold_back(true); });
@@ -157,7 +157,7 @@ TEST_P(EveryMode, NoAxisIsLetGoBeforeAllDrivesAreReady) {
     for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::operation_enabled);
     nodes[2].hold_back(true);
   });
-  // and who is not ready in time is named, not those that wait for him
+  // the error names the drive that is not ready in time, not the drives that wait for it
   rig.hardware->enable(false);
   rig.run(100);
   rig.hardware->enable(true);
@@ -166,7 +166,7 @@ TEST_P(EveryMode, NoAxisIsLetGoBeforeAllDrivesAreReady) {
   EXPECT_EQ(rig.input.fault_axis, 2);
 }
 
-TEST(CanHardware, AModeThatIsShownLateHoldsTheSwitchingOnUp) {
+TEST(CanHardware, LateModeDisplayDelaysTheSwitchingOn) {
   HeldGantry rig;
   rig.hardware->open();
   rig.rack.with([](auto& nodes) { nodes[2].stay_in(DriveMode{1}); });
@@ -175,13 +175,13 @@ TEST(CanHardware, AModeThatIsShownLateHoldsTheSwitchingOnUp) {
   EXPECT_TRUE(rig.hardware->busy());
   EXPECT_EQ(rig.input.fault, ErrorCode::none);
   rig.rack.with([](auto& nodes) {
-    for (const sim::DriveNode& node : nodes) EXPECT_FALSE(node.powered()) << "no brake is let go";
+    for (const sim::DriveNode& node : nodes) EXPECT_FALSE(node.powered()) << "no brake is released";
     nodes[2].stay_in({});
   });
   rig.run(10);
   EXPECT_FALSE(rig.hardware->busy());
   EXPECT_EQ(rig.input.fault, ErrorCode::none);
-  // and who never shows it is named
+  // the error names a drive that never reports the mode
   rig.hardware->enable(false);
   rig.run(100);
   rig.rack.with([](auto& nodes) { nodes[2].stay_in(DriveMode{1}); });
@@ -193,7 +193,7 @@ TEST(CanHardware, AModeThatIsShownLateHoldsTheSwitchingOnUp) {
   EXPECT_EQ(describe(rig.input.fault_detail), describe(DriveFault(WrongMode{1, DriveMode{8}})));
 }
 
-TEST(CanHardware, DrivesWithoutAModeDisplayAreBelieved) {
+TEST(CanHardware, DrivesWithoutAModeDisplayAreAccepted) {
   const config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   config::DriveTable there = table;
   there.eds = changed_eds("[6061]", "[6f61]");
@@ -208,8 +208,9 @@ TEST(CanHardware, DrivesWithoutAModeDisplayAreBelieved) {
   }
 }
 
-/// It watches our heartbeat from the first one on: before that nothing would stop it when this process dies.
-TEST(CanHardware, ADriveThatIsStartedAgainHearsAHeartbeatBeforeItGetsPower) {
+/// The drive monitors the master's heartbeat from the first one on: before that nothing would stop it when this process
+/// dies.
+TEST(CanHardware, RestartedDriveReceivesAHeartbeatBeforeItGetsPower) {
   config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   table.heartbeat = 10;
   HeldGantry rig(table);
@@ -235,8 +236,8 @@ TEST(CanHardware, ADriveThatIsStartedAgainHearsAHeartbeatBeforeItGetsPower) {
   EXPECT_EQ(*next, canopen::heartbeat_frame(table.master, canopen::NmtState::operational));
 }
 
-/// A single drive is not told from a bus that is cut.
-TEST(CanHardware, ARobotsOnlyDriveIsNamedWhenItIsLost) {
+/// A lost single drive cannot be distinguished from a cut bus.
+TEST(CanHardware, LostOnlyDriveOfARobotIsNamed) {
   CanRig<Slide> rig(DriveMode::cyclic_position);
   ASSERT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   rig.rack.with([](auto& nodes) { nodes[0].cut(true); });
@@ -245,7 +246,7 @@ TEST(CanHardware, ARobotsOnlyDriveIsNamedWhenItIsLost) {
   EXPECT_EQ(rig.seen().fault.axis, 0);
 }
 
-TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
+TEST(CanHardware, EndOfTheProcessLeavesNoDriveWithPower) {
   HeldGantry rig;
   rig.hardware->open();
   rig.hardware->enable(true);
@@ -261,7 +262,7 @@ TEST(CanHardware, TheEndOfTheProcessLeavesNoDriveWithPower) {
   };
   for (int i = 0; i < 5000 && powered(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_FALSE(powered());
-  // a second master finds them, whatever the first has left
+  // a second master finds the drives in any state
   rig.connect();
   rig.hardware->open();
   EXPECT_FALSE(powered());

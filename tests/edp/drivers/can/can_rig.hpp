@@ -23,7 +23,7 @@
 namespace mrroc::edp {
 
 inline constexpr double kCanPeriod = 0.002;
-/// Ticks as fast as the bus carries them; a busy machine makes no node silent.
+/// Ticks as fast as the bus allows; a busy machine does not make a node silent.
 inline constexpr CanHardware::Timing kTestTiming{0.2};
 
 /// A table of drives for any robot: nodes 1, 2, ...
@@ -56,7 +56,7 @@ inline canopen::EdsFile changed_eds(const std::string& found, const std::string&
   return canopen::EdsFile::parse(eds.replace(eds.find(found), found.size(), text), "changed");
 }
 
-/// The bus of a test: a hub of its own, or the interface that MRROC_TEST_BUS names.
+/// The bus of a test: its own hub, or the interface that MRROC_TEST_BUS names.
 class TestBus {
  public:
   explicit TestBus(can::Hub::Disturbance fault = {}) {
@@ -70,7 +70,7 @@ class TestBus {
   }
   const std::string& name() const { return name_; }
   std::unique_ptr<can::Bus> open() const { return can::open_bus(name_); }
-  /// Whether frames pass the test's own hands.
+  /// Whether frames pass through the test's own hub.
   bool is_hub() const { return hub_ != nullptr; }
 
  private:
@@ -79,7 +79,8 @@ class TestBus {
   std::string name_;
 };
 
-/// Simulated drives of a robot on a bus, with a plant model behind them; their thread. A SYNC is a tick of theirs.
+/// Simulated drives of a robot on a bus, with a plant model behind them, and their thread. Each SYNC is a tick of the
+/// drives.
 class Rack {
  public:
   Rack(const config::DriveTable& table, const RobotModel& model, const TestBus& bus, bool synchronised)
@@ -98,7 +99,7 @@ class Rack {
     thread_.join();
   }
   void with(const std::function<void(std::vector<sim::DriveNode>&)>& action) { rack_.with(action); }
-  /// Shafts as the plant has them, at rest between two ticks of the master.
+  /// Shafts of the plant, at rest between two ticks of the master.
   JointVector shafts() {
     JointVector shafts;
     rack_.with([this, &shafts](auto&) {
@@ -118,7 +119,7 @@ class Rack {
   std::thread thread_;
 };
 
-/// The driver without a servo, its drives on a bus: whatever they are told keeps them where they are.
+/// The driver without a servo, with its drives on a bus. All commands keep the drives at their positions.
 struct HeldGantry {
   explicit HeldGantry(canopen::DriveMode mode = canopen::DriveMode::cyclic_position)
       : HeldGantry(table_for(Gantry{}.parameters(), mode)) {}
@@ -129,7 +130,7 @@ struct HeldGantry {
       : table(wanted), bus(std::move(fault)), rack(there, model, bus, true), synchronised_(synchronised) {
     connect();
   }
-  /// A new run: the driver of the one before has ended.
+  /// A new run, after the end of the previous driver.
   void connect() {
     hardware.reset();
     hardware =
@@ -143,7 +144,7 @@ struct HeldGantry {
       if (after_tick) after_tick();
     }
   }
-  /// What `open` says, the code's text first; empty: the drives are in service.
+  /// The error of `open`, the code's text first; empty: the drives are in service.
   std::string refusal() {
     try {
       hardware->open();

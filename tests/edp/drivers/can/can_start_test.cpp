@@ -1,4 +1,4 @@
-// How the driver brings drives into service, in whatever state it finds them.
+// How the driver brings drives into service from any state.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 using canopen::DriveMode;
 using canopen::DriveState;
 
-/// Time of the simulated drives goes by: that of so many SYNCs.
+/// Advances the time of the simulated drives by so many SYNCs.
 void let_pass(const TestBus& bus, const Rack& rack, std::uint64_t syncs) {
   const auto other = bus.open();
   for (const std::uint64_t end = rack.cycles() + syncs; rack.cycles() < end;) {
@@ -35,7 +35,7 @@ void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
-TEST(CanStart, ASecondRunClearsTheFaultThatTheEndOfTheFirstHasLeft) {
+TEST(CanStart, SecondRunClearsTheFaultOfTheEndOfTheFirst) {
   HeldGantry rig;
   for (int run = 0; run < 3; ++run) {
     rig.connect();
@@ -53,7 +53,7 @@ TEST(CanStart, ASecondRunClearsTheFaultThatTheEndOfTheFirstHasLeft) {
 }
 
 /// 6007h = 0: it continues when its master is lost.
-TEST(CanStart, WhoStillHasPowerLosesItBeforeAnythingIsWrittenIntoIt) {
+TEST(CanStart, DriveWithPowerLosesItBeforeItsObjectsAreWritten) {
   config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   for (config::DriveEntry& drive : table.drives) drive.settings.push_back({{0x6007, 0}, "6007h", 0, 2});
   HeldGantry rig(table);
@@ -89,8 +89,8 @@ TEST(CanStart, WhoStillHasPowerLosesItBeforeAnythingIsWrittenIntoIt) {
   EXPECT_EQ(count(powered), 0);
 }
 
-/// As a drive keeps it that was instructed to store its parameters (1010h).
-TEST(CanStart, APdoThatHasAnotherIdentifierIsFreedFirst) {
+/// The state of a drive that was instructed to store its parameters (1010h).
+TEST(CanStart, PdoWithAnotherIdentifierIsFreedFirst) {
   const config::DriveTable good = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   config::DriveTable there = good;
   there.eds = changed_eds("DefaultValue=$NODEID+0x180", "DefaultValue=$NODEID+0x480");
@@ -100,7 +100,7 @@ TEST(CanStart, APdoThatHasAnotherIdentifierIsFreedFirst) {
   EXPECT_EQ(rig.input.fault, ErrorCode::none) << describe(rig.input.fault);
 }
 
-TEST(CanStart, AFaultThatStaysEndsTheStart) {
+TEST(CanStart, PersistentFaultEndsTheStart) {
   HeldGantry rig;
   rig.hardware->open();
   rig.rack.with([](auto& nodes) {
@@ -113,7 +113,7 @@ TEST(CanStart, AFaultThatStaysEndsTheStart) {
   expect_contains(refusal, "drive y, node 2: stays in its fault: error code 7305h, incremental sensor 1 fault");
 }
 
-TEST(CanStart, DrivesThatStartThemselvesAreSetUpBeforeTheyGoOn) {
+TEST(CanStart, SelfStartingDrivesAreSetUpBeforeTheyContinue) {
   HeldGantry rig;
   rig.rack.with([](auto& nodes) {
     for (sim::DriveNode& node : nodes) node.start_itself(true);
@@ -125,7 +125,7 @@ TEST(CanStart, DrivesThatStartThemselvesAreSetUpBeforeTheyGoOn) {
   boot();
   rig.run(20);
   EXPECT_EQ(rig.input.fault, ErrorCode::drive_restarted);
-  rig.rack.with([](auto& nodes) { nodes[1].lose_requests(1); });  // until it is asked again there is time
+  rig.rack.with([](auto& nodes) { nodes[1].lose_requests(1); });  // there is time before the next request
   rig.hardware->reset_fault();
   rig.run(5);
   EXPECT_TRUE(rig.hardware->busy());
@@ -135,9 +135,9 @@ TEST(CanStart, DrivesThatStartThemselvesAreSetUpBeforeTheyGoOn) {
   EXPECT_EQ(rig.input.fault, ErrorCode::none) << describe(rig.input.fault);
 }
 
-TEST(CanStart, WhoBootsOnceMoreWhileOthersAreSetUpIsSetUpAnew) {
+TEST(CanStart, DriveThatBootsDuringTheSetUpIsSetUpAgain) {
   HeldGantry rig;
-  rig.rack.with([](auto& nodes) { nodes[3].lose_requests(1); });  // until it is asked again there is time
+  rig.rack.with([](auto& nodes) { nodes[3].lose_requests(1); });  // there is time before the next request
   const auto ear = rig.bus.open();
   std::thread late_reset([&] {
     can::Frame frame;
@@ -153,7 +153,7 @@ TEST(CanStart, WhoBootsOnceMoreWhileOthersAreSetUpIsSetUpAnew) {
   });
 }
 
-TEST(CanStart, AWriteThatIsLostIsWrittenAgain) {
+TEST(CanStart, LostWriteIsRepeated) {
   HeldGantry rig;
   const auto ear = rig.bus.open();
   std::thread loss([&] {
@@ -168,13 +168,13 @@ TEST(CanStart, AWriteThatIsLostIsWrittenAgain) {
   expect_contains(rig.refusal(), "drive x, node 1: node 1, object 1000h:0: SDO protocol timed out");
 }
 
-TEST(CanStart, WhoBootsAgainAndAgainIsNotStarted) {
+TEST(CanStart, RepeatedlyBootingDriveIsNotStarted) {
   HeldGantry rig;
   rig.rack.with([](auto& nodes) { nodes[1].boot_at_requests(true); });
   expect_contains(rig.refusal(), "drive y, node 2: it boots again and again");
 }
 
-TEST(CanStart, ADriveThatTellsNoSwitchesIsNotStarted) {
+TEST(CanStart, DriveWithoutSwitchReportsIsNotStarted) {
   HeldGantry rig;
   rig.rack.with([](auto& nodes) { nodes[3].withhold_status(true); });
   const std::string refusal = rig.refusal();
@@ -182,7 +182,7 @@ TEST(CanStart, ADriveThatTellsNoSwitchesIsNotStarted) {
   expect_contains(refusal, "node 4: no TPDO 2");
 }
 
-TEST(CanStart, WhatIsWrongWithADriveIsSaidByNameBeforeAnythingMoves) {
+TEST(CanStart, ErrorsOfDrivesAreReportedByNameBeforeAnyMotion) {
   const config::DriveTable good = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   config::DriveTable table = good;
   table.drives[2].settings.push_back({{0x6041, 0}, "Statusword", 1, 2});
@@ -193,7 +193,7 @@ TEST(CanStart, WhatIsWrongWithADriveIsSaidByNameBeforeAnythingMoves) {
   expect_contains(HeldGantry(table, good).refusal(), "node 9: no boot-up message within");
 }
 
-TEST(CanStart, WhatTheControllerSaysOfTheBusIsToldBesideADriveThatDoesNotBoot) {
+TEST(CanStart, BusReportsAreAddedToTheErrorOfADriveThatDoesNotBoot) {
   config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   table.drives[3].node = 9;
   HeldGantry rig(table, table_for(Gantry{}.parameters(), DriveMode::cyclic_position));
@@ -203,7 +203,7 @@ TEST(CanStart, WhatTheControllerSaysOfTheBusIsToldBesideADriveThatDoesNotBoot) {
   expect_contains(rig.refusal(), "or no wire (error passive: the controller has counted more than 127 errors)");
 }
 
-TEST(CanStart, ModesAreDemandedThatWillBeUsed) {
+TEST(CanStart, OnlyModesInUseAreRequired) {
   const config::DriveTable good = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   const std::string modes = "DefaultValue=0x000003A0";
   config::DriveTable there = good;
@@ -212,7 +212,7 @@ TEST(CanStart, ModesAreDemandedThatWillBeUsed) {
                   "drive x, node 1: has no mode cyclic synchronous position, expected bit 7 in its supported modes, "
                   "6502h, which are 32");
   there.eds = changed_eds(modes, "DefaultValue=0x80");
-  EXPECT_EQ(HeldGantry(good, there).refusal(), "") << "it is synchronised: nobody asks it to home";
+  EXPECT_EQ(HeldGantry(good, there).refusal(), "") << "it is synchronised and does not need homing";
   expect_contains(HeldGantry(good, there, false).refusal(), "has no mode homing");
   // 6502h may be left out, 1000h may not
   there.eds = changed_eds("[6502]", "[6503]");

@@ -1,5 +1,5 @@
-// A bus that loses, changes or delays frames at random, of every node: the robot continues or stops, in either case
-// inside its limits, and `recover` works when the bus is in order again.
+// A bus that loses, changes or delays random frames of every node: the robot continues or stops, in either case inside
+// its limits, and `recover` works when the bus is in order again.
 #include <gtest/gtest.h>
 
 #include "bus_fault_rig.hpp"
@@ -10,12 +10,12 @@ namespace {
 constexpr int kTicks = 150;
 constexpr CanHardware::Timing kLossy{0.05};  // each tick that loses a frame waits as long
 
-/// One way to disturb, in per cent of all frames.
+/// One kind of disturbance, in per cent of all frames.
 struct Disturbance {
   std::string name;
   unsigned lost = 0, changed = 0;
-  std::string netem;   ///< the same where the kernel carries the frames
-  bool stops = false;  ///< no robot can continue so
+  std::string netem;   ///< the same on the kernel's sockets
+  bool stops = false;  ///< no robot can continue with it
   bool slows = false;  ///< answers come, but late
 };
 
@@ -34,7 +34,7 @@ void end(Rig& rig) {
   if (!rig.bus.is_hub()) leave_in_peace(rig);
 }
 
-/// A test whose frames pass in peace shows nothing: netem is passed by where an interface does not echo.
+/// A test without an effect on frames shows nothing: an interface that does not echo bypasses netem.
 void expect_disturbed(const Rig& rig, const Disturbance& disturbance) {
   const WeakBus& bus = *rig.weak_bus;
   if (disturbance.slows)
@@ -45,7 +45,7 @@ void expect_disturbed(const Rig& rig, const Disturbance& disturbance) {
 
 class DisturbedBus : public testing::TestWithParam<Disturbance> {};
 
-TEST_P(DisturbedBus, MakesNoRobotUnsafe) {
+TEST_P(DisturbedBus, KeepsTheRobotSafe) {
   for (unsigned seed = 1; seed <= seeds(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rig rig(seed, true, 0, GetParam().slows ? kTestTiming : kLossy);
@@ -59,7 +59,7 @@ TEST_P(DisturbedBus, MakesNoRobotUnsafe) {
       EXPECT_NE(rig.fault().code, ErrorCode::none);
     }
     EXPECT_LE(rig.worst_speed, 1 + 1e-6);
-    // whose set-point is lost stands for a tick, and goes the way of two in the next
+    // a drive whose set-point is lost stands for a tick, and moves by two increments in the next
     EXPECT_LE(rig.worst_mean_speed, 1.5) << rig.text();
     if (rig.bus.is_hub() && GetParam().lost == 0) {
       EXPECT_LE(rig.worst_real_speed, 1.5) << rig.text();
@@ -76,7 +76,7 @@ std::vector<Disturbance> disturbances() {
   std::vector<Disturbance> all{{"LosesOneInFifty", 2, 0, "loss 2%"},
                                {"LosesOneInThree", 33, 0, "loss 33%", true},
                                {"ChangesOneInFifty", 0, 2, "corrupt 2%"}};
-  // a hub has no time of its own
+  // a hub has no delay
   if (std::getenv("MRROC_TEST_BUS") != nullptr)
     all.push_back({"DelaysAndOvertakes", 0, 0, "delay 2ms 2ms", false, true});
   return all;

@@ -1,4 +1,4 @@
-// A drive whose answers are missing, late or too many, and one that restarts.
+// Drives with missing, late or extra answers, and a drive that restarts.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace canopen;
 
-TEST_F(DriveTest, AnAnswerThatIsMissedIsGuessedTwiceThenItIsSilent) {
+TEST_F(DriveTest, MissingAnswerIsExtrapolatedTwiceThenTheDriveIsSilent) {
   switch_on();
   say(status_bits(DriveState::operation_enabled), 10);
   say(status_bits(DriveState::operation_enabled), 14);
@@ -29,7 +29,7 @@ TEST_F(DriveTest, AnAnswerThatIsMissedIsGuessedTwiceThenItIsSilent) {
   EXPECT_FALSE(drive.awaited());
 }
 
-TEST_F(DriveTest, WhoAlwaysAnswersTooLateIsNotTakenForOneThatAnswers) {
+TEST_F(DriveTest, DriveThatAlwaysAnswersLateIsSilent) {
   switch_on();
   const double unit = 2 * std::numbers::pi / 4000;
   for (int i = 0; i < 3; ++i) {
@@ -42,31 +42,31 @@ TEST_F(DriveTest, WhoAlwaysAnswersTooLateIsNotTakenForOneThatAnswers) {
             "axis 1 (x), tick 7: its answers come later than answer_time after more than 2 SYNCs in a row");
   can::Frame next;
   drive.reset(tick, drive.position(), next);
-  EXPECT_EQ(next.id, 0u) << "it is in service, and need not be set up anew";
-  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::hardware_silent) << "nothing is better yet";
+  EXPECT_EQ(next.id, 0u) << "it is in service and needs no new set-up";
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::hardware_silent) << "the fault persists";
   say(status_bits(DriveState::operation_enabled), 40);
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   EXPECT_DOUBLE_EQ(drive.position(), 40 * unit);
 }
 
-TEST_F(DriveTest, AGuessIsMadeOfPositionsThatHaveComeNotOfGuesses) {
+TEST_F(DriveTest, ExtrapolationUsesOnlyReceivedPositions) {
   switch_on();
   const double unit = 2 * std::numbers::pi / 4000;
   const std::uint16_t on = status_bits(DriveState::operation_enabled);
   say(on, 10);
   say(on, 14);
-  say_nothing();  // guessed to be at 18
+  say_nothing();  // extrapolated to 18
   say(on, 22);
   say_nothing();
-  EXPECT_DOUBLE_EQ(drive.position(), 26 * unit) << "4 of each SYNC, also of the one without an answer";
+  EXPECT_DOUBLE_EQ(drive.position(), 26 * unit) << "4 for each SYNC, also for the one without an answer";
   say(on, 30);
   say_late(34);
   say_nothing();
-  EXPECT_DOUBLE_EQ(drive.position(), 38 * unit) << "one that comes late is as good to guess from";
+  EXPECT_DOUBLE_EQ(drive.position(), 38 * unit) << "a late position is equally valid for the extrapolation";
 }
 
-/// Two nodes have its number, and either may be the last to answer.
-TEST_F(DriveTest, ACycleWithAnAnswerTooManySaysNothing) {
+/// Two nodes have its number; either may be the last to answer.
+TEST_F(DriveTest, CycleWithAnExtraAnswerIsIgnored) {
   beats = true;
   const std::uint16_t on = status_bits(DriveState::operation_enabled);
   const double unit = 2 * std::numbers::pi / 4000;
@@ -88,7 +88,7 @@ TEST_F(DriveTest, ACycleWithAnAnswerTooManySaysNothing) {
       if (impostor_is_last) drive.take(strange, tick, next);
       drive.close_cycle();
       EXPECT_FALSE(drive.answered());
-      EXPECT_NEAR(drive.position(), 4 * std::min(i, 3) * unit, 1e-9) << "guessed, for two cycles";
+      EXPECT_NEAR(drive.position(), 4 * std::min(i, 3) * unit, 1e-9) << "extrapolated for two cycles";
       EXPECT_EQ(drive.current(), 0);
     }
     EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::encoder_fault);
@@ -96,7 +96,7 @@ TEST_F(DriveTest, ACycleWithAnAnswerTooManySaysNothing) {
   }
 }
 
-TEST_F(DriveTest, SwitchesThatAreNotToldAreMissed) {
+TEST_F(DriveTest, MissingSwitchReportsAreAFault) {
   switch_on();
   tells_switches = false;
   for (int i = 0; i < 12; ++i) {  // three times status_every
@@ -109,16 +109,16 @@ TEST_F(DriveTest, SwitchesThatAreNotToldAreMissed) {
   EXPECT_EQ(text_of(fault), "axis 1 (x), tick 7: no TPDO 2, velocity and switches, after more than 12 SYNCs in a row");
   can::Frame next;
   drive.reset(tick, drive.position(), next);
-  EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
+  EXPECT_EQ(next.id, 0x601u) << "it is set up again";
 }
 
-TEST_F(DriveTest, AFrameThatIsTooShortIsNoAnswer) {
+TEST_F(DriveTest, ShortFrameIsNoAnswer) {
   can::Frame frame{0x181, {0x37, 0x16, 1, 0, 0, 0, 0}};
   cycle(frame);
   EXPECT_FALSE(drive.answered());
 }
 
-TEST_F(DriveTest, HeartbeatsAreWatchedOverThreeOfThem) {
+TEST_F(DriveTest, HeartbeatTimeoutIsThreePeriods) {
   switch_on();
   while (tick < 30) say(status_bits(DriveState::operation_enabled));
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
@@ -129,18 +129,18 @@ TEST_F(DriveTest, HeartbeatsAreWatchedOverThreeOfThem) {
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
 }
 
-TEST_F(DriveTest, ABootUpInServiceIsARestart) {
+TEST_F(DriveTest, BootUpInServiceIsARestart) {
   switch_on();
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_restarted);
   EXPECT_FALSE(drive.knows_position());
   drive.reset(tick, drive.position(), next);
-  EXPECT_EQ(next.id, 0x601u) << "it is set up anew";
+  EXPECT_EQ(next.id, 0x601u) << "it is set up again";
 }
 
-/// Its last positions may have been broken, as of one whose supply has failed.
-TEST_F(DriveTest, OneThatCountsAnewGoesOnFromWhereItIsBelievedToBe) {
+/// Its last positions may be invalid, like those of a drive whose supply has failed.
+TEST_F(DriveTest, DriveThatCountsFromZeroContinuesAtItsAssumedPosition) {
   const double unit = 2 * std::numbers::pi / 4000;
   const std::int64_t turn_over = std::int64_t{1} << 32;
   can::Frame next;
@@ -156,7 +156,7 @@ TEST_F(DriveTest, OneThatCountsAnewGoesOnFromWhereItIsBelievedToBe) {
     say(status_bits(DriveState::switch_on_disabled), 7);
     EXPECT_NEAR(drive.position(), static_cast<double>(believed + 4) * unit, 1e-5);
     EXPECT_FALSE(drive.knows_position());
-    // one that has not restarted has counted on
+    // a drive that has not restarted has continued counting
     drive.position_known();
     for (int i = 0; i < 5; ++i) say_nothing();
     drive.reset(tick, drive.position(), next);
@@ -166,31 +166,31 @@ TEST_F(DriveTest, OneThatCountsAnewGoesOnFromWhereItIsBelievedToBe) {
   }
 }
 
-TEST_F(DriveTest, WhoeverBootsWhileNobodyServesHimHasLostHisPosition) {
+TEST_F(DriveTest, DriveThatBootsWhileOutOfServiceHasLostItsPosition) {
   switch_on();
   for (int i = 0; i < 5; ++i) say_nothing();
   ASSERT_EQ(code_of(drive.fault(tick)), ErrorCode::hardware_silent);
   can::Frame next;
-  drive.reset(tick, drive.position(), next);  // no one answers
+  drive.reset(tick, drive.position(), next);  // no answer
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
   EXPECT_FALSE(drive.knows_position());
-  EXPECT_EQ(next.id, 0x601u) << "what it was told so far is forgotten: from the start";
+  EXPECT_EQ(next.id, 0x601u) << "the drive has lost its set-up, which starts again";
   EXPECT_EQ(can::get(next.bytes(), 1, 2), 0x1400u);
 }
 
-TEST_F(DriveTest, WhoAnswersMoreOftenThanItIsAskedHasANamesake) {
+TEST_F(DriveTest, DriveThatAnswersTooOftenHasADuplicate) {
   switch_on();
   const std::uint16_t on = status_bits(DriveState::operation_enabled);
   can::Frame next;
   const auto once_more = [&] { drive.take(feedback(on, 0), tick, next); };
   for (int i = 0; i < 20; ++i) {
     say(on);
-    if (i % 2 == 0) once_more();  // now and then: it is not worth a stop
+    if (i % 2 == 0) once_more();  // occasionally: no reason for a stop
     EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   }
   for (int i = 0; i < 2; ++i) say_nothing();
   say(on);
-  for (int i = 0; i < 2; ++i) once_more();  // those that were missed, late
+  for (int i = 0; i < 2; ++i) once_more();  // the missed ones, late
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
   for (int i = 0; i < 3; ++i) {
     say(on);
@@ -207,11 +207,11 @@ TEST_F(DriveTest, WhoAnswersMoreOftenThanItIsAskedHasANamesake) {
   EXPECT_NE(code_of(drive.fault(tick)), ErrorCode::encoder_fault);
 }
 
-TEST_F(DriveTest, ARequestOfItsSetUpThatIsNotAnsweredIsSentAgain) {
+TEST_F(DriveTest, UnansweredSetUpRequestIsRepeated) {
   switch_on();
   can::Frame next, again;
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
-  EXPECT_FALSE(drive.repeats(tick + 1000, again)) << "it is not being set up";
+  EXPECT_FALSE(drive.repeats(tick + 1000, again)) << "no set-up is running";
   drive.reset(tick, drive.position(), next);
   ASSERT_EQ(next.id, 0x601u);
   const auto patience = static_cast<Tick>(Drive::kAnswerTime / kCanPeriod);
@@ -227,12 +227,12 @@ TEST_F(DriveTest, ARequestOfItsSetUpThatIsNotAnsweredIsSentAgain) {
   EXPECT_EQ(second.id, 0x601u);
   EXPECT_FALSE(drive.repeats(tick + patience, again)) << "the next request has its own time";
   drive.take(answer, tick, again);
-  EXPECT_EQ(again.size, 0u) << "the first one's answer, come late";
+  EXPECT_EQ(again.size, 0u) << "the late answer to the first request";
   ASSERT_TRUE(drive.repeats(tick + patience + 1, again));
   EXPECT_EQ(again, second);
 }
 
-TEST_F(DriveTest, AnAxisStaysWhereItWasWhenItsDriveCountsAnew) {
+TEST_F(DriveTest, AxisKeepsItsPositionWhenItsDriveCountsFromZero) {
   switch_on();
   say(status_bits(DriveState::operation_enabled), 1'000'000);
   const double there = drive.position();
@@ -243,10 +243,10 @@ TEST_F(DriveTest, AnAxisStaysWhereItWasWhenItsDriveCountsAnew) {
   EXPECT_NEAR(drive.position(), there, 1e-9);
   EXPECT_FALSE(drive.knows_position());
   say(status_bits(DriveState::switch_on_disabled), 4012);
-  EXPECT_NEAR(drive.position() - there, 2 * std::numbers::pi, 1e-9) << "and turns on from there";
+  EXPECT_NEAR(drive.position() - there, 2 * std::numbers::pi, 1e-9) << "and continues from there";
 }
 
-TEST_F(DriveTest, AnAxisThatWasOnlySilentIsWhereItsDriveSays) {
+TEST_F(DriveTest, SilentAxisIsAtThePositionOfItsDrive) {
   switch_on();
   constexpr std::int32_t kEnd = std::numeric_limits<std::int32_t>::max();
   say(status_bits(DriveState::operation_enabled), kEnd - 5);
@@ -259,8 +259,8 @@ TEST_F(DriveTest, AnAxisThatWasOnlySilentIsWhereItsDriveSays) {
   EXPECT_NEAR(drive.position() - before, 2 * 2 * std::numbers::pi / 4000, 1e-6);
 }
 
-/// Its boot-up message, which comes once, got lost: it has forgotten what it was told.
-TEST_F(DriveTest, AnAxisWhoseDriveHasRestartedUnheardIsNotSynchronised) {
+/// Its only boot-up message was lost: the drive has lost its set-up.
+TEST_F(DriveTest, AxisIsNotSynchronisedAfterAnUnreportedRestart) {
   for (const bool restarted : {false, true}) {
     drive.begin(tick);
     drive.position_known();
@@ -273,12 +273,12 @@ TEST_F(DriveTest, AnAxisWhoseDriveHasRestartedUnheardIsNotSynchronised) {
     const auto period = static_cast<std::uint8_t>(restarted ? 0 : 1000 * table.heartbeat);
     drive.take({0x581, {0x4b, 0x17, 0x10, 0, period, 0, 0, 0}}, tick, next);
     EXPECT_EQ(drive.knows_position(), !restarted);
-    EXPECT_EQ(next.data[0] & 0xe0, 0x20) << "the set-up goes on";
+    EXPECT_EQ(next.data[0] & 0xe0, 0x20) << "the set-up continues";
     drive.setup().give_up();
   }
 }
 
-TEST_F(DriveTest, ADriveThatRefusesToBeSetUpAnewSaysWhatAndWhy) {
+TEST_F(DriveTest, DriveThatRefusesItsSetUpReportsObjectAndReason) {
   switch_on();
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);

@@ -60,7 +60,7 @@ TEST(DrivePower, TakesEveryEdgeOfItsTableAndNoOther) {
         EXPECT_TRUE(word == kDisableVoltage || word == kQuickStop || word == kFaultReset) << word;
       }
       if (now == DriveState::switched_on && !release) {
-        EXPECT_NE(word, kEnableOperation) << "the last step before it is released";
+        EXPECT_NE(word, kEnableOperation) << "the last step before the release";
       }
       EXPECT_FALSE(word == kFaultReset && before == kFaultReset) << "no edge";
       before = word;

@@ -5,7 +5,7 @@
 namespace mrroc::edp {
 namespace {
 
-/// One of each kind, with the longest words that it may have.
+/// One fault of each kind, with the longest texts that it may have.
 std::vector<DriveFault> one_of_each() {
   return {Restarted{},
           SetupRefused{{0x6085, 255}, canopen::SdoAbort{0x06040043}},
@@ -23,12 +23,12 @@ std::vector<DriveFault> one_of_each() {
           NotFollowing{}};
 }
 
-TEST(DriveFault, NothingIsNoFault) {
+TEST(DriveFault, NoFaultIsEmpty) {
   EXPECT_EQ(code_of({}), ErrorCode::none);
   EXPECT_TRUE(describe(DriveFault{}).empty());
 }
 
-TEST(DriveFault, EachKindHasACodeAndAllButARestartASentenceThatIsNotCut) {
+TEST(DriveFault, EachKindHasACodeAndAllButARestartACompleteSentence) {
   for (const DriveFault& fault : one_of_each()) {
     SCOPED_TRACE(fault.index());
     EXPECT_NE(code_of(fault), ErrorCode::none);

@@ -16,7 +16,7 @@ inline std::string text_of(const DriveFault& fault) {
   return std::string(make_report(Fault{code_of(fault), 0, describe(fault), 7}, Slide{}.parameters()).detail.view());
 }
 
-/// A drive that answers as the test says.
+/// A drive whose answers the test sets.
 class DriveTest : public testing::Test {
  protected:
   DriveTest() { drive.begin(0); }
@@ -40,7 +40,7 @@ class DriveTest : public testing::Test {
     drive.close_cycle();
     answer_mode();
   }
-  /// What it says when it is asked for its mode.
+  /// Its answer to the request for its mode.
   void answer_mode() {
     can::Frame question, next;
     if (!drive.asks(tick, question)) return;
@@ -58,7 +58,7 @@ class DriveTest : public testing::Test {
     ++tick;
     drive.close_cycle();
   }
-  /// After the cycle has been closed.
+  /// The state after the end of the cycle.
   void say_late(std::int32_t position) {
     say_nothing();
     can::Frame next;
@@ -74,10 +74,10 @@ class DriveTest : public testing::Test {
   Drive drive{table, table.drives[0], kCanPeriod, 0};
   Tick tick = 0;
   bool tells_switches = true;
-  bool beats = false;  ///< it says that it lives whenever it says something
-  // when it is asked for its mode
+  bool beats = false;  ///< it also sends a heartbeat with every answer
+  // the answer to the request for its mode
   bool answers = true, has_display = true;
-  std::optional<int> told_mode;  ///< else that which it has been given
+  std::optional<int> told_mode;  ///< else the commanded mode
   int questions = 0;
 };
 

@@ -1,4 +1,4 @@
-// In which mode a drive is: what it shows counts, not what it was told.
+// The mode of a drive is the displayed one, not the commanded one.
 #include <gtest/gtest.h>
 
 #include "drive_fixture.hpp"
@@ -19,7 +19,7 @@ class DriveModeTest : public DriveTest {
   int mode() { return drive.command({}).data[6]; }
 };
 
-TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotOnYet) {
+TEST_F(DriveModeTest, DriveInAnotherModeIsNotOnYet) {
   told_mode = 1;
   switch_on();
   EXPECT_FALSE(drive.is_on());
@@ -35,11 +35,11 @@ TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotOnYet) {
   EXPECT_FALSE(drive.busy(tick));
   const int asked = questions;
   for (int i = 0; i < 1000; ++i) say(on());
-  EXPECT_EQ(questions, asked) << "what is known is not asked again";
+  EXPECT_EQ(questions, asked) << "a known mode is not requested again";
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
 }
 
-TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotLetGo) {
+TEST_F(DriveModeTest, DriveInAnotherModeIsNotReleased) {
   told_mode = 1;
   drive.enable(true, tick);
   const auto wait = [this](int cycles) {
@@ -51,7 +51,7 @@ TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotLetGo) {
   wait(500);
   EXPECT_FALSE(drive.may_operate());
   EXPECT_TRUE(drive.busy(tick));
-  told_mode = 0;  // one that shows none before it is on
+  told_mode = 0;  // a drive that reports no mode before it is on
   wait(10);
   EXPECT_TRUE(drive.may_operate());
   drive.enable(true, tick);
@@ -68,7 +68,7 @@ TEST_F(DriveModeTest, WhoShowsAnotherModeIsNotLetGo) {
   EXPECT_EQ(text(), "axis 1 (x), tick 7: mode display 1, wanted 8");
 }
 
-TEST_F(DriveModeTest, WhoNeverShowsItIsNotReady) {
+TEST_F(DriveModeTest, DriveThatNeverReportsItsModeIsNotReady) {
   told_mode = 1;
   switch_on();
   for (int i = 0; i < 1000; ++i) say(on());
@@ -77,7 +77,7 @@ TEST_F(DriveModeTest, WhoNeverShowsItIsNotReady) {
   EXPECT_EQ(text(), "axis 1 (x), tick 7: mode display 1, wanted 8");
 }
 
-TEST_F(DriveModeTest, AQuestionWithoutAnAnswerIsAskedAgain) {
+TEST_F(DriveModeTest, UnansweredRequestIsRepeated) {
   answers = false;
   switch_on();
   for (int i = 0; i < 1000; ++i) say(on());
@@ -90,7 +90,7 @@ TEST_F(DriveModeTest, AQuestionWithoutAnAnswerIsAskedAgain) {
   EXPECT_TRUE(drive.is_on());
 }
 
-TEST_F(DriveModeTest, WhoHasNoDisplayIsBelieved) {
+TEST_F(DriveModeTest, DriveWithoutAModeDisplayIsAccepted) {
   has_display = false;
   switch_on();
   EXPECT_TRUE(drive.is_on());
@@ -109,7 +109,7 @@ TEST_F(DriveModeTest, WhoHasNoDisplayIsBelieved) {
   EXPECT_FALSE(other.asks(1, next));
 }
 
-TEST_F(DriveModeTest, HomingStartsWhenItsModeIsShownAndEndsWhenTheUsualOneIs) {
+TEST_F(DriveModeTest, HomingStartsAndEndsWithTheDisplayedMode) {
   switch_on();
   told_mode = 8;
   drive.home();
@@ -134,7 +134,7 @@ TEST_F(DriveModeTest, HomingStartsWhenItsModeIsShownAndEndsWhenTheUsualOneIs) {
   EXPECT_EQ(drive.homing(), Homing::attained);
 }
 
-TEST_F(DriveModeTest, WhoDoesNotChangeItsModeDoesNotHome) {
+TEST_F(DriveModeTest, DriveThatKeepsItsModeDoesNotHome) {
   switch_on();
   told_mode = 8;
   drive.home();
@@ -144,7 +144,7 @@ TEST_F(DriveModeTest, WhoDoesNotChangeItsModeDoesNotHome) {
   EXPECT_EQ(text(), "axis 1 (x), tick 7: mode display 8, wanted 6");
 }
 
-TEST_F(DriveModeTest, WhoStaysInTheHomingModeIsNotReady) {
+TEST_F(DriveModeTest, DriveThatStaysInTheHomingModeIsNotReady) {
   switch_on();
   drive.home();
   for (int i = 0; i < 50; ++i) say(on());

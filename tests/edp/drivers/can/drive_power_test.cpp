@@ -1,4 +1,4 @@
-// A drive's way to operation and back.
+// The transitions of a drive to operation enabled and back.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -10,9 +10,9 @@ namespace {
 
 using namespace canopen;
 
-TEST_F(DriveTest, IsLedStepByStepToOperationEnabled) {
+TEST_F(DriveTest, ReachesOperationEnabledStepByStep) {
   say(status_bits(DriveState::switch_on_disabled));
-  EXPECT_EQ(controlword(), kDisableVoltage) << "nobody wants it on";
+  EXPECT_EQ(controlword(), kDisableVoltage) << "switching on is not requested";
   drive.enable(true, tick);
   EXPECT_EQ(controlword(), kShutdown);
   say(status_bits(DriveState::ready_to_switch_on));
@@ -29,7 +29,7 @@ TEST_F(DriveTest, IsLedStepByStepToOperationEnabled) {
   EXPECT_EQ(controlword(), kDisableVoltage);
 }
 
-TEST_F(DriveTest, AFaultIsResetByEdges) {
+TEST_F(DriveTest, FaultIsResetByEdges) {
   switch_on();
   say(status_bits(DriveState::fault));
   const DriveFault fault = drive.fault(tick);
@@ -46,7 +46,7 @@ TEST_F(DriveTest, AFaultIsResetByEdges) {
   EXPECT_FALSE(drive.busy(tick));
 }
 
-TEST_F(DriveTest, AResetLetsAStopUnderWayEnd) {
+TEST_F(DriveTest, ResetLetsARunningStopEnd) {
   beats = true;
   switch_on();
   drive.enable(false, tick);
@@ -62,7 +62,7 @@ TEST_F(DriveTest, AResetLetsAStopUnderWayEnd) {
   say(status_bits(DriveState::switch_on_disabled));
   EXPECT_FALSE(drive.busy(tick));
   EXPECT_EQ(controlword(), kDisableVoltage);
-  // however often it is reset: a stop that does not end loses the power
+  // a stop that does not end removes the power, regardless of resets
   drive.enable(true, tick);
   say(status_bits(DriveState::operation_enabled));
   drive.enable(false, tick);
@@ -74,13 +74,13 @@ TEST_F(DriveTest, AResetLetsAStopUnderWayEnd) {
   EXPECT_EQ(controlword(), kDisableVoltage);
 }
 
-TEST_F(DriveTest, ADriveThatSwitchesItselfOffIsNotReady) {
+TEST_F(DriveTest, DriveThatSwitchesItselfOffIsNotReady) {
   switch_on();
   say(status_bits(DriveState::switch_on_disabled));
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_not_ready);
 }
 
-TEST_F(DriveTest, TheLastStepToOperationIsTakenWhenItMay) {
+TEST_F(DriveTest, LastStepToOperationWaitsForItsRelease) {
   beats = true;
   drive.enable(true, tick);
   const auto held = [this](bool release) { return can::get(drive.hold(release).bytes(), 0, 2); };
@@ -91,14 +91,15 @@ TEST_F(DriveTest, TheLastStepToOperationIsTakenWhenItMay) {
   EXPECT_TRUE(drive.may_operate());
   EXPECT_EQ(held(false), kSwitchOn);
   for (int i = 0; i < 2000; ++i) say(status_bits(DriveState::switched_on), 100);
-  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none) << "it is another one that is not ready";
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none) << "another drive is not ready";
   EXPECT_EQ(held(true), kEnableOperation);
   say(status_bits(DriveState::operation_enabled), 103);
   say(status_bits(DriveState::operation_enabled), 110);
-  EXPECT_EQ(static_cast<std::int32_t>(can::get(drive.hold(true).bytes(), 2, 4)), 100) << "it holds where it became on";
+  EXPECT_EQ(static_cast<std::int32_t>(can::get(drive.hold(true).bytes(), 2, 4)), 100)
+      << "it holds the position at which it switched on";
 }
 
-TEST_F(DriveTest, AStopThatDoesNotEndLosesThePower) {
+TEST_F(DriveTest, StopThatDoesNotEndRemovesThePower) {
   beats = true;
   switch_on();
   drive.enable(false, tick);
@@ -112,7 +113,7 @@ TEST_F(DriveTest, AStopThatDoesNotEndLosesThePower) {
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_not_ready);
 }
 
-TEST_F(DriveTest, WhoKeepsItsPowerAgainstItsControlwordDoesNotHearIt) {
+TEST_F(DriveTest, DriveThatKeepsItsPowerIgnoresItsControlword) {
   beats = true;
   const auto timeout = static_cast<int>(DrivePower::kObeyTime / kCanPeriod);
   switch_on();
@@ -128,8 +129,8 @@ TEST_F(DriveTest, WhoKeepsItsPowerAgainstItsControlwordDoesNotHearIt) {
   drive.take(heartbeat_frame(1, NmtState::stopped), tick, next);
   EXPECT_FALSE(drive.ignores_controlword()) << "it has been stopped";
   drive.reset(tick, drive.position(), next);
-  EXPECT_EQ(next.id, 0x601u) << "and is set up anew";
-  // one that slows down has the time for it, and then that in which it is to let go
+  EXPECT_EQ(next.id, 0x601u) << "and is set up again";
+  // a drive that slows down has the time of its stop, and then that for releasing the power
   drive.begin(tick);
   drive.enable(true, tick);
   say(status_bits(DriveState::operation_enabled));
@@ -143,10 +144,10 @@ TEST_F(DriveTest, WhoKeepsItsPowerAgainstItsControlwordDoesNotHearIt) {
   say(status_bits(DriveState::switch_on_disabled));
   controlword();
   say(status_bits(DriveState::operation_enabled));
-  EXPECT_FALSE(drive.ignores_controlword()) << "it gets its time again";
+  EXPECT_FALSE(drive.ignores_controlword()) << "its timeout starts again";
 }
 
-TEST_F(DriveTest, TheTimeToSwitchOnIsTheTables) {
+TEST_F(DriveTest, TimeToSwitchOnIsThatOfTheTable) {
   beats = true;
   table.switch_on_time = 3;
   drive = Drive(table, table.drives[0], kCanPeriod, 0);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace canopen;
 
-TEST_F(DriveTest, TellsTheSwitchesOfItsAxisAlsoWhenItCountsBackwards) {
+TEST_F(DriveTest, ReportsTheSwitchesOfItsAxisAlsoWithAReversedCounter) {
   config::DriveTable backwards = table;
   backwards.drives[0].units_per_turn *= -1;
   Drive reversed(backwards, backwards.drives[0], kCanPeriod, 0);
@@ -31,13 +31,13 @@ TEST_F(DriveTest, TellsTheSwitchesOfItsAxisAlsoWhenItCountsBackwards) {
   }
 }
 
-TEST_F(DriveTest, TargetsFollowOnlyADriveThatIsOn) {
+TEST_F(DriveTest, TargetsAreFollowedOnlyWhenTheDriveIsOn) {
   say(status_bits(DriveState::switched_on), 100);
   drive.enable(true, tick);
   const auto target = [this] { return can::sign_extended(can::get(drive.command({0, 1.0, 0}).bytes(), 2, 4), 4); };
-  EXPECT_EQ(target(), 100) << "where it is";
+  EXPECT_EQ(target(), 100) << "its position";
   say(status_bits(DriveState::operation_enabled), 100);
-  EXPECT_EQ(target(), 637) << "1 rad of 4000 units a turn";
+  EXPECT_EQ(target(), 637) << "1 rad at 4000 units per turn";
 }
 
 TEST_F(DriveTest, ReadsItsShaftAndItsCurrent) {
@@ -46,8 +46,8 @@ TEST_F(DriveTest, ReadsItsShaftAndItsCurrent) {
   EXPECT_DOUBLE_EQ(drive.current(), -5.0);
 }
 
-/// One that counts 65536 units a turn backwards, and its velocity in revolutions per minute.
-TEST(DriveUnits, VelocitiesMayBeOthersThanPositions) {
+/// A drive with a reversed counter of 65536 units per turn, and its velocity in revolutions per minute.
+TEST(DriveUnits, VelocityUnitsMayDifferFromPositionUnits) {
   for (const DriveMode mode : {DriveMode::cyclic_position, DriveMode::cyclic_velocity}) {
     config::DriveTable table = table_for(Slide{}.parameters(), mode);
     config::DriveEntry& entry = table.drives[0];
@@ -68,14 +68,14 @@ TEST(DriveUnits, VelocitiesMayBeOthersThanPositions) {
     const can::Frame command = drive.command({0, std::numbers::pi, 2 * std::numbers::pi});
     const std::int64_t target = can::sign_extended(can::get(command.bytes(), 2, 4), 4);
     EXPECT_EQ(target, mode == DriveMode::cyclic_position ? -32768 : -120);
-    can::put(frame.data, 2, 4, 16384);  // it holds where it has come on
+    can::put(frame.data, 2, 4, 16384);  // it holds the position at which it switched on
     ASSERT_TRUE(drive.take(frame, 2, next));
     const std::int64_t held = can::sign_extended(can::get(drive.hold(true).bytes(), 2, 4), 4);
     EXPECT_EQ(held, mode == DriveMode::cyclic_position ? 0 : -30);
   }
 }
 
-TEST_F(DriveTest, APositionGoesOnBeyond32Bits) {
+TEST_F(DriveTest, PositionContinuesBeyond32Bits) {
   switch_on();
   say(status_bits(DriveState::operation_enabled), 0x7ffffff0);
   say(status_bits(DriveState::operation_enabled), -0x7ffffff0);
@@ -84,7 +84,7 @@ TEST_F(DriveTest, APositionGoesOnBeyond32Bits) {
   EXPECT_EQ(can::sign_extended(can::get(drive.command({0, beyond, 0}).bytes(), 2, 4), 4), -0x7fffffef);
 }
 
-TEST_F(DriveTest, AnEmergencyIsKeptUntilItIsReset) {
+TEST_F(DriveTest, EmergencyIsKeptUntilItsReset) {
   switch_on();
   can::Frame next;
   drive.take(to_frame({1, 0x3220, 1, {}}), tick, next);
@@ -92,18 +92,18 @@ TEST_F(DriveTest, AnEmergencyIsKeptUntilItIsReset) {
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_fault);
   EXPECT_EQ(std::get<DriveError>(drive.fault(tick)).code, 0x3220);
   drive.take(to_frame({1, 0, 0, {}}), tick, next);
-  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_fault) << "it may have gone too soon to be seen";
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_fault) << "it may have been too short to be seen";
   drive.reset(tick, drive.position(), next);
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
 }
 
-TEST_F(DriveTest, ItsOwnFollowingErrorIsOurs) {
+TEST_F(DriveTest, DrivesFollowingErrorIsReportedAsOurs) {
   switch_on();
   say(static_cast<std::uint16_t>(status_bits(DriveState::operation_enabled) | kFollowingError));
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::following_error);
 }
 
-TEST_F(DriveTest, HomingBelievesWhatItsDriveSaysAfterTheStart) {
+TEST_F(DriveTest, HomingUsesOnlyReportsAfterItsStart) {
   beats = true;
   has_display = false;
   constexpr auto kOn = DriveState::operation_enabled;
@@ -114,31 +114,31 @@ TEST_F(DriveTest, HomingBelievesWhatItsDriveSaysAfterTheStart) {
   };
   switch_on();
   start();
-  EXPECT_GT(tick, 20u) << "the mode has had its time";
-  // what it said of the last attempt is not of this one
+  EXPECT_GT(tick, 20u) << "the time for the mode change is over";
+  // the report of the last attempt does not count for this one
   for (int i = 0; i < 5; ++i) say(homing(kHomingError | kHomingAttained | kTargetReached));
   EXPECT_EQ(drive.homing(), Homing::running);
   for (int i = 0; i < 50; ++i) say(homing(0));
   EXPECT_EQ(drive.homing(), Homing::running);
   say(homing(kHomingAttained | kTargetReached));
   EXPECT_EQ(drive.homing(), Homing::attained);
-  // one that is there at once never says anything else
+  // a drive that is already at home reports nothing else
   start();
   for (int i = 0; i < 200; ++i) say(homing(kHomingAttained | kTargetReached));
   EXPECT_EQ(drive.homing(), Homing::running);
   for (int i = 0; i < 60; ++i) say(homing(kHomingAttained | kTargetReached));
   EXPECT_EQ(drive.homing(), Homing::attained);
   say(homing(kFollowingError));
-  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::following_error) << "it regulates again";
+  EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::following_error) << "it controls its position again";
 }
 
-TEST_F(DriveTest, AHomingThatDoesNotEndHasFailed) {
+TEST_F(DriveTest, HomingThatDoesNotEndHasFailed) {
   beats = true;
   switch_on();
   drive.home();
   const auto ticks = static_cast<Tick>(HomingRun::kLongestTime / kCanPeriod);
   for (Tick i = 0; i <= ticks; ++i) say(status_bits(DriveState::operation_enabled));
-  EXPECT_EQ(drive.homing(), Homing::running) << "the mode's change is not of it";
+  EXPECT_EQ(drive.homing(), Homing::running) << "the mode change does not count";
   for (Tick i = 0; i < 10; ++i) say(status_bits(DriveState::operation_enabled));
   EXPECT_EQ(drive.homing(), Homing::failed);
 }

@@ -12,7 +12,7 @@ namespace {
 
 using canopen::DriveMode;
 
-/// Its axes begin beside their switches.
+/// Its axes start beside their switches.
 class Beside : public Switched {
  public:
   Beside() { parameters_.home = JointVector::Constant(4, 0.05); }
@@ -33,12 +33,12 @@ void expect_synchronisation(CanRig<Model>& rig) {
   EXPECT_TRUE(rig.seen().synchronised);
 }
 
-TEST(DriveHoming, EveryAxisFindsItsZeroPulseByItself) {
+TEST(DriveHoming, EveryAxisFindsItsZeroPulse) {
   CanRig<Beside> rig(DriveMode::cyclic_position, false);
   ASSERT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
   EXPECT_FALSE(rig.seen().synchronised);
   ASSERT_NO_FATAL_FAILURE(expect_synchronisation(rig));
-  // at its zero pulse or past it by what the shaft needs to stop at the fine speed
+  // at its zero pulse, or past it by the stopping distance at the fine speed
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(rig.seen().motors[i], -15.9, 0.3) << i;
 
   // and it continues from there
@@ -50,8 +50,8 @@ TEST(DriveHoming, EveryAxisFindsItsZeroPulseByItself) {
   EXPECT_LT((rig.seen().joints - begin - JointVector::Constant(4, 0.1)).cwiseAbs().maxCoeff(), 1e-3);
 }
 
-/// Methods are named by the drive's own counting.
-TEST(DriveHoming, ADriveThatCountsBackwardsGoesTheSameWay) {
+/// Homing methods refer to the drive's own direction of counting.
+TEST(DriveHoming, ReversedCounterMovesTheSameWay) {
   config::DriveTable table = table_for(Beside{}.parameters(), DriveMode::cyclic_position);
   for (config::DriveEntry& drive : table.drives) {
     drive.units_per_turn = drive.velocity_units_per_turn = -drive.units_per_turn;
@@ -63,7 +63,7 @@ TEST(DriveHoming, ADriveThatCountsBackwardsGoesTheSameWay) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(rig.seen().motors[i], -15.9, 0.3) << i;
 }
 
-/// It has no switches at all.
+/// It has no switches.
 class Unswitched : public Beside {
  public:
   Unswitched() {
@@ -71,7 +71,7 @@ class Unswitched : public Beside {
   }
 };
 
-TEST(DriveHoming, AnAxisWithoutASwitchIsWhereItsDriveSays) {
+TEST(DriveHoming, AxisWithoutASwitchIsAtThePositionOfItsDrive) {
   config::DriveTable table = table_for(Unswitched{}.parameters(), DriveMode::cyclic_position);
   for (config::DriveEntry& drive : table.drives) drive.homing.method = 37;
   CanRig<Unswitched> rig(table, false);
@@ -80,7 +80,7 @@ TEST(DriveHoming, AnAxisWithoutASwitchIsWhereItsDriveSays) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(rig.seen().motors[i], -15.9, 0.01) << i;
 }
 
-TEST(DriveHoming, AMethodThatTheDriveDoesNotHaveEndsTheSynchronisation) {
+TEST(DriveHoming, UnsupportedMethodEndsTheSynchronisation) {
   config::DriveTable table = table_for(Beside{}.parameters(), DriveMode::cyclic_position);
   table.drives[2].homing.method = 14;
   CanRig<Beside> rig(table, false);
@@ -107,7 +107,7 @@ std::string fault_of(CanRig<Model>& rig) {
   return text.substr(text.find(": ") + 2);
 }
 
-TEST(DriveHoming, AModeThatIsShownLateIsWaitedFor) {
+TEST(DriveHoming, WaitsForALateModeDisplay) {
   CanRig<Beside> rig(DriveMode::cyclic_position, false);
   stay_in(rig, DriveMode::cyclic_position);
   ASSERT_FALSE(rig.send(synchronise()));
@@ -118,7 +118,7 @@ TEST(DriveHoming, AModeThatIsShownLateIsWaitedFor) {
   EXPECT_TRUE(rig.seen().synchronised) << make_report(rig.seen().fault, rig.model.parameters()).detail.view();
 }
 
-TEST(DriveHoming, WhoNeverGetsIntoItsModeIsNotReady) {
+TEST(DriveHoming, DriveThatNeverEntersItsModeIsNotReady) {
   CanRig<Beside> rig(DriveMode::cyclic_position, false);
   stay_in(rig, DriveMode::cyclic_position);
   ASSERT_FALSE(rig.send(synchronise()));
@@ -126,7 +126,7 @@ TEST(DriveHoming, WhoNeverGetsIntoItsModeIsNotReady) {
   EXPECT_FALSE(rig.seen().synchronised);
 }
 
-TEST(DriveHoming, WhoHasHomedAndStaysInThatModeIsNotReady) {
+TEST(DriveHoming, DriveThatStaysInHomingModeIsNotReady) {
   config::DriveTable table = table_for(Unswitched{}.parameters(), DriveMode::cyclic_position);
   for (config::DriveEntry& drive : table.drives) drive.homing.method = 37;
   CanRig<Unswitched> rig(table, false);
@@ -137,7 +137,7 @@ TEST(DriveHoming, WhoHasHomedAndStaysInThatModeIsNotReady) {
   EXPECT_FALSE(rig.seen().synchronised);
 }
 
-TEST(DriveHoming, AnEmergencyStopIsTheDrivesQuickStop) {
+TEST(DriveHoming, EmergencyStopIsTheDrivesQuickStop) {
   CanRig<Beside> rig(DriveMode::cyclic_position, false);
   rig.servo.use_emergency_stop(rig.operators);
   rig.run(2);
@@ -145,7 +145,7 @@ TEST(DriveHoming, AnEmergencyStopIsTheDrivesQuickStop) {
   rig.run(60);
   const JointVector begin = rig.seen().motors;
   rig.run(20);
-  ASSERT_GT((rig.seen().motors - begin).norm(), 0.1) << "it is under way";
+  ASSERT_GT((rig.seen().motors - begin).norm(), 0.1) << "it is moving";
   rig.operators.press();
   rig.run(200);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::emergency_stop);

@@ -1,11 +1,11 @@
-// The driver against drives of python-canopen that look for their positions.
+// The driver against drives of python-canopen that search for their positions.
 #include "peer_rig.hpp"
 
 namespace mrroc::edp {
 namespace {
 
-/// Drives that begin to count where their power came on, and home by `method` of CiA 402. They have been turned by 5
-/// rad before: the home switch of Python's drives is where they began.
+/// Drives that count from their position at power-on, and home by `method` of CiA 402. They were turned by 5 rad
+/// before; the home switch of the Python drives is at their start.
 class PeerHoming : public testing::TestWithParam<int> {
  protected:
   PeerHoming() {
@@ -36,7 +36,7 @@ class PeerHoming : public testing::TestWithParam<int> {
   Effector effector{models, kPeerPeriod, hand_over};
   Reply reply;
   Tick now = 0;
-  double least = 1e9;  ///< rad, of the shaft that was farther out
+  double least = 1e9;  ///< rad, of the shaft with the larger distance
 };
 
 TEST_P(PeerHoming, FindsItsPositions) {
@@ -59,7 +59,7 @@ TEST_P(PeerHoming, FindsItsPositions) {
   ASSERT_TRUE(servo->snapshot().synchronised) << make_report(servo->snapshot().fault, model.parameters()).detail.view();
   for (int i = 0; i < 2; ++i) EXPECT_NEAR(servo->snapshot().motors[i], 12.5, 0.1) << i;
   const bool to_the_switch = GetParam() != 37;
-  EXPECT_EQ(least < begin + 1, to_the_switch) << "method 37 takes the place where it is; least " << least - begin;
+  EXPECT_EQ(least < begin + 1, to_the_switch) << "method 37 uses the present position; least" << least - begin;
 }
 
 INSTANTIATE_TEST_SUITE_P(Can, PeerHoming, testing::Values(3, 37),

@@ -1,10 +1,10 @@
-// The driver against drives of python-canopen whose axes come onto a limit switch, or are jammed.
+// The driver against drives of python-canopen whose axes reach a limit switch, or are jammed.
 #include "peer_rig.hpp"
 
 namespace mrroc::edp {
 namespace {
 
-/// An axis that cannot continue, and the way from there.
+/// An axis that cannot continue, and its recovery.
 class PeerObstacle : public PeerTest {
  protected:
   void move(double way) {
@@ -18,7 +18,7 @@ class PeerObstacle : public PeerTest {
     for (int i = 0; i < 200 && seen().fault.code == ErrorCode::none; ++i) tick();
     for (int i = 0; i < 200 && servo->drives_on(); ++i) tick();
     EXPECT_FALSE(servo->drives_on());
-    run(20);  // the last of the drives' own ramps
+    run(20);  // the end of the drives' own ramps
     stopped = seen().joints;
     run(30);
     EXPECT_LT((seen().joints - stopped).cwiseAbs().maxCoeff(), 1e-3) << "it stands";
@@ -34,7 +34,7 @@ class PeerObstacle : public PeerTest {
   JointVector stopped;
 };
 
-TEST_P(PeerObstacle, ALimitSwitchStopsTheRobotThatMayMoveAwayFromIt) {
+TEST_P(PeerObstacle, LimitSwitchStopsTheRobotWhichMayMoveAwayFromIt) {
   run_into("node 2 limit positive on");
   EXPECT_EQ(seen().fault.code, ErrorCode::limit_switch) << describe(seen().fault.code);
   EXPECT_NE(text().find("axis 2 (y)"), std::string::npos) << text();
@@ -44,7 +44,7 @@ TEST_P(PeerObstacle, ALimitSwitchStopsTheRobotThatMayMoveAwayFromIt) {
 
 INSTANTIATE_TEST_SUITE_P(Can, PeerObstacle, every_mode(), name_of_mode);
 
-/// A window (6065h) that is narrower than the servo's own, and so long a time out (6066h) that it is no fault.
+/// A window (6065h) that is narrower than the servo's own, and a timeout (6066h) so long that it is not a fault.
 class PeerWindow : public PeerObstacle {
  protected:
   PeerWindow() {
@@ -52,7 +52,7 @@ class PeerWindow : public PeerObstacle {
   }
 };
 
-TEST_P(PeerWindow, AJammedAxisIsToldByItsDriveAndRecoveredFrom) {
+TEST_P(PeerWindow, DriveReportsAJammedAxisAndItRecovers) {
   run_into("node 2 jam on");
   EXPECT_EQ(seen().fault.code, ErrorCode::following_error) << describe(seen().fault.code);
   EXPECT_NE(text().find("axis 2 (y)"), std::string::npos) << text();

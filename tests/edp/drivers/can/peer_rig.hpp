@@ -1,5 +1,5 @@
-// Drives that are not ours, CiA 402 nodes of python-canopen (tests/can/peer_drive.py) with an object dictionary from an
-// EDS file, and the driver above them. Their motors turn by one period at each SYNC: Python may pause.
+// Third-party drives, CiA 402 nodes of python-canopen (tests/can/peer_drive.py) with an object dictionary from an EDS
+// file, and the driver above them. Their motors advance by one period at each SYNC, because Python may pause.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,10 +11,11 @@
 
 namespace mrroc::edp {
 
-inline constexpr double kPeerPeriod = 0.01;             // what Python keeps up with
-inline constexpr CanHardware::Timing kPeerTiming{0.5};  // longer than it pauses
-inline constexpr double kPeerRatedCurrent = 300;  // A: with it a slide's motor gets as fast from 1 A as Python's shaft
-inline constexpr double kHeartbeat = 1;           // s; three are longer than the SYNCs until a silent node is lost
+inline constexpr double kPeerPeriod = 0.01;             // Python can keep up with it
+inline constexpr CanHardware::Timing kPeerTiming{0.5};  // longer than Python's pauses
+inline constexpr double kPeerRatedCurrent =
+    300;                                 // A: with it 1 A accelerates a slide's motor as fast as Python's shaft
+inline constexpr double kHeartbeat = 1;  // s; three are longer than the SYNCs until a silent node is lost
 
 /// Two slides that synchronise to the positive side.
 class TwoSlides : public Gantry {
@@ -59,7 +60,7 @@ class Peer {
   std::FILE* input_;
 };
 
-/// A tick takes a period at least: the nodes' heartbeats keep their own time.
+/// A tick takes at least a period: the nodes' heartbeats run in real time.
 inline void pause() { ::usleep(static_cast<useconds_t>(kPeerPeriod * 1e6)); }
 
 class PeerTest : public testing::TestWithParam<canopen::DriveMode> {
@@ -99,7 +100,7 @@ class PeerTest : public testing::TestWithParam<canopen::DriveMode> {
   const Snapshot& seen() const { return servo->snapshot(); }
   std::string text() const { return std::string(make_report(seen().fault, model.parameters()).detail.view()); }
 
-  std::vector<config::DriveSetting> settings;  ///< of each drive, besides what the driver writes
+  std::vector<config::DriveSetting> settings;  ///< of each drive, in addition to the driver's own
   TwoSlides model;
   config::DriveTable table;
   TestBus bus;

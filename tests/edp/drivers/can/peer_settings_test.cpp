@@ -1,4 +1,5 @@
-// What the driver writes at the start, read back from drives of python-canopen: by a second participant of the bus.
+// Settings that the driver writes at the start, read back from drives of python-canopen by a second participant of the
+// bus.
 #include "canopen/sdo_client.hpp"
 #include "clock/wall/monotonic.hpp"
 #include "peer_rig.hpp"
@@ -11,7 +12,7 @@ using canopen::Object;
 
 class PeerSettings : public testing::TestWithParam<DriveMode> {};
 
-TEST_P(PeerSettings, AreInEachDriveAsItsTableHasThem) {
+TEST_P(PeerSettings, DrivesHaveTheSettingsOfTheirTables) {
   const TwoSlides model;
   config::DriveTable table = table_for(model.parameters(), GetParam());
   table.absolute_encoders = true;
@@ -21,7 +22,7 @@ TEST_P(PeerSettings, AreInEachDriveAsItsTableHasThem) {
     drive.settings.push_back({kQuickStopDeceleration, "Quick stop deceleration", 700'000 + drive.node, 4});
   const TestBus bus;
   const Peer peer(bus.name());
-  // no set-point goes out: the mode is that of the set-up
+  // no set-point is sent: the mode is that of the set-up
   CanHardware hardware(table, model.parameters(), kPeerPeriod, bus.open(), kPeerTiming, true);
   hardware.open();
 

@@ -31,7 +31,7 @@ TEST_P(PeerTest, MovesStopsOnAnEmergencyRecoversAndMovesAgain) {
   EXPECT_NEAR(seen().joints[0] - there[0], -0.1, 0.02);
 }
 
-TEST_P(PeerTest, WhenOneFailsTheOtherIsStoppedQuicklyByItsDrive) {
+TEST_P(PeerTest, FailureOfOneDriveQuickStopsTheOther) {
   ASSERT_FALSE(send(relative_joints(JointVector::Constant(2, 0.4), 200)));
   run(60);
   const auto listener = bus.open();
@@ -52,13 +52,13 @@ TEST_P(PeerTest, WhenOneFailsTheOtherIsStoppedQuicklyByItsDrive) {
   EXPECT_TRUE(told) << "its controlword";
   using enum canopen::DriveState;
   EXPECT_EQ(states, (std::vector{operation_enabled, quick_stop_active, switch_on_disabled}));
-  EXPECT_GT(seen().joints[0], where) << "on a ramp of its own";
+  EXPECT_GT(seen().joints[0], where) << "on its own ramp";
   const JointVector there = seen().joints;
   run(30);
   EXPECT_LT((seen().joints - there).cwiseAbs().maxCoeff(), 1e-3) << "it stands";
 }
 
-TEST_P(PeerTest, ASilentNodeIsLost) {
+TEST_P(PeerTest, SilentNodeIsLost) {
   peer.say("node 1 silence");
   for (int i = 0; i < 300 && seen().fault.code == ErrorCode::none; ++i) tick();
   EXPECT_TRUE(seen().fault.code == ErrorCode::hardware_silent || seen().fault.code == ErrorCode::heartbeat_lost)
@@ -66,9 +66,9 @@ TEST_P(PeerTest, ASilentNodeIsLost) {
   EXPECT_EQ(seen().fault.axis, 0);
 }
 
-TEST_P(PeerTest, ASecondRunFindsThemInTheirFaultAndGoesOn) {
+TEST_P(PeerTest, SecondRunClearsTheFaultsAndContinues) {
   hardware.reset();
-  // Python's drives keep their own time: longer than they wait for our heartbeat
+  // Python's drives run in real time: longer than their timeout for the master's heartbeat
   ::usleep(static_cast<useconds_t>(3.5 * kHeartbeat * 1e6));
   const auto second =
       std::make_unique<CanHardware>(table, model.parameters(), kPeerPeriod, bus.open(), kPeerTiming, true);

@@ -1,4 +1,4 @@
-// When the drives' readings were measured: a bus is read when the servo comes to it.
+// Measurement times of the drives' readings: the servo reads a bus at its own ticks.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -10,7 +10,7 @@
 namespace mrroc::edp {
 namespace {
 
-/// A plant whose shafts turn by kWay in each of its ticks, whatever drives them.
+/// A plant whose shafts turn by kWay in each of its ticks, independent of the drives.
 class Turning final : public Hardware {
  public:
   static constexpr double kWay = 0.25;
@@ -24,7 +24,7 @@ class Turning final : public Hardware {
   void set_origin(const JointVector&) noexcept override {}
 };
 
-/// A robot's drives over such a plant, whose measurements are `age` servo periods old.
+/// A robot's drives over such a plant, with measurements that are `age` servo periods old.
 class TurningRig {
  public:
   explicit TurningRig(bool real)
@@ -48,11 +48,11 @@ class TurningRig {
   void cut(bool on) {
     rack_.with([on](auto& nodes) { nodes[0].cut(on); });
   }
-  /// Its answers come when no one waits for them any more.
+  /// Its answers come after the driver has stopped waiting for them.
   void lag(bool on) {
     rack_.with([on](auto& nodes) { nodes[0].lag(on); });
   }
-  /// The first drive's next one, as whoever has been on the bus before gets it.
+  /// The first drive's next answer, as an earlier participant of the bus receives it.
   void await_answer() {
     can::Frame frame;
     while (frame.id != canopen::kTransmitPdo1 + 1) ASSERT_TRUE(ear_->receive(frame, INT64_MAX));
@@ -79,7 +79,7 @@ class TurningRig {
   std::thread thread_;
 };
 
-TEST(Timing, AReadingIsAsLateAsItsAnswer) {
+TEST(Timing, ReadingIsAsLateAsItsAnswer) {
   TurningRig rig(true);
   rig.read(100);
   std::this_thread::sleep_for(std::chrono::duration<double>(5 * kCanPeriod));
@@ -88,12 +88,12 @@ TEST(Timing, AReadingIsAsLateAsItsAnswer) {
   EXPECT_GE(rig.read(102).late, 6);
 }
 
-TEST(Timing, InLockstepNothingIsLate) {
+TEST(Timing, NothingIsLateInLockstep) {
   TurningRig rig(false);
   for (Tick tick = 7; tick < 12; ++tick) EXPECT_EQ(rig.read(tick).late, 0);
 }
 
-TEST(Timing, WhatIsGuessedOrMayBeOlderIsOfNoNewTick) {
+TEST(Timing, ExtrapolatedOrPossiblyOldReadingIsOfNoNewTick) {
   TurningRig rig(false);
   for (Tick tick = 1; tick < 5; ++tick) EXPECT_EQ(rig.read(tick).tick, tick);
   rig.cut(true);
@@ -103,7 +103,7 @@ TEST(Timing, WhatIsGuessedOrMayBeOlderIsOfNoNewTick) {
   EXPECT_EQ(rig.read(7).tick, 7u);
 }
 
-TEST(Timing, ADriveWhoseAnswersAlwaysComeTooLateIsSilent) {
+TEST(Timing, DriveThatAlwaysAnswersTooLateIsSilent) {
   TurningRig rig(false);
   rig.lag(true);
   for (Tick tick = 1; tick <= 2; ++tick) {
@@ -119,7 +119,7 @@ TEST(Timing, ADriveWhoseAnswersAlwaysComeTooLateIsSilent) {
   EXPECT_EQ(rig.read(4).fault, ErrorCode::none);
 }
 
-TEST(Timing, SimulatedDrivesMeasureWhenTheSyncComes) {
+TEST(Timing, SimulatedDrivesMeasureAtTheSync) {
   TurningRig rig(false);
   const double increment = 2 * std::numbers::pi / 4000;
   for (const double age : {0.0, 0.5, 0.9, -0.5, 2.0, 7.0, 30.0}) {

@@ -6,7 +6,7 @@
 namespace mrroc {
 namespace {
 
-TEST(Allocation, TheCounterSeesNewAndEigensHeap) {
+TEST(Allocation, CounterCountsNewAndEigensHeap) {
   const std::uint64_t before = test::allocations();
   ::operator delete(::operator new(8));
   const std::uint64_t after_new = test::allocations();
@@ -15,7 +15,7 @@ TEST(Allocation, TheCounterSeesNewAndEigensHeap) {
   EXPECT_EQ(test::allocations() - after_new, 1u) << heap[0];
 }
 
-TEST(Allocation, NoMethodAllocates) {
+TEST(Allocation, MethodsDoNotAllocate) {
   std::mt19937_64 random(20060103);
   std::vector<JointVector> postures;
   for (int i = 0; i < 100; ++i) postures.push_back(random_posture(random));

@@ -27,7 +27,7 @@ inline RobotModels load_with(const Loader& load, const std::string& from, const 
   return load(folder.write(robot_under_test().name + ".toml", changed));
 }
 
-/// The message of the mistake that this makes; empty when it makes none.
+/// The error message of this change; empty when there is none.
 inline std::string error_with(const Loader& load, const std::string& from, const std::string& to) {
   try {
     load_with(load, from, to);

@@ -22,7 +22,7 @@ KDL::JntArray kdl_joints(const JointVector& joints) {
   return array;
 }
 
-TEST(Descriptions, UrdfMjcfAndClosedFormPlaceTheToolAlike) {
+TEST(Descriptions, UrdfMjcfAndClosedFormPlaceTheToolEqually) {
   const KDL::Chain chain = kdl_chain(robot_file("urdf"), "tool_frame");
   const int axes = robot().joint_count();
   ASSERT_EQ(chain.getNrOfJoints(), static_cast<unsigned>(axes));
@@ -133,7 +133,7 @@ TEST(Descriptions, AxesHaveTheNamesAndLimitsOfTheParameterFile) {
   }
 }
 
-TEST(Descriptions, ArmatureAndDampingAreTheDrivesSeenFromTheJointsAtHome) {
+TEST(Descriptions, ArmatureAndDampingAreThoseOfTheDrivesAtHome) {
   const Mjcf mjcf(robot_file("xml"));
   const JointMatrix g = robot().transmission(robot().parameters().home);
   const JointMatrix inertia = g.transpose() * per_axis(&AxisParameters::rotor_inertia).asDiagonal() * g;

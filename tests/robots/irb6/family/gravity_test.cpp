@@ -35,7 +35,7 @@ class ArmUnderGravity {
     position += dt * speed;
   }
 
-  /// Currents that carry the arm's weight standing still, A.
+  /// Currents that hold the arm's weight at rest, A.
   JointVector holding_currents() {
     mj_forward(mjcf_.model.get(), mjcf_.data.get());
     const JointMatrix g = robot().transmission(joints());
@@ -50,8 +50,8 @@ class ArmUnderGravity {
   Mjcf mjcf_;
 };
 
-// the brakes open at home with regulators at rest: the arm sags until their integral parts carry it
-TEST(Gravity, TheOriginalsRegulatorsHoldHome) {
+// the brakes open at home with regulators at rest: the arm sags until their integral parts hold it
+TEST(Gravity, OriginalRegulatorsHoldHome) {
   const JointVector home = robot().parameters().home;
   ArmUnderGravity arm(home);
   const JointVector holding = arm.holding_currents();
@@ -84,10 +84,10 @@ TEST(Gravity, TheOriginalsRegulatorsHoldHome) {
     EXPECT_LT(worst_joint[i], 1e-3) << axis.name;
     EXPECT_LT(peak_current[i], axis.current_max / 3) << axis.name;
   }
-  EXPECT_GT(holding.cwiseAbs().maxCoeff(), 0.1) << "the arm weighs something";
+  EXPECT_GT(holding.cwiseAbs().maxCoeff(), 0.1) << "the arm has weight";
 }
 
-TEST(Gravity, DrivesCarryTheArmInEveryPostureAlsoAtFullSpeed) {
+TEST(Gravity, DrivesHoldTheArmInEveryPostureAlsoAtFullSpeed) {
   constexpr std::uint64_t kSeed = 20060105;
   std::mt19937_64 random(kSeed);
   ArmUnderGravity arm(robot().parameters().home);

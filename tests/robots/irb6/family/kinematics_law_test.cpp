@@ -23,7 +23,7 @@ TEST(KinematicsLaw, InverseOfTheFlangePoseIsAFixedPoint) {
   }));
 }
 
-TEST(KinematicsLaw, WhatTheInverseFindsFromAnywhereHasThePose) {
+TEST(KinematicsLaw, SolutionOfTheInverseFromAnyStartHasThePose) {
   EXPECT_TRUE(rc::check([] {
     const RobotModel& model = any_model();
     const Pose pose = model.flange(any_posture());
@@ -55,9 +55,9 @@ TEST(KinematicsLaw, JacobianIsTheDerivativeOfThePose) {
   }));
 }
 
-// what an EDP does with a twist: the joint that the inverse keeps must not be moved by it, or positions and velocities
-// of one path contradict each other
-TEST(KinematicsLaw, TheInverseFollowsATwistWithTheKeptJointStill) {
+// a twist in an EDP must not move the joint that the inverse keeps, otherwise positions and velocities of one path
+// contradict each other
+TEST(KinematicsLaw, InverseFollowsATwistWithTheKeptJointAtRest) {
   EXPECT_TRUE(rc::check([] {
     constexpr double kStep = 1e-6;
     const RobotModel& model = any_model();
@@ -75,13 +75,13 @@ TEST(KinematicsLaw, TheInverseFollowsATwistWithTheKeptJointStill) {
     const Eigen::Vector3d turn = kStep * twist.tail<3>();
     pose.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose.linear();
     JointVector found;
-    // five axes follow a twist of theirs only to first order
+    // five axes follow a permitted twist only to first order
     if (model.inverse(pose, joints, found) != ErrorCode::none) RC_DISCARD("left the workspace");
     RC_ASSERT(((found - joints) / kStep - JointVector(svd.solve(twist))).cwiseAbs().maxCoeff() < 2e-2);
   }));
 }
 
-TEST(KinematicsLaw, GarbageGivesACodeOrFiniteNumbers) {
+TEST(KinematicsLaw, InvalidInputGivesACodeOrFiniteNumbers) {
   EXPECT_TRUE(rc::check([] {
     const ToolKinematics kinematics(any_model());
     Pose pose = Pose::Identity();

@@ -8,7 +8,7 @@
 
 namespace mrroc {
 
-/// The robot of the family that a test executable is about.
+/// The robot of the family that a test executable tests.
 struct RobotUnderTest {
   std::string name;
   RobotModels models;
@@ -37,7 +37,7 @@ inline JointVector per_axis(double AxisParameters::*member) {
   return values;
 }
 
-/// Evenly distributed within the joint limits, without regard to the transmission.
+/// Evenly distributed within the joint limits, ignoring the transmission.
 inline JointVector random_joints(std::mt19937_64& random) {
   const JointVector low = per_axis(&AxisParameters::position_min), high = per_axis(&AxisParameters::position_max);
   JointVector joints(robot().joint_count());
@@ -45,7 +45,7 @@ inline JointVector random_joints(std::mt19937_64& random) {
   return joints;
 }
 
-/// Whether the robot can stand there: joint limits are taken as given, motor limits are looked at.
+/// Whether the robot can reach these joints: only the motor limits are checked.
 inline bool within_motor_limits(const JointVector& joints) {
   JointVector motors;
   if (robot().joints_to_motors(joints, motors) != ErrorCode::none) return false;

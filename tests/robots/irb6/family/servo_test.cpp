@@ -7,7 +7,7 @@ namespace mrroc {
 namespace {
 
 // expected of the original's numbers: tracking error 0.03 to 0.08 rad, peak 3 A, wrist 0.03 A without quantisation
-TEST(Servo, TheOriginalsLawTracksARaisedCosineOnTheDrivesModel) {
+TEST(Servo, OriginalLawTracksARaisedCosineOnTheDrivesModel) {
   for (const AxisParameters& axis : robot().parameters().axes) {
     const Tracking result = track_by_servo(axis, 0);
     std::printf("%-12s worst %.3f rad, final %.1e rad, peak %.3f A\n", axis.name.c_str(), result.worst, result.final,
@@ -20,8 +20,8 @@ TEST(Servo, TheOriginalsLawTracksARaisedCosineOnTheDrivesModel) {
   }
 }
 
-// a simulator or a bus with a clock of its own acts up to one tick late
-TEST(Servo, EveryAxisBearsATickOfDelay) {
+// a simulator or a bus with its own clock acts up to one tick late
+TEST(Servo, EveryAxisToleratesATickOfDelay) {
   for (const AxisParameters& axis : robot().parameters().axes) {
     const Tracking result = track_by_servo(axis, 1);
     EXPECT_LT(result.worst, 0.1) << axis.name;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t kShapeSeed = 20060104;
 
-TEST(Shapes, TheArmDoesNotTouchItselfOrItsPost) {
+TEST(Shapes, ArmDoesNotTouchItselfOrItsPost) {
   Mjcf mjcf(robot_file("xml"));
   std::vector<JointVector> postures{robot().parameters().home};
   JointVector synchro;
@@ -26,7 +26,7 @@ TEST(Shapes, TheArmDoesNotTouchItselfOrItsPost) {
   }
 }
 
-TEST(Shapes, TheWristSiteIsOnTheBodyThatCarriesTheTool) {
+TEST(Shapes, WristSiteIsOnTheBodyThatCarriesTheTool) {
   Mjcf mjcf(robot_file("xml"));
   const int wrist = mj_name2id(mjcf.model.get(), mjOBJ_SITE, "wrist"),
             tool = mj_name2id(mjcf.model.get(), mjOBJ_SITE, "tool");
@@ -37,7 +37,7 @@ TEST(Shapes, TheWristSiteIsOnTheBodyThatCarriesTheTool) {
   EXPECT_EQ(mjcf.model->body_jntnum[body], 0) << "welded, so that the sensor measures all of it";
 }
 
-TEST(Shapes, TheLowestOfTheBaseIsTheFloorBelowTheShoulder) {
+TEST(Shapes, LowestPointOfTheBaseIsTheFloorBelowTheShoulder) {
   Mjcf mjcf(robot_file("xml"));
   mj_kinematics(mjcf.model.get(), mjcf.data.get());
   const int base = mj_name2id(mjcf.model.get(), mjOBJ_BODY, "base");

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint64_t kSwitchSeed = 20060107;
 
-// motors 2 to 4 turn absolute angles: while one runs, the joints after it turn too
-TEST(SynchronisationLaw, FromAnyPostureNoStopIsMetAndTheArmDoesNotTouchItself) {
+// motors 2 to 4 turn absolute angles: while one moves, the joints after it turn too
+TEST(SynchronisationLaw, ReachesNoStopAndNoSelfContactFromAnyPosture) {
   Mjcf mjcf(robot_file("xml"));
   std::mt19937_64 random(kSwitchSeed);
   std::vector<JointVector> starts{robot().parameters().home};

@@ -34,7 +34,7 @@ TEST(TransmissionLaw, MatrixIsTheDerivativeOfMotorsByJoints) {
   }));
 }
 
-TEST(TransmissionLaw, GarbageGivesACodeOrFiniteNumbers) {
+TEST(TransmissionLaw, InvalidInputGivesACodeOrFiniteNumbers) {
   EXPECT_TRUE(rc::check([] {
     const RobotModel& model = any_model();
     const JointVector garbage = any_garbage_joints(robot().joint_count());

@@ -12,7 +12,7 @@ namespace mrroc {
 class Irb60 : public Robot {
  public:
   /// `name`: as in the deployment; empty in an ECP: its own robot. Throws NonFatalError when the deployment has no such
-  /// irb60, ConfigurationError when its parameter file is wrong.
+  /// irb60, ConfigurationError when its parameter file is invalid.
   explicit Irb60(Task& task, const std::string& name = "");
 
   /// The tool pose at (x, y, z) m in the base frame with the tool pointing straight down and its x axis along the

@@ -12,7 +12,7 @@ namespace mrroc {
 class Polycrank : public Robot {
  public:
   /// `name`: as in the deployment; empty in an ECP: its own robot. Throws NonFatalError when the deployment has no such
-  /// polycrank, ConfigurationError when its parameter file is wrong.
+  /// polycrank, ConfigurationError when its parameter file is invalid.
   explicit Polycrank(Task& task, const std::string& name = "");
 
   /// The tool pose at (x, y, z) m in the base frame with the tool pointing straight down and its x axis along the

@@ -12,7 +12,7 @@ namespace mrroc {
 class SerialParallel : public Robot {
  public:
   /// `name`: as in the deployment; empty in an ECP: its own robot. Throws NonFatalError when the deployment has no such
-  /// serial_parallel, ConfigurationError when its parameter file is wrong.
+  /// serial_parallel, ConfigurationError when its parameter file is invalid.
   explicit SerialParallel(Task& task, const std::string& name = "");
 
   /// The tool pose at (x, y, z) m in the base frame with the spindle pointing straight down and its x axis along the

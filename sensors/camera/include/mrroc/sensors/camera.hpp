@@ -9,7 +9,7 @@
 
 namespace mrroc {
 
-/// A camera of the deployment, type `camera`, that looks for one thing: a blob of a colour on a known plane, or an
+/// A camera of the deployment, type `camera`, that finds one object: a blob of a colour on a known plane, or an
 /// ArUco marker. Task's thread.
 ///
 /// Poses are in one frame, the deployment's key `frame`: the base frame of the robot that carries the camera
@@ -19,21 +19,21 @@ namespace mrroc {
 ///
 ///   blob    position: centroid of the blob's outline on the plane; z of the pose is the plane's normal (the side that
 ///           the camera sees), x the direction of the blob's greatest extent, of its two the one nearer to the frame's
-///           x axis: a turn by 180 degrees cannot be told.
+///           x axis: rotations by 180 degrees are indistinguishable.
 ///   marker  position: its middle; x to the marker's right, y to its top, z out of it.
 ///
-/// Nothing found is no error: detected() is false, and what it was asked for is NaN.
+/// Finding nothing is not an error: detected() is false, and the other values are NaN.
 class Camera : public Sensor {
  public:
   /// Throws NonFatalError when the deployment has no such sensor.
   Camera(Task& task, const std::string& name);
 
-  /// Whether the thing is seen; false before the first reading.
+  /// Whether the object is detected; false before the first reading.
   bool detected() const noexcept { return value(0) > 0.5; }
   Pose pose() const noexcept;
   Eigen::Vector3d position() const noexcept;  ///< m
-  /// Standard deviations of the position along the frame's axes, m: what the picture's resolution allows. Errors of the
-  /// camera's own pose and of the plane are not in it.
+  /// Standard deviations of the position along the frame's axes, m, from the picture's resolution. Errors of the
+  /// camera's own pose and of the plane are not included.
   Eigen::Vector3d position_deviation() const noexcept;
   /// Of the orientation, rad: about the plane's normal (blob, pi/2 when it is round), about the worst axis (marker).
   double rotation_deviation() const noexcept { return seen(11); }
@@ -49,11 +49,11 @@ class Camera : public Sensor {
   }
 };
 
-/// The camera sees what it looks for.
+/// The camera sees its object.
 class Seen : public Condition {
  public:
   explicit Seen(const Camera& camera);
-  /// And knows where it is: no standard deviation of the position is above `metres`. Throws
+  /// And its position is accurate: no standard deviation of the position is above `metres`. Throws
   /// NonFatalError(invalid_argument) unless `metres` is above 0.
   Seen(const Camera& camera, double metres);
 

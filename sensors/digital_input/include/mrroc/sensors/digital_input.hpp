@@ -18,7 +18,7 @@ class DigitalSensor : public Sensor {
 
   /// Debounced; false before the first reading.
   bool on() const noexcept { return value(0) > 0.5; }
-  /// How often it has gone from off to on since the start or the last `bias()`, rises between readings included; 0
+  /// The number of changes from off to on since the start or the last `bias()`, rises between readings included; 0
   /// before the first reading.
   std::uint64_t rises() const noexcept { return value(1) > 0 ? static_cast<std::uint64_t>(value(1)) : 0; }
   /// Of the terminal, in its own unit, not debounced. NaN before the first reading.
@@ -37,7 +37,7 @@ class On : public Condition {
   const DigitalSensor* input_;
 };
 
-/// The terminal has gone from off to on since the instruction began, however shortly (but for the debouncing).
+/// The terminal has gone from off to on since the instruction began, even for a moment (except for the debouncing).
 class Risen : public Condition {
  public:
   explicit Risen(const DigitalSensor& input) : Condition(input.name() + " risen"), input_(&input) {}

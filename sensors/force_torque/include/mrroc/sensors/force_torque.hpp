@@ -28,7 +28,7 @@ class ForceTorque : public Sensor {
   Wrench in(const Pose& frame) const noexcept;
 };
 
-/// The force is larger than `newtons`, whatever its direction: |f| > newtons.
+/// The force is larger than `newtons`, in any direction: |f| > newtons.
 class ForceAbove : public Condition {
  public:
   /// Throws NonFatalError(invalid_argument) unless `newtons` is finite and at least 0.
@@ -46,7 +46,7 @@ class ForceAbove : public Condition {
 /// force: pressing along +z is ForceAlongAbove{wrist, {0, 0, -1}, 10}.
 class ForceAlongAbove : public Condition {
  public:
-  /// Throws NonFatalError(invalid_argument) unless all is finite and `direction` is not zero.
+  /// Throws NonFatalError(invalid_argument) unless all values are finite and `direction` is not zero.
   ForceAlongAbove(const ForceTorque& sensor, const Eigen::Vector3d& direction, double newtons);
 
  protected:

@@ -14,12 +14,12 @@ class Infrared : public Sensor {
   /// Throws NonFatalError when the deployment has no such sensor.
   Infrared(Task& task, const std::string& name);
 
-  /// To what the beam meets, m; the sensor's range when nothing is seen. NaN before the first reading.
+  /// Distance to the nearest object, m; the sensor's range without one. NaN before the first reading.
   double distance() const noexcept { return value(0); }
   /// Whether anything is seen; false before the first reading.
   bool detected() const noexcept { return value(1) > 0.5; }
   /// The digital output: on from the deployment's `presence`, m, off beyond `presence` + `hysteresis`, between the two
-  /// as it was. It has seen every servo tick. False before the first reading.
+  /// as it was. It is updated at every servo tick. False before the first reading.
   bool presence() const noexcept { return value(2) > 0.5; }
 };
 

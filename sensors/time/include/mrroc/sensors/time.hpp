@@ -17,7 +17,7 @@ class Time : public Sensor {
 
   /// Since the deployment's tick 0 or the last `bias()`, s. NaN before the first reading.
   double time() const noexcept { return value(0); }
-  /// Number of the deployment's tick at which the time was read; `bias()` leaves it alone. 0 before the first reading.
+  /// Number of the tick at which the time was read; `bias()` does not change it. 0 before the first reading.
   Tick tick() const noexcept { return reading().channel_count > 1 ? static_cast<Tick>(value(1)) : 0; }
 };
 

@@ -7,7 +7,7 @@
 
 namespace mrroc {
 
-/// A tracker of six degrees of freedom, type `tracker`: where a target is, in the frame of the tracker; in the
+/// A tracker of six degrees of freedom, type `tracker`: the pose of a target in the frame of the tracker; in the
 /// simulated world that of the MJCF sensors, mostly the world's. Task's thread.
 class Tracker : public Sensor {
  public:

@@ -13,7 +13,7 @@ class Ultrasonic : public Sensor {
   /// Throws NonFatalError when the deployment has no such sensor.
   Ultrasonic(Task& task, const std::string& name);
 
-  /// To the nearest thing along the beam, m; the sensor's range when nothing is seen. NaN before the first reading.
+  /// Distance to the nearest object, m; the sensor's range without one. NaN before the first reading.
   double distance() const noexcept { return value(0); }
   /// Whether anything is seen; false before the first reading.
   bool detected() const noexcept { return value(1) > 0.5; }

@@ -4,10 +4,12 @@
 
 namespace mrroc {
 
-/// Its only model, of the parameter file `file`; empty: of slide.toml. Throws ConfigurationError when it is wrong.
+/// The only model, from the parameter file `file` (empty: slide.toml). Throws ConfigurationError when the file is
+/// invalid.
 RobotModels load_slide(const std::filesystem::path& file = {});
 
-/// A carriage on a rail, as a task program declares it: `Slide slide{*this};`. Joint 0 is its place along the rail, m.
+/// A carriage on a rail, as a task program declares it: `Slide slide{*this};`. Joint 0 is its position along the rail,
+/// m.
 class Slide : public Robot {
  public:
   explicit Slide(Task& task, const std::string& name = "") : Robot(task, name, "slide", load_slide) {}
