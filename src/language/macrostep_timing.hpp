@@ -6,9 +6,6 @@
 
 namespace mrroc {
 
-/// The robot's desired state is at rest.
-bool rests(const RobotState& state) noexcept;
-
 /// When the robots of one Move or Wait begin their macrosteps, together, and when they reply, so that the next commands
 /// come in time. Both with a margin of ticks, twice as many after each command that came late: a slow machine would
 /// else make the robots brake and start over and over. Task's thread; allocates nothing.
@@ -25,11 +22,13 @@ class MacrostepTiming {
   /// A command came late.
   void allow_more_time() noexcept;
 
+  /// The margin of a start from rest, ticks; of the usual macrostep's reply (N = 10, v = 8), too.
+  static constexpr Tick kFirstMargin = 2;
+
  private:
   void align_starts(const std::vector<Robot*>& robots, Tick now);
 
-  static constexpr Tick kFirstMargin = 2;  // of the usual macrostep, 10 / 8, too
-  Tick start_ = 0;                         ///< of the last commands, 0 when they did not start from rest
+  Tick start_ = 0;  ///< of the last commands, 0 when they did not start from rest
   Tick margin_ = kFirstMargin;
 };
 

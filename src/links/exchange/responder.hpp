@@ -11,6 +11,9 @@
 
 namespace mrroc::links {
 
+template <class Request, class Reply>
+class Requester;
+
 /// The answering side of a link; it answers the requester's hand-shake on its own. The participant's thread calls it.
 /// <Request, Reply> as for `Requester`.
 template <class Request, class Reply>
@@ -25,11 +28,14 @@ class Responder {
 
   /// Answers the request taken last. One that has been overtaken by another is not answered any more: false.
   bool reply(const Reply& reply, std::uint64_t sequence);
+  /// As `reply`, with the reply that `requester` has received last, as it came.
+  bool forward(Requester<Request, Reply>& requester, std::uint64_t sequence);
 
   bool peer_alive() const noexcept { return reader_.peer_alive(); }
   ReaderCounters counters() const noexcept { return reader_.counters(); }
 
  private:
+  friend class Requester<Request, Reply>;
   const double max_age_;
   Writer<Reply> writer_;
   Reader<Request> reader_;
