@@ -13,7 +13,8 @@ Task::Task()
                   process::BuildScope::process().topic(process::BuildScope::process().name())),
       mp_(process().domain(), process().clock(), process().topic(process().name() + "/mp"),
           process().deployment().heartbeat_timeout),
-      edp_(&robot_link(process().name(), process().deployment().robot(process().name()).type)) {}
+      edp_(&robot_link(process().name(), process().deployment().robot(process().name()).type)),
+      requester_(dynamic_cast<links::RobotRequester*>(edp_)) {}
 
 std::string Task::robot_name(const std::string& requested) const {
   if (requested.empty() || requested == process_name()) return process_name();
@@ -24,7 +25,7 @@ std::string Task::robot_name(const std::string& requested) const {
 
 std::string Task::robot_topic(const std::string& name) const { return process().topic(name); }
 
-std::string Task::robot_peer(const std::string& name) const { return name + "_edp"; }
+std::string Task::robot_peer(const std::string& name) const { return process().deployment().robot(name).edp_process(); }
 
 void Task::run_started() try {
   if (started().label.empty())
@@ -44,8 +45,7 @@ void Task::come_to_rest() {
   do {
     edp_->send(command_);
     edp_->receive(state_);
-  } while (state_.error.error_class == ErrorClass::none &&
-           !(state_.desired_velocity.isZero(0) && state_.desired_acceleration.isZero(0)));
+  } while (state_.error.error_class == ErrorClass::none && !state_.at_rest());
 }
 
 void Task::tell_parcel(const Parcel& parcel) {
@@ -59,9 +59,15 @@ void Task::tell_parcel(const Parcel& parcel) {
 void Task::relay() {
   std::uint64_t sequence = 0;
   while (mp_.take(command_, sequence)) {
-    edp_->send(command_);
-    edp_->receive(state_);
-    mp_.reply(state_, sequence);
+    if (requester_ != nullptr) {
+      requester_->forward(mp_, command_);
+      requester_->receive(state_);
+      mp_.forward(*requester_, sequence);
+    } else {
+      edp_->send(command_);
+      edp_->receive(state_);
+      mp_.reply(state_, sequence);
+    }
   }
 }
 

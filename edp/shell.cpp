@@ -7,6 +7,7 @@
 
 #include "clock/wall/monotonic.hpp"
 #include "config/drives/drive_table.hpp"
+#include "config/robot_place.hpp"
 #include "edp/check/robot_check.hpp"
 #include "edp/command/effector.hpp"
 #include "edp/describe.hpp"
@@ -28,20 +29,6 @@ namespace mrroc::edp {
 
 namespace {
 
-/// The robot's entry, and its index in the deployment: the EDP's process is called <robot>_edp.
-struct Place {
-  std::size_t index;
-  const config::RobotEntry& entry;
-};
-
-Place place_of(const process::Process& process) {
-  const auto& robots = process.deployment().robots;
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (robots[i].name + "_edp" == process.name()) return {i, robots[i]};
-  }
-  throw SystemError(ErrorCode::configuration, "the deployment has no robot for the process " + process.name());
-}
-
 constexpr std::int64_t kPatienceWithBus = 10 * clock::kSecond;
 
 /// The simulated drives may not have made the hub's socket yet.
@@ -62,7 +49,7 @@ class Shell {
  public:
   Shell(process::Process& process, const ModelFactory& factory)
       : process_(process),
-        place_(place_of(process)),
+        place_(config::robot_of_process(process.deployment(), process.name())),
         models_(load_models(factory)),
         model_set_(models_),
         hardware_(open_hardware()),
@@ -224,7 +211,7 @@ class Shell {
   }
 
   process::Process& process_;
-  Place place_;
+  config::RobotPlace place_;
   RobotModels models_;
   ModelSet model_set_;
   std::optional<world::MappedWorld> world_;

@@ -28,9 +28,9 @@ SensorSource::SensorSource(const mjModel& model, const std::string& name, const 
     throw config::ConfigurationError({}, 0, key, "the simulated world has no sensor of this name",
                                      "\"" + name + "\"" + in_robot + " among those that exist: " + all_sensors(model));
   }
-  if (addresses_.size() > world::kMaxHardwareValues) {
+  if (addresses_.size() > kMaxRawValues) {
     throw config::ConfigurationError({}, 0, key, std::to_string(addresses_.size()) + " values",
-                                     "at most " + std::to_string(world::kMaxHardwareValues));
+                                     "at most " + std::to_string(kMaxRawValues));
   }
 }
 
@@ -45,7 +45,7 @@ bool SensorSource::take(const mjModel& model, const std::string& prefix) {
   return found;
 }
 
-void SensorSource::read(const mjData& data, world::HardwareReading& reading) const noexcept {
+void SensorSource::read(const mjData& data, RawReading& reading) const noexcept {
   reading.count = static_cast<std::uint32_t>(addresses_.size());
   for (std::size_t i = 0; i < addresses_.size(); ++i) reading.values[i] = data.sensordata[addresses_[i]];
 }

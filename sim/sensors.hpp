@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mrroc/raw_reading.hpp"
 #include "sim/scene/model.hpp"
 #include "world/world_memory.hpp"
 
@@ -22,7 +23,7 @@ class SensorSource {
   SensorSource(const mjModel& model, const std::string& name, const std::string& type, const std::string& robot);
 
   /// Copies the present values. No allocation; never throws.
-  void read(const mjData& data, world::HardwareReading& reading) const noexcept;
+  void read(const mjData& data, RawReading& reading) const noexcept;
 
  private:
   bool take(const mjModel& model, const std::string& prefix);

@@ -159,7 +159,7 @@ void Simulation::take_drive(Slot& slot, Tick tick) {
 void Simulation::publish(Tick tick) {
   tick_ = tick;
   for (const SensorSlot& slot : sensors_) {
-    world::HardwareReading reading{};
+    RawReading reading{};
     reading.tick = tick;
     slot.source.read(world_.data(), reading);
     memory_.readings[slot.memory].store(reading);

@@ -8,6 +8,7 @@ namespace {
 
 std::atomic<std::uint64_t> of_process{0};
 thread_local std::uint64_t of_thread = 0;
+std::atomic<std::uint64_t> freed{0};
 
 }  // namespace
 
@@ -15,6 +16,7 @@ namespace mrroc::test {
 
 std::uint64_t allocations() noexcept { return of_process.load(); }
 std::uint64_t thread_allocations() noexcept { return of_thread; }
+std::uint64_t frees() noexcept { return freed.load(); }
 void count_allocation() noexcept {
   of_process.fetch_add(1);
   ++of_thread;
@@ -60,6 +62,11 @@ void* aligned(std::size_t size, std::align_val_t alignment) {
   throw std::bad_alloc();
 }
 
+void release(void* memory) noexcept {
+  if (memory != nullptr) freed.fetch_add(1, std::memory_order_relaxed);
+  std::free(memory);
+}
+
 }  // namespace
 
 // all forms: a sanitizer's would not be counted, and do not match this delete
@@ -74,11 +81,11 @@ void* aligned(std::size_t size, std::align_val_t alignment) {
 [[gnu::noinline]] void* operator new[](std::size_t size, std::align_val_t alignment) {
   return aligned(size, alignment);
 }
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete[](void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { release(memory); }
+[[gnu::noinline]] void operator delete[](void* memory) noexcept { release(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+[[gnu::noinline]] void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
+[[gnu::noinline]] void operator delete[](void* memory, std::align_val_t) noexcept { release(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+[[gnu::noinline]] void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }

@@ -8,6 +8,8 @@ namespace mrroc::test {
 /// linked statically (Eigen's included). Tests link `allocation_count`. Any thread.
 std::uint64_t allocations() noexcept;         ///< of this process
 std::uint64_t thread_allocations() noexcept;  ///< of the calling thread
+/// Memory of operator new that this process has given back so far. Any thread.
+std::uint64_t frees() noexcept;
 
 /// Counts one allocation of another allocator.
 void count_allocation() noexcept;

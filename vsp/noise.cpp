@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mrroc/fnv.hpp"
+
 namespace mrroc::vsp {
 
 namespace {
@@ -15,19 +17,12 @@ std::uint64_t mix(std::uint64_t z) noexcept {
   return z ^ (z >> 31);
 }
 
-/// FNV-1a.
-std::uint64_t hash(std::string_view text) noexcept {
-  std::uint64_t value = 0xcbf29ce484222325;
-  for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return value;
-}
-
 /// [0, 1) from the upper 53 bits.
 double fraction(std::uint64_t bits) noexcept { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
 }  // namespace
 
-Noise::Noise(std::string_view name) noexcept : seed_(hash(name)) {}
+Noise::Noise(std::string_view name) noexcept : seed_(Fnv1a{}.add(name).value()) {}
 
 std::uint64_t Noise::bits(Tick tick, std::uint64_t index) const noexcept { return mix(seed_ ^ mix(tick ^ mix(index))); }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "links/exchange/caller.hpp"
 #include "mrroc/sensor_link.hpp"
 #include "vsp/effector_states.hpp"
 #include "vsp/raw_watch.hpp"
@@ -11,11 +12,7 @@
 
 namespace mrroc::vsp {
 
-/// Identifies the sender of a request; returned with the reply.
-struct Caller {
-  std::size_t client = 0;      ///< the shell's number of the link
-  std::uint64_t sequence = 0;  ///< of the request on that link
-};
+using links::Caller;
 
 /// The destination of readings: the shell's links. A sink forwards complete readings and never waits for a reader.
 class ReadingSink {

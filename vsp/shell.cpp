@@ -46,7 +46,7 @@ class Shell : private ReadingSink {
     sampler_.watch(RawWatch(entry_, sensor_->raw_channels(), process_.clock().period()));
     if (follows()) {
       effector_.emplace(process_.domain(), process_.clock(), process_.topic(entry_.robot), entry_.name,
-                        entry_.robot + "_edp");
+                        process_.deployment().robot(entry_.robot).edp_process());
       effector_->connect(process_.deployment().start_timeout);
     }
     process_.start();
@@ -79,16 +79,11 @@ class Shell : private ReadingSink {
 
   void take_requests() {
     SensorRequest request;
-    links::SensorResponder::Ticket ticket;
-    while (responder_.take(request, ticket)) {
-      const Caller caller{static_cast<std::uint32_t>(ticket.client), ticket.sequence};
-      sampler_.on_request(caller, request, process_.clock().tick(), *this);
-    }
+    Caller caller;
+    while (responder_.take(request, caller)) sampler_.on_request(caller, request, process_.clock().tick(), *this);
   }
 
-  void reply(const Caller& caller, const SensorReading& reading) override {
-    responder_.reply(reading, {caller.client, caller.sequence});
-  }
+  void reply(const Caller& caller, const SensorReading& reading) override { responder_.reply(reading, caller); }
   void publish(const SensorReading& reading) override { responder_.publish(reading); }
 
   process::Process& process_;

@@ -7,8 +7,6 @@
 
 namespace mrroc::vsp {
 
-static_assert(kMaxRawValues >= world::kMaxHardwareValues);
-
 SimulatedSource::SimulatedSource(const world::WorldMemory& world, std::size_t slot, Tick silent_after)
     : slot_(slot < world::kMaxSensors ? &world.readings[slot] : nullptr), silent_after_(silent_after) {
   if (slot_ == nullptr) {
@@ -21,9 +19,8 @@ SourceState SimulatedSource::read(Tick wanted, RawReading& raw) noexcept {
   there_ = slot_->load(newest_) || there_;  // during a write the previous reading stays
   if (wanted > newest_.tick && wanted - newest_.tick > silent_after_) return SourceState::silent;
   if (!there_) return SourceState::not_ready;
-  raw.tick = newest_.tick;
-  raw.count = std::min(newest_.count, static_cast<std::uint32_t>(world::kMaxHardwareValues));
-  std::copy_n(newest_.values.begin(), raw.count, raw.values.begin());
+  raw = newest_;
+  raw.count = std::min(raw.count, std::uint32_t{kMaxRawValues});
   return SourceState::ready;
 }
 

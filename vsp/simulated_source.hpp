@@ -17,9 +17,9 @@ class SimulatedSource final : public Source {
   SourceState read(Tick wanted, RawReading& raw) noexcept override;
 
  private:
-  const core::SharedSlot<world::HardwareReading>* slot_;
+  const core::SharedSlot<RawReading>* slot_;
   Tick silent_after_;
-  world::HardwareReading newest_{};
+  RawReading newest_{};
   bool there_ = false;  ///< `newest_` is valid
 };
 

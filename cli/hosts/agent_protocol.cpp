@@ -1,27 +1,19 @@
 #include "cli/hosts/agent_protocol.hpp"
 
-#include <charconv>
 #include <stdexcept>
 
 #include "config/drives/drive_objects.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/text/file_text.hpp"
 #include "core/number_text.hpp"
+#include "mrroc/fnv.hpp"
 
 namespace mrroc::cli {
 
 namespace {
 
-/// FNV-1a, the hash of traces: it distinguishes files but does not protect against attacks.
 std::string hash_of(const std::filesystem::path& file) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char character : config::read_file(file)) {
-    hash ^= static_cast<unsigned char>(character);
-    hash *= 0x100000001b3U;
-  }
-  char text[17] = "";
-  std::to_chars(text, text + 16, hash, 16);
-  return text;
+  return core::hexadecimal(Fnv1a{}.add(config::read_file(file)).value());
 }
 
 int number_in(const std::string& line, std::int64_t most) {

@@ -82,7 +82,6 @@ void merge_traces(const std::vector<std::filesystem::path>& parts, config::Clock
 std::string hash_trace(const std::filesystem::path& trace) {
   std::ifstream file(trace, std::ios::binary);
   if (!file) throw std::runtime_error("cannot read the trace " + trace.string());
-  std::uint64_t hash = 0xcbf29ce484222325U;
   std::string text;
   const bool any = static_cast<bool>(std::getline(file, text));
   take_off_extras(text, true);
@@ -90,18 +89,12 @@ std::string hash_trace(const std::filesystem::path& trace) {
     throw std::runtime_error(trace.string() + ":1: is not a trace, expected the line \"" + std::string{kTraceHeader} +
                              "...\"");
   }
+  Fnv1a hash;
   while (std::getline(file, text)) {
     take_off_extras(text, false);
-    text += '\n';
-    for (const char character : text) {
-      hash ^= static_cast<unsigned char>(character);
-      hash *= 0x100000001b3U;
-    }
+    hash.add(text).add("\n");
   }
-  const char* const digits = "0123456789abcdef";
-  std::string result(16, '0');
-  for (std::size_t i = 0; i < 16; ++i) result[15 - i] = digits[(hash >> (4 * i)) & 15U];
-  return result;
+  return core::hexadecimal(hash.value());
 }
 
 }  // namespace mrroc::cli

@@ -7,9 +7,9 @@ std::vector<PlannedProcess> plan_processes(const config::Deployment& deployment)
   if (deployment.sim) plan.push_back({"sim", deployment.sim->program, clock::Part::world, false, deployment.sim->host});
   for (const config::RobotEntry& robot : deployment.robots)
     if (robot.can && robot.can->simulated)
-      plan.push_back({robot.name + "_drives", robot.can->program, clock::Part::world, false, robot.host});
+      plan.push_back({robot.drives_process(), robot.can->program, clock::Part::world, false, robot.host});
   for (const config::RobotEntry& robot : deployment.robots) {
-    plan.push_back({robot.name + "_edp", robot.edp_program, clock::Part::drives, false, robot.host});
+    plan.push_back({robot.edp_process(), robot.edp_program, clock::Part::drives, false, robot.host});
   }
   for (const config::SensorEntry& sensor : deployment.sensors) {
     plan.push_back({sensor.name, sensor.vsp_program, clock::Part::task, false, sensor.host});

@@ -169,7 +169,7 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   macrostep_.epoch = epoch_;
   macrostep_.with_outputs = moves && command.with_outputs;
   macrostep_.outputs = command.outputs;
-  macrostep_.start = std::max(at, command.start_tick);
+  macrostep_.start = command.first_tick(at, 0);
   if (stop_first) hand_over_.macrosteps.push(stop_);
   hand_over_.macrosteps.push(macrostep_);
   end_ = macrostep_.to;

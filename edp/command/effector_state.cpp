@@ -35,11 +35,9 @@ void Effector::fill_present(RobotState& state) const noexcept {
 
 void Effector::fill(const Snapshot& snapshot, const DesiredState& end, Tick end_tick,
                     RobotState& state) const noexcept {
-  state.tick = snapshot.tick;
-  state.joints = snapshot.joints;
-  state.joint_velocity = snapshot.velocity;
-  state.motors = snapshot.motors;
-  state.current = snapshot.current;
+  static_cast<MeasuredState&>(state) = snapshot;
+  state.model = model_;  // the model that gives the poses
+  state.wrench = mount_ ? seen_from(mount_->inverse() * tool_, snapshot.wrench) : Wrench::Zero();
   state.pose = planner_.kinematics().direct(snapshot.joints);
   state.macrostep_start = macrostep_start_;
   state.desired_tick = end_tick;
@@ -47,14 +45,7 @@ void Effector::fill(const Snapshot& snapshot, const DesiredState& end, Tick end_
   state.desired_velocity = end.velocity;
   state.desired_acceleration = end.acceleration;
   state.desired_pose = planner_.kinematics().direct(end.position);
-  state.model = model_;
   state.tool = tool_;
-  state.wrench = mount_ ? seen_from(mount_->inverse() * tool_, snapshot.wrench) : Wrench::Zero();
-  state.lost = snapshot.lost;
-  state.inputs = snapshot.inputs;
-  state.outputs = snapshot.outputs;
-  state.regulators = snapshot.regulators;
-  state.synchronised = snapshot.synchronised;
   state.enabled = snapshot.enabled();
   state.late_commands = counters_.late;
   state.error =

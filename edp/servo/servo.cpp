@@ -168,7 +168,7 @@ bool Servo::publish(Tick tick) noexcept {
 
   snapshot_.tick = tick;
   snapshot_.joints = joints_;
-  snapshot_.velocity = velocity_;
+  snapshot_.joint_velocity = velocity_;
   snapshot_.motors = measured_motors_;
   snapshot_.current = input_.current;
   snapshot_.synchronised = input_.synchronised && model_index_ != ModelSet::kShafts;

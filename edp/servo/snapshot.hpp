@@ -9,16 +9,13 @@
 
 namespace mrroc::edp {
 
-/// The state of the servo at the end of a tick, for the comms side.
-struct Snapshot {
-  Tick tick = 0;
-  JointVector joints, velocity, motors, current;  ///< measured
-  bool synchronised = false;
+/// The servo's state at the end of a tick, as the comms side reads it. `wrench` is in the axes and about the origin of
+/// the force sensor's frame.
+struct Snapshot : MeasuredState {
   bool drives_home = false;  ///< Hardware::homes
   ServoState state = ServoState::off;
   Fault fault;
-  LimitSwitches switches;      ///< on which the axes are
-  std::uint8_t model = 0;      ///< in use: index in the ModelSet
+  LimitSwitches switches;      ///< on which the axes stand
   std::uint32_t orders = 0;    ///< how many DriveOrders have been obeyed
   std::uint32_t epoch = 0;     ///< counts how often the servo left the accepted plan (braked, was switched on or off)
   bool braking = false;        ///< the epoch began by braking because no successor came
@@ -26,10 +23,6 @@ struct Snapshot {
   DesiredState end;            ///< end of the macrostep or stop under way; `desired` when the robot rests
   Tick end_tick = 0;           ///< when `end` is reached; `tick` when the robot rests
   std::uint64_t finished = 0;  ///< ticket of the last macrostep that ended or was given up
-  Wrench wrench = Wrench::Zero();  ///< axes and origin of the force sensor's frame
-  double lost = 0;                 ///< as in RobotState
-  Signals inputs, outputs;
-  std::uint8_t regulators = 0;      ///< set in use
   std::uint32_t interruptions = 0;  ///< counts the motions that were given up for `interruption`
   ErrorReport interruption;         ///< non-fatal: the robot braked and holds
   ServoCounters counters;

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mrroc/fnv.hpp"
 #include "mrroc/message_field.hpp"
 #include "mrroc/parcel.hpp"
 
@@ -59,17 +60,10 @@ struct MessageSchema {
 
 namespace detail {
 
-/// FNV-1a, 64 bit, extended by one field.
-constexpr std::uint64_t hash_field(std::uint64_t hash, std::string_view name, FieldKind kind, std::size_t size) {
-  const auto add = [&hash](std::uint64_t byte) { hash = (hash ^ byte) * 0x100000001b3U; };
-  for (const char c : name) add(static_cast<unsigned char>(c));
-  add(static_cast<std::uint64_t>(kind) + 1);
-  add(size & 0xff);
-  add(size >> 8);
-  return hash;
+constexpr void hash_field(Fnv1a& hash, std::string_view name, FieldKind kind, std::size_t size) {
+  hash.add(name).add(static_cast<unsigned char>(static_cast<unsigned char>(kind) + 1));
+  hash.add(std::uint64_t{size});
 }
-
-constexpr std::uint64_t kHashOffset = 0xcbf29ce484222325U;
 
 template <class T>
 constexpr std::size_t size_of() {
@@ -81,11 +75,12 @@ constexpr std::size_t size_of() {
 
 template <class T>
 constexpr std::uint64_t fingerprint_of() {
-  std::uint64_t hash = hash_field(kHashOffset, mrroc_label(static_cast<const T*>(nullptr)), FieldKind::number, 0);
+  Fnv1a hash;
+  hash_field(hash, mrroc_label(static_cast<const T*>(nullptr)), FieldKind::number, 0);
   mrroc_visit(static_cast<const T*>(nullptr), [&hash]<class Field>(const char* name, Field T::*) {
-    hash = hash_field(hash, name, FieldOf<Field>::kKind, FieldOf<Field>::kSize);
+    hash_field(hash, name, FieldOf<Field>::kKind, FieldOf<Field>::kSize);
   });
-  return hash;
+  return hash.value();
 }
 
 /// Throws NonFatalError(invalid_argument): the parcel's type is not the expected one.

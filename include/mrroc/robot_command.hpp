@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "mrroc/force_law.hpp"
 #include "mrroc/signals.hpp"
 #include "mrroc/types.hpp"
@@ -71,6 +73,11 @@ struct RobotCommand {
   std::uint8_t choice = 0;                              ///< of `use_model`, `use_regulators`: index in the robot's list
   bool with_outputs = false;                            ///< of a motion: `outputs` from the macrostep's tick 0 on
   Signals outputs;
+
+  /// Tick 0 of the macrostep, when the one before ends at tick `end` and the command arrives at tick `now`.
+  Tick first_tick(Tick end, Tick now) const noexcept { return std::max({start_tick, end, now}); }
+  /// The tick of the reply, then.
+  Tick reply_tick(Tick end, Tick now) const noexcept { return first_tick(end, now) + reply_step; }
 };
 
 inline constexpr std::uint16_t kMaxMotionSteps = 10000;

@@ -3,23 +3,20 @@
 Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
 """
 
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 
 
-def values(line, sensor):
-    """(tick, position, velocity) of a sensor in one line of the trace."""
-    tick, position, velocity = re.search(rf" sensor={sensor} tick=(\d+) values=([^ ,]+),([^ \n]+)", line).groups()
-    return int(tick), float(position), float(velocity)
-
-
 def main():
     trace, out = sys.argv[1:3]
-    with open(trace, encoding="ascii") as lines:
-        steps = [(values(line, "fine"), values(line, "coarse")) for line in lines if " sensor=fine" in line]
+    readings = [step.sensors for step in mrroc_trace.steps(trace) if step.sensors]
+    steps = [[(sensors[name].tick, *sensors[name].values) for name in ("fine", "coarse")] for sensors in readings]  # (tick, position, velocity)
     with open(out + ".dat", "w", encoding="ascii") as data:
         for fine, coarse in steps:
             data.write(f"{fine[0] * SERVO_PERIOD} {fine[1]} {coarse[1]} {fine[2]}\n")

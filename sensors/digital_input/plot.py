@@ -3,23 +3,20 @@
 Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
 """
 
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 
 
-def values(line, sensor):
-    """(tick, on, rises, level) of a sensor in one line of the trace."""
-    tick, channels = re.search(rf" sensor={sensor} tick=(\d+) values=([^ \n]+)", line).groups()
-    return (int(tick), *(float(channel) for channel in channels.split(",")))
-
-
 def main():
     trace, out = sys.argv[1:3]
-    with open(trace, encoding="ascii") as lines:
-        steps = [(values(line, "touched"), values(line, "settled")) for line in lines if " sensor=" in line]
+    readings = [step.sensors for step in mrroc_trace.steps(trace) if step.sensors]
+    steps = [[(sensors[name].tick, *sensors[name].values) for name in ("touched", "settled")] for sensors in readings]  # (tick, on, rises, level)
     with open(out + ".dat", "w", encoding="ascii") as data:
         for touched, settled in steps:
             data.write(f"{touched[0] * SERVO_PERIOD} {touched[2]} {settled[2]} {settled[1]} {touched[3]}\n")

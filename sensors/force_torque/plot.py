@@ -3,9 +3,12 @@
 Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
 """
 
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 
@@ -17,16 +20,13 @@ def norms(values):
 def main():
     trace, out = sys.argv[1:3]
     steps, held = [], []
-    with open(trace, encoding="ascii") as lines:
-        for line in lines:
-            found = {name: [float(v) for v in values.split(",")]
-                     for name, values in re.findall(r" sensor=(\w+) tick=\d+ values=(\S+)", line)}
-            if len(found) != 2:
-                continue
-            tick = int(re.search(r" sensor=wrist tick=(\d+)", line).group(1))
-            steps.append((tick, found["plain"], found["wrist"]))
-            if " end" in line and 'move="Hold"' in line:
-                held.append(norms(found["wrist"]))
+    for step in mrroc_trace.steps(trace):
+        if len(step.sensors) != 2:
+            continue
+        plain, wrist = step.sensors["plain"], step.sensors["wrist"]
+        steps.append((wrist.tick, plain.values, wrist.values))
+        if step.ending and step.move == "Hold":
+            held.append(norms(wrist.values))
     with open(out + ".dat", "w", encoding="ascii") as data:
         for tick, plain, wrist in steps:
             data.write(" ".join(str(v) for v in (tick * SERVO_PERIOD, *plain[:3], *norms(wrist), *norms(plain))) + "\n")

@@ -3,9 +3,12 @@
 Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
 """
 
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 
@@ -13,12 +16,9 @@ SERVO_PERIOD = 0.002  # s, the deployment's
 def main():
     trace, out = sys.argv[1:3]
     readings = {}
-    with open(trace, encoding="ascii") as lines:
-        for line in lines:
-            found = dict(re.findall(r" sensor=(\w+) tick=\d+ values=(\S+)", line))
-            if found:
-                tick = int(re.search(r" sensor=eye tick=(\d+)", line).group(1))
-                readings[tick] = [[float(value) for value in found[name].split(",")] for name in ("eye", "chattering")]
+    for step in mrroc_trace.steps(trace):
+        if step.sensors:
+            readings[step.sensors["eye"].tick] = [step.sensors[name].values for name in ("eye", "chattering")]
     changes = [0, 0]
     before = None
     with open(out + ".dat", "w", encoding="ascii") as data:

@@ -3,9 +3,12 @@
 Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
 """
 
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 
@@ -13,16 +16,13 @@ SERVO_PERIOD = 0.002  # s, the deployment's
 def main():
     trace, out = sys.argv[1:3]
     questions = {}  # instruction: [sensor, first tick, last tick, answer]
-    with open(trace, encoding="ascii") as lines:
-        for line in lines:
-            found = re.search(r" instruction=(\d+) .* sensor=(\S+) tick=(\d+) values=([^ ,]+),([^ \n]+)", line)
-            if found is None:
-                continue
-            instruction, sensor, tick, answered, value = found.groups()
-            question = questions.setdefault(instruction, [sensor, int(tick), int(tick), None])
-            question[2] = int(tick)
-            if float(answered) > 0:
-                question[3] = float(value)
+    for step in mrroc_trace.steps(trace):
+        for name, sensor in step.sensors.items():
+            question = questions.setdefault(step.instruction, [name, sensor.tick, sensor.tick, None])
+            question[2] = sensor.tick
+            answered, value = sensor.values
+            if answered > 0:
+                question[3] = value
     rows = sorted({question[0] for question in questions.values()})
     with open(out + ".dat", "w", encoding="ascii") as data:
         for sensor, first, last, answer in questions.values():

@@ -3,24 +3,26 @@
 Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
 """
 
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 
 
 def main():
     trace, out = sys.argv[1:3]
-    with open(trace, encoding="ascii") as lines:
-        readings = re.findall(r" instruction=(\d+) .* sensor=watch tick=\d+ values=([^ ,]+),([^ \n]+)", lines.read())
+    readings = [(step.instruction, *step.sensors["watch"].values) for step in mrroc_trace.steps(trace) if step.sensors]
     with open(out + ".dat", "w", encoding="ascii") as data:
         before = None
         for instruction, time, tick in readings:
             if before not in (None, instruction):
                 data.write("\n")  # zeroed: no line from there to here
             before = instruction
-            data.write(f"{float(tick) * SERVO_PERIOD} {time}\n")
+            data.write(f"{tick * SERVO_PERIOD} {str(time).removesuffix('.0')}\n")
     script = f"""
 set terminal pngcairo size 900,420 font 'sans,11'
 set output '{out}.png'
@@ -31,7 +33,7 @@ set grid
 plot '{out}.dat' with lines linewidth 2 linecolor '#0072bd' notitle
 """
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
-    print(f"{len(readings)} readings, the last at tick {readings[-1][2]}")
+    print(f"{len(readings)} readings, the last at tick {readings[-1][2]:.0f}")
 
 
 if __name__ == "__main__":

@@ -3,9 +3,12 @@
 Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
 """
 
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 SENSORS = ("cone", "ray", "rough", "smooth")
@@ -14,11 +17,10 @@ SENSORS = ("cone", "ray", "rough", "smooth")
 def main():
     trace, out = sys.argv[1:3]
     seen = {sensor: {} for sensor in SENSORS}
-    with open(trace, encoding="ascii") as lines:
-        for line in lines:
-            for sensor, tick, values in re.findall(r" sensor=(\w+) tick=(\d+) values=(\S+)", line):
-                distance, detected = (float(value) for value in values.split(",")[:2])
-                seen[sensor][int(tick)] = distance if detected else None
+    for step in mrroc_trace.steps(trace):
+        for name, sensor in step.sensors.items():
+            distance, detected = sensor.values[:2]
+            seen[name][sensor.tick] = distance if detected else None
     with open(out + ".dat", "w", encoding="ascii") as data:
         for tick in sorted(seen["cone"]):
             columns = [seen[sensor].get(tick) for sensor in SENSORS]

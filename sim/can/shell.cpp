@@ -11,6 +11,7 @@
 #include "can/hub.hpp"
 #include "clock/wall/monotonic.hpp"
 #include "config/drives/drive_table.hpp"
+#include "config/robot_place.hpp"
 #include "edp/drivers/mujoco_hardware.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
@@ -26,24 +27,12 @@ namespace {
 constexpr std::string_view kHub = "unix:";
 constexpr Tick kGlanceTicks = 10;  // without a SYNC, after which the master counts as gone
 
-struct Place {
-  std::size_t index;
-  const config::RobotEntry& entry;
-};
-
-Place place_of(const process::Process& process) {
-  const auto& robots = process.deployment().robots;
-  for (std::size_t i = 0; i < robots.size(); ++i)
-    if (robots[i].name + "_drives" == process.name()) return {i, robots[i]};
-  throw SystemError(ErrorCode::configuration, "the deployment has no robot for the process " + process.name());
-}
-
 /// The simulated drives of one robot: the hardware of its EDP, which reaches them by the bus alone.
 class Drives {
  public:
   Drives(process::Process& process, const ModelFactory& factory)
       : process_(process),
-        place_(place_of(process)),
+        place_(config::robot_of_process(process.deployment(), process.name())),
         models_(factory(place_.entry.parameters)),
         world_(world::MappedWorld::attach(process.arguments().world_fd)),
         plant_(*models_.front(), *world_, place_.index, MujocoHardware::Timing::newest, place_.entry.synchronised),
@@ -119,7 +108,7 @@ class Drives {
   }
 
   process::Process& process_;
-  Place place_;
+  config::RobotPlace place_;
   RobotModels models_;
   world::MappedWorld world_;
   MujocoHardware plant_;

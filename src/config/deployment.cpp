@@ -107,8 +107,8 @@ void refuse_name_of_robot(const Table& sensor, const std::string& name, const De
 void refuse_names_of_robots_processes(const Table& root, const Deployment& deployment) {
   const auto check = [&](const std::string& kind, const std::string& name) {
     for (const auto& robot : deployment.robots) {
-      const bool edp = robot.name + "_edp" == name;
-      if (edp || (robot.can && robot.can->simulated && robot.name + "_drives" == name)) {
+      const bool edp = robot.edp_process() == name;
+      if (edp || (robot.can && robot.can->simulated && robot.drives_process() == name)) {
         root.table(kind).table(name).fail(
             "", in_quotes(name) + (edp ? " is the EDP of robot " : " are the drives of robot ") + in_quotes(robot.name),
             "a unique name");

@@ -58,6 +58,9 @@ struct RobotEntry {
   std::string edp_program;  ///< the type's `<type>_edp`, absolute path
 
   RobotFiles files() const { return robot_files(type, parameters); }
+  /// Names of the processes of its EDP and of its simulated drives.
+  std::string edp_process() const { return name + "_edp"; }
+  std::string drives_process() const { return name + "_drives"; }
   /// Whether its motors drive joints of the simulated world.
   bool in_world() const { return hardware == "mujoco" || (can && can->simulated); }
 };

@@ -25,9 +25,10 @@ const char* describe(FieldKind kind) noexcept {
 }
 
 std::uint64_t MessageSchema::fingerprint() const noexcept {
-  std::uint64_t hash = detail::hash_field(detail::kHashOffset, label, FieldKind::number, 0);
-  for (const MessageFieldEntry& field : fields) hash = detail::hash_field(hash, field.name, field.kind, field.size);
-  return hash;
+  Fnv1a hash;
+  detail::hash_field(hash, label, FieldKind::number, 0);
+  for (const MessageFieldEntry& field : fields) detail::hash_field(hash, field.name, field.kind, field.size);
+  return hash.value();
 }
 
 namespace detail {

@@ -78,6 +78,12 @@ std::optional<std::uint64_t> to_literal(std::string_view text) noexcept {
   return negative ? 0 - value : value;
 }
 
+std::string hexadecimal(std::uint64_t value) {
+  std::string text(16, '0');
+  for (auto digit = text.rbegin(); digit != text.rend(); ++digit, value >>= 4) *digit = "0123456789abcdef"[value & 15U];
+  return text;
+}
+
 std::string number_problem(std::string_view text) {
   if (text.empty()) return "is empty";
   if (const auto odd = odd_character(text)) return "has " + odd->text + " at character " + std::to_string(odd->column);

@@ -38,6 +38,9 @@ std::optional<Whole> to_whole(std::string_view text) noexcept {
 /// two's complement.
 std::optional<std::uint64_t> to_literal(std::string_view text) noexcept;
 
+/// The sixteen lower-case hexadecimal digits of `value`.
+std::string hexadecimal(std::uint64_t value);
+
 /// Why `text` is not the number that was expected: "is empty", "has a decimal comma", "has U+00A0 at character 3", or
 /// "is not a number". Only for texts that one of the functions above refused.
 std::string number_problem(std::string_view text);

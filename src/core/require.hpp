@@ -5,8 +5,8 @@
 
 #include "mrroc/errors.hpp"
 
-/// Checks of arguments: each throws NonFatalError(invalid_argument) with the refusing class, the argument, its value
-/// and what was expected.
+/// Checks of arguments: each throws NonFatalError(invalid_argument) that names the caller, the argument, its value and
+/// what was expected.
 namespace mrroc {
 
 inline void require(bool good, const char* who, const char* what, double value, const char* expected) {
@@ -17,6 +17,10 @@ inline void require(bool good, const char* who, const char* what, double value, 
 
 inline void require_above_zero(const char* who, const char* what, double value) {
   require(value > 0 && std::isfinite(value), who, what, value, "a finite number above 0");
+}
+
+inline void require_finite(const char* who, const char* what, double value) {
+  require(std::isfinite(value), who, what, value, "a finite number");
 }
 
 inline void require_not_negative(const char* who, const char* what, double value) {

@@ -2,15 +2,13 @@
 
 #include <cmath>
 
+#include "core/require.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {
 
 Hold::Hold(Robot& robot, double duration) : Generator("Hold"), robot_(&robot), duration_(duration) {
-  if (!std::isfinite(duration) || duration < 0) {
-    throw NonFatalError(ErrorCode::invalid_argument,
-                        "Hold for " + std::to_string(duration) + " s, expected a finite time of at least 0");
-  }
+  require_not_negative("Hold", "duration", duration);
 }
 
 void Hold::start() {

@@ -28,8 +28,8 @@ bool ends_in_motion(const RobotCommand& command) {
   }
 }
 
-/// The robot should continue to move but reports that it comes to rest: its command was late.
-bool has_braked(const Robot& robot) { return ends_in_motion(robot.command()) && rests(robot.state()); }
+/// The robot should continue to move but reports that it comes to rest: no command came in time.
+bool has_braked(const Robot& robot) { return ends_in_motion(robot.command()) && robot.state().at_rest(); }
 
 StepEnding ending_of(ErrorClass error_class) {
   if (error_class == ErrorClass::non_fatal) return StepEnding::non_fatal_error;
@@ -138,7 +138,7 @@ bool Instruction::operator_ends_it() {
 }
 
 bool Instruction::moving() const noexcept {
-  return std::any_of(robots_.begin(), robots_.end(), [](const Robot* robot) { return !rests(robot->state()); });
+  return std::any_of(robots_.begin(), robots_.end(), [](const Robot* robot) { return !robot->state().at_rest(); });
 }
 
 OperatorRequest Instruction::hold_until_resumed(OperatorRequest request) {
@@ -211,10 +211,8 @@ Tick Instruction::next_measurement() const {
   const Tick now = task_->tick();
   if (robots_.empty()) return now + kStepWithoutRobots;
   Tick tick = 0;
-  for (const Robot* robot : robots_) {
-    const Tick start = std::max({robot->command().start_tick, robot->state().desired_tick, now});
-    tick = std::max(tick, start + robot->command().reply_step);
-  }
+  for (const Robot* robot : robots_)
+    tick = std::max(tick, robot->command().reply_tick(robot->state().desired_tick, now));
   return tick;
 }
 

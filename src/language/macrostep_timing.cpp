@@ -11,10 +11,6 @@ constexpr Tick kLongestMargin = 256;
 
 }  // namespace
 
-bool rests(const RobotState& state) noexcept {
-  return (state.desired_velocity.array() == 0.0).all() && (state.desired_acceleration.array() == 0.0).all();
-}
-
 void MacrostepTiming::plan(const std::vector<Robot*>& robots, Tick now) {
   align_starts(robots, now);
   if (margin_ == kFirstMargin) return;
@@ -28,10 +24,10 @@ void MacrostepTiming::plan(const std::vector<Robot*>& robots, Tick now) {
 
 void MacrostepTiming::align_starts(const std::vector<Robot*>& robots, Tick now) {
   if (robots.size() < 2) return;
-  const bool resting = std::all_of(robots.begin(), robots.end(), [](Robot* robot) { return rests(robot->state()); });
+  const bool resting = std::all_of(robots.begin(), robots.end(), [](Robot* robot) { return robot->state().at_rest(); });
   Tick start = resting ? now + margin_ : 0;
   for (const Robot* robot : robots) {
-    if (resting || !rests(robot->state())) start = std::max(start, robot->state().desired_tick);
+    if (resting || !robot->state().at_rest()) start = std::max(start, robot->state().desired_tick);
   }
   start_ = resting ? start : 0;
   for (Robot* robot : robots) {

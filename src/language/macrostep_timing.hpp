@@ -6,12 +6,9 @@
 
 namespace mrroc {
 
-/// The robot's desired state is at rest.
-bool rests(const RobotState& state) noexcept;
-
-/// Start ticks of the common macrosteps of one Move or Wait, and reply ticks early enough for the next commands. Both
-/// have a margin of ticks that doubles after each late command: otherwise the robots would brake and start repeatedly
-/// on a slow machine. Task's thread; allocates nothing.
+/// Computes when the robots of one Move or Wait begin their macrosteps together, and when they reply, so that the next
+/// commands come in time. Both have a margin of ticks, doubled after each late command: on a slow machine the robots
+/// would otherwise brake and start repeatedly. Task's thread; does not allocate.
 class MacrostepTiming {
  public:
   /// Writes start ticks into the commands that have none; `now` is the present tick. While all rest: the tick at which
@@ -25,11 +22,13 @@ class MacrostepTiming {
   /// Call after a late command.
   void allow_more_time() noexcept;
 
+  /// The margin of a start from rest, ticks; of the usual macrostep's reply (N = 10, v = 8), too.
+  static constexpr Tick kFirstMargin = 2;
+
  private:
   void align_starts(const std::vector<Robot*>& robots, Tick now);
 
-  static constexpr Tick kFirstMargin = 2;  // of the usual macrostep, 10 / 8, too
-  Tick start_ = 0;                         ///< of the last commands, 0 when they did not start from rest
+  Tick start_ = 0;  ///< of the last commands, 0 when they did not start from rest
   Tick margin_ = kFirstMargin;
 };
 

@@ -45,7 +45,7 @@ void FaultyRobotLink::send(const RobotCommand& command) {
     if (!each.on(clock_.tick())) continue;
     switch (each.fault().kind) {
       case faults::Kind::lose:
-        missed_at_ = std::max(clock_.tick(), command.start_tick) + command.reply_step + patience_;
+        missed_at_ = command.reply_tick(0, clock_.tick()) + patience_;
         return;
       case faults::Kind::delay:
         wait_until(clock_.tick() + static_cast<Tick>(each.fault().value));

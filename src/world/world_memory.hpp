@@ -6,6 +6,7 @@
 
 #include "clock/gate.hpp"
 #include "core/lockfree/shared_slot.hpp"
+#include "mrroc/raw_reading.hpp"
 #include "mrroc/signals.hpp"
 #include "mrroc/types.hpp"
 
@@ -19,7 +20,6 @@ namespace mrroc::world {
 
 inline constexpr std::size_t kMaxRobots = 16;
 inline constexpr std::size_t kMaxSensors = 32;
-inline constexpr std::size_t kMaxHardwareValues = 16;
 /// Positions and mocap poses of the largest world that a camera may show: robots' joints and some 100 free objects.
 inline constexpr std::size_t kMaxSnapshotValues = 1024;
 
@@ -48,14 +48,6 @@ struct JointMeasurement {
   Signals inputs;  ///< of the robot's controller
 };
 
-/// sim -> VSP, every tick: the raw values of one hardware sensor, in the order in which the scene declares them.
-struct HardwareReading {
-  Tick tick = 0;
-  std::uint32_t count = 0;
-  std::uint32_t padding = 0;
-  std::array<double, kMaxHardwareValues> values{};
-};
-
 /// sim -> VSPs that render the world (cameras), every tick if there is one: the state from which a picture is drawn.
 /// The poses of bodies follow from it and the model, which every process composes from the deployment. An endless belt
 /// is always at its origin here, independent of its travel.
@@ -71,7 +63,7 @@ struct WorldSnapshot {
 struct WorldMemory {
   std::array<core::SharedSlot<JointDrive>, kMaxRobots> drives;
   std::array<core::SharedSlot<JointMeasurement>, kMaxRobots> measurements;
-  std::array<core::SharedSlot<HardwareReading>, kMaxSensors> readings;
+  std::array<core::SharedSlot<RawReading>, kMaxSensors> readings;  ///< sim -> VSP, every tick
   core::SharedSlot<WorldSnapshot> snapshot;
   clock::Gate driven;    ///< real time: opened after each store into `drives`
   clock::Gate measured;  ///< real time: opened when a tick's measurements and readings are stored

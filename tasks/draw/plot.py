@@ -4,36 +4,37 @@ Usage: plot.py TRACE OUT    writes OUT_<stroke>.dat and OUT.png
 """
 
 import math
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 STROKES = ("BlendedPath", "CartesianLine", "CartesianArc", "PoseSpline")
 
 
-def place_of(line, field):
+def place_of(pose):
     """Position of a pose, mm."""
-    return tuple(1000 * float(v) for v in re.search(field + r"([^ ]*)", line).group(1).split(",")[:3])
+    return tuple(1000 * v for v in pose[:3])
 
 
 def read_strokes(path):
     """Per stroke (name, tick of each step, measured positions, commanded positions)."""
     strokes, last = [], None
-    with open(path, encoding="ascii") as trace:
-        for line in trace:
-            name = re.search(r' move="([^"]*)"', line)
-            if name is None or name.group(1) not in STROKES:
-                continue
-            instruction = re.search(r" instruction=(\d+)", line).group(1)
-            if instruction != last:
-                strokes.append((name.group(1), [], [], []))
-                last = instruction
-            _, ticks, measured, commanded = strokes[-1]
-            ticks.append(int(re.search(r" robot=arm tick=(\d+)", line).group(1)))
-            measured.append(place_of(line, " pose="))
-            if " command=" in line:
-                commanded.append(place_of(line, r" command=pose,[^:]*:"))
+    for step in mrroc_trace.steps(path):
+        if step.move not in STROKES:
+            continue
+        if step.instruction != last:
+            strokes.append((step.move, [], [], []))
+            last = step.instruction
+        _, ticks, measured, commanded = strokes[-1]
+        arm = step.robots["arm"]
+        ticks.append(arm.tick)
+        measured.append(place_of(arm.pose))
+        if arm.command:
+            commanded.append(place_of(arm.command.target))
     return strokes
 
 

@@ -7,11 +7,13 @@ Usage: plot.py TRACE OUT    writes OUT.rgb, OUT.dat, OUT.txt (a tick while it ca
 """
 
 import math
-import re
+import pathlib
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 import board
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 DESIRED = 0.001  # m, the depth
@@ -31,20 +33,19 @@ def read(path):
     """Per step with the tip in the wood (tick, u, v, depth, whether a stroke is carved, thrust, drag); the number of touches;
     the last tick."""
     way, touches, last, tick = [], 0, None, 0
-    with open(path, encoding="ascii") as trace:
-        for line in trace:
-            step = re.search(r'^tick=(\d+).* move="([^"]*)".* pose=(\S+).* wrench=(\S+)', line)
-            if step is None:
-                continue
-            tick, name = int(step.group(1)), step.group(2)
-            touches += name == "ToolVelocity" and line.rstrip().endswith("end")
-            x, y, z = (float(number) for number in step.group(3).split(",")[:3])
-            u, v = -y, x - MIDDLE
-            du, dv = slopes(u, v)
-            depth = (board.height(u, v) + ZERO - z) / math.sqrt(1 + du * du + dv * dv)
-            force = [float(number) for number in step.group(4).split(",")[:3]]
-            if depth > 0 and name in ("PoseSpline", "CartesianLine"):
-                way.append((tick, u, v, depth, name == "PoseSpline", -force[2], math.hypot(force[0], force[1])))
+    for step in mrroc_trace.steps(path):
+        machine = step.robots.get("machine")
+        if step.move is None or machine is None or machine.wrench is None:
+            continue
+        tick = step.tick
+        touches += step.move == "ToolVelocity" and step.ending is not None
+        x, y, z = machine.pose[:3]
+        u, v = -y, x - MIDDLE
+        du, dv = slopes(u, v)
+        depth = (board.height(u, v) + ZERO - z) / math.sqrt(1 + du * du + dv * dv)
+        force = machine.wrench[:3]
+        if depth > 0 and step.move in ("PoseSpline", "CartesianLine"):
+            way.append((tick, u, v, depth, step.move == "PoseSpline", -force[2], math.hypot(force[0], force[1])))
     return way, touches // 2, tick
 
 

@@ -4,9 +4,12 @@ Usage: plot.py TRACE OUT    writes OUT.dat, OUT.txt (the tick in the middle of t
 """
 
 import math
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 DESIRED = 10.0  # N
@@ -15,17 +18,13 @@ DESIRED = 10.0  # N
 def read_way(path):
     """One (tick, y, z, force) per step of the last ForceControl, which goes along the workpiece."""
     way, last = [], None
-    with open(path, encoding="ascii") as trace:
-        for line in trace:
-            if 'move="ForceControl"' not in line:
-                continue
-            instruction = re.search(r" instruction=(\d+)", line).group(1)
-            if instruction != last:
-                way, last = [], instruction
-            tick = int(re.search(r" robot=arm tick=(\d+)", line).group(1))
-            y, z = (float(v) for v in re.search(r" pose=(\S+)", line).group(1).split(",")[1:3])
-            force = -float(re.search(r" wrench=(\S+)", line).group(1).split(",")[2])
-            way.append((tick, y, z, force))
+    for step in mrroc_trace.steps(path):
+        if step.move != "ForceControl":
+            continue
+        if step.instruction != last:
+            way, last = [], step.instruction
+        arm = step.robots["arm"]
+        way.append((arm.tick, arm.pose[1], arm.pose[2], -arm.wrench[2]))
     return way
 
 

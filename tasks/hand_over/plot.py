@@ -6,9 +6,11 @@ writes OUT_giver.dat, OUT_receiver.dat, OUT_height.dat, OUT.txt (the tick at whi
 
 import math
 import pathlib
-import re
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 PLACES = [(0.9, 0.5), (0.8, 0.5), (0.7, 0.5)]  # m, of the bars on the table, in the world
@@ -18,15 +20,13 @@ SHOWN = 1  # the bar whose forces are drawn
 def read_forces(path):
     """Per arm the (tick, pull in N) of its steps, and the ticks at which the giver detected a pull."""
     forces, pulls = {"giver": [], "receiver": []}, []
-    with open(path, encoding="ascii") as trace:
-        for line in trace:
-            robot = re.search(r" robot=(giver|receiver) tick=(\d+)", line)
-            wrench = re.search(r" wrench=(\S+)", line)
-            if robot is None or wrench is None:
+    for step in mrroc_trace.steps(path):
+        for name, robot in step.robots.items():
+            if name not in forces or robot.wrench is None:
                 continue
-            tick, pull = int(robot.group(2)), -float(wrench.group(1).split(",")[1])
-            forces[robot.group(1)].append((tick, pull))
-            if 'condition="pulled":1' in line:
+            tick, pull = robot.tick, -robot.wrench[1]
+            forces[name].append((tick, pull))
+            if step.conditions.get("pulled"):
                 pulls.append((tick, pull))
     return forces, pulls
 

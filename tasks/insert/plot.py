@@ -4,9 +4,12 @@ Usage: plot.py TRACE OUT    writes OUT_search.dat, OUT_depth.dat, OUT.txt (a tic
 """
 
 import math
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 HOLE = (750.0, 0.0)  # mm, in the arm's base frame
@@ -16,27 +19,23 @@ DEPTH = 25.0  # mm
 def read_trials(path):
     """Per SpiralSearch the (tick, x, y, z, fx, fy, fz) (mm, N) of its steps and of the ForceControl after it."""
     trials, searching, last = [], False, None
-    with open(path, encoding="ascii") as trace:
-        for line in trace:
-            name = re.search(r' move="([^"]*)"', line)
-            if name is None:
-                continue
-            instruction = re.search(r" instruction=(\d+)", line).group(1)
-            if instruction != last:
-                if name.group(1) == "SpiralSearch":
-                    trials.append({"search": [], "insertion": []})
-                    part = "search"
-                elif last is not None and searching:
-                    part = "insertion"
-                else:
-                    part = None
-                searching, last = name.group(1) == "SpiralSearch", instruction
-            if part is None:
-                continue
-            tick = int(re.search(r" robot=arm tick=(\d+)", line).group(1))
-            x, y, z = (1000 * float(v) for v in re.search(r" pose=(\S+)", line).group(1).split(",")[:3])
-            force = [float(v) for v in re.search(r" wrench=(\S+)", line).group(1).split(",")[:3]]
-            trials[-1][part].append((tick, x - HOLE[0], y - HOLE[1], z, *force))
+    for step in mrroc_trace.steps(path):
+        if step.move is None:
+            continue
+        if step.instruction != last:
+            if step.move == "SpiralSearch":
+                trials.append({"search": [], "insertion": []})
+                part = "search"
+            elif last is not None and searching:
+                part = "insertion"
+            else:
+                part = None
+            searching, last = step.move == "SpiralSearch", step.instruction
+        if part is None:
+            continue
+        arm = step.robots["arm"]
+        x, y, z = (1000 * v for v in arm.pose[:3])
+        trials[-1][part].append((arm.tick, x - HOLE[0], y - HOLE[1], z, *arm.wrench[:3]))
     return trials
 
 

@@ -4,9 +4,12 @@ Usage: plot.py TRACE OUT    writes OUT_*.dat, OUT.txt (a tick of the end) and OU
 """
 
 import math
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 BASE = (0.0, 0.0, 0.7)  # m, of the arm in the world
@@ -31,19 +34,16 @@ def read_steps(path):
     x, y, z = axes_of_plate()
     spot = [PLATE[i] + UPPER_SIDE * z[i] for i in range(3)]
     steps = {name: [] for name in PHASES}
-    with open(path, encoding="ascii") as trace:
-        for line in trace:
-            move = re.search(r' move="([^"]*)"', line)
-            if move is None or move.group(1) not in steps:
-                continue
-            tick = int(re.search(r" robot=arm tick=(\d+)", line).group(1))
-            *place, qw, qx, qy, qz = (float(v) for v in re.search(r" pose=(\S+)", line).group(1).split(","))
-            away = [place[i] + BASE[i] - spot[i] for i in range(3)]
-            beside = math.hypot(*(sum(a * b for a, b in zip(away, axis)) for axis in (x, y)))
-            axis = (2 * (qx * qz + qw * qy), 2 * (qy * qz - qw * qx), 1 - 2 * (qx * qx + qy * qy))
-            off = math.acos(min(1.0, -sum(a * b for a, b in zip(axis, z))))
-            steps[move.group(1)].append(
-                (tick, 1000 * beside, 1000 * sum(a * b for a, b in zip(away, z)), math.degrees(off)))
+    for step in mrroc_trace.steps(path):
+        if step.move not in steps:
+            continue
+        arm = step.robots["arm"]
+        *place, qw, qx, qy, qz = arm.pose
+        away = [place[i] + BASE[i] - spot[i] for i in range(3)]
+        beside = math.hypot(*(sum(a * b for a, b in zip(away, axis)) for axis in (x, y)))
+        axis = (2 * (qx * qz + qw * qy), 2 * (qy * qz - qw * qx), 1 - 2 * (qx * qx + qy * qy))
+        off = math.acos(min(1.0, -sum(a * b for a, b in zip(axis, z))))
+        steps[step.move].append((arm.tick, 1000 * beside, 1000 * sum(a * b for a, b in zip(away, z)), math.degrees(off)))
     return steps
 
 

@@ -4,9 +4,12 @@ Usage: plot.py TRACE OUT    writes OUT_*.dat, OUT.txt (a tick of the lines) and 
 """
 
 import math
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 FORCE = 8.0  # N, of the lines
@@ -18,20 +21,17 @@ SETTLED = 2.0  # s until force and orientation have settled
 def read_moves(path):
     """Per Move its name and the (tick, x, y, z, z axis, fx, fy, fz) (mm, N) of its steps."""
     moves, last = [], None
-    with open(path, encoding="ascii") as trace:
-        for line in trace:
-            move = re.search(r' instruction=(\d+) move="([^"]*)"', line)
-            if move is None:
-                continue
-            if move.group(1) != last:
-                moves.append((move.group(2), []))
-                last = move.group(1)
-            tick = int(re.search(r" robot=arm tick=(\d+)", line).group(1))
-            x, y, z, qw, qx, qy, qz = (float(v) for v in re.search(r" pose=(\S+)", line).group(1).split(","))
-            axis = (2 * (qx * qz + qw * qy), 2 * (qy * qz - qw * qx), 1 - 2 * (qx * qx + qy * qy))
-            wrench = re.search(r" wrench=(\S+)", line)
-            force = [float(v) for v in wrench.group(1).split(",")[:3]] if wrench else [0, 0, 0]
-            moves[-1][1].append((tick, 1000 * x, 1000 * y, 1000 * z, axis, *force))
+    for step in mrroc_trace.steps(path):
+        if step.move is None:
+            continue
+        if step.instruction != last:
+            moves.append((step.move, []))
+            last = step.instruction
+        arm = step.robots["arm"]
+        x, y, z, qw, qx, qy, qz = arm.pose
+        axis = (2 * (qx * qz + qw * qy), 2 * (qy * qz - qw * qx), 1 - 2 * (qx * qx + qy * qy))
+        force = arm.wrench[:3] if arm.wrench else [0, 0, 0]
+        moves[-1][1].append((arm.tick, 1000 * x, 1000 * y, 1000 * z, axis, *force))
     return moves
 
 

@@ -3,9 +3,12 @@
 Usage: plot.py TRACE OUT    writes OUT.dat, OUT.txt (figures) and OUT.png
 """
 
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 BASE_HEIGHT = 0.7  # m, of the arm's base above the floor
@@ -14,23 +17,15 @@ BASE_HEIGHT = 0.7  # m, of the arm's base above the floor
 def read_steps(path):
     """One (tick, instruction, name, height, force) per step; force is None where the wrist was not read."""
     steps = []
-    with open(path, encoding="ascii") as trace:
-        for line in trace:
-            if line.startswith("#"):
-                continue
-            tick = int(re.search(r"^tick=(\d+)", line).group(1))
-            instruction = int(re.search(r" instruction=(\d+)", line).group(1))
-            name = re.search(r' (?:move|wait)="([^"]*)"', line).group(1)
-            pose = re.search(r" robot=\S+ .*? pose=([^ ]+)", line)
-            if pose is None:
-                continue
-            height = float(pose.group(1).split(",")[2]) + BASE_HEIGHT
-            wrist = re.search(r" sensor=wrist tick=\d+ values=([^ \n]+)", line)
-            force = None
-            if wrist is not None:
-                x, y, z = (float(v) for v in wrist.group(1).split(",")[:3])
-                force = (x * x + y * y + z * z) ** 0.5
-            steps.append((tick, instruction, name, height, force))
+    for step in mrroc_trace.steps(path):
+        if "arm" not in step.robots:
+            continue
+        height = step.robots["arm"].pose[2] + BASE_HEIGHT
+        force = None
+        if "wrist" in step.sensors:
+            x, y, z = step.sensors["wrist"].values[:3]
+            force = (x * x + y * y + z * z) ** 0.5
+        steps.append((step.tick, step.instruction, step.move or step.wait, height, force))
     return steps
 
 

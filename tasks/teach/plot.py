@@ -4,9 +4,12 @@ Usage: plot.py TRACE OUT    writes OUT_taught.dat, OUT_replay.dat, OUT_distance.
 """
 
 import math
-import re
+import pathlib
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
 
 SERVO_PERIOD = 0.002  # s, the deployment's
 BESIDE = 1.0  # mm: nearer to the first taught place, the replay has begun
@@ -15,17 +18,14 @@ BESIDE = 1.0  # mm: nearer to the first taught place, the replay has begun
 def read_moves(path):
     """Per Move of the arm its name and the (tick, x, y, z) (mm) of its measured tool."""
     moves, last = [], None
-    with open(path, encoding="ascii") as trace:
-        for line in trace:
-            move = re.search(r' process=arm instruction=(\d+) move="([^"]*)"', line)
-            if move is None:
-                continue
-            if move.group(1) != last:
-                moves.append((move.group(2), []))
-                last = move.group(1)
-            tick = int(re.search(r" robot=arm tick=(\d+)", line).group(1))
-            place = [1000 * float(v) for v in re.search(r" pose=(\S+)", line).group(1).split(",")[:3]]
-            moves[-1][1].append((tick, *place))
+    for step in mrroc_trace.steps(path):
+        if step.process != "arm" or step.move is None:
+            continue
+        if step.instruction != last:
+            moves.append((step.move, []))
+            last = step.instruction
+        arm = step.robots["arm"]
+        moves[-1][1].append((arm.tick, *(1000 * v for v in arm.pose[:3])))
     return moves
 
 

@@ -4,36 +4,32 @@ Usage: plot.py TRACE OUT    writes OUT_track.dat, OUT.txt (a tick at which a par
 """
 
 import math
-import re
+import pathlib
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import mrroc_trace
+
 SERVO_PERIOD = 0.002  # s, the deployment's
-
-
-def numbers(line, field):
-    found = re.search(field + r"(\S+)", line)
-    return [float(value) for value in found.group(1).split(",")] if found else None
 
 
 def read_parts(path):
     """Per part the (tick, x, y, z of the tool in m, belt in m) of the steps from the catch-up to the lift."""
     parts, previous = [], ""
-    with open(path, encoding="ascii") as trace:
-        for line in trace:
-            if " process=mp " not in line:
-                continue
-            name = re.search(r' move="([^"]*)"', line)
-            if name is None or "TrackFrame" not in name.group(1):
-                previous = ""
-                continue
-            if not previous.startswith("TrackFrame"):
-                parts.append({"steps": [], "gripped": None, "grip": ""})
-            previous = name.group(1)
-            tick = int(re.search(r" robot=arm tick=(\d+)", line).group(1))
-            parts[-1]["steps"].append((tick, *numbers(line, " pose=")[:3], numbers(line, " sensor=encoder tick=\\S+ values=")[0]))
-            if previous.startswith("TrackFrame +"):
-                parts[-1]["gripped"] = tick
+    for step in mrroc_trace.steps(path):
+        if step.process != "mp":
+            continue
+        if step.move is None or "TrackFrame" not in step.move:
+            previous = ""
+            continue
+        if not previous.startswith("TrackFrame"):
+            parts.append({"steps": [], "gripped": None, "grip": ""})
+        previous = step.move
+        arm = step.robots["arm"]
+        parts[-1]["steps"].append((arm.tick, *arm.pose[:3], step.sensors["encoder"].values[0]))
+        if previous.startswith("TrackFrame +"):
+            parts[-1]["gripped"] = arm.tick
     return [part for part in parts if part["gripped"]]
 
 

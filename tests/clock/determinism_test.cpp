@@ -12,6 +12,7 @@
 #include "clock/lockstep_clock.hpp"
 #include "clock/participant.hpp"
 #include "clock/toy_network.hpp"
+#include "mrroc/fnv.hpp"
 
 namespace mrroc::clock {
 namespace {
@@ -26,18 +27,6 @@ class ImmediateClock final : public LockstepClock {
   bool visible(std::uint64_t) const noexcept override { return true; }
 };
 
-/// FNV-1a over words.
-class Hash {
- public:
-  void add(std::uint64_t word) {
-    for (int byte = 0; byte < 8; ++byte) value_ = (value_ ^ (word >> (8 * byte) & 0xff)) * 0x100000001b3;
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325;
-};
-
 struct Result {
   std::atomic<std::uint64_t> hash{0};
   std::atomic<std::uint64_t> received{0};
@@ -47,8 +36,8 @@ struct Result {
 void live(Clock& clock, const ToyNetwork& network, std::uint32_t node, Result& result) {
   ToyNode toy(network, node, clock);
   if (!clock.start()) return;
-  Hash log;
-  log.add(node);
+  Fnv1a log;
+  log.add(std::uint64_t{node});
   for (Wake wake = Wake::tick; wake != Wake::interrupted;) {
     stray(20);
     log.add(clock.tick());
@@ -107,7 +96,7 @@ class Determinism : public ::testing::Test {
     host.start();
     for (Child& child : children) EXPECT_TRUE(child.join()) << host.describe();
     EXPECT_EQ(host.state(), State::running) << host.error();
-    Hash hash;
+    Fnv1a hash;
     received_ = 0;
     for (const Result& result : results) {
       EXPECT_NE(result.hash.load(), 0U);

@@ -88,7 +88,7 @@ class SimulatedCell : public Task, private RobotLink {
         : cell(&cell_), name(std::move(name_)), slot(slot_) {}
     void request(const SensorRequest&) override {}
     void receive(SensorReading& reading) override {
-      world::HardwareReading raw;
+      RawReading raw;
       ASSERT_TRUE(cell->memory_->readings[slot].load(raw));
       reading = {};
       reading.sequence = ++sequence;

@@ -1,8 +1,9 @@
-// A step of Move or Wait does not allocate after the first one. Every malloc of this process is counted.
+// A step of Move or Wait does not allocate after the first one.
 #include <gtest/gtest.h>
 
 #include <atomic>
 
+#include "allocations.hpp"
 #include "language/fakes.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/conditions/elapsed_time.hpp"
@@ -37,40 +38,6 @@
 #include "mrroc/generators/weight_measurement.hpp"
 #include "mrroc/move.hpp"
 
-namespace {
-std::atomic<std::uint64_t> allocations{0}, frees{0};
-}
-
-// glibc's own entries: operator new, Eigen and the standard library all call one of these
-extern "C" {
-void* __libc_malloc(std::size_t size);                           // NOLINT
-void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT
-void* __libc_realloc(void* memory, std::size_t size);            // NOLINT
-void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT
-void __libc_free(void* memory);                                  // NOLINT
-
-void* malloc(std::size_t size) noexcept {
-  ++allocations;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) noexcept {
-  ++allocations;
-  return __libc_calloc(count, size);
-}
-void* realloc(void* memory, std::size_t size) noexcept {
-  ++allocations;
-  return __libc_realloc(memory, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  ++allocations;
-  return __libc_memalign(alignment, size);
-}
-void free(void* memory) noexcept {
-  if (memory != nullptr) ++frees;
-  __libc_free(memory);
-}
-}
-
 namespace mrroc {
 namespace {
 
@@ -80,10 +47,10 @@ using fakes::FakeTask;
 class AllocationObserver : public StepObserver {
  public:
   void on_step(const StepRecord& record) noexcept override {
-    const std::uint64_t now = allocations;
+    const std::uint64_t now = test::allocations();
     if (steps > 1) total += now - before;
     if (!record.last()) ++steps;
-    before = allocations;
+    before = test::allocations();
   }
   std::uint64_t steps = 0;
   std::uint64_t total = 0;  ///< from the second step on
@@ -105,9 +72,9 @@ struct Cell {
 };
 
 TEST(Allocation, CounterCountsAllocations) {
-  const std::uint64_t before = allocations;
+  const std::uint64_t before = test::allocations();
   std::vector<double> numbers(100);
-  EXPECT_GT(allocations, before);
+  EXPECT_GT(test::allocations(), before);
   ASSERT_EQ(numbers.size(), 100u);
 }
 
@@ -134,8 +101,8 @@ TEST(Allocation, OverwritingStepsOfOtherInstructionsFreesNothing) {
   }
   std::uint64_t begin = 0, end = 0;
   Wait({*cell.a, *cell.b, *cell.c}, {*cell.wrist, *cell.gate}, When{"counts", [&, steps = 0]() mutable {
-                                                                      if (steps == 0) begin = frees;
-                                                                      end = frees;
+                                                                      if (steps == 0) begin = test::frees();
+                                                                      end = test::frees();
                                                                       return ++steps == 120;
                                                                     }});
   EXPECT_GT(begin, 0u);
@@ -156,12 +123,12 @@ TEST(Allocation, GeneratorsComputeTheNextStateWithoutAllocation) {
   ToolVelocity velocity(*cell.b, {0.1, 0, 0}, {0, 0.2, 0});
   line.start();
   velocity.start();
-  const std::uint64_t before = allocations;
+  const std::uint64_t before = test::allocations();
   while (!line.terminal_condition()) {
     line.next_state();
     velocity.next_state();
   }
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(test::allocations(), before);
 }
 
 TEST(Allocation, SensorGeneratorsComputeTheNextStateWithoutAllocation) {
@@ -183,9 +150,9 @@ TEST(Allocation, SensorGeneratorsComputeTheNextStateWithoutAllocation) {
   SpiralSearch spiral(*cell.a, ForceLaw{}, 0.001, 0.01, 0.01);
   for (Generator* generator : std::initializer_list<Generator*>{&approach, &track, &position, &image, &spiral}) {
     generator->start();
-    const std::uint64_t before = allocations;
+    const std::uint64_t before = test::allocations();
     for (int step = 0; step < 300 && !generator->terminal_condition(); ++step) generator->next_state();
-    EXPECT_EQ(allocations, before) << generator->name();
+    EXPECT_EQ(test::allocations(), before) << generator->name();
   }
   EXPECT_EQ(track.point(), 2u) << "it has planned the path to its second point";
 }
@@ -204,21 +171,21 @@ TEST(Allocation, PathGeneratorsComputeTheNextStateWithoutAllocation) {
   for (Generator* generator :
        std::initializer_list<Generator*>{&line, &arc, &stops, &spline, &timed, &blended, &joints}) {
     generator->start();
-    const std::uint64_t before = allocations;
+    const std::uint64_t before = test::allocations();
     int steps = 0;
     for (; steps < 5000 && !generator->terminal_condition(); ++steps) generator->next_state();
-    EXPECT_EQ(allocations, before) << generator->name();
+    EXPECT_EQ(test::allocations(), before) << generator->name();
     EXPECT_GT(steps, 50) << generator->name();
     EXPECT_LT(steps, 5000) << generator->name();
 
     generator->start();
-    const std::uint64_t before_pause = allocations;
+    const std::uint64_t before_pause = test::allocations();
     for (steps = 0; steps < 100; ++steps) {
       const bool brakes = steps != 30 || generator->brake();
       EXPECT_TRUE(brakes) << generator->name();
       generator->next_state();
     }
-    EXPECT_EQ(allocations, before_pause) << generator->name() << " comes to rest for a pause";
+    EXPECT_EQ(test::allocations(), before_pause) << generator->name() << " comes to rest for a pause";
   }
 }
 
@@ -235,9 +202,9 @@ TEST(Allocation, PathsOfTwoRobotsContinueAfterAPauseWithoutAllocation) {
         : Generator("counting"), inner(&inner_), at(&at_), planned(&planned_) {}
     void start() override { inner->start(); }
     void resume() override {
-      *at = allocations;
+      *at = test::allocations();
       inner->resume();
-      *planned += allocations - *at;
+      *planned += test::allocations() - *at;
     }
     bool terminal_condition() override { return inner->terminal_condition(); }
     void next_state() override { inner->next_state(); }
@@ -298,20 +265,20 @@ TEST(Allocation, ArmsCarryAnObjectWithoutAllocation) {
   CooperativeMotion motion({{cell.a.get(), here, felt}, {cell.b.get(), there, felt}, {cell.c.get(), there, felt}},
                            {here, there, there * Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ())});
   motion.start();
-  const std::uint64_t before = allocations;
+  const std::uint64_t before = test::allocations();
   int steps = 0;
   for (; !motion.terminal_condition() && steps < 10000; ++steps) motion.next_state();
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(test::allocations(), before);
   EXPECT_GT(steps, 100);
   EXPECT_TRUE(motion.terminal_condition());
 
   motion.start();
-  const std::uint64_t before_pause = allocations;
+  const std::uint64_t before_pause = test::allocations();
   for (steps = 0; steps < 100; ++steps) {
     if (steps == 30) motion.brake();
     motion.next_state();
   }
-  EXPECT_EQ(allocations, before_pause);
+  EXPECT_EQ(test::allocations(), before_pause);
 }
 
 }  // namespace

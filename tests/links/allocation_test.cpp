@@ -62,14 +62,14 @@ TEST(Allocation, NoneInSensorTaskAndStatusLinks) {
   superior.connect(kPatience);
   SensorRequest request;
   SensorReading reading;
-  SensorResponder::Ticket ticket;
+  Caller caller;
   TaskCommand command;
   TaskStatus status;
   std::uint64_t last_command = 0;
   EXPECT_EQ(allocations_of([&] {
               arm.request({});
-              vsp.take(request, ticket);
-              vsp.reply(reading, ticket);
+              vsp.take(request, caller);
+              vsp.reply(reading, caller);
               arm.receive(reading);
               vsp.publish(reading);
               arm.latest(reading);

@@ -85,8 +85,8 @@ class TwoIrb6 : public testing::Test {
       right.tick(now);
     }
   }
-  world::HardwareReading wrist() const {
-    world::HardwareReading reading;
+  RawReading wrist() const {
+    RawReading reading;
     EXPECT_TRUE(memory->readings[0].load(reading));
     return reading;
   }
@@ -111,7 +111,7 @@ int contacts_of_robots(const World& world) {
 TEST_F(TwoIrb6, StandAtHomeWithoutSelfContactAndMeasureTheToolsWeight) {
   run(5);
   EXPECT_EQ(contacts_of_robots(simulation.world()), 0);
-  const world::HardwareReading reading = wrist();
+  const RawReading reading = wrist();
   ASSERT_EQ(reading.count, 6U);
   const Eigen::Vector3d force(reading.values[0], reading.values[1], reading.values[2]);
   EXPECT_NEAR(force.norm(), 1.1 * 9.81, 1.0);

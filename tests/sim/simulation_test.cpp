@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "mrroc/errors.hpp"
+#include "mrroc/fnv.hpp"
 #include "reference_dynamics.hpp"
 #include "sim/mujoco_allocations.hpp"
 #include "worlds.hpp"
@@ -37,8 +38,8 @@ class SimulationTest : public testing::Test {
     EXPECT_TRUE(memory_->measurements[robot].load(value));
     return value;
   }
-  world::HardwareReading reading(std::size_t sensor) const {
-    world::HardwareReading value;
+  RawReading reading(std::size_t sensor) const {
+    RawReading value;
     EXPECT_TRUE(memory_->readings[sensor].load(value));
     return value;
   }
@@ -82,7 +83,7 @@ TEST_F(SimulationTest, ForceTorqueAtRestReadsTheWeightBeyondTheWrist) {
   simulation.publish_initial();
   for (Tick k = 0; k <= 10; k += 5) {
     if (k > 0) simulation.step(k);
-    const world::HardwareReading wrist = reading(1);
+    const RawReading wrist = reading(1);
     ASSERT_EQ(wrist.count, 6U);
     // hand: 0.5 kg, 0.05 m along the site's z, which is turned by 0.5 + 0.8 from vertical about y
     const double weight = 0.5 * 9.81, angle = 1.3;
@@ -131,8 +132,8 @@ TEST_F(SimulationTest, FiveThousandStepsAreEqualBitForBit) {
     auto memory = std::make_unique<world::WorldMemory>();
     Simulation simulation(twolink_deployment(2), *memory);
     simulation.publish_initial();
-    std::uint64_t hash = 14695981039346656037U;
-    const auto add = [&hash](double value) { hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 1099511628211U; };
+    Fnv1a hash;
+    const auto add = [&hash](double value) { hash.add(std::bit_cast<std::uint64_t>(value)); };
     for (Tick k = 1; k <= 5000; ++k) {
       for (std::size_t robot = 0; robot < 2; ++robot) memory->drives[robot].store(swing(k + 100 * robot));
       simulation.step(k);
@@ -141,7 +142,7 @@ TEST_F(SimulationTest, FiveThousandStepsAreEqualBitForBit) {
       for (int i = 0; i < world.model().nsensordata; ++i) add(world.data().sensordata[i]);
     }
     EXPECT_GT(simulation.world().data().ncon, 0) << "the steps must include contacts";
-    return hash;
+    return hash.value();
   };
   EXPECT_EQ(run(), run());
 }

@@ -13,8 +13,8 @@
 namespace mrroc::vsp {
 namespace {
 
-world::HardwareReading hardware_reading(Tick tick, std::vector<double> values) {
-  world::HardwareReading reading;
+RawReading hardware_reading(Tick tick, std::vector<double> values) {
+  RawReading reading;
   reading.tick = tick;
   reading.count = static_cast<std::uint32_t>(values.size());
   std::copy(values.begin(), values.end(), reading.values.begin());

@@ -80,6 +80,7 @@ class Task : public process::TaskProcess {
   Behaviours behaviours_;
   links::RobotResponder mp_;
   RobotLink* edp_;
+  links::RobotRequester* requester_;  ///< `edp_`, when no injected faults are in between: messages pass as they came
   RobotCommand command_;
   RobotState state_;
 };

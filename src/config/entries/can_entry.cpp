@@ -20,7 +20,6 @@ namespace {
 constexpr std::string_view kHub = "unix:";
 constexpr std::size_t kInterfaceLength = IFNAMSIZ - 1;
 constexpr std::size_t kHubLength = 107;  // of a socket's path
-constexpr std::string_view kProcess = "_drives";
 
 /// A kernel name is unchanged; a hub's path is relative to the folder of the deployment file.
 std::string read_interface(const Table& table) {
@@ -63,10 +62,9 @@ void check_interface_is_free(const Table& table, const Deployment& deployment, c
 }
 
 void check_process_name(const Table& table, const RobotEntry& robot) {
-  const std::size_t most = kNameLength - kProcess.size();
+  const std::size_t most = kNameLength - (robot.drives_process().size() - robot.name.size());
   if (robot.name.size() > most)
-    table.fail("simulated",
-               "true, but the name of process " + in_quotes(robot.name + std::string(kProcess)) + " is too long",
+    table.fail("simulated", "true, but the name of process " + in_quotes(robot.drives_process()) + " is too long",
                "a robot's name of at most " + std::to_string(most) + " characters");
 }
 

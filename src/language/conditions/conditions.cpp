@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/require.hpp"
 #include "core/short_number.hpp"
 #include "mrroc/conditions/digital_input.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
@@ -12,10 +13,7 @@ namespace mrroc {
 
 Travelled::Travelled(const Robot& robot, double distance)
     : Condition("travelled " + short_number(distance) + " m"), robot_(&robot), distance_(distance) {
-  if (!(distance > 0) || !std::isfinite(distance)) {
-    throw NonFatalError(ErrorCode::invalid_argument,
-                        "Travelled " + std::to_string(distance) + " m, expected a finite distance above 0");
-  }
+  require_above_zero("Travelled", "distance", distance);
 }
 
 void Travelled::start() { origin_ = robot_->state().pose.translation(); }
@@ -24,10 +22,7 @@ bool Travelled::holds() { return (robot_->state().pose.translation() - origin_).
 
 Touching::Touching(const Robot& robot, double newtons)
     : Condition(robot.name() + " feels " + short_number(newtons) + " N"), robot_(&robot), newtons_(newtons) {
-  if (!(newtons > 0) || !std::isfinite(newtons)) {
-    throw NonFatalError(ErrorCode::invalid_argument,
-                        "Touching with " + std::to_string(newtons) + " N, expected a finite force above 0");
-  }
+  require_above_zero("Touching", "force", newtons);
 }
 
 DigitalInput::DigitalInput(const Robot& robot, int terminal)

@@ -4,18 +4,13 @@
 #include <string>
 #include <utility>
 
+#include "core/require.hpp"
 #include "geometry/rigid_motion.hpp"
 #include "language/cooperation/cooperative_plan.hpp"
 
 namespace mrroc {
 
 namespace {
-
-void require(bool good, const char* what, double value, const char* expected) {
-  if (good && std::isfinite(value)) return;
-  throw NonFatalError(ErrorCode::invalid_argument, std::string("CooperativeMotion: ") + what + " " +
-                                                       std::to_string(value) + ", expected " + expected);
-}
 
 void check(const std::vector<CooperatingArm>& arms) {
   const auto refuse = [](const char* what) { throw NonFatalError(ErrorCode::invalid_argument, what); };
@@ -39,12 +34,12 @@ CooperativeMotion::CooperativeMotion(std::vector<CooperatingArm> arms, const std
                                      const CooperativeLimits& limits, const InternalForce& internal)
     : Generator("CooperativeMotion") {
   check(arms);
-  require(true, "squeeze", internal.squeeze, "a finite number");
-  require(internal.admittance >= 0, "admittance", internal.admittance, "a finite number of at least 0");
-  require(internal.length > 0, "length", internal.length, "a finite number above 0");
-  require(internal.lag > 0, "lag", internal.lag, "a finite number above 0");
-  require(internal.travel > 0, "travel", internal.travel, "a finite number above 0");
-  require(internal.limit > 0, "limit", internal.limit, "a finite number above 0");
+  require_finite("CooperativeMotion", "squeeze", internal.squeeze);
+  require_not_negative("CooperativeMotion", "admittance", internal.admittance);
+  require_above_zero("CooperativeMotion", "length", internal.length);
+  require_above_zero("CooperativeMotion", "lag", internal.lag);
+  require_above_zero("CooperativeMotion", "travel", internal.travel);
+  require_above_zero("CooperativeMotion", "limit", internal.limit);
   plan_ = std::make_unique<Plan>(std::move(arms), path, limits, internal);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/require.hpp"
 #include "geometry/near_places.hpp"
 #include "geometry/pose_path.hpp"
 #include "geometry/rigid_motion.hpp"
@@ -24,18 +25,14 @@ constexpr double kParameterDifference = 1e-4;  // s of the parameter
   throw NonFatalError(ErrorCode::invalid_argument, "path of an object: " + what);
 }
 
-void require_above_zero(double value, const char* what) {
-  if (value > 0 && std::isfinite(value)) return;
-  refuse(std::string(what) + " " + std::to_string(value) + ", expected a finite number above 0");
-}
-
 }  // namespace
 
 ObjectPath::ObjectPath(const std::vector<Pose>& poses, const CooperativeLimits& limits) {
-  require_above_zero(limits.speed, "speed");
-  require_above_zero(limits.acceleration, "acceleration");
-  require_above_zero(limits.angular_speed, "angular speed");
-  require_above_zero(limits.angular_acceleration, "angular acceleration");
+  const char* const name = "path of an object";
+  require_above_zero(name, "speed", limits.speed);
+  require_above_zero(name, "acceleration", limits.acceleration);
+  require_above_zero(name, "angular speed", limits.angular_speed);
+  require_above_zero(name, "angular acceleration", limits.angular_acceleration);
   if (poses.empty()) refuse("no pose");
   const auto near = [&poses](std::size_t a, std::size_t b) { return are_near(poses[a], poses[b]); };
   const std::vector<std::size_t> kept = distinct_places(poses.size() - 1, near);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/require.hpp"
 #include "language/servoing/twist_follower.hpp"
 #include "mrroc/task.hpp"
 
@@ -14,12 +15,6 @@ namespace {
 constexpr double kShare = 0.5;
 constexpr double kApproachGain = 4;  // 1/s
 constexpr double kGainSteps = 0.2;   // the gain times the macrostep, at most
-
-void require(bool good, const char* what, double value, const char* expected) {
-  if (good && std::isfinite(value)) return;
-  throw NonFatalError(ErrorCode::invalid_argument,
-                      std::string("GuardedApproach: ") + what + " " + std::to_string(value) + ", expected " + expected);
-}
 
 }  // namespace
 
@@ -38,10 +33,10 @@ GuardedApproach::GuardedApproach(Robot& robot, Range range, const Eigen::Vector3
           Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), direction_).toRotationMatrix())) {
   if (!direction.allFinite())
     throw NonFatalError(ErrorCode::not_finite, "direction of the approach of " + robot.name());
-  require(direction.norm() > 0, "direction of length", direction.norm(), "a length above 0");
-  require(speed > 0, "speed", speed, "a finite number above 0");
-  require(true, "stop distance", stop_distance, "a finite number");
-  require(patience >= 0, "patience", patience, "a number of steps, at least 0");
+  require_above_zero("GuardedApproach", "length of the direction", direction.norm());
+  require_above_zero("GuardedApproach", "speed", speed);
+  require_finite("GuardedApproach", "stop distance", stop_distance);
+  require_not_negative("GuardedApproach", "patience", patience);
   if (!range_) throw NonFatalError(ErrorCode::invalid_argument, "GuardedApproach without a function for the range");
 }
 

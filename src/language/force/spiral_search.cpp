@@ -3,18 +3,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/require.hpp"
+
 namespace mrroc {
 
 SpiralSearch::SpiralSearch(Robot& robot, const ForceLaw& law, double pitch, double radius, double speed)
     : Generator("SpiralSearch"), robot_(&robot), law_(law), pitch_(pitch), radius_(radius), speed_(speed) {
-  const auto require = [](double value, const char* what) {
-    if (value > 0 && std::isfinite(value)) return;
-    throw NonFatalError(ErrorCode::invalid_argument, std::string("SpiralSearch: ") + what + " " +
-                                                         std::to_string(value) + ", expected a finite number above 0");
-  };
-  require(pitch, "pitch");
-  require(radius, "radius");
-  require(speed, "speed");
+  require_above_zero("SpiralSearch", "pitch", pitch);
+  require_above_zero("SpiralSearch", "radius", radius);
+  require_above_zero("SpiralSearch", "speed", speed);
 }
 
 Eigen::Vector2d SpiralSearch::spiral(double angle) const noexcept {

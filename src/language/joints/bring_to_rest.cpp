@@ -8,9 +8,9 @@ namespace mrroc {
 void bring_to_rest(const std::vector<Robot*>& robots) {
   std::vector<Robot*> moving = robots;
   const auto is_done = [](const Robot* robot) {
-    return rests(robot->state()) || robot->state().error.error_class != ErrorClass::none;
+    return robot->state().at_rest() || robot->state().error.error_class != ErrorClass::none;
   };
-  std::erase_if(moving, [](const Robot* robot) { return rests(robot->state()); });
+  std::erase_if(moving, [](const Robot* robot) { return robot->state().at_rest(); });
   try {
     while (!moving.empty()) {
       for (Robot* robot : moving) robot->reset_command(CommandKind::hold);

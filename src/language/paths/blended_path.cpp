@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/require.hpp"
 #include "geometry/near_places.hpp"
 #include "geometry/rigid_motion.hpp"
 #include "language/paths/tool_path.hpp"
@@ -61,9 +62,7 @@ BlendedPath::BlendedPath(Robot& robot, std::vector<BlendPoint> points, const Pat
   if (points_.empty()) throw NonFatalError(ErrorCode::invalid_argument, std::string{kName} + " without a point");
   for (BlendPoint& point : points_) {
     point.pose = checked_pose(point.pose, kName);
-    if (!(point.radius >= 0) || !std::isfinite(point.radius))
-      throw NonFatalError(ErrorCode::invalid_argument, std::string{kName} + ": radius " + std::to_string(point.radius) +
-                                                           ", expected a finite number of at least 0");
+    require_not_negative(kName, "radius", point.radius);
   }
 }
 

@@ -45,7 +45,7 @@ JointVector PathRunner::begin() {
   brake_.reset();
   halting_ = false;
   duration_ = 0;
-  if (state.desired_velocity.isZero(0) && state.desired_acceleration.isZero(0)) return state.desired_joints;
+  if (state.at_rest()) return state.desired_joints;
   const JointVector rest = resting_joints(*robot_);
   lead_to(rest, 1);
   return rest;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/require.hpp"
 #include "geometry/difference_stencils.hpp"
 #include "geometry/rigid_motion.hpp"
 #include "language/joints/joint_targets.hpp"
@@ -31,15 +32,10 @@ Value weighted(const DifferenceStencils::Row& weights, std::size_t from, double 
 }  // namespace
 
 void check_limits(const PathLimits& limits, const char* name) {
-  const auto require = [name](double value, const char* what) {
-    if (value > 0 && std::isfinite(value)) return;
-    throw NonFatalError(ErrorCode::invalid_argument, std::string{name} + ": " + what + " " + std::to_string(value) +
-                                                         ", expected a finite number above 0");
-  };
-  require(limits.speed, "speed");
-  require(limits.acceleration, "acceleration");
-  require(limits.angular_speed, "angular speed");
-  require(limits.angular_acceleration, "angular acceleration");
+  require_above_zero(name, "speed", limits.speed);
+  require_above_zero(name, "acceleration", limits.acceleration);
+  require_above_zero(name, "angular speed", limits.angular_speed);
+  require_above_zero(name, "angular acceleration", limits.angular_acceleration);
 }
 
 Pose checked_pose(const Pose& pose, const char* name) {

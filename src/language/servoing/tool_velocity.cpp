@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/require.hpp"
 #include "geometry/moving_pose.hpp"
 #include "geometry/rigid_motion.hpp"
 #include "language/tool_motion.hpp"
@@ -24,10 +25,7 @@ ToolVelocity::ToolVelocity(Robot& robot, const Eigen::Vector3d& linear, const Ei
     : Generator("ToolVelocity"), robot_(&robot), acceleration_(acceleration) {
   target_ << linear, angular;
   if (!target_.allFinite()) throw NonFatalError(ErrorCode::not_finite, "tool velocity of " + robot.name());
-  if (!(acceleration > 0) || !std::isfinite(acceleration)) {
-    throw NonFatalError(ErrorCode::invalid_argument,
-                        "acceleration " + std::to_string(acceleration) + ", expected a finite number above 0");
-  }
+  require_above_zero("ToolVelocity", "acceleration", acceleration);
 }
 
 void ToolVelocity::start() {

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <ruckig/ruckig.hpp>
 
+#include "core/require.hpp"
 #include "geometry/moving_pose.hpp"
 #include "geometry/rigid_motion.hpp"
+#include "language/macrostep_timing.hpp"
 #include "language/servoing/frame_observer.hpp"
 #include "language/tool_motion.hpp"
 #include "mrroc/task.hpp"
@@ -19,14 +21,8 @@ constexpr double kCorrection = 4;          // 1/s
 constexpr double kCorrectionDelay = 0.06;  // s
 constexpr double kMostCorrection = 0.02;   // m
 constexpr double kFrameDifference = 1e-4;  // s, for the derivatives of the path
-constexpr Tick kStartMargin = 2;           // of Move's common start
 
 using Coordinates = std::array<double, 6>;
-
-void require(bool good, const char* what, double value) {
-  if (good && !std::isnan(value)) return;
-  throw NonFatalError(ErrorCode::invalid_argument, std::string("TrackFrame: ") + what + " " + std::to_string(value));
-}
 
 Eigen::Vector3d clamped(const Eigen::Vector3d& vector, double length) {
   return vector.norm() > length ? Eigen::Vector3d(vector * (length / vector.norm())) : vector;
@@ -110,16 +106,16 @@ TrackFrame::TrackFrame(Robot& robot, Frame frame, std::vector<FramePoint> path, 
   if (!frame) throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame without a function for the frame");
   if (path.empty()) throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame without a point");
   for (const FramePoint& point : path) {
-    if (!is_rigid(point.pose))
-      throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame: a point is not a rigid pose");
-    require(point.dwell >= 0, "dwell", point.dwell);
+    if (!is_rigid(point.pose)) throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame: a point is not a rigid pose");
+    require(point.dwell >= 0, "TrackFrame", "dwell", point.dwell, "a number of at least 0");
   }
-  require(limits.speed > 0, "speed", limits.speed);
-  require(limits.acceleration > 0, "acceleration", limits.acceleration);
-  require(limits.angular_speed > 0, "angular speed", limits.angular_speed);
-  require(limits.angular_acceleration > 0, "angular acceleration", limits.angular_acceleration);
-  require(limits.tolerance > 0, "tolerance", limits.tolerance);
-  require(patience >= 0, "patience", patience);
+  require(limits.speed > 0, "TrackFrame", "speed", limits.speed, "a number above 0");
+  require(limits.acceleration > 0, "TrackFrame", "acceleration", limits.acceleration, "a number above 0");
+  require(limits.angular_speed > 0, "TrackFrame", "angular speed", limits.angular_speed, "a number above 0");
+  require(limits.angular_acceleration > 0, "TrackFrame", "angular acceleration", limits.angular_acceleration,
+          "a number above 0");
+  require(limits.tolerance > 0, "TrackFrame", "tolerance", limits.tolerance, "a number above 0");
+  require_not_negative("TrackFrame", "patience", patience);
   plan_->frame = std::move(frame);
   plan_->path = std::move(path);
   plan_->limits = limits;
@@ -159,7 +155,7 @@ void TrackFrame::resume() {
   const double period = robot_->task().servo_period();
   // start of the first macrostep; next_state computes the same
   const Tick begin =
-      std::max(state.desired_tick, robot_->task().tick() + (state.desired_velocity.isZero(0) ? kStartMargin : 0));
+      std::max(state.desired_tick, robot_->task().tick() + (state.at_rest() ? MacrostepTiming::kFirstMargin : 0));
   const MovingFrame frame =
       measured->after((static_cast<double>(begin) - static_cast<double>(measured->tick)) * period);
   plan.observer.start(frame);
@@ -191,8 +187,8 @@ void TrackFrame::next_state() {
   const double period = robot_->task().servo_period(), duration = robot_->step_duration();
   RobotCommand& command = robot_->command();
   Tick begin = state.desired_tick;
-  if (plan.first && state.desired_velocity.isZero(0)) {
-    begin = std::max(begin, robot_->task().tick() + kStartMargin);
+  if (plan.first && state.at_rest()) {
+    begin = std::max(begin, robot_->task().tick() + MacrostepTiming::kFirstMargin);
     command.start_tick = begin;  // the frame moves: the start tick must be known
   }
   const auto seconds = [period](Tick from, Tick to) {

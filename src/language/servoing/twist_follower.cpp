@@ -6,6 +6,7 @@
 #include <limits>
 #include <ruckig/ruckig.hpp>
 
+#include "core/require.hpp"
 #include "geometry/rigid_motion.hpp"
 #include "language/joints/joint_targets.hpp"
 #include "language/tool_motion.hpp"
@@ -28,10 +29,7 @@ struct TwistFollower::Plan {
 
 TwistFollower::TwistFollower(Robot& robot, double acceleration, const Eigen::Matrix3d& axes)
     : robot_(&robot), axes_(axes), plan_(std::make_unique<Plan>()), acceleration_(acceleration) {
-  if (!(acceleration > 0) || !std::isfinite(acceleration)) {
-    throw NonFatalError(ErrorCode::invalid_argument,
-                        "acceleration " + std::to_string(acceleration) + ", expected a finite number above 0");
-  }
+  require_above_zero("motion after a twist", "acceleration", acceleration);
   ruckig::InputParameter<6>& input = plan_->input;
   input.control_interface = ruckig::ControlInterface::Velocity;
   input.synchronization = ruckig::Synchronization::Phase;

@@ -3,24 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/require.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {
 
 VisualServo::VisualServo(Robot& robot, const ServoLimits& limits, const char* name)
     : robot_(&robot), limits_(limits), name_(name), follower_(robot, limits.acceleration) {
-  const auto require = [name](double value, const char* what) {
-    if (value > 0 && std::isfinite(value)) return;
-    throw NonFatalError(ErrorCode::invalid_argument, std::string(name) + ": " + what + " " + std::to_string(value) +
-                                                         ", expected a finite number above 0");
-  };
-  require(limits.gain, "gain");
-  require(limits.speed, "speed");
-  require(limits.angular_speed, "angular speed");
-  if (limits.patience < 0) {
-    throw NonFatalError(ErrorCode::invalid_argument,
-                        std::string(name) + ": patience " + std::to_string(limits.patience) + ", expected at least 0");
-  }
+  require_above_zero(name, "gain", limits.gain);
+  require_above_zero(name, "speed", limits.speed);
+  require_above_zero(name, "angular speed", limits.angular_speed);
+  require_not_negative(name, "patience", limits.patience);
 }
 
 void VisualServo::start() {

@@ -1,6 +1,7 @@
 #include "links/exchange/requester.hpp"
 
 #include "links/exchange/connect.hpp"
+#include "links/exchange/responder.hpp"
 #include "mrroc/robot_command.hpp"
 #include "mrroc/sensor_link.hpp"
 #include "mrroc/stopped.hpp"
@@ -30,6 +31,12 @@ void Requester<Request, Reply>::send(const Request& request, Tick deadline) {
 }
 
 template <class Request, class Reply>
+void Requester<Request, Reply>::forward(Responder<Request, Reply>& responder, Tick deadline) {
+  deadline_ = deadline;
+  responder.reader_.forward(writer_, ++sequence_);
+}
+
+template <class Request, class Reply>
 void Requester<Request, Reply>::receive(Reply& reply) {
   while (!poll(reply)) {
     if (clock_.wait(deadline_) == clock::Wake::interrupted) throw Stopped();
@@ -52,15 +59,7 @@ bool Requester<Request, Reply>::poll(Reply& reply) {
 
 template <class Request, class Reply>
 bool Requester<Request, Reply>::take_reply(Reply& reply) {
-  Header header;
-  while (reader_.take(candidate_, header)) {
-    if (header.sequence == sequence_ && header.answers == boot_ && header.boot == reader_.ponged()) {
-      reply = candidate_;
-      return true;
-    }
-    ++stale_replies_;
-  }
-  return false;
+  return reader_.take_answer(reply, {.sequence = sequence_, .boot = reader_.ponged(), .answers = boot_});
 }
 
 template <class Request, class Reply>

@@ -10,6 +10,9 @@
 
 namespace mrroc::links {
 
+template <class Request, class Reply>
+class Responder;
+
 /// The asking side of a link: one request, then its reply. At most one exchange is under way; the participant's thread
 /// calls it. <Request, Reply> is <RobotCommand, RobotState> or <SensorRequest, SensorReading>.
 template <class Request, class Reply>
@@ -25,6 +28,9 @@ class Requester {
   /// Sends a request; does not wait. Its reply is due at `deadline`.
   void send(const Request& request, Tick deadline);
 
+  /// As `send`, of the request that `responder` has taken last, as it came.
+  void forward(Responder<Request, Reply>& responder, Tick deadline);
+
   /// Waits on the clock for the reply to the last `send`. Every other message is dropped and counted: a reply to
   /// another request, to another process, or from before the peer's restart. Throws SystemError: process_died
   /// (link_lost when other machines take part) when the peer is lost (in simulated time the clock's host detects that),
@@ -34,11 +40,12 @@ class Requester {
   bool poll(Reply& reply);
 
   bool peer_alive() const noexcept { return reader_.peer_alive(); }
-  std::uint64_t stale_replies() const noexcept { return stale_replies_; }
+  std::uint64_t stale_replies() const noexcept { return reader_.counters().stale; }
   /// Received messages that were refused.
   std::uint64_t malformed_replies() const noexcept { return reader_.counters().malformed; }
 
  private:
+  friend class Responder<Request, Reply>;
   bool take_reply(Reply& reply);
   [[noreturn]] void throw_lost() const;
 
@@ -48,10 +55,8 @@ class Requester {
   const bool loopback_only_;
   Writer<Request> writer_;
   Reader<Reply> reader_;
-  Reply candidate_;
   std::uint64_t sequence_ = 0;  // of the last request
   Tick deadline_ = kNever;
-  std::uint64_t stale_replies_ = 0;
 };
 
 }  // namespace mrroc::links

@@ -1,5 +1,6 @@
 #include "links/exchange/responder.hpp"
 
+#include "links/exchange/requester.hpp"
 #include "mrroc/robot_command.hpp"
 #include "mrroc/sensor_link.hpp"
 
@@ -31,6 +32,13 @@ template <class Request, class Reply>
 bool Responder<Request, Reply>::reply(const Reply& reply, std::uint64_t sequence) {
   if (sequence != taken_.sequence) return false;
   writer_.write(reply, sequence, taken_.boot);
+  return true;
+}
+
+template <class Request, class Reply>
+bool Responder<Request, Reply>::forward(Requester<Request, Reply>& requester, std::uint64_t sequence) {
+  if (sequence != taken_.sequence) return false;
+  requester.reader_.forward(writer_, sequence, taken_.boot);
   return true;
 }
 

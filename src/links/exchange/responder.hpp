@@ -11,8 +11,11 @@
 
 namespace mrroc::links {
 
-/// The answering side of a link; it answers the requester's hand-shake automatically. The participant's thread calls
-/// it. <Request, Reply> as for `Requester`.
+template <class Request, class Reply>
+class Requester;
+
+/// The answering side of a link; it answers the requester's hand-shake automatically. The participant's thread calls it.
+/// <Request, Reply> as for `Requester`.
 template <class Request, class Reply>
 class Responder {
  public:
@@ -25,11 +28,14 @@ class Responder {
 
   /// Answers the request taken last. False when another request has overtaken it; it is then not answered.
   bool reply(const Reply& reply, std::uint64_t sequence);
+  /// As `reply`, with the reply that `requester` has received last, as it came.
+  bool forward(Requester<Request, Reply>& requester, std::uint64_t sequence);
 
   bool peer_alive() const noexcept { return reader_.peer_alive(); }
   ReaderCounters counters() const noexcept { return reader_.counters(); }
 
  private:
+  friend class Requester<Request, Reply>;
   const double max_age_;
   Writer<Reply> writer_;
   Reader<Request> reader_;

@@ -12,11 +12,17 @@ RobotRequester::RobotRequester(Domain& domain, clock::Clock& clock, const std::s
       timeout_(timeout),
       exchange_(domain, clock, topic_name(prefix, "command"), topic_name(prefix, "state"), std::move(peer)) {}
 
+Tick RobotRequester::due(const RobotCommand& command) const {
+  const Tick now = clock_.tick() + (command.kind == CommandKind::synchronise ? kSynchronisation : 0);
+  return command.kind == CommandKind::query ? now : command.reply_tick(busy_until_, now);
+}
+
 void RobotRequester::send(const RobotCommand& command, Tick timeout) {
-  Tick due = clock_.tick();
-  if (command.kind == CommandKind::synchronise) due += kSynchronisation;
-  if (command.kind != CommandKind::query) due = std::max({due, command.start_tick, busy_until_}) + command.reply_step;
-  exchange_.send(command, due + timeout);
+  exchange_.send(command, due(command) + timeout);
+}
+
+void RobotRequester::forward(RobotResponder& responder, const RobotCommand& command) {
+  exchange_.forward(responder.exchange_, due(command) + timeout_);
 }
 
 void RobotRequester::receive(RobotState& state) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "links/exchange/requester.hpp"
+#include "links/exchange/robot_responder.hpp"
 #include "mrroc/robot_link.hpp"
 
 namespace mrroc::links {
@@ -24,6 +25,8 @@ class RobotRequester final : public RobotLink {
   /// macrostep under way according to the last state, whichever comes last; `timeout` ticks later it is missed.
   void send(const RobotCommand& command) override { send(command, timeout_); }
   void send(const RobotCommand& command, Tick timeout);
+  /// As `send`, of the command that `responder` has taken last and returned as `command`, as it came.
+  void forward(RobotResponder& responder, const RobotCommand& command);
   void receive(RobotState& state) override;
 
   bool peer_alive() const noexcept { return exchange_.peer_alive(); }
@@ -31,6 +34,9 @@ class RobotRequester final : public RobotLink {
   std::uint64_t malformed_replies() const noexcept { return exchange_.malformed_replies(); }
 
  private:
+  friend class RobotResponder;
+  Tick due(const RobotCommand& command) const;
+
   clock::Clock& clock_;
   const Tick timeout_;
   Requester<RobotCommand, RobotState> exchange_;

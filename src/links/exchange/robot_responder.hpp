@@ -6,6 +6,8 @@
 
 namespace mrroc::links {
 
+class RobotRequester;
+
 /// The other end of `RobotRequester`, in the EDP or in a transparent ECP. The participant's thread calls it.
 class RobotResponder {
  public:
@@ -21,11 +23,15 @@ class RobotResponder {
   /// Answers the command taken last; false, and nothing sent, for one that has been overtaken. Not from a servo tick.
   bool reply(const RobotState& state, std::uint64_t sequence) { return exchange_.reply(state, sequence); }
 
+  /// As `reply`, with the state that `requester` has received last, as it came.
+  bool forward(RobotRequester& requester, std::uint64_t sequence);
+
   bool peer_alive() const noexcept { return exchange_.peer_alive(); }
   /// Dropped commands, by reason.
   ReaderCounters counters() const noexcept { return exchange_.counters(); }
 
  private:
+  friend class RobotRequester;
   Responder<RobotCommand, RobotState> exchange_;
 };
 

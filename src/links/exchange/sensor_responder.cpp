@@ -22,18 +22,18 @@ SensorResponder::SensorResponder(Domain& domain, clock::Clock& clock, const std:
   }
 }
 
-bool SensorResponder::take(SensorRequest& request, Ticket& ticket) {
+bool SensorResponder::take(SensorRequest& request, Caller& caller) {
   for (std::size_t i = 0; i < clients_.size(); ++i) {
-    if (clients_[i]->take(request, ticket.sequence)) {
-      ticket.client = i;
+    if (clients_[i]->take(request, caller.sequence)) {
+      caller.client = i;
       return true;
     }
   }
   return false;
 }
 
-bool SensorResponder::reply(const SensorReading& reading, const Ticket& ticket) {
-  return clients_.at(ticket.client)->reply(reading, ticket.sequence);
+bool SensorResponder::reply(const SensorReading& reading, const Caller& caller) {
+  return clients_.at(caller.client)->reply(reading, caller.sequence);
 }
 
 void SensorResponder::publish(const SensorReading& reading) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "links/exchange/caller.hpp"
 #include "links/exchange/responder.hpp"
 #include "mrroc/sensor_link.hpp"
 
@@ -12,21 +13,15 @@ namespace mrroc::links {
 /// The VSP's end of its clients' `SensorRequester`s. The participant's thread calls it.
 class SensorResponder {
  public:
-  /// The request that a reply answers.
-  struct Ticket {
-    std::size_t client = 0;
-    std::uint64_t sequence = 0;
-  };
-
   /// `clients`: names of the processes that use the sensor, in the order in which they are served. With `published`
   /// readings are published too.
   SensorResponder(Domain& domain, clock::Clock& clock, const std::string& prefix,
                   const std::vector<std::string>& clients, bool published);
 
   /// A request not yet taken, of the first client that has one; false when there is none. Does not wait.
-  bool take(SensorRequest& request, Ticket& ticket);
+  bool take(SensorRequest& request, Caller& caller);
   /// Answers the request that the client made last; false, without sending, when another request has overtaken it.
-  bool reply(const SensorReading& reading, const Ticket& ticket);
+  bool reply(const SensorReading& reading, const Caller& caller);
   /// Sends a reading to every client that reads published readings. Throws SystemError when it was constructed without
   /// them.
   void publish(const SensorReading& reading);

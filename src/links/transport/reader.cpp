@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <optional>
+#include <limits>
 
 #include "clock/wall/monotonic.hpp"
 #include "links/transport/entity.hpp"
@@ -13,6 +13,9 @@
 
 namespace mrroc::links {
 namespace {
+
+/// s: no message is too old.
+constexpr double kForever = std::numeric_limits<double>::infinity();
 
 Header header_of(const mrroc_wire_Header& wire) noexcept {
   return {wire.number, wire.boot, wire.answers, wire.delta, wire.stamp_ns};
@@ -41,14 +44,13 @@ struct Reader<T>::Impl {
 
   static void on_data(dds_entity_t reader, void* arg) {
     Impl& self = *static_cast<Impl*>(arg);
-    std::array<dds_sample_info_t, 2> infos;
-    void* samples[] = {&self.incoming[0].value, &self.incoming[1].value};
+    std::array<dds_sample_info_t, Ring::kIncoming> infos;
     // room for one more than usual: if it stays empty there is nothing else
-    for (dds_return_t count = 2; count == 2;) {
-      count = dds_take(reader, samples, infos.data(), 2, 2);
-      for (dds_return_t i = 0; i < count; ++i) {
-        if (infos[static_cast<std::size_t>(i)].valid_data) self.store(self.incoming[static_cast<std::size_t>(i)]);
-      }
+    for (dds_return_t count = Ring::kIncoming; count == Ring::kIncoming;) {
+      void* samples[] = {&self.ring.incoming(0), &self.ring.incoming(1)};
+      count = dds_take(reader, samples, infos.data(), infos.size(), infos.size());
+      for (std::size_t i = 0; static_cast<dds_return_t>(i) < count; ++i)
+        if (infos[i].valid_data) self.store(i);
     }
   }
 
@@ -62,11 +64,11 @@ struct Reader<T>::Impl {
     static_cast<Impl*>(arg)->refused_policy.store(status.last_policy_id);
   }
 
-  void store(typename Ring::Entry& message) noexcept {
-    const mrroc_wire_Header& header = message.value.header;
+  void store(std::size_t i) noexcept {
+    const mrroc_wire_Header& header = ring.incoming(i).header;
     switch (header.kind) {
       case kData:
-        ring.push(message);
+        ring.push(i);
         if (receiver >= 0) {
           clock.arrived(receiver);
         } else {
@@ -86,61 +88,63 @@ struct Reader<T>::Impl {
 
   // ---- the participant's thread ------------------------------------------------------------------------------------
 
-  /// Skips messages that have been overwritten since the last call.
-  void skip_overwritten(std::uint64_t pushed) noexcept {
-    if (pushed - next <= ring.depth()) return;
-    overwritten += pushed - ring.depth() - next;
-    next = pushed - ring.depth();
+  /// The oldest message that is visible; null when there is none.
+  const Wire<T>* front() noexcept {
+    const Wire<T>* const message = ring.front();
+    return message != nullptr && (receiver < 0 || clock.visible(message->header.delta)) ? message : nullptr;
   }
-
-  bool visible() const noexcept { return receiver < 0 || clock.visible(entry.value.header.delta); }
 
   bool take(T& message, Header& header) noexcept {
-    const std::uint64_t pushed = ring.pushed();
-    skip_overwritten(pushed);
-    while (next < pushed) {
-      const bool there = ring.read(next, entry);
-      if (there && !visible()) return false;
-      ++next;
-      if (!there) {
-        ++overwritten;
-      } else if (decode(entry.value, message)) {
-        header = header_of(entry.value.header);
-        return true;
-      } else {
-        ++malformed;
-      }
-    }
-    return false;
-  }
-
-  bool take_newest(T& message, Header& header) noexcept {
-    const std::uint64_t pushed = ring.pushed();
-    skip_overwritten(pushed);
-    std::uint64_t end = next;  // of what is visible
-    for (std::uint64_t n = pushed; n > next;) {
-      --n;
-      if (!ring.read(n, entry)) {
-        overwritten += n + 1 - next;
-        end = std::max(end, n + 1);
-        break;
-      }
-      if (!visible()) continue;
-      end = std::max(end, n + 1);
-      if (decode(entry.value, message)) {
-        stale += n - next;
-        next = end;
-        header = header_of(entry.value.header);
+    while (front() != nullptr) {
+      taken = &ring.pop();
+      if (decode(*taken, message)) {
+        header = header_of(taken->header);
         return true;
       }
       ++malformed;
     }
-    next = end;
     return false;
   }
 
+  bool take_answer(T& message, const Header& expected) noexcept {
+    while (const Wire<T>* const next = front()) {
+      const Header header = header_of(next->header);
+      if (header.sequence != expected.sequence || header.boot != expected.boot || header.answers != expected.answers) {
+        ++stale;
+        ring.drop();
+        continue;
+      }
+      taken = &ring.pop();
+      if (decode(*taken, message)) return true;
+      ++malformed;
+    }
+    return false;
+  }
+
+  bool take_fresh(T& message, Header& header, double max_age) noexcept {
+    Wire<T>* newest = nullptr;
+    while (const Wire<T>* const next = front()) {
+      if (!valid<T>(*next)) {
+        ++malformed;
+        ring.drop();
+        continue;
+      }
+      if (newest != nullptr) ++stale;
+      newest = &ring.pop();
+    }
+    if (newest == nullptr) return false;
+    const Header newest_header = header_of(newest->header);
+    if (!fresh(newest_header, max_age)) {
+      ++stale;
+      return false;
+    }
+    taken = newest;
+    header = newest_header;
+    return decode(*taken, message);
+  }
+
   bool fresh(const Header& header, double max_age) const noexcept {
-    if (clock.simulated()) return true;
+    if (clock.simulated() || max_age == kForever) return true;
     const std::int64_t epoch = clock.epoch_ns();
     if (epoch == 0 && !same_machine(header.boot, boot)) return true;  // before tick 0 hosts have no time in common
     return static_cast<double>(clock::monotonic_ns() - epoch - header.stamp_ns) * 1e-9 <= max_age;
@@ -152,19 +156,17 @@ struct Reader<T>::Impl {
   const ReaderOptions options;
   int receiver = -1;  // the clock's handle; -1: not counted
 
-  std::array<typename Ring::Entry, 2> incoming{};  // listener
   Ring ring;
   std::atomic<std::uint32_t> alive{0};
   std::atomic<std::uint32_t> refused_policy{0};
   std::atomic<std::uint64_t> responder{0};
   std::atomic<std::uint64_t> unknown_kinds{0};
 
-  typename Ring::Entry entry{};  // participant
-  std::uint64_t next = 0;        // number of the oldest message not yet taken
+  Wire<T>* taken = nullptr;  // participant: the message taken last
   std::uint64_t malformed = 0;
   std::uint64_t stale = 0;
-  std::uint64_t overwritten = 0;
-  std::optional<T> held;  // of `latest`
+  T held;  // of `latest`
+  bool holds = false;
 
   Entity dds_topic;
   Entity reader;  // deleted first: no listener runs after that
@@ -184,31 +186,30 @@ bool Reader<T>::take(T& message, Header& header) {
 
 template <class T>
 bool Reader<T>::take_newest(T& message, Header& header) {
-  return impl_->take_newest(message, header);
+  return impl_->take_fresh(message, header, kForever);
 }
 
 template <class T>
 bool Reader<T>::take_fresh(T& message, Header& header, double max_age) {
-  T newest;
-  Header newest_header;
-  if (!impl_->take_newest(newest, newest_header)) return false;
-  if (!impl_->fresh(newest_header, max_age)) {
-    ++impl_->stale;
-    return false;
-  }
-  message = newest;
-  header = newest_header;
-  return true;
+  return impl_->take_fresh(message, header, max_age);
+}
+
+template <class T>
+bool Reader<T>::take_answer(T& message, const Header& expected) {
+  return impl_->take_answer(message, expected);
 }
 
 template <class T>
 bool Reader<T>::latest(T& message) {
-  T newest;
   Header header;
-  if (impl_->take_newest(newest, header)) impl_->held = newest;
-  if (!impl_->held) return false;
-  message = *impl_->held;
-  return true;
+  impl_->holds = impl_->take_fresh(impl_->held, header, kForever) || impl_->holds;
+  if (impl_->holds) message = impl_->held;
+  return impl_->holds;
+}
+
+template <class T>
+void Reader<T>::forward(Writer<T>& writer, std::uint64_t sequence, std::uint64_t answers) {
+  writer.send(impl_->taken, sequence, answers);
 }
 
 template <class T>
@@ -218,7 +219,7 @@ bool Reader<T>::peer_alive() const noexcept {
 
 template <class T>
 ReaderCounters Reader<T>::counters() const noexcept {
-  return {impl_->malformed + impl_->unknown_kinds.load(), impl_->stale, impl_->overwritten};
+  return {impl_->malformed + impl_->unknown_kinds.load(), impl_->stale, impl_->ring.overwritten()};
 }
 
 template <class T>

@@ -7,6 +7,7 @@
 #include "links/transport/domain.hpp"
 #include "links/transport/endpoint.hpp"
 #include "links/transport/header.hpp"
+#include "links/transport/writer.hpp"
 
 namespace mrroc::links {
 
@@ -44,6 +45,10 @@ class Reader final : public ReaderBase {
   /// process that was stopped receives everything that has queued up. Stamps count from tick 0, which is common to all
   /// machines; under simulated time, and from another machine before tick 0, every message counts as fresh.
   bool take_fresh(T& message, Header& header, double max_age);
+  /// The answer with the header's sequence, boot and answers; the messages before it are dropped as stale, undecoded.
+  bool take_answer(T& message, const Header& expected);
+  /// Sends the message that a function above returned last, as it came, through `writer` (`Writer::write`).
+  void forward(Writer<T>& writer, std::uint64_t sequence, std::uint64_t answers = 0);
   /// The newest message so far; may be called repeatedly.
   bool latest(T& message);
 

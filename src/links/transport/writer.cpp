@@ -19,8 +19,6 @@ struct Writer<T>::Impl {
     dds_lset_offered_incompatible_qos(listener.get(), &on_incompatible);
     writer = Entity{dds_create_writer(d.participant(), dds_topic.get(), link_writer_qos(d).get(), listener.get()),
                     "writer", topic};
-    sample.header.boot = boot;
-    sample.header.kind = kData;
   }
 
   static void on_incompatible(dds_entity_t, const dds_offered_incompatible_qos_status_t status, void* arg) {
@@ -55,9 +53,17 @@ Writer<T>::~Writer() = default;
 
 template <class T>
 void Writer<T>::write(const T& message, std::uint64_t sequence, std::uint64_t answers) {
+  encode(message, impl_->sample);
+  send(&impl_->sample, sequence, answers);
+}
+
+template <class T>
+void Writer<T>::send(void* sample, std::uint64_t sequence, std::uint64_t answers) {
   Impl& link = *impl_;
-  encode(message, link.sample);
-  auto& header = link.sample.header;
+  auto& header = static_cast<Wire<T>*>(sample)->header;
+  header = {};
+  header.kind = kData;
+  header.boot = link.boot;
   header.number = sequence;
   header.answers = answers;
   if (link.clock.simulated()) {
@@ -66,7 +72,7 @@ void Writer<T>::write(const T& message, std::uint64_t sequence, std::uint64_t an
     header.stamp_ns = clock::monotonic_ns() - link.clock.epoch_ns();
   }
   if (link.sender >= 0) link.clock.sent(link.sender);
-  const dds_return_t code = dds_write(link.writer.get(), &link.sample);
+  const dds_return_t code = dds_write(link.writer.get(), sample);
   if (code != DDS_RETCODE_OK) {
     throw SystemError(ErrorCode::link_lost, "topic " + link.topic + ": not written: " + dds_strretcode(code));
   }

@@ -8,6 +8,9 @@
 
 namespace mrroc::links {
 
+template <class T>
+class Reader;
+
 struct WriterOptions {
   bool counted = true;  ///< the clock counts its messages; false if simulated time need not wait for them
 };
@@ -35,6 +38,10 @@ class Writer final : public WriterBase {
   std::int32_t entity() const noexcept;
 
  private:
+  friend class Reader<T>;
+  /// Sends `sample`, the wire form of a T, with a header of this writer.
+  void send(void* sample, std::uint64_t sequence, std::uint64_t answers);
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -69,29 +69,19 @@ inline constexpr std::uint32_t kData = 0;
 inline constexpr std::uint32_t kPing = 1;
 inline constexpr std::uint32_t kPong = 2;
 
-// encode writes the content of a message, all but its header, into `wire`. decode does the reverse when the wire form
-// is valid: every enum and boolean in range, counts within bounds, text terminated; otherwise it returns false and
-// leaves `message` unchanged. Numbers are copied bit by bit, NaN too: the receiver checks their values. Of joint
-// vectors only the axes in use are copied. No allocation.
+/// Writes the content of a message, all but its header, into `wire`. Numbers are copied bit by bit, NaN too: the
+/// receiver judges values. Of joint vectors only the axes in use are touched. Any thread; does not allocate.
+template <class T>
+void encode(const T& message, Wire<T>& wire) noexcept;
 
-void encode(const RobotCommand& message, mrroc_wire_RobotCommand& wire) noexcept;
-void encode(const RobotState& message, mrroc_wire_RobotState& wire) noexcept;
-void encode(const SensorRequest& message, mrroc_wire_SensorRequest& wire) noexcept;
-void encode(const SensorReading& message, mrroc_wire_SensorReading& wire) noexcept;
-void encode(const TaskCommand& message, mrroc_wire_TaskCommand& wire) noexcept;
-void encode(const TaskStatus& message, mrroc_wire_TaskStatus& wire) noexcept;
-void encode(const OperatorQuestion& message, mrroc_wire_OperatorQuestion& wire) noexcept;
-void encode(const OperatorAnswer& message, mrroc_wire_OperatorAnswer& wire) noexcept;
-void encode(const ProcessStatus& message, mrroc_wire_ProcessStatus& wire) noexcept;
+/// Whether the wire form is a message: every enum and boolean in range, counts within bounds, text terminated. Any
+/// thread.
+template <class T>
+bool valid(const Wire<T>& wire) noexcept;
 
-bool decode(const mrroc_wire_RobotCommand& wire, RobotCommand& message) noexcept;
-bool decode(const mrroc_wire_RobotState& wire, RobotState& message) noexcept;
-bool decode(const mrroc_wire_SensorRequest& wire, SensorRequest& message) noexcept;
-bool decode(const mrroc_wire_SensorReading& wire, SensorReading& message) noexcept;
-bool decode(const mrroc_wire_TaskCommand& wire, TaskCommand& message) noexcept;
-bool decode(const mrroc_wire_TaskStatus& wire, TaskStatus& message) noexcept;
-bool decode(const mrroc_wire_OperatorQuestion& wire, OperatorQuestion& message) noexcept;
-bool decode(const mrroc_wire_OperatorAnswer& wire, OperatorAnswer& message) noexcept;
-bool decode(const mrroc_wire_ProcessStatus& wire, ProcessStatus& message) noexcept;
+/// Reads the content of a message from its wire form when that is valid; otherwise returns false and leaves `message`
+/// unchanged. Any thread; does not allocate.
+template <class T>
+bool decode(const Wire<T>& wire, T& message) noexcept;
 
 }  // namespace mrroc::links

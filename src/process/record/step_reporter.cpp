@@ -94,10 +94,6 @@ void write_error(TextLine& line, const ErrorReport& error) noexcept {
   line << " error=\"" << describe(error.error_class) << ": " << describe(error.code) << "\"";
 }
 
-bool moves(const RobotState& state) noexcept {
-  return !state.desired_velocity.isZero(0) || !state.desired_acceleration.isZero(0);
-}
-
 void write_robot(TextLine& line, const std::string& name, const RobotState& state) noexcept {
   line << " robot=" << name << " tick=" << state.tick << " macrostep=" << state.macrostep_start << " joints=";
   write_vector(line, state.joints);
@@ -106,7 +102,7 @@ void write_robot(TextLine& line, const std::string& name, const RobotState& stat
   line << " desired_tick=" << state.desired_tick << " desired=";
   write_vector(line, state.desired_joints);
   write_pose(line << " desired_pose=", state.desired_pose);
-  if (moves(state)) line << " moving";
+  if (!state.at_rest()) line << " moving";
   if (state.late_commands != 0) line << " late=" << std::uint64_t{state.late_commands};
   if (!state.wrench.isZero(0)) write_vector(line << " wrench=", state.wrench);
   if (state.lost != 0) line << " lost=" << state.lost;

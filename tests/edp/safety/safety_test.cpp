@@ -66,7 +66,7 @@ const Event kEvents[] = {
     {"Overspeed", ErrorCode::overspeed, StopCategory::drives_off,
      [](SafeRig& rig) {
        rig.model.change().axes[0].velocity_max =
-           0.9 * rig.seen().velocity.cwiseAbs().maxCoeff() / MotionWatch::kOverspeed;
+           0.9 * rig.seen().joint_velocity.cwiseAbs().maxCoeff() / MotionWatch::kOverspeed;
      }},
     {"OverCurrent", ErrorCode::over_current, StopCategory::stop_then_off,
      [](SafeRig& rig) { rig.hardware.spoil = [](HardwareInput& input) { input.current[0] = -25; }; }},

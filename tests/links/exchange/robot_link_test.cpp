@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <limits>
 #include <thread>
 
 #include "links/code_of.hpp"
@@ -52,6 +54,35 @@ TEST(RobotLink, ExchangesCommandAndState) {
   EXPECT_EQ(pair.ecp.stale_replies(), 0U);
   EXPECT_EQ(pair.clock.in_flight.load(), 0)
       << "sent messages are counted, arrived ones are subtracted, pings are ignored";
+}
+
+/// A transparent ECP between an MP and an EDP.
+TEST(RobotLink, ForwardsCommandAndStateAsTheyCame) {
+  RobotPair pair;
+  RobotRequester mp(pair.net.domain, pair.clock, "t/arm/mp", "arm", 100000);
+  RobotResponder ecp(pair.net.domain, pair.clock, "t/arm/mp", 1000);
+  mp.connect(kPatience);
+  RobotCommand command, seen;
+  RobotState state;
+  std::uint64_t number = 0;
+  command.kind = CommandKind::twist;
+  command.twist << 1, -0.0, 3, std::numeric_limits<double>::quiet_NaN(), 5, 6;
+  for (int i = 1; i <= 3; ++i) {
+    mp.send(command);
+    ASSERT_TRUE(ecp.take(seen, number));
+    pair.ecp.forward(ecp, seen);
+    pair.answer(i);
+    EXPECT_EQ(pair.command.kind, CommandKind::twist);
+    EXPECT_EQ(std::memcmp(pair.command.twist.data(), command.twist.data(), sizeof(Twist)), 0) << "bit by bit";
+    pair.ecp.receive(pair.state);
+    EXPECT_TRUE(ecp.forward(pair.ecp, number));
+    mp.receive(state);
+    EXPECT_EQ(state.joints[5], i);
+  }
+  mp.send(command);
+  ASSERT_TRUE(ecp.take(seen, number));
+  EXPECT_FALSE(ecp.forward(pair.ecp, number - 1)) << "a command that another one has overtaken has no answer";
+  EXPECT_EQ(pair.clock.in_flight.load(), 0);
 }
 
 TEST(RobotLink, WaitsForTheReply) {

@@ -26,27 +26,27 @@ struct SensorPair {
   SensorRequester mp;
   SensorRequest request;
   SensorReading reading;
-  SensorResponder::Ticket ticket;
+  Caller caller;
 };
 
 TEST(SensorLink, AnswersEachClientItsOwnRequest) {
   SensorPair pair(false);
-  EXPECT_FALSE(pair.vsp.take(pair.request, pair.ticket));
+  EXPECT_FALSE(pair.vsp.take(pair.request, pair.caller));
   pair.mp.request({SensorRequestKind::bias, 7});
   pair.arm.request({SensorRequestKind::reading, 8});
   SensorReading reading;
   reading.channel_count = 1;
-  ASSERT_TRUE(pair.vsp.take(pair.request, pair.ticket));
-  EXPECT_EQ(pair.ticket.client, 0U) << "clients are served in the given order";
+  ASSERT_TRUE(pair.vsp.take(pair.request, pair.caller));
+  EXPECT_EQ(pair.caller.client, 0U) << "clients are served in the given order";
   EXPECT_EQ(pair.request.measure_at, 8U);
   reading.values[0] = 1.5;
-  EXPECT_TRUE(pair.vsp.reply(reading, pair.ticket));
-  ASSERT_TRUE(pair.vsp.take(pair.request, pair.ticket));
-  EXPECT_EQ(pair.ticket.client, 1U);
+  EXPECT_TRUE(pair.vsp.reply(reading, pair.caller));
+  ASSERT_TRUE(pair.vsp.take(pair.request, pair.caller));
+  EXPECT_EQ(pair.caller.client, 1U);
   EXPECT_EQ(pair.request.kind, SensorRequestKind::bias);
   reading.values[0] = 2.5;
-  EXPECT_TRUE(pair.vsp.reply(reading, pair.ticket));
-  EXPECT_FALSE(pair.vsp.take(pair.request, pair.ticket));
+  EXPECT_TRUE(pair.vsp.reply(reading, pair.caller));
+  EXPECT_FALSE(pair.vsp.take(pair.request, pair.caller));
   pair.arm.receive(pair.reading);
   EXPECT_EQ(pair.reading.values[0], 1.5);
   pair.mp.receive(pair.reading);

@@ -113,7 +113,7 @@ void fill(char (&text)[Size]) {
 TEST(Malformed, RobotCommand) {
   expect_dropped<RobotCommand>({{"kind", [](auto& w) { w.command_kind = 15; }},
                                 {"with_outputs", [](auto& w) { w.with_outputs = 2; }},
-                                {"force_behaviour", [](auto& w) { w.force_behaviour[5] = 3; }},
+                                {"force.behaviour", [](auto& w) { w.force.behaviour[5] = 3; }},
                                 {"relative", [](auto& w) { w.relative = 2; }},
                                 {"joints", [](auto& w) { w.joints.count = 9; }},
                                 {"joint_velocity", [](auto& w) { w.joint_velocity.count = 0xffffffff; }},

@@ -38,7 +38,7 @@ TEST_F(ConveyorCarries, EncoderMatchesTheDriveWhileTheBeltsGeometryStays) {
   edp_.go(0.1, 2500);
   for (int i = 0; i < 30; ++i) {
     run(100);
-    const world::HardwareReading reading = encoder();
+    const RawReading reading = encoder();
     ASSERT_EQ(reading.count, 2U);
     EXPECT_EQ(reading.tick, now_);
     EXPECT_NEAR(reading.values[0], travel(), 2 * M_PI / 4000 / 2250) << "the drive rounds to increments";

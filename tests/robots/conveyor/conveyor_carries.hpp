@@ -53,8 +53,8 @@ class ConveyorCarries : public testing::Test {
   double slip(const Eigen::Vector3d& before, double way) {
     return (parts() - before - Eigen::Vector3d::Constant(way)).cwiseAbs().maxCoeff();
   }
-  world::HardwareReading encoder() const {
-    world::HardwareReading reading;
+  RawReading encoder() const {
+    RawReading reading;
     EXPECT_TRUE(memory_->readings[0].load(reading));
     return reading;
   }

@@ -56,7 +56,7 @@ class Arm {
   }
 
   RawReading wrist() const {
-    world::HardwareReading slot;
+    RawReading slot;
     hardware_->read(world_.data(), slot);
     RawReading r;
     r.tick = tick_;

@@ -86,7 +86,7 @@ TEST(UltrasonicFan, DetectsATargetInItsConeThatASingleRayMisses) {
   for (const double offset : {-0.20, -0.14, -0.05, 0.0, 0.1, 0.14, 0.20}) {
     sim::World world = post_beside_the_axis(offset);
     world.start();
-    world::HardwareReading slot;
+    RawReading slot;
     sim::SensorSource{world.model(), "gate", "ultrasonic", ""}.read(world.data(), slot);
     ASSERT_EQ(slot.count, 7U);
     UltrasonicSensor sensor = made_sensor(kFan);

@@ -100,7 +100,7 @@ TEST(Mount, CarriersWristMeasuresTheWeightOfTheCarriedRobot) {
   Simulation simulation(deployment, *memory);
   simulation.publish_initial();
   simulation.step(1);
-  world::HardwareReading wrist;
+  RawReading wrist;
   ASSERT_TRUE(memory->readings[1].load(wrist));
   const mjModel& model = simulation.world().model();
   const double mass = model.body_subtreemass[mj_name2id(&model, mjOBJ_BODY, "a0/hand")];

@@ -69,7 +69,7 @@ TEST_P(EveryMode, RobotSwitchedOffInMotionIsStoppedByItsDrives) {
   CanRig<Gantry> rig(GetParam());
   rig.send(relative_joints(JointVector::Constant(4, 0.4), 600));
   rig.run(300);
-  ASSERT_GT(rig.seen().velocity.norm(), 0.1) << "the robot is moving";
+  ASSERT_GT(rig.seen().joint_velocity.norm(), 0.1) << "the robot is moving";
   rig.rack.with([](auto& nodes) {
     for (const sim::DriveNode& node : nodes) EXPECT_EQ(node.state(), DriveState::operation_enabled);
   });
