@@ -81,8 +81,8 @@ class Edp {
  public:
   explicit Edp(double period)
       : hardware_(*models_.front(), period),
-        servo_(model_set_, hardware_, period, hand_over_),
-        effector_(model_set_, period, hand_over_) {
+        servo_(model_set_, hardware_, period, channel_),
+        effector_(model_set_, period, channel_) {
     effector_.enable(true);
     servo_.tick(tick_);
   }
@@ -99,7 +99,7 @@ class Edp {
   RobotModels models_ = load_models();
   edp::ModelSet model_set_{models_};
   edp::LoopbackHardware hardware_;
-  edp::HandOver hand_over_;
+  edp::ServoChannel channel_;
   edp::Servo servo_;
   edp::Effector effector_;
   Tick tick_ = 0;

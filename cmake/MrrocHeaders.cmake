@@ -57,7 +57,7 @@ set(MRROC_INCLUDED_HEADERS
   src/process/record/text_line.hpp
   src/process/record/trace_file.hpp
   src/process/status_board.hpp
-  src/process/strands.hpp
+  src/process/fibers.hpp
   src/process/task_process.hpp
   src/world/world_memory.hpp
   vsp/raw_reading.hpp

@@ -34,7 +34,7 @@ config::ProgramBehaviours Behaviours::declared() {
   return behaviours;
 }
 
-void Behaviours::run(const Parcel& parcel) const {
+void Behaviours::run(const Message& parcel) const {
   const auto found = handlers_.find(std::string{parcel.label.view()});
   if (found != handlers_.end()) {
     found->second(parcel);

@@ -48,7 +48,7 @@ void Task::come_to_rest() {
   } while (state_.error.error_class == ErrorClass::none && !state_.at_rest());
 }
 
-void Task::tell_parcel(const Parcel& parcel) {
+void Task::tell_parcel(const Message& parcel) {
   links::TaskStatus status;
   status.state = links::TaskState::running;
   status.tick = tick();

@@ -34,7 +34,7 @@ struct HardwareInput {
   int fault_axis = -1;                ///< its axis; -1: the whole robot
   FaultDetail fault_detail{};         ///< its details
   std::array<AxisSwitches, kMaxJoints> switches{};
-  Signals inputs;                ///< of the controller's terminals
+  ControllerIo inputs;           ///< of the controller's terminals
   Homing homing = Homing::none;  ///< of the axis given to `home`
   double homing_shift = 0;       ///< after homing has attained: the offset to add to its positions, rad
 };
@@ -68,7 +68,7 @@ class Hardware {
   virtual void write(Tick tick, const JointVector& current) noexcept = 0;
   /// Sets the controller's outputs, with the next `write` at the latest; whether the drives are on does not matter.
   /// Servo thread.
-  virtual void set_outputs(const Signals& /*outputs*/) noexcept {}
+  virtual void set_outputs(const ControllerIo& /*outputs*/) noexcept {}
   /// From now on every shaft position is greater by `shift` (rad), and absolute. Servo thread.
   virtual void set_origin(const JointVector& shift) noexcept = 0;
   /// Whether the drives find their positions on their own, one axis after the other; else the servo does it.

@@ -54,8 +54,8 @@ class Shell {
         model_set_(models_),
         hardware_(open_hardware()),
         force_sensor_(open_force_sensor()),
-        servo_(model_set_, *hardware_, process.clock().period(), hand_over_),
-        effector_(model_set_, process.clock().period(), hand_over_),
+        servo_(model_set_, *hardware_, process.clock().period(), channel_),
+        effector_(model_set_, process.clock().period(), channel_),
         responder_(process.domain(), process.clock(), process.topic(place_.entry.name),
                    process.deployment().heartbeat_timeout) {
     for (const config::SensorEntry& sensor : process.deployment().sensors)
@@ -217,7 +217,7 @@ class Shell {
   std::optional<world::MappedWorld> world_;
   std::unique_ptr<Hardware> hardware_;
   std::unique_ptr<ForceSensor> force_sensor_;  ///< null: no force sensor
-  HandOver hand_over_;
+  ServoChannel channel_;
   Servo servo_;
   Effector effector_;
   links::RobotResponder responder_;

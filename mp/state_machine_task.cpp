@@ -46,7 +46,7 @@ std::string StateMachineTask::run_behaviours(const config::State& state) {
 }
 
 std::string StateMachineTask::transition(const config::State& state) {
-  Parcel parcel;
+  Message parcel;
   for (const auto& [label, next] : state.on)
     for (const config::State::Start& start : state.starts)
       if (take_parcel(start.robot, label, parcel)) return next;

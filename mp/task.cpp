@@ -33,7 +33,7 @@ Task::Ecp& Task::ecp(const std::string& name, const char* asked) {
                       {process_name(), name, 0, 0});
 }
 
-void Task::start_with(const std::string& name, const Parcel& behaviour) {
+void Task::start_with(const std::string& name, const Message& behaviour) {
   Ecp& started = ecp(name, "start");
   wait_until([] { return true; });  // not while paused
   if (started.running) {
@@ -114,11 +114,11 @@ std::string Task::wait_for_any(const std::vector<std::string>& names) {
   return ended;
 }
 
-void Task::tell_parcel(const std::string& name, const Parcel& parcel) {
+void Task::tell_parcel(const std::string& name, const Message& parcel) {
   ecp(name, "tell").link->send(links::TaskCommandKind::message, parcel);
 }
 
-bool Task::take_parcel(const std::string& name, std::string_view label, Parcel& parcel) {
+bool Task::take_parcel(const std::string& name, std::string_view label, Message& parcel) {
   poll_others();
   return ecp(name, "take").mailbox.take(label, parcel);
 }
@@ -130,7 +130,7 @@ bool Task::heard_label(const std::string& name, std::string_view label) {
   return ecp(name, "heard").mailbox.has(label);
 }
 
-void Task::concurrently(const std::vector<std::function<void()>>& parts) { process().strands()->run(parts); }
+void Task::concurrently(const std::vector<std::function<void()>>& parts) { process().fibers()->run(parts); }
 
 OperatorRequest Task::operator_request() {
   const OperatorRequest request = TaskProcess::operator_request();
@@ -152,7 +152,7 @@ void Task::wait_for_running() {
     const bool had_failed = failed() != nullptr;
     poll_others();
     if (!any_running() || (!had_failed && failed() != nullptr)) return;
-    if (process().strands()->cancelled()) throw Stopped{};
+    if (process().fibers()->cancelled()) throw Stopped{};
     if (process().clock().wait(kNever) == clock::Wake::interrupted) throw Stopped{};
   }
 }

@@ -152,7 +152,7 @@ void World::put(std::size_t index, const Pose& pose) {
   mj_fwdVelocity(model_.get(), data_.get());
 }
 
-void World::set_outputs(std::size_t index, const Signals& outputs) noexcept {
+void World::set_outputs(std::size_t index, const ControllerIo& outputs) noexcept {
   terminals_.at(index).write(*model_, *data_, outputs);
 }
 

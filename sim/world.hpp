@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/scene/controller_wiring.hpp"
 #include "sim/scene/driven_joints.hpp"
 #include "sim/scene/free_body.hpp"
 #include "sim/scene/model.hpp"
 #include "sim/scene/mujoco_messages.hpp"
-#include "sim/scene/terminals.hpp"
 #include "sim/scene/weld_torques.hpp"
 
 namespace mrroc::sim {
@@ -54,7 +54,7 @@ class World {
   /// on.
   void put(std::size_t index, const Pose& pose);
   /// Sets the outputs of robot `index`'s controller.
-  void set_outputs(std::size_t index, const Signals& outputs) noexcept;
+  void set_outputs(std::size_t index, const ControllerIo& outputs) noexcept;
   /// Joints and inputs.
   void measure(std::size_t index, world::JointMeasurement& measurement) const noexcept;
   const mjModel& model() const noexcept { return *model_; }
@@ -75,7 +75,7 @@ class World {
   int substeps_;
   WeldTorques weld_torques_;
   std::vector<DrivenJoints> robots_;
-  std::vector<Terminals> terminals_;
+  std::vector<ControllerWiring> terminals_;
   std::vector<FreeBody> held_;
   std::vector<WorldWarning> warnings_;
 };

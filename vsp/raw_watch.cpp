@@ -18,16 +18,16 @@ RawWatch::RawWatch(const config::SensorEntry& entry, const std::vector<config::C
   }
 }
 
-void RawWatch::look(const RawReading& r, SensorReading& v) noexcept {
+void RawWatch::check(const RawReading& r, SensorReading& v) noexcept {
   if (seen_ > 0 && r.tick <= last_.tick) return;
-  if (frozen_after_ > 0) look_frozen(r, v);
-  if (!noise_max_.empty()) look_noisy(r, v);
+  if (frozen_after_ > 0) check_frozen(r, v);
+  if (!noise_max_.empty()) check_noisy(r, v);
   before_last_ = last_;
   last_ = r;
   ++seen_;
 }
 
-void RawWatch::look_frozen(const RawReading& r, SensorReading& v) noexcept {
+void RawWatch::check_frozen(const RawReading& r, SensorReading& v) noexcept {
   if (seen_ == 0 || !std::equal(r.values.begin(), r.values.begin() + r.count, last_.values.begin())) {
     same_ = 0;
     changed_ = r.tick;
@@ -39,7 +39,7 @@ void RawWatch::look_frozen(const RawReading& r, SensorReading& v) noexcept {
          channels_[0].name.c_str(), r.values[0], ticks);
 }
 
-void RawWatch::look_noisy(const RawReading& r, SensorReading& v) noexcept {
+void RawWatch::check_noisy(const RawReading& r, SensorReading& v) noexcept {
   if (seen_ < 2) return;
   for (std::size_t i = 0; i < noise_max_.size(); ++i) {
     const double difference = r.values[i] - 2 * last_.values[i] + before_last_.values[i];

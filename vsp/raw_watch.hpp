@@ -27,11 +27,11 @@ class RawWatch {
 
   /// Checks a complete and finite reading, later than the one before; `v` becomes a HardwareError(sensor_hardware)
   /// when it is frozen or noisy.
-  void look(const RawReading& r, SensorReading& v) noexcept;
+  void check(const RawReading& r, SensorReading& v) noexcept;
 
  private:
-  void look_frozen(const RawReading& r, SensorReading& v) noexcept;
-  void look_noisy(const RawReading& r, SensorReading& v) noexcept;
+  void check_frozen(const RawReading& r, SensorReading& v) noexcept;
+  void check_noisy(const RawReading& r, SensorReading& v) noexcept;
 
   std::vector<config::Channel> channels_;
   std::vector<double> noise_max_;

@@ -115,7 +115,7 @@ void Sampler::check_raw(SourceState state, Tick now) noexcept {
       return fault("raw value %s is %g, expected a finite number", raw_channels_[i].name.c_str(), raw_.values[i]);
     }
   }
-  watch_.look(raw_, raw_fault_);
+  watch_.check(raw_, raw_fault_);
 }
 
 void Sampler::answer_due(Tick now, ReadingSink& sink) {

@@ -19,7 +19,7 @@ double seconds_of(std::int64_t time) { return static_cast<double>(time) / 1e9; }
 
 }  // namespace
 
-void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, const std::function<bool()>& stop,
+void monitor(can::Bus& bus, CanFrameFormatter& words, const MonitorOptions& options, const std::function<bool()>& stop,
              const std::function<void(std::string_view text)>& show) {
   const std::int64_t begin = clock::monotonic_ns();
   const std::int64_t end = begin + static_cast<std::int64_t>(std::min(options.seconds, kLongest) * 1e9);

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "can/bus.hpp"
-#include "cli/can/can_frame_words.hpp"
+#include "cli/can/can_frame_formatter.hpp"
 
 namespace mrroc::cli {
 
@@ -20,7 +20,7 @@ struct MonitorOptions {
 /// Listens until the number of frames or the seconds are reached, or `stop` returns true. Passes to `show` one line for
 /// each frame (s since the first frame, then the frame in words), or a summary. Sends nothing. Throws
 /// std::runtime_error when the bus is gone, and any exception of `show`.
-void monitor(can::Bus& bus, FrameWords& words, const MonitorOptions& options, const std::function<bool()>& stop,
+void monitor(can::Bus& bus, CanFrameFormatter& words, const MonitorOptions& options, const std::function<bool()>& stop,
              const std::function<void(std::string_view text)>& show);
 
 }  // namespace mrroc::cli

@@ -17,7 +17,7 @@ void CanSummary::add(const can::Frame& frame) {
     count.bits += bits_on_the_wire(frame.remote ? 0 : frame.size);
 }
 
-std::string CanSummary::text(const FrameWords& words, double seconds, double bit_rate) const {
+std::string CanSummary::text(const CanFrameFormatter& words, double seconds, double bit_rate) const {
   const auto per_second = [seconds](std::uint64_t number) {
     return seconds > 0 ? static_cast<double>(number) / seconds : 0.0;
   };

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "can/frame.hpp"
-#include "cli/can/can_frame_words.hpp"
+#include "cli/can/can_frame_formatter.hpp"
 
 namespace mrroc::cli {
 
@@ -21,7 +21,7 @@ class CanSummary {
   void add(const can::Frame& frame);
   /// A table: number of frames of each kind, their rate, and the largest part of a bus of `bit_rate` (bit/s) that they
   /// take. `seconds`: duration of the listening. CAN FD frames have two bit rates: they count without a load.
-  std::string text(const FrameWords& words, double seconds, double bit_rate) const;
+  std::string text(const CanFrameFormatter& words, double seconds, double bit_rate) const;
 
  private:
   struct Count {

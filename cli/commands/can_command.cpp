@@ -86,7 +86,8 @@ config::DriveTable drives_of(const std::string& type, std::filesystem::path file
 }
 
 void monitor_interface(const MonitorArguments& arguments) {
-  FrameWords words = arguments.robot.empty() ? FrameWords() : FrameWords(drives_of(arguments.robot, arguments.drives));
+  CanFrameFormatter words =
+      arguments.robot.empty() ? CanFrameFormatter() : CanFrameFormatter(drives_of(arguments.robot, arguments.drives));
   const auto bus = can::open_bus(arguments.interface);
   Interruption interruption;
   bool interrupted = false;

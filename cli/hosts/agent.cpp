@@ -14,7 +14,7 @@
 #include "cli/processes/addresses.hpp"
 #include "cli/processes/resource_limits.hpp"
 #include "cli/run/clock_options.hpp"
-#include "cli/run/orderly_end.hpp"
+#include "cli/run/shutdown.hpp"
 #include "clock/wall/monotonic.hpp"
 #include "config/network/local_host.hpp"
 #include "config/resources.hpp"
@@ -55,7 +55,7 @@ Agent::Agent(int in, int out, double patience_with_order)
     : patience_with_order_(patience_with_order),
       runner_(in, out),
       wake_(epoll_create1(EPOLL_CLOEXEC)),
-      crew_([this](const std::string& name, const std::string& line) {
+      group_([this](const std::string& name, const std::string& line) {
         if (runner_.waiting() < kMostWaiting) runner_.write("line " + name + " " + line);
       }) {
   add_to(wake_, runner_.fd());
@@ -87,7 +87,7 @@ bool Agent::take_order() {
   const std::int64_t deadline = clock::monotonic_ns() + static_cast<std::int64_t>(patience_with_order_ * 1e9);
   std::vector<std::string> lines;
   while (!runner_.closed() && clock::monotonic_ns() < deadline) {
-    crew_.wait(kTurn, wake_);
+    group_.wait(kTurn, wake_);
     read_signals();
     if (stopping_) return true;
     for (const std::string& line : runner_.read()) {
@@ -147,7 +147,7 @@ void Agent::start_processes() {
       arguments.motion_fd = motion_->fd();
     }
     records_->add_to(arguments);
-    crew_.start(process, process::to_command_line(arguments), arguments.descriptors());
+    group_.start(process, process::to_command_line(arguments), arguments.descriptors());
   }
   // after the children: they must not inherit the thread's memory priority or its socket
   link_ = std::make_unique<HostLink>(own_address_towards(ipv4_of(order_.machines.front())), order_.domain, order_.key,
@@ -169,7 +169,7 @@ void Agent::supervise() {
 }
 
 void Agent::turn(int milliseconds) {
-  crew_.wait(milliseconds, wake_);
+  group_.wait(milliseconds, wake_);
   for (const std::string& line : runner_.read()) obey(line);
   // causes first: other events here may be their consequences
   if (!stopping_ && clock_->was_stopped()) fail(process::ExitCode::system, "its agent was stopped by a signal");
@@ -219,7 +219,7 @@ void Agent::report_missing() {
 
 void Agent::check_children() {
   if (stopping_) return;
-  Child* const child = crew_.first_lost();
+  Child* const child = group_.first_lost();
   if (child == nullptr) return;
   stopping_ = true;
   code_ = process::ExitCode::system;
@@ -238,13 +238,13 @@ void Agent::fail(process::ExitCode code, const std::string& reason) {
 
 void Agent::end_processes() {
   if (!clock_) return;
-  end_in_order(crew_, *clock_, started_,
-               {.turn = [this] { turn_at_the_end(); },
-                .message = [this](const std::string& line) { runner_.write("line " + line); },
-                .failed = [this](const std::string& reason) { fail(process::ExitCode::system, reason); }});
-  crew_.wait(0, signals_.descriptor());
+  shut_down(group_, *clock_, started_,
+            {.turn = [this] { turn_at_the_end(); },
+             .message = [this](const std::string& line) { runner_.write("line " + line); },
+             .failed = [this](const std::string& reason) { fail(process::ExitCode::system, reason); }});
+  group_.wait(0, signals_.descriptor());
   for (const PlannedProcess& process : plan_) {
-    const Child* const child = crew_.find(process.name);
+    const Child* const child = group_.find(process.name);
     if (child != nullptr && child->exit_code() == static_cast<int>(process::ExitCode::system) &&
         child->last_line().starts_with(process::kTraceProblem))
       fail(process::ExitCode::system, child->last_line());
@@ -252,7 +252,7 @@ void Agent::end_processes() {
 }
 
 void Agent::turn_at_the_end() {
-  crew_.wait(kTurn, signals_.descriptor());  // not the channel: a closed one would wake it without end
+  group_.wait(kTurn, signals_.descriptor());  // not the channel: a closed one would wake it without end
   read_signals();
   runner_.read();
   runner_.flush();

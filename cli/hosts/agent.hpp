@@ -10,7 +10,7 @@
 #include "cli/hosts/host_link.hpp"
 #include "cli/hosts/line_channel.hpp"
 #include "cli/operator/task_records.hpp"
-#include "cli/processes/crew.hpp"
+#include "cli/processes/process_group.hpp"
 #include "cli/processes/process_plan.hpp"
 #include "cli/processes/signals.hpp"
 #include "cli/run/domain_lock.hpp"
@@ -70,7 +70,7 @@ class Agent {
   std::string own_address_;
   std::unique_ptr<TaskRecords> records_;
   std::optional<process::ClaimedFile> motion_;  // of the simulator on this host
-  Crew crew_;
+  ProcessGroup group_;
   std::string missing_ = "?";  // as reported last
   bool started_ = false;
   bool stopping_ = false;

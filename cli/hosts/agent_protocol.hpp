@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/run/beat.hpp"
+#include "cli/run/heartbeat.hpp"
 #include "config/deployment.hpp"
 
 /// The protocol between `mrroc run` and `mrroc agent`, its helper on another host: lines of a word and its text.
@@ -31,7 +31,7 @@ struct AgentOrder {
   int domain = 0;                                          ///< DDS domain
   std::vector<std::string> machines;                       ///< addresses of all, the runner's first
   int beat_port = 0;                                       ///< of the runner
-  BeatKey key{};
+  HeartbeatKey key{};
   bool trace = false;            ///< the agent sends the traces of its tasks
   bool black_box = false;        ///< the agent sends their last steps
   std::filesystem::path motion;  ///< file there for the motion of the simulated world's robots; empty: none

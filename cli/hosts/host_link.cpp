@@ -30,7 +30,7 @@ constexpr int kPorts = 50;
 }
 
 /// Follows the presses and resets of the runner's emergency stop; nothing else presses it on this host.
-void follow(clock::EmergencyStop& own, const Beat& beat) noexcept {
+void follow(clock::EmergencyStop& own, const Heartbeat& beat) noexcept {
   // presses first: a reset counts for the presses before it
   while (own.presses() < beat.presses) own.press();
   while (own.resets() < beat.resets) own.reset();
@@ -38,7 +38,7 @@ void follow(clock::EmergencyStop& own, const Beat& beat) noexcept {
 
 }  // namespace
 
-HostLink::HostLink(in_addr own, int domain, const BeatKey& key, bool is_runner, double timeout,
+HostLink::HostLink(in_addr own, int domain, const HeartbeatKey& key, bool is_runner, double timeout,
                    clock::EmergencyStop& emergency_stop)
     : key_(key),
       is_runner_(is_runner),
@@ -97,7 +97,7 @@ void HostLink::run() {
     // first read what has arrived: this machine may have been slow
     listen();
     const std::int64_t now = clock::monotonic_ns();
-    look_for_silence(now);
+    check_silence(now);
     if (now < due) continue;
     send(now);
     const bool learns = watched_since_ == 0;
@@ -122,7 +122,7 @@ void HostLink::listen() {
   }
 }
 
-void HostLink::take(const Beat& beat, std::int64_t now) {
+void HostLink::take(const Heartbeat& beat, std::int64_t now) {
   ++figures_.heard;
   peer_sequence_ = beat.sequence;
   peer_sent_ = beat.sent;
@@ -135,7 +135,7 @@ void HostLink::take(const Beat& beat, std::int64_t now) {
 
 void HostLink::send(std::int64_t now) {
   const std::uint32_t resets = emergency_stop_.resets();  // first, so that its press is sent, too
-  const Beat beat{
+  const Heartbeat beat{
       is_runner_, ++figures_.sent, now, peer_sent_, peer_sent_ == 0 ? 0 : now - heard_at_, emergency_stop_.presses(),
       resets};
   const auto datagram = seal(beat, key_);
@@ -143,7 +143,7 @@ void HostLink::send(std::int64_t now) {
   sendto(socket_, datagram.data(), datagram.size(), 0, reinterpret_cast<const sockaddr*>(&peer_), sizeof peer_);
 }
 
-void HostLink::look_for_silence(std::int64_t now) {
+void HostLink::check_silence(std::int64_t now) {
   if (watched_since_ == 0 || lost_) return;
   const std::int64_t silence = now - std::max(heard_at_, watched_since_);
   figures_.longest_silence = std::max(figures_.longest_silence, silence);

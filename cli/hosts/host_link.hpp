@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "cli/run/beat.hpp"
+#include "cli/run/heartbeat.hpp"
 #include "clock/emergency_stop.hpp"
 #include "clock/wall/peer_clock.hpp"
 
@@ -33,7 +33,7 @@ class HostLink {
  public:
   /// Binds a port of `own` among those that a DDS domain leaves free: 7600 + 250 domain to 7649 + 250 domain.
   /// `emergency_stop`: of this host; it must outlive the link. Throws std::runtime_error when there is no port.
-  HostLink(in_addr own, int domain, const BeatKey& key, bool is_runner, double timeout,
+  HostLink(in_addr own, int domain, const HeartbeatKey& key, bool is_runner, double timeout,
            clock::EmergencyStop& emergency_stop);
   ~HostLink();
   HostLink(const HostLink&) = delete;
@@ -58,11 +58,11 @@ class HostLink {
  private:
   void run();
   void listen();
-  void take(const Beat& beat, std::int64_t now);
+  void take(const Heartbeat& beat, std::int64_t now);
   void send(std::int64_t now);
-  void look_for_silence(std::int64_t now);
+  void check_silence(std::int64_t now);
 
-  const BeatKey key_;
+  const HeartbeatKey key_;
   const bool is_runner_;
   const std::int64_t timeout_;  // ns
   clock::EmergencyStop& emergency_stop_;

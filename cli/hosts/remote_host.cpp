@@ -95,12 +95,12 @@ RemoteHost::RemoteHost(const config::HostEntry& entry, AgentOrder order, in_addr
 
 std::vector<int> RemoteHost::descriptors() const { return {channel_->fd(), agent_.output_fd(), link_.event_fd()}; }
 
-void RemoteHost::look() {
+void RemoteHost::poll() {
   for (const std::string& line : channel_->read()) hear(line);
   for (const std::string& line : agent_.read_lines()) listener_.message("host " + name_ + " | " + line);
   channel_->flush();
-  if (!said_ended_) look_at_agent();
-  if (!stopped_ && gone_since_ == 0) look_at_link();  // the silence of an agent that is gone is only a consequence
+  if (!said_ended_) poll_agent();
+  if (!stopped_ && gone_since_ == 0) poll_link();  // the silence of an agent that is gone is only a consequence
 }
 
 void RemoteHost::hear(const std::string& line) {
@@ -144,7 +144,7 @@ void RemoteHost::hear(const std::string& line) {
   }
 }
 
-void RemoteHost::look_at_agent() {
+void RemoteHost::poll_agent() {
   if (told_gone_ || (!agent_.ended() && !channel_->closed())) return;
   // its channel closes a moment before the kernel reports how it ended
   const std::int64_t now = clock::monotonic_ns();
@@ -158,7 +158,7 @@ void RemoteHost::look_at_agent() {
   fail(process::ExitCode::system, reason);
 }
 
-void RemoteHost::look_at_link() {
+void RemoteHost::poll_link() {
   if (link_.lost()) {
     fail(process::ExitCode::system, fmt::format("link lost: nothing received for {} s", limits_.link_timeout));
     return;

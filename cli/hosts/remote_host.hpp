@@ -48,7 +48,7 @@ class RemoteHost {
   std::vector<int> descriptors() const;
   /// Processes what the agent has sent, and detects when it is gone or silent. A task may seem to succeed because its
   /// processes there were instructed to end: what the agent sent before it received the stop counts even after that.
-  void look();
+  void poll();
   /// What is not ready yet: processes, the agent, its clock. Empty when all are ready.
   std::vector<std::string> missing() const;
   /// Tick 0 is at `epoch_ns` of this machine's CLOCK_MONOTONIC. From now on silence counts as a loss.
@@ -67,8 +67,8 @@ class RemoteHost {
 
  private:
   void hear(const std::string& line);
-  void look_at_agent();
-  void look_at_link();
+  void poll_agent();
+  void poll_link();
   void fail(process::ExitCode code, const std::string& reason);
 
   const std::string name_;

@@ -94,8 +94,8 @@ int RemoteHosts::descriptor(int also) {
   return wake_;
 }
 
-void RemoteHosts::look() {
-  for (RemoteHost& host : hosts_) host.look();
+void RemoteHosts::poll() {
+  for (RemoteHost& host : hosts_) host.poll();
 }
 
 std::vector<std::string> RemoteHosts::missing() const {

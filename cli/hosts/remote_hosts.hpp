@@ -32,7 +32,7 @@ class RemoteHosts {
 
   /// Readable when `look` has something to do, or `also` is readable.
   int descriptor(int also);
-  void look();
+  void poll();
   std::vector<std::string> missing() const;
   /// Agrees with all hosts on the time of tick 0, ns of this machine's CLOCK_MONOTONIC; 0 when there are no others.
   std::int64_t start();

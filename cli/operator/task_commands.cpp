@@ -19,13 +19,13 @@ void TaskCommands::send(links::TaskCommandKind kind) {
   mp_.send(kind);
 }
 
-void TaskCommands::schedule(clock::ClockHost& clock, const config::Deployment& deployment, OperatorDesk& desk) {
+void TaskCommands::schedule(clock::ClockHost& clock, const config::Deployment& deployment, OperatorConsole& console) {
   clock.at_tick(0, [this] { send(links::TaskCommandKind::start); });
   for (const config::Event& event : deployment.events) {
     if (event.command == "answer")
-      clock.at_tick(event.tick, [&desk, &event] { desk.answer(event); });
+      clock.at_tick(event.tick, [&console, &event] { console.answer(event); });
     else if (event.command == "estop" || event.command == "reset")
-      clock.at_tick(event.tick, [&desk, &event] { desk.emergency(event.command); });
+      clock.at_tick(event.tick, [&console, &event] { console.emergency(event.command); });
     else
       clock.at_tick(event.tick, [this, kind = kind_of(event.command)] { send(kind); });
   }

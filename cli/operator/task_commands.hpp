@@ -3,7 +3,7 @@
 #include <atomic>
 #include <mutex>
 
-#include "cli/operator/operator_desk.hpp"
+#include "cli/operator/operator_console.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
 #include "links/exchange/task_superior.hpp"
@@ -20,9 +20,9 @@ class TaskCommands {
   void send(links::TaskCommandKind kind);
   /// Whether the operator or an event has requested the task to stop. Any thread.
   bool stop_sent() const noexcept { return stop_sent_.load(); }
-  /// Schedules the start at tick 0, and the deployment's events for the task and for the operator's `desk`. Call it
+  /// Schedules the start at tick 0, and the deployment's events for the task and for the operator's `console`. Call it
   /// before the clock starts; all must outlive its last tick.
-  void schedule(clock::ClockHost& clock, const config::Deployment& deployment, OperatorDesk& desk);
+  void schedule(clock::ClockHost& clock, const config::Deployment& deployment, OperatorConsole& console);
 
  private:
   links::TaskSuperior& mp_;

@@ -47,8 +47,8 @@ void Output::write(std::string text) {
 void Output::flush() {
   const int fd = own_ >= 0 ? own_ : fd_;
   while (!empty()) {
-    pollfd look{fd, POLLOUT, 0};
-    if (poll(&look, 1, 0) <= 0) return;
+    pollfd entry{fd, POLLOUT, 0};
+    if (poll(&entry, 1, 0) <= 0) return;
     if (written_ == text_.size()) take_next();
     // no more than a pipe takes at once
     const ssize_t size = ::write(fd, text_.data() + written_, std::min<std::size_t>(text_.size() - written_, PIPE_BUF));
@@ -77,8 +77,8 @@ void Output::drain(std::int64_t deadline_ns) {
   constexpr int kPause = 10;  // ms
   flush();
   while (!empty() && clock::monotonic_ns() < deadline_ns) {
-    pollfd look{own_ >= 0 ? own_ : fd_, POLLOUT, 0};
-    poll(&look, 1, kPause);
+    pollfd entry{own_ >= 0 ? own_ : fd_, POLLOUT, 0};
+    poll(&entry, 1, kPause);
     flush();
   }
 }

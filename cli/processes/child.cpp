@@ -103,7 +103,7 @@ Child::~Child() {
   if (handle_ >= 0) close(handle_);
 }
 
-void Child::look() noexcept {
+void Child::poll() noexcept {
   int status = 0;
   while (!ended_ && waitpid(pid_, &status, WNOHANG | WUNTRACED | WCONTINUED) == pid_) {
     stopped_ = WIFSTOPPED(status);
@@ -113,19 +113,19 @@ void Child::look() noexcept {
 }
 
 bool Child::ended() noexcept {
-  look();
+  poll();
   return ended_;
 }
 
 bool Child::lost() noexcept {
-  look();
+  poll();
   return ended_ || stopped_;
 }
 
 bool Child::is_at_work() const {
   // the pidfd is readable when the last thread has ended; the first one is a zombie while others still close files
   pollfd end{handle_, POLLIN, 0};
-  if (poll(&end, 1, 0) != 0) return false;
+  if (::poll(&end, 1, 0) != 0) return false;
   std::error_code gone;
   for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(pid_) + "/task", gone))
     if (std::string_view{"Tt"}.find(state_of(thread.path())) == std::string_view::npos) return true;
@@ -183,7 +183,7 @@ std::string Child::wait_for_output() {
   std::string text;
   for (bool all = false; !all;) {
     pollfd output{output_, POLLIN, 0};
-    poll(&output, 1, kTurn);
+    ::poll(&output, 1, kTurn);
     all = ended();  // before the last read, which then gets everything that it wrote
     for (const std::string& line : read_lines()) text += line + "\n";
   }

@@ -52,7 +52,7 @@ class Child {
   std::string wait_for_output();
 
  private:
-  void look() noexcept;
+  void poll() noexcept;
 
   std::string name_;
   pid_t pid_ = -1;

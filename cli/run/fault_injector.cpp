@@ -40,9 +40,9 @@ const PlannedProcess& find(const faults::InjectedFault& fault, const std::vector
 }  // namespace
 
 FaultInjector::FaultInjector(const std::vector<std::string>& texts, const std::vector<PlannedProcess>& plan,
-                             clock::ClockHost& clock, const Crew& crew, bool simulated,
+                             clock::ClockHost& clock, const ProcessGroup& group, bool simulated,
                              std::function<void(const std::string&)> show)
-    : plan_(texts), clock_(clock), crew_(crew), simulated_(simulated), show_(std::move(show)) {
+    : plan_(texts), clock_(clock), group_(group), simulated_(simulated), show_(std::move(show)) {
   for (const faults::InjectedFault& fault : plan_.all()) {
     find(fault, plan, fault.process);
     if (fault.at_step && !find(fault, plan, fault.counter).has_task)
@@ -55,14 +55,14 @@ void FaultInjector::schedule() {
     const faults::InjectedFault& fault = plan_.all()[i];
     if (!fault.at_step) clock_.set_off_fault(i, fault.when);
     const Tick first = fault.at_step ? 1 : fault.when;
-    clock_.at_tick(first, [this, i, first] { look(i, first); });
+    clock_.at_tick(first, [this, i, first] { update(i, first); });
   }
 }
 
 /// An event of tick `tick`: injects the fault when it is in force, else checks again at the next tick.
-void FaultInjector::look(std::size_t index, Tick tick) {
+void FaultInjector::update(std::size_t index, Tick tick) {
   if (clock_.fault_tick(index) > tick) {
-    clock_.at_tick(tick + 1, [this, index, tick] { look(index, tick + 1); });
+    clock_.at_tick(tick + 1, [this, index, tick] { update(index, tick + 1); });
     return;
   }
   const faults::InjectedFault& fault = plan_.all()[index];
@@ -71,7 +71,7 @@ void FaultInjector::look(std::size_t index, Tick tick) {
 
 /// Sends the signal and waits until it has taken effect, so that no simulated tick passes.
 void FaultInjector::strike(const faults::InjectedFault& fault) {
-  const Child* const child = crew_.find(fault.process);
+  const Child* const child = group_.find(fault.process);
   if (child == nullptr) return;
   const std::int64_t now = clock::monotonic_ns();
   {

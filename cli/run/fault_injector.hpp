@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/processes/crew.hpp"
+#include "cli/processes/process_group.hpp"
 #include "cli/processes/process_plan.hpp"
 #include "clock/host.hpp"
 #include "faults/fault_plan.hpp"
@@ -22,7 +22,7 @@ class FaultInjector {
   /// std::invalid_argument when a fault is invalid, names a process that does not exist or is on another host, or
   /// counts the steps of a process without steps.
   FaultInjector(const std::vector<std::string>& texts, const std::vector<PlannedProcess>& plan, clock::ClockHost& clock,
-                const Crew& crew, bool simulated, std::function<void(const std::string& line)> show);
+                const ProcessGroup& group, bool simulated, std::function<void(const std::string& line)> show);
 
   /// Call it when all processes have been started, before the clock.
   void schedule();
@@ -38,12 +38,12 @@ class FaultInjector {
   bool ends_run() const noexcept { return clock_.stop_tick() != kNever; }
 
  private:
-  void look(std::size_t index, Tick tick);
+  void update(std::size_t index, Tick tick);
   void strike(const faults::InjectedFault& fault);
 
   faults::FaultPlan plan_;
   clock::ClockHost& clock_;
-  const Crew& crew_;
+  const ProcessGroup& group_;
   bool simulated_;
   std::function<void(const std::string&)> show_;
   std::set<std::size_t> told_;                  // indices

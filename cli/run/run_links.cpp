@@ -5,11 +5,11 @@
 namespace mrroc::cli {
 
 RunLinks::RunLinks(const config::Deployment& deployment, const links::DomainOptions& options, clock::Clock& clock,
-                   TypedLines& input, std::function<void(const std::string& line)> show)
+                   ConsoleInput& input, std::function<void(const std::string& line)> show)
     : domain(options),
       processes(domain, deployment.name),
       mp(domain, clock, deployment.name + "/mp", "mp"),
       commands(mp),
-      desk(deployment, domain, clock, input, std::move(show)) {}
+      console(deployment, domain, clock, input, std::move(show)) {}
 
 }  // namespace mrroc::cli

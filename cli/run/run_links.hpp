@@ -3,9 +3,9 @@
 #include <functional>
 #include <string>
 
-#include "cli/operator/operator_desk.hpp"
+#include "cli/operator/console_input.hpp"
+#include "cli/operator/operator_console.hpp"
 #include "cli/operator/task_commands.hpp"
-#include "cli/operator/typed_lines.hpp"
 #include "clock/clock.hpp"
 #include "config/deployment.hpp"
 #include "links/exchange/task_superior.hpp"
@@ -20,13 +20,13 @@ struct RunLinks {
   /// Construct it when all processes have been started: they would inherit the domain's sockets. Deployment, clock
   /// and input outlive it; `show`: displays a line to the operator.
   RunLinks(const config::Deployment& deployment, const links::DomainOptions& options, clock::Clock& clock,
-           TypedLines& input, std::function<void(const std::string& line)> show);
+           ConsoleInput& input, std::function<void(const std::string& line)> show);
 
   links::Domain domain;
   links::StatusCollector processes;
   links::TaskSuperior mp;
   TaskCommands commands;
-  OperatorDesk desk;
+  OperatorConsole console;
 };
 
 }  // namespace mrroc::cli

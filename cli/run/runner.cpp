@@ -13,9 +13,9 @@
 #include "cli/processes/launch.hpp"
 #include "cli/processes/resource_limits.hpp"
 #include "cli/run/clock_options.hpp"
-#include "cli/run/orderly_end.hpp"
 #include "cli/run/report.hpp"
 #include "cli/run/run_result.hpp"
+#include "cli/run/shutdown.hpp"
 #include "clock/wall/realtime.hpp"
 #include "config/resources.hpp"
 #include "mrroc/errors.hpp"
@@ -55,10 +55,10 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       domain_lock_(deployment_.domain),
       clock_(clock_options(deployment_, names_of(processes_on("", plan_)))),
       operator_clock_(clock_.operator_clock()),
-      crew_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
-      faults_(options_.faults, plan_, clock_, crew_, deployment_.clock != config::ClockMode::real,
+      group_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
+      faults_(options_.faults, plan_, clock_, group_, deployment_.clock != config::ClockMode::real,
               [this](const std::string& line) { progress_.message(line); }),
-      supervisor_({deployment_, plan_, clock_, *operator_clock_, crew_, faults_, black_boxes_, progress_}),
+      supervisor_({deployment_, plan_, clock_, *operator_clock_, group_, faults_, black_boxes_, progress_}),
       input_(options_.attended ? STDIN_FILENO : -1) {
   if (deployment_.sim && deployment_.sim->host.empty())
     world_ = std::make_unique<world::MappedWorld>(world::MappedWorld::create());
@@ -100,7 +100,7 @@ process::ExitCode Runner::run() {
 /// A success without its trace is a failure.
 void Runner::join_trace(Outputs& outputs) {
   for (const PlannedProcess& process : plan_) {
-    const Child* const child = crew_.find(process.name);
+    const Child* const child = group_.find(process.name);
     // the last report of a task that could not write its part
     if (child != nullptr && child->exit_code() == static_cast<int>(process::ExitCode::system) &&
         child->last_line().starts_with(process::kTraceProblem))
@@ -142,7 +142,7 @@ void Runner::start_processes(Outputs& outputs) {
     if (!process.host.empty()) continue;
     if (options_.shuffle_seed && !supervisor_.turn(static_cast<int>(random() % 300))) return;
     const process::Arguments arguments = arguments_for(process, surroundings);
-    crew_.start(process, process::to_command_line(arguments), arguments.descriptors());
+    group_.start(process, process::to_command_line(arguments), arguments.descriptors());
   }
   links_ = std::make_unique<RunLinks>(deployment_, domain_options(surroundings), *operator_clock_, input_,
                                       [this](const std::string& line) { progress_.message(line); });
@@ -161,7 +161,7 @@ void Runner::pass_barrier() {
     }
   }
   if (!connect_to_mp(deadline)) return;
-  links_->commands.schedule(clock_, deployment_, links_->desk);
+  links_->commands.schedule(clock_, deployment_, links_->console);
   faults_.schedule();
   supervisor_.task_starts();
   clock_.start(hosts_->start());
@@ -213,16 +213,16 @@ bool Runner::connect_to_mp(double deadline) {
 
 void Runner::end_processes() {
   supervisor_.task_ends();
-  const EndListener listener{
+  const ShutdownListener listener{
       .turn = [this] { supervisor_.turn_at_the_end(); },
       .message = [this](const std::string& line) { progress_.message(line); },
       .failed = [this](const std::string& reason) { supervisor_.fail(process::ExitCode::system, reason); },
-      .end_timeout =
-          supervisor_.result().code == process::ExitCode::success ? kEndTimeoutAfterSuccess : EndListener{}.end_timeout,
+      .end_timeout = supervisor_.result().code == process::ExitCode::success ? kEndTimeoutAfterSuccess
+                                                                             : ShutdownListener{}.end_timeout,
       .hurried = [this] { return supervisor_.hurried(); }};
   if (hosts_) supervisor_.guard([this] { hosts_->stop(); });
-  end_in_order(crew_, clock_, supervisor_.task_started(), listener);
-  if (hosts_) supervisor_.guard([&] { end_in_order(*hosts_, listener); });
+  shut_down(group_, clock_, supervisor_.task_started(), listener);
+  if (hosts_) supervisor_.guard([&] { shut_down(*hosts_, listener); });
   supervisor_.guard([this] { supervisor_.turn(0); });
   if (supervisor_.task_started()) faults_.tell_left();
   progress_.finish();

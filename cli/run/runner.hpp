@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "cli/hosts/remote_hosts.hpp"
-#include "cli/operator/typed_lines.hpp"
+#include "cli/operator/console_input.hpp"
 #include "cli/output/black_boxes.hpp"
 #include "cli/output/outputs.hpp"
-#include "cli/processes/crew.hpp"
+#include "cli/processes/process_group.hpp"
 #include "cli/processes/process_plan.hpp"
 #include "cli/run/domain_lock.hpp"
 #include "cli/run/fault_injector.hpp"
@@ -60,11 +60,11 @@ class Runner {
   clock::ClockHost clock_;
   std::unique_ptr<clock::Clock> operator_clock_;
   std::unique_ptr<world::MappedWorld> world_;
-  Crew crew_;
+  ProcessGroup group_;
   FaultInjector faults_;
   Supervisor supervisor_;
   std::unique_ptr<RemoteHosts> hosts_;
-  TypedLines input_;
+  ConsoleInput input_;
   std::unique_ptr<RunLinks> links_;
 };
 

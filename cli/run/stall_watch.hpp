@@ -17,7 +17,7 @@ class StallWatch {
 
   /// After 2 s of wall time, after 4, 8, ...: one line that names the process that all wait for, or the one that has
   /// not waited since; otherwise empty. `now`: s of wall time. While all processes sleep: always empty.
-  std::string look(double now);
+  std::string check(double now);
 
  private:
   static constexpr double kPatience = 2;  ///< s
@@ -28,11 +28,11 @@ class StallWatch {
     double patience = kPatience;
 
     /// s without any event, when it is time to report them; else 0.
-    double look(std::uint64_t present, double now);
+    double check(std::uint64_t present, double now);
   };
 
-  std::string look_at_simulated_time(double now);
-  std::string look_at_processes(double now);
+  std::string check_simulated_time(double now);
+  std::string check_processes(double now);
 
   const clock::ClockHost& clock_;
   Stall time_;

@@ -59,22 +59,22 @@ void Supervisor::guard(const std::function<void()>& step) {
 void Supervisor::supervise() {
   while (turn(kTurn)) {
     check_heartbeats();
-    if (const std::string line = stall_.look(watched_.wall.wall_seconds()); !line.empty())
+    if (const std::string line = stall_.check(watched_.wall.wall_seconds()); !line.empty())
       watched_.progress.message(line);
   }
 }
 
 bool Supervisor::turn(int milliseconds) {
-  watched_.crew.wait(milliseconds, descriptor());
+  watched_.group.wait(milliseconds, descriptor());
   read_signals();
   if (links_ != nullptr) read_statuses();
   watched_.faults.tell();
   // causes first: the task's report of a death or a lost clock is only their consequence
   check_stop();
   check_children();
-  if (hosts_ != nullptr) hosts_->look();
+  if (hosts_ != nullptr) hosts_->poll();
   check_clock();
-  if (task_started_ && !ending_) look_at_desk();  // messages from before the end are shown before it
+  if (task_started_ && !ending_) poll_console();  // messages from before the end are shown before it
   if (task_started_) read_task_status();
   watched_.progress.draw();
   return !ending_;
@@ -114,11 +114,11 @@ void Supervisor::await_cause() {
   const double silence = watched_.deployment.hosts_used().empty() ? 0 : watched_.deployment.link_timeout;
   const double deadline = watched_.wall.wall_seconds() + kPatienceWithCause + silence;
   while (!ending_ && watched_.wall.wall_seconds() < deadline) {
-    watched_.crew.wait(kTurn, descriptor());
+    watched_.group.wait(kTurn, descriptor());
     read_signals();
     check_children();
-    if (hosts_ != nullptr) hosts_->look();
-    if (task_started_ && !ending_) look_at_desk();  // an emergency stop must not wait for it
+    if (hosts_ != nullptr) hosts_->poll();
+    if (task_started_ && !ending_) poll_console();  // an emergency stop must not wait for it
   }
 }
 
@@ -151,9 +151,9 @@ void Supervisor::take(const links::TaskStatus& status) {
     ending_ = true;
 }
 
-void Supervisor::look_at_desk() {
-  links_->desk.look();
-  watched_.progress.pause(links_->desk.waits_for_line());
+void Supervisor::poll_console() {
+  links_->console.poll();
+  watched_.progress.pause(links_->console.waits_for_line());
 }
 
 void Supervisor::check_stop() {
@@ -164,9 +164,9 @@ void Supervisor::check_stop() {
 
 void Supervisor::check_children() {
   if (ending_) return;
-  if (watched_.crew.first_lost() == nullptr) return;
+  if (watched_.group.first_lost() == nullptr) return;
   // a second check: the cause came before its effect, but the first check may have been too early
-  Child* const child = watched_.crew.first_lost(watched_.faults.struck());
+  Child* const child = watched_.group.first_lost(watched_.faults.struck());
   const int code = child->exit_code().value_or(-1);
   const bool left =
       code == static_cast<int>(process::ExitCode::success) || code == static_cast<int>(process::ExitCode::stopped);

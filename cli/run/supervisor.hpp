@@ -6,7 +6,7 @@
 
 #include "cli/hosts/remote_hosts.hpp"
 #include "cli/output/black_boxes.hpp"
-#include "cli/processes/crew.hpp"
+#include "cli/processes/process_group.hpp"
 #include "cli/processes/process_plan.hpp"
 #include "cli/processes/signals.hpp"
 #include "cli/run/fault_injector.hpp"
@@ -27,7 +27,7 @@ struct Watched {
   const std::vector<PlannedProcess>& plan;
   clock::ClockHost& clock;
   const clock::Clock& wall;  ///< the operator's
-  Crew& crew;
+  ProcessGroup& group;
   FaultInjector& faults;
   BlackBoxes& black_boxes;
   Progress& progress;
@@ -90,7 +90,7 @@ class Supervisor {
   void check_children();
   void check_heartbeats();
   void check_clock();
-  void look_at_desk();
+  void poll_console();
   process::ExitCode code_of_death(int exit_code) const;
   int descriptor() { return hosts_ ? hosts_->descriptor(signals_.descriptor()) : signals_.descriptor(); }
 

@@ -23,9 +23,9 @@ class Check {
     for (;;) {
       const auto item = reader_.next();
       if (const auto* line = std::get_if<Line>(&item)) {
-        look(*line);
+        check(*line);
       } else if (const auto* remark = std::get_if<Remark>(&item)) {
-        look(*remark);
+        check(*remark);
       } else {
         finish();
         return verdict_;
@@ -34,7 +34,7 @@ class Check {
   }
 
  private:
-  void look(const Line& line) {
+  void check(const Line& line) {
     std::vector<Violation> found;
     if (!line.cut) {
       const Step step{line, memory_.before(line), memory_.instruction(line), memory_.process(line.process), memory_};
@@ -47,7 +47,7 @@ class Check {
     settle(found, line.process);
   }
 
-  void look(const Remark& remark) {
+  void check(const Remark& remark) {
     std::vector<Violation> found;
     for (const Rule& rule : rules_) {
       Findings findings(rule, remark.number, found);

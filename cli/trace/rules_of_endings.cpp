@@ -45,13 +45,13 @@ StepEnding ending_of(ErrorClass error) {
 void error_decides(const Step& step, Findings& findings) {
   ErrorClass gravest = ErrorClass::none;
   std::string who;
-  const auto look = [&](ErrorClass error, const std::string& name) {
+  const auto check = [&](ErrorClass error, const std::string& name) {
     if (error <= gravest) return;
     gravest = error;
     who = name;
   };
-  for (const RobotEntry& robot : step.line.robots) look(robot.error, robot.name);
-  for (const SensorEntry& sensor : step.line.sensors) look(sensor.error, sensor.name);
+  for (const RobotEntry& robot : step.line.robots) check(robot.error, robot.name);
+  for (const SensorEntry& sensor : step.line.sensors) check(sensor.error, sensor.name);
   // an instruction that is broken off ends by an unexpected event
   if (gravest != ErrorClass::none && !step.line.broken_off() && step.line.ending != ending_of(gravest))
     findings.add(words("an error of ", who, ", and the instruction does not end by it"),

@@ -119,7 +119,7 @@ Urdf::Type type_of(const Reader& reader, const XMLElement& element) {
 
 Pose read_origin(const Reader& reader, const XMLElement& element) {
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  return frame_at(reader.numbers<3>(element, "xyz", zero), reader.numbers<3>(element, "rpy", zero));
+  return pose_from_rpy(reader.numbers<3>(element, "xyz", zero), reader.numbers<3>(element, "rpy", zero));
 }
 
 Eigen::Vector3d read_axis(const Reader& reader, const XMLElement& element) {

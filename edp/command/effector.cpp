@@ -30,16 +30,16 @@ Macrostep::Kind kind_of(CommandKind change) noexcept {
 
 }  // namespace
 
-Effector::Effector(const ModelSet& models, double period, HandOver& hand_over)
-    : models_(models), hand_over_(hand_over), planner_(models.at(0), period), tool_(models.at(0).default_tool()) {}
+Effector::Effector(const ModelSet& models, double period, ServoChannel& hand_over)
+    : models_(models), channel_(hand_over), planner_(models.at(0), period), tool_(models.at(0).default_tool()) {}
 
 void Effector::enable(bool on) noexcept {
-  hand_over_.order.store(on ? DriveOrder::enable : DriveOrder::disable, std::memory_order_release);
+  channel_.order.store(on ? DriveOrder::enable : DriveOrder::disable, std::memory_order_release);
 }
 
 void Effector::refresh() noexcept {
   const bool first = snapshot_ == nullptr;
-  snapshot_ = hand_over_.snapshot.load();
+  snapshot_ = channel_.snapshot.load();
   if (snapshot_ == nullptr) return;
   if (snapshot_->model != model_) use_model();
   planner_.stand_on(snapshot_->switches);
@@ -47,7 +47,7 @@ void Effector::refresh() noexcept {
     epoch_ = snapshot_->epoch;
     end_ = snapshot_->end;
     end_tick_ = snapshot_->end_tick;
-    untold_ = snapshot_->braking;
+    unreported_ = snapshot_->braking;
     forced_ = false;
   }
   for (Outstanding& entry : outstanding_)
@@ -68,7 +68,7 @@ bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& 
   } else if (command.kind == CommandKind::recover) {
     if (!recovery_.under_way) {
       recovery_ = {true, number, snapshot_->orders};
-      hand_over_.order.store(DriveOrder::recover, std::memory_order_release);
+      channel_.order.store(DriveOrder::recover, std::memory_order_release);
       return false;
     }
     error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "a recovery is under way");
@@ -106,9 +106,9 @@ bool Effector::accept(const RobotCommand& command, std::uint64_t number, Reply& 
   return true;
 }
 
-ErrorReport Effector::take_outputs(const Signals& outputs) noexcept {
+ErrorReport Effector::take_outputs(const ControllerIo& outputs) noexcept {
   const ErrorReport error = refusal_of_outputs(outputs);
-  if (bad(error) || hand_over_.outputs.push(outputs)) return error;
+  if (bad(error) || channel_.outputs.push(outputs)) return error;
   return make_report(ErrorClass::non_fatal, ErrorCode::busy, "outputs that the servo has not taken yet");
 }
 
@@ -128,7 +128,7 @@ Effector::Outstanding* Effector::free_place() noexcept {
 ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   const RobotCommand& command = entry.command;
   const bool moves = is_motion(command.kind);
-  if (untold_ && moves && !entry.late) {
+  if (unreported_ && moves && !entry.late) {
     entry.late = true;
     ++counters_.late;
   }
@@ -139,7 +139,7 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
     macrostep_.ticket = entry.ticket;
     macrostep_.epoch = epoch_;
     macrostep_.start = 0;
-    hand_over_.macrosteps.push(macrostep_);
+    channel_.macrosteps.push(macrostep_);
     return {};
   }
 
@@ -170,8 +170,8 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   macrostep_.with_outputs = moves && command.with_outputs;
   macrostep_.outputs = command.outputs;
   macrostep_.start = command.first_tick(at, 0);
-  if (stop_first) hand_over_.macrosteps.push(stop_);
-  hand_over_.macrosteps.push(macrostep_);
+  if (stop_first) channel_.macrosteps.push(stop_);
+  channel_.macrosteps.push(macrostep_);
   end_ = macrostep_.to;
   end_tick_ = macrostep_.start + macrostep_.steps;
   entry.start = macrostep_.start;
@@ -207,7 +207,7 @@ bool Effector::poll_recovery(Reply& reply) noexcept {
 
 bool Effector::poll(Reply& reply) noexcept {
   if (recovery_.under_way && poll_recovery(reply)) return true;
-  while (const Report* report = hand_over_.reports.front()) {
+  while (const Report* report = channel_.reports.front()) {
     refresh();  // after the report was seen, so that the snapshot is at least as new
     Outstanding* entry = nullptr;
     for (Outstanding& candidate : outstanding_)
@@ -239,10 +239,10 @@ bool Effector::poll(Reply& reply) noexcept {
                         : make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "the drives were switched off");
         interruptions_told_ = then.interruptions;
       }
-      if (then.epoch == epoch_) untold_ = false;
+      if (then.epoch == epoch_) unreported_ = false;
       entry->replied = true;
     }
-    hand_over_.reports.pop();
+    channel_.reports.pop();
     if (answered) return true;
   }
   return false;

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "edp/check/model_set.hpp"
-#include "edp/command/hand_over.hpp"
 #include "edp/command/planner.hpp"
+#include "edp/command/servo_channel.hpp"
 #include "mrroc/robot_command.hpp"
 #include "mrroc/robot_state.hpp"
 #include "mrroc/tool_kinematics.hpp"
@@ -49,7 +49,7 @@ struct Reply {
 class Effector {
  public:
   /// `period` in s. `models` must outlive it. Throws SystemError when an axis has no acceleration or jerk limit.
-  Effector(const ModelSet& models, double period, HandOver& hand_over);
+  Effector(const ModelSet& models, double period, ServoChannel& hand_over);
 
   /// The robot has a force sensor, whose frame is at `mount` in the flange frame. Before the first command.
   void use_force_sensor(const Pose& mount) noexcept { mount_ = mount; }
@@ -89,10 +89,10 @@ class Effector {
   };
 
   void refresh() noexcept;
-  ErrorReport take_outputs(const Signals& outputs) noexcept;
+  ErrorReport take_outputs(const ControllerIo& outputs) noexcept;
   ErrorReport refuse(const RobotCommand& command) noexcept;
   ErrorReport refusal(const RobotCommand& command) const noexcept;
-  ErrorReport refusal_of_outputs(const Signals& outputs) const noexcept;
+  ErrorReport refusal_of_outputs(const ControllerIo& outputs) const noexcept;
   ErrorReport refusal_of_change(const RobotCommand& command) const noexcept;
   void use_model() noexcept;
   bool poll_recovery(Reply& reply) noexcept;
@@ -111,7 +111,7 @@ class Effector {
   };
 
   const ModelSet& models_;
-  HandOver& hand_over_;
+  ServoChannel& channel_;
   Planner planner_;
   std::uint8_t model_ = 0;  ///< that the planner uses
   Pose tool_;
@@ -120,11 +120,11 @@ class Effector {
   Recovery recovery_;
   const Snapshot* snapshot_ = nullptr;  ///< the newest; null before the servo's first tick
   std::uint32_t epoch_ = 0;
-  DesiredState end_;      ///< of all that has been accepted
-  Tick end_tick_ = 0;     ///< when
-  bool holding_ = false;  ///< the last accepted macrostep is a hold: it may end before the stop does
-  bool forced_ = false;   ///< the last accepted motion of this epoch is one of force: `end_` is not known
-  bool untold_ = false;   ///< the robot has braked and no reply has reported it yet
+  DesiredState end_;         ///< of all that has been accepted
+  Tick end_tick_ = 0;        ///< when
+  bool holding_ = false;     ///< the last accepted macrostep is a hold: it may end before the stop does
+  bool forced_ = false;      ///< the last accepted motion of this epoch is one of force: `end_` is not known
+  bool unreported_ = false;  ///< the robot has braked and no reply has reported it yet
   std::array<Outstanding, 2> outstanding_{};
   std::uint64_t last_ticket_ = 0;
   Tick macrostep_start_ = 0;  ///< of the last one that was answered

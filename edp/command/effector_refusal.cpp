@@ -31,7 +31,7 @@ ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
   return {};
 }
 
-ErrorReport Effector::refusal_of_outputs(const Signals& outputs) const noexcept {
+ErrorReport Effector::refusal_of_outputs(const ControllerIo& outputs) const noexcept {
   for (std::size_t i = 0; i < outputs.analog.size(); ++i)
     if (!std::isfinite(outputs.analog[i]))
       return make_report(ErrorClass::non_fatal, ErrorCode::not_finite, "analogue output %d is %g", static_cast<int>(i),

@@ -69,12 +69,13 @@ ErrorReport shafts_to_joints(const RobotModel& model, double period, DesiredStat
 
 ErrorReport read_twist(const RobotCommand& command, const Pose& tool, Goal& goal) noexcept {
   if (!command.twist.allFinite()) return refuse(ErrorCode::not_finite, "a value of the twist");
-  if (const ErrorReport report = check_vector(command.twist_rate, "twist_rate", 6, true); bad(report)) return report;
+  if (const ErrorReport report = check_vector(command.twist_acceleration, "twist_acceleration", 6, true); bad(report))
+    return report;
   goal.tool.twist = command.twist;
   if (command.kind == CommandKind::twist && command.relative)  // in tool axes
-    goal.tool.twist = turned(tool.linear(), command.twist);
-  goal.acceleration_given = command.twist_rate.size() != 0;
-  if (goal.acceleration_given) goal.tool.rate = command.twist_rate;
+    goal.tool.twist = rotate_twist(tool.linear(), command.twist);
+  goal.acceleration_given = command.twist_acceleration.size() != 0;
+  if (goal.acceleration_given) goal.tool.rate = command.twist_acceleration;
   return {};
 }
 

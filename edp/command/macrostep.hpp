@@ -33,7 +33,7 @@ struct Macrostep {
   ForceTarget force;
   std::uint8_t choice = 0;  ///< index in the ModelSet or of the regulator set
   bool with_outputs = false;
-  Signals outputs;  ///< from its start on, where `with_outputs`
+  ControllerIo outputs;  ///< from its start on, where `with_outputs`
 };
 
 }  // namespace mrroc::edp

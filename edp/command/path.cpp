@@ -77,7 +77,7 @@ ErrorCode Path::joints_at(double t, const JointVector& near, JointVector& joints
   if (space_ == Space::motors) return model_->motors_to_joints(x, joints);
   Pose tool = Pose::Identity();
   tool.translation() = x.head<3>();
-  tool.linear() = rotation_ * rotation_of(x.tail<3>());
+  tool.linear() = rotation_ * exp_rotation(x.tail<3>());
   return model_->inverse(tool * inverse_tool_, near, joints);
 }
 

@@ -30,7 +30,7 @@ class InjectedHardware final : public Hardware {
   bool follows_current() const noexcept override { return hardware_->follows_current(); }
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
-  void set_outputs(const Signals& outputs) noexcept override { hardware_->set_outputs(outputs); }
+  void set_outputs(const ControllerIo& outputs) noexcept override { hardware_->set_outputs(outputs); }
   void set_origin(const JointVector& shift) noexcept override { hardware_->set_origin(shift); }
 
  private:

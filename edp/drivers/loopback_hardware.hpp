@@ -32,7 +32,7 @@ class LoopbackHardware : public Hardware {
   bool follows_current() const noexcept override { return true; }
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
-  void set_outputs(const Signals& outputs) noexcept override { terminals_ = outputs; }
+  void set_outputs(const ControllerIo& outputs) noexcept override { terminals_ = outputs; }
   void set_origin(const JointVector& shift) noexcept override { encoders_.set_origin(shift); }
 
  private:
@@ -48,7 +48,7 @@ class LoopbackHardware : public Hardware {
   std::vector<Motor> motors_;
   JointVector shafts_;
   Encoders encoders_;
-  Signals terminals_;
+  ControllerIo terminals_;
   double period_;
   Tick last_ = 0;
   bool enabled_ = false;

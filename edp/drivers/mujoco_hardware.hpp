@@ -17,7 +17,7 @@ namespace mrroc::edp {
 /// from J dw/dt = k_t i - b w - (torque to the gears) at w = G dq/dt. dG/dt is the central difference of G along dq/dt.
 /// B is up to 158^2 times a rotor: more than the links themselves, so it may not be left out.
 ///
-/// The controller's terminals are wired to the world by name (`sim::Terminals`).
+/// The controller's terminals are wired to the world by name (`sim::ControllerWiring`).
 ///
 /// `Encoders` computes positions from the shafts. Currents follow the regulator at once, cut at current_max.
 /// Disabled, the brakes hold.
@@ -45,7 +45,7 @@ class MujocoHardware : public Hardware {
   /// reach.
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
-  void set_outputs(const Signals& outputs) noexcept override { outputs_ = outputs; }
+  void set_outputs(const ControllerIo& outputs) noexcept override { outputs_ = outputs; }
   void set_origin(const JointVector& shift) noexcept override { encoders_.set_origin(shift); }
 
  private:
@@ -60,7 +60,7 @@ class MujocoHardware : public Hardware {
   bool enabled_ = false;
   bool silent_ = false;    ///< the last wait timed out
   Tick silent_since_ = 0;  ///< the world's tick then
-  Signals outputs_;
+  ControllerIo outputs_;
   JointVector shafts_, current_;   ///< as last known, as last commanded
   JointVector joints_, velocity_;  ///< as last measured
 };

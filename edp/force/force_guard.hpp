@@ -16,7 +16,7 @@ class ForceGuard {
 
   /// Takes the wrench of a tick. `moving`: the robot follows a plan; else it rests or is stopping, and every wrench is
   /// allowed. Returns the axis (0..5) beyond its bound, or -1. NaN is beyond.
-  int look(const Wrench& wrench, bool moving) noexcept {
+  int check(const Wrench& wrench, bool moving) noexcept {
     int beyond = -1;
     for (int i = 5; i >= 0; --i) {
       const double met = std::abs(wrench[i]);

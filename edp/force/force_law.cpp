@@ -8,7 +8,7 @@ namespace mrroc::edp {
 
 ErrorReport check_force_law(const ForceLaw& law, const Twist& velocity) noexcept {
   for (int i = 0; i < 6; ++i) {
-    const double inertia = law.inertia[i], damping = law.reciprocal_damping[i];
+    const double inertia = law.inertia[i], damping = law.admittance[i];
     const AxisBehaviour behaviour = law.behaviour[static_cast<std::size_t>(i)];
     if (!std::isfinite(velocity[i]) || !std::isfinite(law.wrench[i]))
       return make_report(ErrorClass::non_fatal, ErrorCode::not_finite,
@@ -19,8 +19,8 @@ ErrorReport check_force_law(const ForceLaw& law, const Twist& velocity) noexcept
                          inertia);
     if (!(damping >= 0) || !std::isfinite(damping) || (damping == 0 && behaviour == AxisBehaviour::contact))
       return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
-                         "force motion, tool axis %d: reciprocal damping %g, expected a finite number %s 0", i + 1,
-                         damping, behaviour == AxisBehaviour::contact ? "above" : "of at least");
+                         "force motion, tool axis %d: admittance %g, expected a finite number %s 0", i + 1, damping,
+                         behaviour == AxisBehaviour::contact ? "above" : "of at least");
     if (behaviour > AxisBehaviour::contact)
       return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "force motion, tool axis %d: behaviour %d",
                          i + 1, static_cast<int>(behaviour));
@@ -40,9 +40,8 @@ Twist follow_force(const ForceLaw& law, const Twist& velocity, const Wrench& mea
     const bool contact = behaviour == AxisBehaviour::contact;
     const double desired = contact ? law.wrench[i] : 0;
     const double commanded = contact ? 0 : velocity[i];
-    const double lag = law.reciprocal_damping[i] * law.inertia[i];  // s
-    twist[i] =
-        ((law.reciprocal_damping[i] * (measured[i] - desired) + commanded) * dt + lag * previous[i]) / (dt + lag);
+    const double lag = law.admittance[i] * law.inertia[i];  // s
+    twist[i] = ((law.admittance[i] * (measured[i] - desired) + commanded) * dt + lag * previous[i]) / (dt + lag);
   }
   return twist;
 }

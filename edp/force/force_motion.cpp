@@ -39,8 +39,8 @@ ErrorReport ForceMotion::step(const ForceTarget& target, const Wrench& measured,
   const Eigen::Matrix3d rotation = kinematics.direct(desired.position).linear();
   const Wrench wrench = seen_from(mount.inverse() * target.tool, measured);
   const auto law = [&](const Twist& before) {
-    return turned(rotation,
-                  follow_force(target.law, target.velocity, wrench, turned(rotation.transpose(), before), dt));
+    return rotate_twist(
+        rotation, follow_force(target.law, target.velocity, wrench, rotate_twist(rotation.transpose(), before), dt));
   };
   const Twist twist = law(previous_);
   wanted_ = law(wanted_);

@@ -23,8 +23,8 @@ void ForceWatch::bias() noexcept {
   reading_ = sensor_->read(tick_, flange_ ? &*flange_ : nullptr);
 }
 
-ErrorReport ForceWatch::look(Doing doing) noexcept {
-  const int axis = guard_.look(reading_.wrench, doing != Doing::resting);
+ErrorReport ForceWatch::check(Doing doing) noexcept {
+  const int axis = guard_.check(reading_.wrench, doing != Doing::resting);
   if (doing == Doing::resting) return {};
   const auto tick = static_cast<unsigned long long>(tick_);
   if (axis >= 0) {

@@ -33,7 +33,7 @@ class ForceWatch {
   const Wrench& wrench() const noexcept { return reading_.wrench; }
 
   /// Whether the motion may continue: class `none`, or the non-fatal error to interrupt it with. Once per tick.
-  ErrorReport look(Doing doing) noexcept;
+  ErrorReport check(Doing doing) noexcept;
 
  private:
   ForceSensor* sensor_ = nullptr;

@@ -6,7 +6,7 @@
 
 namespace mrroc::edp {
 WristSensor::WristSensor(const vsp::SourceContext& context)
-    : mount_(frame_at(vsp::vector3(context.entry, "position"), vsp::vector3(context.entry, "rotation"))) {
+    : mount_(pose_from_rpy(vsp::vector3(context.entry, "position"), vsp::vector3(context.entry, "rotation"))) {
   sensor_.set_up(context.entry, context.servo_period);
   source_ = vsp::make_source(sensor_, context);
 }

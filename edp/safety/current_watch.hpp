@@ -19,7 +19,7 @@ class CurrentWatch {
   void reset() noexcept { ticks_.fill(0); }
   /// Takes the currents (A) measured after another `ticks` ticks. Returns the first axis that has been at its limit for
   /// too long, or -1.
-  int look(const JointVector& current, Tick ticks) noexcept {
+  int check(const JointVector& current, Tick ticks) noexcept {
     int beyond = -1;
     for (std::size_t i = parameters_->axes.size(); i-- > 0;) {
       const AxisParameters& axis = parameters_->axes[i];

@@ -15,7 +15,7 @@ EncoderWatch::EncoderWatch(const RobotModel& model, double period) noexcept : co
   }
 }
 
-EncoderWatch::Finding EncoderWatch::look(const JointVector& motors, Tick tick) noexcept {
+EncoderWatch::Finding EncoderWatch::check(const JointVector& motors, Tick tick) noexcept {
   Finding finding;
   if (!jumped_) ticks_ = tick > tick_ ? static_cast<double>(tick - tick_) : 1.0;
   for (std::size_t i = 0; i < count_; ++i) {

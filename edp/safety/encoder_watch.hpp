@@ -26,7 +26,7 @@ class EncoderWatch {
   EncoderWatch(const RobotModel& model, double period) noexcept;
 
   /// Takes the readings (rad) of tick `tick`, which need not be later than the last one's: drives may repeat them.
-  Finding look(const JointVector& motors, Tick tick) noexcept;
+  Finding check(const JointVector& motors, Tick tick) noexcept;
   /// From now on the same readings are greater by `shift`.
   void shift(const JointVector& shift) noexcept { good_ += shift; }
 

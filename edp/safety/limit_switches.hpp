@@ -27,7 +27,7 @@ class LimitSwitchWatch {
   /// Takes the switches and shaft positions (rad) of a tick. `increment`: of the shafts' set-points in the last tick.
   /// `finding` is the axis that finds its own switches (the synchronisation), `kEvery`: no axis is watched, -1:
   /// all are watched. Returns the first axis to stop for, or -1.
-  int look(const HardwareInput& input, const JointVector& increment, int finding) noexcept;
+  int check(const HardwareInput& input, const JointVector& increment, int finding) noexcept;
   static constexpr int kEvery = -2;
 
   /// Of the last check.
@@ -38,7 +38,7 @@ class LimitSwitchWatch {
     bool is = false;
     double at = 0;  ///< where it closed or opened, rad
   };
-  bool look(Known& known, bool on, double motor, double towards, double leave) const noexcept;
+  bool check(Known& known, bool on, double motor, double towards, double leave) const noexcept;
 
   const RobotParameters* parameters_;
   LimitSwitches on_;

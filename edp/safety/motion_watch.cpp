@@ -22,13 +22,13 @@ double next_speed(const AxisParameters& axis, double speed, double current, doub
 
 }  // namespace
 
-Fault MotionWatch::look(const RobotModel& model, const Seen& seen, Taken taken, bool moves, int homing) noexcept {
+Fault MotionWatch::check(const RobotModel& model, const Seen& seen, Taken taken, bool moves, int homing) noexcept {
   if (readings_ == 0) {
     begin(model, seen, taken);
     return {};
   }
-  const Fault fast = look_at_speed(model.parameters().axes, seen.joints, taken, homing);
-  const Fault stuck = look_at_shafts(model, seen, homing);
+  const Fault fast = check_speed(model.parameters().axes, seen.joints, taken, homing);
+  const Fault stuck = check_shafts(model, seen, homing);
   if (fast.code != ErrorCode::none || !moves) return fast;
   return stuck;
 }
@@ -48,8 +48,8 @@ void MotionWatch::begin(const RobotModel& model, const Seen& seen, Taken taken) 
   tremble_ = kTremble * (ratio.cwiseAbs() * increments);
 }
 
-Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken,
-                                 int homing) noexcept {
+Fault MotionWatch::check_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken,
+                               int homing) noexcept {
   if (taken.tick <= ring_[(readings_ - 1) % kReadings].taken.tick) return {};  // the same reading again
   const Reading last = ring_[(readings_ - 1) % kReadings], oldest = ring_[readings_ % kReadings];
   const bool full = readings_ >= kReadings;
@@ -75,7 +75,7 @@ Fault MotionWatch::look_at_speed(const std::vector<AxisParameters>& axes, const 
   return fault;
 }
 
-Fault MotionWatch::look_at_shafts(const RobotModel& model, const Seen& seen, int homing) noexcept {
+Fault MotionWatch::check_shafts(const RobotModel& model, const Seen& seen, int homing) noexcept {
   Fault fault;
   for (Eigen::Index i = seen.motors.size(); i-- > 0;) {
     if (seen.motors[i] != motors_[i]) {
@@ -95,11 +95,11 @@ Fault MotionWatch::look_at_shafts(const RobotModel& model, const Seen& seen, int
     pushed_[i] = on_its_own ? 0 : next_speed(axis, pushed_[i], seen.current[i] - current_there_[i], period_);
   }
   desired_last_ = seen.desired_motors;
-  return fault.code != ErrorCode::none || pushed_.isZero(0) ? fault : look_at_push(model, seen.joints);
+  return fault.code != ErrorCode::none || pushed_.isZero(0) ? fault : check_push(model, seen.joints);
 }
 
 /// The push of each shaft alone, as the only motion that its encoder hides.
-Fault MotionWatch::look_at_push(const RobotModel& model, const JointVector& joints) const noexcept {
+Fault MotionWatch::check_push(const RobotModel& model, const JointVector& joints) const noexcept {
   const std::vector<AxisParameters>& axes = model.parameters().axes;
   const JointMatrix ratio = model.transmission(joints).inverse();
   Fault fault;

@@ -54,14 +54,14 @@ class MotionWatch {
   };
   /// Once per servo tick. The first axis that is too fast, else one that is stuck (`moves`: it is commanded, not
   /// stopping); code none: all is well. `homing`: the axis whose drive homes on its own, -1: none.
-  Fault look(const RobotModel& model, const Seen& seen, Taken taken, bool moves, int homing) noexcept;
+  Fault check(const RobotModel& model, const Seen& seen, Taken taken, bool moves, int homing) noexcept;
 
  private:
   void begin(const RobotModel& model, const Seen& seen, Taken taken) noexcept;
-  Fault look_at_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken,
-                      int homing) noexcept;
-  Fault look_at_shafts(const RobotModel& model, const Seen& seen, int homing) noexcept;
-  Fault look_at_push(const RobotModel& model, const JointVector& joints) const noexcept;
+  Fault check_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken,
+                    int homing) noexcept;
+  Fault check_shafts(const RobotModel& model, const Seen& seen, int homing) noexcept;
+  Fault check_push(const RobotModel& model, const JointVector& joints) const noexcept;
 
   double period_;
   struct Reading {

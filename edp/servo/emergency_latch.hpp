@@ -19,7 +19,7 @@ class EmergencyLatch {
   void use_terminal(int terminal) noexcept { terminal_ = terminal; }
 
   /// The inputs of a tick. True: latched.
-  bool look(const Signals& inputs) noexcept {
+  bool check(const ControllerIo& inputs) noexcept {
     const std::uint32_t resets = stop_ != nullptr ? stop_->resets() : 0;  // first: a press after it is not lost
     const std::uint32_t presses = stop_ != nullptr ? stop_->presses() : 0;
     if (presses != presses_ || (terminal_ && !inputs.on(*terminal_))) {

@@ -5,12 +5,12 @@
 
 namespace mrroc::edp {
 
-Servo::Servo(const ModelSet& models, Hardware& hardware, double period, HandOver& hand_over)
+Servo::Servo(const ModelSet& models, Hardware& hardware, double period, ServoChannel& hand_over)
     : models_(models),
       model_(&models.at(0)),
       hardware_(hardware),
       period_(period),
-      hand_over_(hand_over),
+      channel_(hand_over),
       stop_(models.parameters(), period),
       synchroniser_(models.parameters(), models.at(ModelSet::kShafts).parameters(), period),
       homing_(models.parameters()),
@@ -88,11 +88,11 @@ void Servo::leave() noexcept {
 }
 
 void Servo::obey_order() noexcept {
-  while (const Signals* outputs = hand_over_.outputs.front()) {
+  while (const ControllerIo* outputs = channel_.outputs.front()) {
     put_out(*outputs);
-    hand_over_.outputs.pop();
+    channel_.outputs.pop();
   }
-  DriveOrder order = hand_over_.order.load(std::memory_order_acquire);
+  DriveOrder order = channel_.order.load(std::memory_order_acquire);
   if (order == DriveOrder::none) return;
   if (order == DriveOrder::disable) {
     give_up_power();
@@ -109,7 +109,7 @@ void Servo::obey_order() noexcept {
   }
   ++orders_;
   // a newer order stays for the next tick
-  hand_over_.order.compare_exchange_strong(order, DriveOrder::none, std::memory_order_acq_rel);
+  channel_.order.compare_exchange_strong(order, DriveOrder::none, std::memory_order_acq_rel);
 }
 
 /// Drives that are switching on go off again.
@@ -193,17 +193,17 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.end_tick = end_known ? active_.start + active_.steps : std::max(tick, boundary_);
   snapshot_.finished = finished_;
   snapshot_.counters = counters_;
-  hand_over_.snapshot.store(snapshot_);
+  channel_.snapshot.store(snapshot_);
 
   const bool news = outbox_count_ > 0 || obeyed;
   for (std::size_t i = 0; i < outbox_count_; ++i) {
-    Report* const report = hand_over_.reports.free_place();
+    Report* const report = channel_.reports.free_place();
     if (report == nullptr) break;
     report->kind = outbox_[i].kind;
     report->ticket = outbox_[i].ticket;
     report->start = outbox_[i].start;
     report->snapshot = snapshot_;
-    hand_over_.reports.push_free_place();
+    channel_.reports.push_free_place();
   }
   outbox_count_ = 0;
   last_ = tick;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "edp/check/model_set.hpp"
-#include "edp/command/hand_over.hpp"
+#include "edp/command/servo_channel.hpp"
 #include "edp/force/force_motion.hpp"
 #include "edp/force/force_watch.hpp"
 #include "edp/hardware.hpp"
@@ -24,7 +24,7 @@ namespace mrroc::edp {
 
 /// The servo of one robot. One tick: read the hardware, estimate the state, take the set-point of this tick, check
 /// the limits, regulate, write the hardware, count. Its owner ticks it: its own thread in real time, the
-/// participant in lockstep; the other side of `HandOver` may be any single thread.
+/// participant in lockstep; the other side of `ServoChannel` may be any single thread.
 ///
 /// Set-points: macrosteps one after the other, each from the tick at which its predecessor ended. When a macrostep ends
 /// in motion and no successor has come by the next tick, the robot brakes within its limits from its set-point and
@@ -52,7 +52,7 @@ class Servo {
  public:
   /// `period` in s. `models` and `hardware` must outlive it. Throws SystemError when an axis has no acceleration or
   /// jerk limit.
-  Servo(const ModelSet& models, Hardware& hardware, double period, HandOver& hand_over);
+  Servo(const ModelSet& models, Hardware& hardware, double period, ServoChannel& hand_over);
 
   /// The robot has a force sensor, which must outlive this object, and stops where it meets more than `limits`. Before
   /// the first tick.
@@ -93,7 +93,7 @@ class Servo {
   bool use(std::uint8_t model) noexcept;
   void widen_limits() noexcept;
   void measure(Tick tick) noexcept;
-  void look_at_encoders(Tick tick) noexcept;
+  void check_encoders(Tick tick) noexcept;
   void find_fault(const Fault& fault) noexcept;
   bool switch_on() noexcept;
   void give_up_power() noexcept;
@@ -112,7 +112,7 @@ class Servo {
   int homing_axis() const noexcept;
   void change_model() noexcept;
   void use_regulators() noexcept;
-  void put_out(const Signals& outputs) noexcept;
+  void put_out(const ControllerIo& outputs) noexcept;
   bool start_next(Tick tick) noexcept;
   void refuse_foreign() noexcept;
   void brake(Tick from) noexcept;
@@ -129,13 +129,13 @@ class Servo {
   std::uint8_t model_index_ = 0;
   Hardware& hardware_;
   double period_;
-  HandOver& hand_over_;
+  ServoChannel& channel_;
   Stop stop_;
   Synchroniser synchroniser_;
   DriveHoming homing_;
   std::vector<Regulator> regulators_;
   std::uint8_t regulator_set_ = 0;
-  Signals outputs_;
+  ControllerIo outputs_;
 
   // measured
   bool ticked_ = false;  ///< at least once

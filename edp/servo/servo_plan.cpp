@@ -107,13 +107,13 @@ void Servo::use_regulators() noexcept {
   for (std::size_t i = 0; i < axes.size(); ++i) regulators_[i].use(axes[i]);
 }
 
-void Servo::put_out(const Signals& outputs) noexcept {
+void Servo::put_out(const ControllerIo& outputs) noexcept {
   outputs_ = outputs;
   hardware_.set_outputs(outputs);
 }
 
 bool Servo::start_next(Tick tick) noexcept {
-  const Macrostep* next = hand_over_.macrosteps.front();
+  const Macrostep* next = channel_.macrosteps.front();
   if (next == nullptr || next->epoch != epoch_ || state_ == ServoState::stopping || next->start > tick) return false;
   if (next->kind == Macrostep::Kind::unplanned) {
     brake(boundary_);
@@ -122,7 +122,7 @@ bool Servo::start_next(Tick tick) noexcept {
     return true;
   }
   active_ = *next;
-  hand_over_.macrosteps.pop();
+  channel_.macrosteps.pop();
   running_ = true;
   // a moving predecessor ended at `start`, even in a missed tick; a resting robot begins now
   active_.start = std::max({active_.start, boundary_, last_});
@@ -147,11 +147,11 @@ bool Servo::start_next(Tick tick) noexcept {
 }
 
 void Servo::refuse_foreign() noexcept {
-  while (const Macrostep* next = hand_over_.macrosteps.front()) {
+  while (const Macrostep* next = channel_.macrosteps.front()) {
     if (state_ == ServoState::on && next->epoch == epoch_) return;
     if (next->ticket != 0 && outbox_count_ < outbox_.size())
       outbox_[outbox_count_++] = {Report::Kind::refused, next->ticket};
-    hand_over_.macrosteps.pop();
+    channel_.macrosteps.pop();
   }
 }
 

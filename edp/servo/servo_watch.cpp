@@ -36,7 +36,7 @@ void Servo::measure(Tick tick) noexcept {
   input_.fault_detail = {};
   hardware_.read(tick, input_);
   found_ = {input_.fault, input_.fault_axis, input_.fault_detail};
-  look_at_encoders(tick);
+  check_encoders(tick);
   if (!ticked_) {
     last_ = tick == 0 ? 0 : tick - 1;
     measured_motors_ = desired_motors_ = input_.motors;
@@ -49,7 +49,7 @@ void Servo::measure(Tick tick) noexcept {
     joints = joints_;
     find_fault({ErrorCode::motor_limit});
   }
-  if (emergency_.look(input_.inputs)) find_fault({ErrorCode::emergency_stop});
+  if (emergency_.check(input_.inputs)) find_fault({ErrorCode::emergency_stop});
   if (ticked_) {
     measured_increment_ = input_.motors - measured_motors_;
     if (input_.tick > last_read)  // else it is a repeated reading
@@ -63,10 +63,10 @@ void Servo::measure(Tick tick) noexcept {
 }
 
 /// Implausible positions and currents are replaced by the last valid ones.
-void Servo::look_at_encoders(Tick tick) noexcept {
+void Servo::check_encoders(Tick tick) noexcept {
   if (found_.code != ErrorCode::hardware_silent || !input_.motors.allFinite()) {
     // after a silence the first reading may be old, but the axis could move during all that time
-    const EncoderWatch::Finding finding = encoders_.look(input_.motors, std::max(input_.tick, tick));
+    const EncoderWatch::Finding finding = encoders_.check(input_.motors, std::max(input_.tick, tick));
     if (finding.axis >= 0) {
       find_fault({ErrorCode::encoder_fault, finding.axis, finding.detail});
       input_.motors = measured_motors_;
@@ -90,7 +90,7 @@ void Servo::watch(Tick tick) noexcept {
   if (moves) find_fault(in_motion);
   if (has_power(state_)) {
     const bool given = hardware_.follows_current();
-    find_fault(motion_.look(
+    find_fault(motion_.check(
         *model_, {joints_, velocity_, measured_motors_, desired_motors_, given ? current_ : input_.current, given},
         {input_.tick, input_.late}, moves, homing_axis()));
   }
@@ -104,8 +104,8 @@ void Servo::watch(Tick tick) noexcept {
 Fault Servo::find_in_motion() noexcept {
   const bool moves = state_ == ServoState::on;
   const std::vector<AxisParameters>& axes = model_->parameters().axes;
-  const int axis = switches_.look(input_, desired_motors_ - previous_motors_,
-                                  moves ? synchronised_axis() : LimitSwitchWatch::kEvery);
+  const int axis = switches_.check(input_, desired_motors_ - previous_motors_,
+                                   moves ? synchronised_axis() : LimitSwitchWatch::kEvery);
   if (!moves) return {};
   for (int i = 0; i < model_->joint_count(); ++i) {
     const double error = std::abs(desired_motors_[i] - measured_motors_[i]);
@@ -114,7 +114,7 @@ Fault Servo::find_in_motion() noexcept {
     if (!(error <= limit)) return {ErrorCode::following_error, i, Excess{error, limit}};
   }
   if (axis >= 0) return {ErrorCode::limit_switch, axis, ShaftPosition{measured_motors_[axis]}};
-  const int hot = currents_.look(input_.current, elapsed_);
+  const int hot = currents_.check(input_.current, elapsed_);
   if (hot < 0) return {};
   return {ErrorCode::over_current, hot, Excess{input_.current[hot], axes[static_cast<std::size_t>(hot)].current_max}};
 }
@@ -128,7 +128,7 @@ void Servo::watch_force(Tick tick) noexcept {
     if (active_.kind == Macrostep::Kind::path) doing = ForceWatch::Doing::moving;
     if (active_.kind == Macrostep::Kind::force) doing = ForceWatch::Doing::following;
   }
-  if (const ErrorReport report = force_.look(doing); report.error_class != ErrorClass::none) interrupt(report, last_);
+  if (const ErrorReport report = force_.check(doing); report.error_class != ErrorClass::none) interrupt(report, last_);
 }
 
 void Servo::latch(const Fault& fault, Tick tick) noexcept {

@@ -7,7 +7,7 @@
 
 namespace mrroc {
 
-/// The last steps of a task's Moves and Waits, of all its strands, in time order. Every error that leaves a Move or
+/// The last steps of a task's Moves and Waits, of all its fibers, in time order. Every error that leaves a Move or
 /// Wait carries a copy (`Error::black_box`), and the task writes it to disk when it fails. Move and Wait record into
 /// the black box of their task (`Task::black_box`), without allocation or lock at a step; a copy does not change.
 /// Task's thread; a constant copy: any thread.

@@ -19,7 +19,7 @@ enum class AxisBehaviour : std::uint8_t {
 ///
 ///   delta_i = ((b_i (F_i - Fd_i) + v_i) dt^2 + b_i m_i delta_i') / (dt + b_i m_i)
 ///
-/// delta_i': the increment of the previous period, b: reciprocal damping, m: inertia, Fd: desired wrench, v: commanded
+/// delta_i': the increment of the previous period, b: admittance, m: inertia, Fd: desired wrench, v: commanded
 /// velocity. The result is the velocity v + b (F - Fd) after a low-pass filter of time constant b m. Unguarded: b = m =
 /// 0. Guarded: Fd = 0. Contact: v = 0. Source: MRROC++ 2012, edp_e_manip.cc, 340-440, where F has the opposite sign.
 ///
@@ -29,9 +29,9 @@ struct ForceLaw {
   using Axes = Eigen::Matrix<double, 6, 1>;
 
   std::array<AxisBehaviour, 6> behaviour{};
-  Wrench wrench = Wrench::Zero();                                                       ///< Fd, N and N m
-  Axes inertia = (Axes() << 20, 20, 20, 0.5, 0.5, 0.5).finished();                      ///< m, kg and kg m^2
-  Axes reciprocal_damping = (Axes() << 0.005, 0.005, 0.005, 0.1, 0.1, 0.1).finished();  ///< b, m/(N s), rad/(N m s)
+  Wrench wrench = Wrench::Zero();                                               ///< Fd, N and N m
+  Axes inertia = (Axes() << 20, 20, 20, 0.5, 0.5, 0.5).finished();              ///< m, kg and kg m^2
+  Axes admittance = (Axes() << 0.005, 0.005, 0.005, 0.1, 0.1, 0.1).finished();  ///< b, m/(N s), rad/(N m s)
 
   /// Makes axis `axis` give way to force. Throws std::out_of_range unless it is 0..5.
   ForceLaw& guarded(int axis) {

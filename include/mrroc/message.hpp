@@ -84,7 +84,7 @@ constexpr std::uint64_t fingerprint_of() {
 }
 
 /// Throws NonFatalError(invalid_argument): the parcel's type is not the expected one.
-[[noreturn]] void throw_wrong_parcel(const Parcel& parcel, const MessageSchema& wanted);
+[[noreturn]] void throw_wrong_parcel(const Message& parcel, const MessageSchema& wanted);
 
 }  // namespace detail
 
@@ -93,7 +93,7 @@ template <class T>
 concept MessageType = requires(const T* type) {
   { mrroc_label(type) } -> std::convertible_to<const char*>;
   requires detail::size_of<T>()
-  <= Parcel::kCapacity;
+  <= Message::kCapacity;
   requires std::string_view(mrroc_label(static_cast<const T*>(nullptr)))
   .size() <= kNameLength;
 };
@@ -116,8 +116,8 @@ MessageSchema schema_of() {
 
 /// The message as a parcel. Does not allocate.
 template <MessageType T>
-Parcel pack(const T& message) noexcept {
-  Parcel parcel;
+Message pack(const T& message) noexcept {
+  Message parcel;
   parcel.label.assign(label_of<T>());
   parcel.fingerprint = detail::fingerprint_of<T>();
   mrroc_visit(static_cast<const T*>(nullptr), [&]<class Field>(const char*, Field T::*field) {
@@ -130,7 +130,7 @@ Parcel pack(const T& message) noexcept {
 /// The message that a parcel carries. Throws NonFatalError(invalid_argument) when the parcel is of another type, or was
 /// packed with another version of the header. Otherwise it does not allocate.
 template <MessageType T>
-T unpack(const Parcel& parcel) {
+T unpack(const Message& parcel) {
   if (parcel.fingerprint != detail::fingerprint_of<T>() || parcel.size != detail::size_of<T>())
     detail::throw_wrong_parcel(parcel, schema_of<T>());
   T message;

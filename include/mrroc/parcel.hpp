@@ -11,7 +11,7 @@ namespace mrroc {
 
 /// A serialised message between the programs of an MP and its ECPs: `pack` makes it from a type declared with
 /// MRROC_MESSAGE, `unpack` restores the type. Fixed size: copying it never allocates.
-struct Parcel {
+struct Message {
   static constexpr std::size_t kCapacity = 512;
 
   FixedText<kNameLength> label;                   ///< the type's name; empty without a message

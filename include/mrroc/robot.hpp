@@ -70,14 +70,14 @@ class Robot {
   /// NonFatalError(invalid_argument) that lists the valid names.
   void use_regulators(std::string_view name);
   /// Sets the outputs of the robot's controller from the next servo tick on; also while it moves.
-  void set_outputs(const Signals& outputs);
+  void set_outputs(const ControllerIo& outputs);
 
   // ---- the exchange, used by Move and Wait
   // -----------------------------------------------------------------------------
   /// Resets the command to a plain `kind` with this robot's macrostep.
   void reset_command(CommandKind kind) noexcept;
   /// Reserves the robot for one instruction, until `release`. Throws NonFatalError(busy) when an instruction of another
-  /// strand of the task has it.
+  /// fiber of the task has it.
   void acquire();
   void release() noexcept { in_use_ = false; }
   void send() { link_->send(command_); }

@@ -68,11 +68,11 @@ struct RobotCommand {
   JointVector joint_acceleration;                       ///< rad/s^2 or m/s^2 at the end; empty: the macrostep's mean
   Pose pose = Pose::Identity();                         ///< of the tool frame in the robot's base frame
   Twist twist = Twist::Zero();                          ///< of the tool frame's origin at the end, in base axes
-  JointVector twist_rate;                               ///< d twist / dt at the end, 6 values; empty: the mean
+  JointVector twist_acceleration;                       ///< d twist / dt at the end, 6 values; empty: the mean
   ForceLaw force;                                       ///< of `force`
   std::uint8_t choice = 0;                              ///< of `use_model`, `use_regulators`: index in the robot's list
   bool with_outputs = false;                            ///< of a motion: `outputs` from the macrostep's tick 0 on
-  Signals outputs;
+  ControllerIo outputs;
 
   /// Tick 0 of the macrostep, when the one before ends at tick `end` and the command arrives at tick `now`.
   Tick first_tick(Tick end, Tick now) const noexcept { return std::max({start_tick, end, now}); }

@@ -31,8 +31,8 @@ struct MeasuredState {
   /// The fraction, 0..1, of the force law's twist at `tick` that a force motion near a singularity does not follow
   /// (docs/explanation/force.md); 0 elsewhere and in every other motion.
   double lost = 0;
-  Signals inputs;               ///< of the robot's controller, at `tick`
-  Signals outputs;              ///< as set
+  ControllerIo inputs;          ///< of the robot's controller, at `tick`
+  ControllerIo outputs;         ///< as set
   std::uint8_t regulators = 0;  ///< regulator set in use: its index in RobotParameters::regulators, 0: the robot's own
   bool synchronised = false;
 };

@@ -49,7 +49,7 @@ class Sensor {
   // ---- the exchange, used by Move and Wait
   // -----------------------------------------------------------------------------
   /// Reserves an interactive sensor for one instruction, until `release`. Throws NonFatalError(busy) when an
-  /// instruction of another strand of the task has it. A non-interactive sensor serves any number of instructions.
+  /// instruction of another fiber of the task has it. A non-interactive sensor serves any number of instructions.
   void acquire();
   void release() noexcept { in_use_ = false; }
   /// Whether v^i is updated at step i of an instruction: i is a multiple of the period.

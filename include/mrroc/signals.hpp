@@ -7,7 +7,7 @@ namespace mrroc {
 
 /// The terminals of one robot's controller, inputs or outputs: grippers, valves, lamps and switches are wired to them.
 /// The numbers are those of the original.
-struct Signals {
+struct ControllerIo {
   static constexpr int kDigital = 16;
   static constexpr int kAnalog = 8;
 
@@ -21,7 +21,7 @@ struct Signals {
     digital = static_cast<std::uint16_t>(value ? digital | bit : digital & ~bit);
   }
 
-  friend bool operator==(const Signals&, const Signals&) = default;
+  friend bool operator==(const ControllerIo&, const ControllerIo&) = default;
 };
 
 }  // namespace mrroc

@@ -72,7 +72,7 @@ std::optional<Pose> mount_pose(const config::SensorEntry& entry) {
   if (rotation && !position) refuse(entry, "rotation", "a rotation alone", "the key 'position' beside it");
   if (!position) return std::nullopt;
   const Eigen::Vector3d turns = rotation ? Eigen::Vector3d{rotation->data()} : Eigen::Vector3d::Zero();
-  return frame_at(Eigen::Vector3d{position->data()}, turns);
+  return pose_from_rpy(Eigen::Vector3d{position->data()}, turns);
 }
 
 std::unique_ptr<Detector> make_detector(const config::SensorEntry& entry) {

@@ -34,7 +34,7 @@ void ForceTorqueSensor::configure(const config::SensorEntry& entry, double servo
   gravity_ = vector3(entry, "gravity");
   noise_ = Noise{entry.name};
   gauges_ = Gauges::of(entry);
-  mount_ = frame_at(Eigen::Vector3d::Zero(), vector3(entry, "rotation")).linear();
+  mount_ = pose_from_rpy(Eigen::Vector3d::Zero(), vector3(entry, "rotation")).linear();
   const double cutoff = number(entry, "cutoff");
   if (cutoff > 0.5 / servo_period) {
     refuse(entry, "cutoff", std::to_string(cutoff) + " Hz",

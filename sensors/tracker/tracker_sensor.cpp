@@ -20,7 +20,7 @@ void TrackerSensor::aggregate(const RawReading& r, SensorReading& v) noexcept {
     moved[i] = position_noise_ > 0 ? position_noise_ * noise_.normal(r.tick, i) : 0;
     turned[i] = rotation_noise_ > 0 ? rotation_noise_ * noise_.normal(r.tick, 3 + i) : 0;
   }
-  q = (q * Eigen::Quaterniond(rotation_of(turned))).normalized();
+  q = (q * Eigen::Quaterniond(exp_rotation(turned))).normalized();
   if (q.w() < 0) q.coeffs() *= -1;
   for (std::size_t i = 0; i < 3; ++i) v.values[i] = r.values[i] + moved[static_cast<Eigen::Index>(i)];
   v.values[3] = q.w(), v.values[4] = q.x(), v.values[5] = q.y(), v.values[6] = q.z();

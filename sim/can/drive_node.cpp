@@ -134,7 +134,7 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
     if (nmt_ != NmtState::stopped) take_request(frame, now);
   } else if (operational() && command_ && frame.id == command_->identifier) {
     commanded_ = true;
-    if (owes_) send(said_);
+    if (owes_) send(feedback_);
     owes_ = false;
     if (command_->transmission > 240) return take_command(frame);
     pending_ = frame;
@@ -165,7 +165,7 @@ void DriveNode::take_command(const can::Frame& frame) {
   obey();
 }
 
-void DriveNode::look(std::int64_t now) {
+void DriveNode::update(std::int64_t now) {
   const std::int64_t produced = store_.number(kProducerHeartbeat) * kMillisecond;
   if (nmt_ != NmtState::boot_up && produced != 0 && now >= sent_ + produced) {
     sent_ = now;
@@ -203,9 +203,9 @@ void DriveNode::send_feedback() {
   can::Frame frame{feedback_->identifier, {}};
   for (const MappedObject& mapped : feedback_->mapping.objects())
     feedback_->mapping.write(frame, mapped.object, store_.number(mapped.object));
-  if (!frozen_) said_ = frame;
+  if (!frozen_) feedback_ = frame;
   owes_ = lags_;
-  if (!lags_) send(said_);
+  if (!lags_) send(feedback_);
 }
 
 }  // namespace mrroc::sim

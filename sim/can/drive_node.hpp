@@ -33,7 +33,7 @@ class DriveNode {
   /// Takes any frame of the bus except SYNC.
   void take(const can::Frame& frame, std::int64_t now);
   /// Sends what is due by time alone: heartbeats.
-  void look(std::int64_t now);
+  void update(std::int64_t now);
 
   // one cycle
   /// The shaft in this cycle, rad and A as measured by its encoder and current sensor.
@@ -135,8 +135,8 @@ class DriveNode {
   std::minstd_rand noise_;
   bool strays_ = false;
   std::optional<canopen::DriveMode> stays_in_;
-  int deaf_for_ = 0;  ///< SDO requests
-  can::Frame said_;   ///< its last feedback
+  int deaf_for_ = 0;     ///< SDO requests
+  can::Frame feedback_;  ///< its last feedback
 };
 
 }  // namespace mrroc::sim

@@ -57,7 +57,7 @@ void DriveRack::serve() {
     const bool came = bus_.receive(frame, clock::monotonic_ns() + kGlance);
     const std::lock_guard lock(mutex_);
     if (came) take(frame);
-    for (DriveNode& node : nodes_) node.look(now());
+    for (DriveNode& node : nodes_) node.update(now());
     const std::int64_t since = clock::monotonic_ns() - synced_;
     // lost set-points: the bus has lost a frame, or the master has died
     if (open_ && since > (time_ == Time::wall ? period_ : kPatience)) drive();

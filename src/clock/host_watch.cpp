@@ -24,7 +24,7 @@ HostWatch::~HostWatch() {
   ::close(process_);
 }
 
-HostLife HostWatch::look() noexcept {
+HostLife HostWatch::poll() noexcept {
   pollfd end{process_, POLLIN, 0};
   if (::poll(&end, 1, 0) != 0) return HostLife::lost;
   // nothing moves before the start, and simulated time stands still with its host

@@ -22,7 +22,7 @@ class HostWatch {
   HostWatch& operator=(const HostWatch&) = delete;
 
   /// Two system calls, no allocation; never waits.
-  HostLife look() noexcept;
+  HostLife poll() noexcept;
 
  private:
   char state() const noexcept;

@@ -8,7 +8,7 @@ bool LockstepClock::start() {
   const std::uint32_t seen = slot().gate.word();
   announce_ready();
   if (!sleep(seen, kForever)) return false;
-  look_at_the_time();
+  update_time();
   return true;
 }
 
@@ -22,11 +22,11 @@ Wake LockstepClock::wait(Tick wake_tick) {
   slot().running.store(0);
   if (quiescent(memory())) memory().host.open();
   if (!sleep(seen, kForever)) return Wake::interrupted;
-  look_at_the_time();
+  update_time();
   return slot().reason.load();
 }
 
-void LockstepClock::look_at_the_time() noexcept {
+void LockstepClock::update_time() noexcept {
   tick_.store(slot().tick.load());
   delta_.store(slot().delta.load());
 }

@@ -28,7 +28,7 @@ class LockstepClock : public ParticipantClock {
   void arrived(int receiver) noexcept override;
 
  private:
-  void look_at_the_time() noexcept;
+  void update_time() noexcept;
 
   std::atomic<Tick> tick_{0};
   std::atomic<std::uint64_t> delta_{0};

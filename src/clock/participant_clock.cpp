@@ -10,7 +10,7 @@ namespace mrroc::clock {
 namespace {
 
 /// Between two checks of the host. Under simulated time, which stands still without it, they may be rare.
-std::int64_t look_interval(Mode mode) { return mode == Mode::real ? kSecond / 50 : kSecond; }
+std::int64_t check_interval(Mode mode) { return mode == Mode::real ? kSecond / 50 : kSecond; }
 
 }  // namespace
 
@@ -45,10 +45,10 @@ bool ParticipantClock::sleep(std::uint32_t seen, std::int64_t deadline_ns) noexc
   Gate& gate = slot().gate;
   while (!gate.interrupted()) {
     // in slices: a host that is killed or stopped opens no gate
-    const std::int64_t slice = std::min(deadline_ns, monotonic_ns() + look_interval(memory_->mode));
+    const std::int64_t slice = std::min(deadline_ns, monotonic_ns() + check_interval(memory_->mode));
     if (gate.sleep(seen, slice)) break;
     if (slice == deadline_ns) return true;
-    look_for_host();
+    check_host();
   }
   if (!gate.interrupted()) return true;
   leave();
@@ -60,11 +60,11 @@ void ParticipantClock::leave() noexcept {
   if (slot().membership.compare_exchange_strong(alive, Membership::left)) memory().host.open();
 }
 
-void ParticipantClock::look_for_host() noexcept {
+void ParticipantClock::check_host() noexcept {
   const std::int64_t now = monotonic_ns();
-  if (now < next_look_ns_) return;
-  next_look_ns_ = now + look_interval(memory_->mode);
-  switch (host_.look()) {
+  if (now < next_check_ns_) return;
+  next_check_ns_ = now + check_interval(memory_->mode);
+  switch (host_.poll()) {
     case HostLife::alive:
       break;
     case HostLife::stopped:

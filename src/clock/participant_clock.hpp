@@ -41,13 +41,13 @@ class ParticipantClock : public Clock {
   /// Checks the host at every wait under the real clock, 20 ms after the last check, because `sleep` does not check it
   /// while messages arrive. If the host is lost it interrupts this process; if the host is stopped it begins the
   /// shutdown (`stop`).
-  void look_for_host() noexcept;
+  void check_host() noexcept;
 
  private:
   MappedClock memory_;
   std::uint32_t index_;
   HostWatch host_;
-  std::int64_t next_look_ns_ = 0;  // for the host; the participant's thread
+  std::int64_t next_check_ns_ = 0;  // for the host; the participant's thread
 };
 
 }  // namespace mrroc::clock

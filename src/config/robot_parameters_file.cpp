@@ -171,7 +171,7 @@ Pose read_tool(const Table& geometry) {
   constexpr Range kTurn{-2 * std::numbers::pi, 2 * std::numbers::pi};
   const auto translation = geometry.numbers("tool_translation", 3, kPlace);
   const auto rotation = geometry.numbers("tool_rotation", 3, kTurn);
-  return frame_at(Eigen::Vector3d(translation.data()), Eigen::Vector3d(rotation.data()));
+  return pose_from_rpy(Eigen::Vector3d(translation.data()), Eigen::Vector3d(rotation.data()));
 }
 
 std::filesystem::path robot_file(const std::string& type, const std::string& name) {

@@ -18,7 +18,7 @@ inline constexpr const char* kEndState = "end";
 struct State {
   struct Start {
     std::string robot;
-    Parcel behaviour;       ///< without label: the program of the robot's ECP
+    Message behaviour;      ///< without label: the program of the robot's ECP
     std::string arguments;  ///< "x = 0.6, y = 0.1", for people
   };
   std::string name;

@@ -33,7 +33,7 @@ std::uint64_t MessageSchema::fingerprint() const noexcept {
 
 namespace detail {
 
-void throw_wrong_parcel(const Parcel& parcel, const MessageSchema& wanted) {
+void throw_wrong_parcel(const Message& parcel, const MessageSchema& wanted) {
   std::string text = "a message '" + std::string{parcel.label.view()} + "' of " + std::to_string(parcel.size) +
                      " bytes came where '" + wanted.label + "' was expected:";
   for (const MessageFieldEntry& field : wanted.fields) text += " " + field.name + " (" + describe(field.kind) + ")";

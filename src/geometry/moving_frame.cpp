@@ -7,7 +7,7 @@ namespace mrroc {
 MovingFrame MovingFrame::after(double seconds) const noexcept {
   MovingFrame later = *this;
   later.pose.translation() += seconds * twist.head<3>();
-  later.pose.linear() = rotation_of(seconds * twist.tail<3>()) * pose.linear();
+  later.pose.linear() = exp_rotation(seconds * twist.tail<3>()) * pose.linear();
   return later;
 }
 

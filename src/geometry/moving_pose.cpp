@@ -13,7 +13,7 @@ bool is_zero(const JointVector& joints) noexcept { return (joints.array() == 0.0
 Pose MovingPose::after(double t) const noexcept {
   Pose later = Pose::Identity();
   later.translation() = pose.translation() + twist.head<3>() * t + rate.head<3>() * (0.5 * t * t);
-  later.linear() = rotation_of(twist.tail<3>() * t + rate.tail<3>() * (0.5 * t * t)) * pose.linear();
+  later.linear() = exp_rotation(twist.tail<3>() * t + rate.tail<3>() * (0.5 * t * t)) * pose.linear();
   return later;
 }
 
@@ -32,7 +32,7 @@ MovingPose tool_motion(const ToolKinematics& kinematics, const JointVector& posi
 
 OwnMotion in_own_axes(const MovingPose& moving) noexcept {
   const Eigen::Matrix3d back = moving.pose.linear().transpose();
-  OwnMotion own{turned(back, moving.twist), turned(back, moving.rate)};
+  OwnMotion own{rotate_twist(back, moving.twist), rotate_twist(back, moving.rate)};
   own.rate.head<3>() -= own.twist.tail<3>().cross(own.twist.head<3>());
   return own;
 }
@@ -40,7 +40,7 @@ OwnMotion in_own_axes(const MovingPose& moving) noexcept {
 MovingPose in_base_axes(const Pose& pose, const OwnMotion& motion) noexcept {
   Twist rate = motion.rate;
   rate.head<3>() += motion.twist.tail<3>().cross(motion.twist.head<3>());
-  return {pose, turned(pose.linear(), motion.twist), turned(pose.linear(), rate)};
+  return {pose, rotate_twist(pose.linear(), motion.twist), rotate_twist(pose.linear(), rate)};
 }
 
 }  // namespace mrroc

@@ -13,11 +13,11 @@ PoseArc::PoseArc(const Pose& start, const Eigen::Vector3d& centre, const Eigen::
 PathPose PoseArc::at(std::size_t /*piece*/, double s) const noexcept {
   const double length = breaks_.back();
   const double u = s / length;
-  const Eigen::Vector3d arm = rotation_of(u * angle_ * axis_) * (start_.translation() - centre_);
+  const Eigen::Vector3d arm = exp_rotation(u * angle_ * axis_) * (start_.translation() - centre_);
   const Eigen::Vector3d turning = axis_ * (angle_ / length);  // of the arm
   PathPose there;
   there.pose.translation() = centre_ + arm;
-  there.pose.linear() = rotation_of(u * turn_) * start_.linear();
+  there.pose.linear() = exp_rotation(u * turn_) * start_.linear();
   if (s <= 0) there.pose = start_;
   if (s >= length) there.pose = end_;
   there.first << turning.cross(arm), turn_ / length;

@@ -34,7 +34,7 @@ PathPose PosePiece::at(double s) const noexcept {
   const Turning turning = turning_of(vector, state.first.tail<3>(), state.second.tail<3>());
   PathPose there;
   there.pose.translation() = state.value.head<3>();
-  there.pose.linear() = rotation_of(vector) * from_.pose.linear();
+  there.pose.linear() = exp_rotation(vector) * from_.pose.linear();
   there.first << state.first.head<3>(), turning.velocity;
   there.second << state.second.head<3>(), turning.rate;
   return there;

@@ -25,7 +25,7 @@ bool make_rigid(Pose& pose) noexcept {
   return true;
 }
 
-Pose frame_at(const Eigen::Vector3d& position, const Eigen::Vector3d& turns) noexcept {
+Pose pose_from_rpy(const Eigen::Vector3d& position, const Eigen::Vector3d& turns) noexcept {
   Pose frame = Pose::Identity();
   frame.translation() = position;
   // turns about fixed axes: the last one is the leftmost factor
@@ -36,13 +36,13 @@ Pose frame_at(const Eigen::Vector3d& position, const Eigen::Vector3d& turns) noe
   return frame;
 }
 
-Twist turned(const Eigen::Matrix3d& rotation, const Twist& twist) noexcept {
+Twist rotate_twist(const Eigen::Matrix3d& rotation, const Twist& twist) noexcept {
   Twist result;
   result << rotation * twist.head<3>(), rotation * twist.tail<3>();
   return result;
 }
 
-Pose exponential(const Twist& displacement) noexcept {
+Pose exp_twist(const Twist& displacement) noexcept {
   const Eigen::Vector3d linear = displacement.head<3>();
   const Eigen::Vector3d angular = displacement.tail<3>();
   Pose pose = Pose::Identity();
@@ -59,7 +59,7 @@ Pose exponential(const Twist& displacement) noexcept {
   return pose;
 }
 
-Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept {
+Eigen::Matrix3d exp_rotation(const Eigen::Vector3d& vector) noexcept {
   const double angle = vector.norm();
   if (angle < 1e-150) return Eigen::Matrix3d::Identity();
   return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();

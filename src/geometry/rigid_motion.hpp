@@ -14,17 +14,17 @@ bool make_rigid(Pose& pose) noexcept;
 
 /// The frame at `position` (m), rotated by `turns` (rad): roll, pitch, yaw about the fixed axes x, y, z in this order,
 /// R = Rz(yaw) Ry(pitch) Rx(roll), as in URDF.
-Pose frame_at(const Eigen::Vector3d& position, const Eigen::Vector3d& turns) noexcept;
+Pose pose_from_rpy(const Eigen::Vector3d& position, const Eigen::Vector3d& turns) noexcept;
 
 /// The same twist of the same point in axes rotated by `rotation`: (R v, R w).
-Twist turned(const Eigen::Matrix3d& rotation, const Twist& twist) noexcept;
+Twist rotate_twist(const Eigen::Matrix3d& rotation, const Twist& twist) noexcept;
 
 /// exp of a twist (times seconds) in body axes: the displacement of a constant screw motion (Lynch and Park, Modern
 /// Robotics, eq. 3.88).
-Pose exponential(const Twist& displacement) noexcept;
+Pose exp_twist(const Twist& displacement) noexcept;
 
 /// The rotation by the norm of `vector` (rad) about its direction.
-Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector) noexcept;
+Eigen::Matrix3d exp_rotation(const Eigen::Vector3d& vector) noexcept;
 /// Its inverse: the rotation vector of `rotation`, of norm 0..pi.
 Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) noexcept;
 

@@ -113,14 +113,14 @@ void Instruction::throw_reported_errors() const {
   const ErrorReport* gravest = nullptr;
   const std::string* device = nullptr;
   Tick tick = 0;
-  const auto look = [&](const ErrorReport& error, const std::string& name, Tick when) {
+  const auto check = [&](const ErrorReport& error, const std::string& name, Tick when) {
     if (error.error_class <= (gravest != nullptr ? gravest->error_class : ErrorClass::none)) return;
     gravest = &error;
     device = &name;
     tick = when;
   };
-  for (const Robot* robot : robots_) look(robot->state().error, robot->name(), robot->state().tick);
-  for (const Sensor* sensor : sensors_) look(sensor->reading().error, sensor->name(), sensor->reading().tick);
+  for (const Robot* robot : robots_) check(robot->state().error, robot->name(), robot->state().tick);
+  for (const Sensor* sensor : sensors_) check(sensor->reading().error, sensor->name(), sensor->reading().tick);
   if (gravest == nullptr) return;
   throw_error(gravest->error_class, gravest->code, std::string{gravest->detail.view()},
               {task_->process_name(), *device, step_, tick});

@@ -15,7 +15,7 @@ Task& task_of(const std::vector<Robot*>& robots, const std::vector<Sensor*>& sen
 /// Reserves the robots and interactive sensors for one instruction during its lifetime. The lists must outlive it.
 class ExclusiveUse {
  public:
-  /// Throws NonFatalError(busy) when an instruction of another strand has one of them.
+  /// Throws NonFatalError(busy) when an instruction of another fiber has one of them.
   ExclusiveUse(const std::vector<Robot*>& robots, const std::vector<Sensor*>& sensors);
   ~ExclusiveUse() { release(); }
   ExclusiveUse(const ExclusiveUse&) = delete;

@@ -48,7 +48,7 @@ const RobotState& Robot::known_state() const {
 
 void Robot::acquire() {
   if (in_use_)
-    throw NonFatalError(ErrorCode::busy, "another strand moves this robot", {task_->process_name(), name_, 0, 0});
+    throw NonFatalError(ErrorCode::busy, "another fiber moves this robot", {task_->process_name(), name_, 0, 0});
   in_use_ = true;
 }
 
@@ -88,7 +88,7 @@ void Robot::choose(CommandKind kind, const char* what, std::string_view name,
                       {task_->process_name(), name_, 0, 0});
 }
 
-void Robot::set_outputs(const Signals& outputs) {
+void Robot::set_outputs(const ControllerIo& outputs) {
   reset_command(CommandKind::set_outputs);
   command_.outputs = outputs;
   change();
@@ -130,11 +130,11 @@ void Robot::reset_command(CommandKind kind) noexcept {
   command_.joint_acceleration.resize(0);
   command_.pose.setIdentity();
   command_.twist.setZero();
-  command_.twist_rate.resize(0);
+  command_.twist_acceleration.resize(0);
   command_.force = ForceLaw{};
   command_.choice = 0;
   command_.with_outputs = false;
-  command_.outputs = Signals{};
+  command_.outputs = ControllerIo{};
 }
 
 }  // namespace mrroc

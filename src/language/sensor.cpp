@@ -45,7 +45,7 @@ double Sensor::age() const noexcept {
 void Sensor::acquire() {
   if (!interactive_) return;
   if (in_use_)
-    throw NonFatalError(ErrorCode::busy, "another strand reads this sensor", {task_->process_name(), name_, 0, 0});
+    throw NonFatalError(ErrorCode::busy, "another fiber reads this sensor", {task_->process_name(), name_, 0, 0});
   in_use_ = true;
 }
 

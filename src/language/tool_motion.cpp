@@ -15,7 +15,7 @@ void command_motion(RobotCommand& command, const MovingPose& motion) noexcept {
   command.kind = CommandKind::pose;
   command.pose = motion.pose;
   command.twist = motion.twist;
-  command.twist_rate = motion.rate;
+  command.twist_acceleration = motion.rate;
 }
 
 }  // namespace mrroc

@@ -6,7 +6,7 @@
 
 namespace mrroc::process {
 
-void Mailbox::put(const Parcel& parcel) {
+void Mailbox::put(const Message& parcel) {
   if (parcels_.size() == kCapacity) {
     throw NonFatalError(ErrorCode::busy, std::to_string(kCapacity) +
                                              " messages wait and have not been taken; there is no "
@@ -16,9 +16,9 @@ void Mailbox::put(const Parcel& parcel) {
   parcels_.push_back(parcel);
 }
 
-bool Mailbox::take(std::string_view label, Parcel& parcel) noexcept {
+bool Mailbox::take(std::string_view label, Message& parcel) noexcept {
   const auto found = std::find_if(parcels_.begin(), parcels_.end(),
-                                  [label](const Parcel& waiting) { return waiting.label.view() == label; });
+                                  [label](const Message& waiting) { return waiting.label.view() == label; });
   if (found == parcels_.end()) return false;
   parcel = *found;
   parcels_.erase(found);
@@ -27,7 +27,7 @@ bool Mailbox::take(std::string_view label, Parcel& parcel) noexcept {
 
 bool Mailbox::has(std::string_view label) const noexcept {
   return std::any_of(parcels_.begin(), parcels_.end(),
-                     [label](const Parcel& waiting) { return waiting.label.view() == label; });
+                     [label](const Message& waiting) { return waiting.label.view() == label; });
 }
 
 }  // namespace mrroc::process

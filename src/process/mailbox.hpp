@@ -17,14 +17,14 @@ class Mailbox {
   Mailbox() { parcels_.reserve(kCapacity); }
 
   /// Throws NonFatalError(busy) when it is full: the program does not take its messages.
-  void put(const Parcel& parcel);
+  void put(const Message& parcel);
   /// The oldest message with this label; false when there is no such message.
-  bool take(std::string_view label, Parcel& parcel) noexcept;
+  bool take(std::string_view label, Message& parcel) noexcept;
   bool has(std::string_view label) const noexcept;
   void clear() noexcept { parcels_.clear(); }
 
  private:
-  std::vector<Parcel> parcels_;
+  std::vector<Message> parcels_;
 };
 
 }  // namespace mrroc::process

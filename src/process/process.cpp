@@ -114,9 +114,9 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
   for (const int fd : arguments.descriptors()) keep_from_children(fd);
   clock_ = clock::attach_clock(arguments.clock_fd, arguments.name, part_of(role));
   if (role == links::ProcessRole::mp) {
-    auto strands = std::make_unique<StrandClock>(std::move(clock_));
-    strands_ = strands.get();
-    clock_ = std::move(strands);
+    auto fibers = std::make_unique<FiberScheduler>(std::move(clock_));
+    fibers_ = fibers.get();
+    clock_ = std::move(fibers);
   }
   interruptible = clock_.get();
   // before the domain: Cyclone's threads inherit the priority of the thread that creates them

@@ -10,8 +10,8 @@
 #include "links/transport/domain.hpp"
 #include "process/arguments.hpp"
 #include "process/exit_code.hpp"
+#include "process/fibers.hpp"
 #include "process/status_board.hpp"
-#include "process/strands.hpp"
 
 namespace mrroc::process {
 
@@ -28,8 +28,8 @@ class Process {
   const Arguments& arguments() const noexcept { return arguments_; }
   const config::Deployment& deployment() const noexcept { return deployment_; }
   clock::Clock& clock() noexcept { return *clock_; }
-  /// The same, where the task may run strands: in an MP. Null in all others.
-  StrandClock* strands() noexcept { return strands_; }
+  /// The same, where the task may run fibers: in an MP. Null in all others.
+  FiberScheduler* fibers() noexcept { return fibers_; }
   links::Domain& domain() noexcept { return *domain_; }
   StatusBoard& status() noexcept { return *status_; }
   /// The faults to be injected into this run; usually empty.
@@ -51,7 +51,7 @@ class Process {
   config::Deployment deployment_;
   faults::FaultPlan faults_;
   std::unique_ptr<clock::Clock> clock_;
-  StrandClock* strands_ = nullptr;
+  FiberScheduler* fibers_ = nullptr;
   std::unique_ptr<links::Domain> domain_;
   std::unique_ptr<links::StatusPublisher> publisher_;
   std::unique_ptr<StatusBoard> status_;

@@ -187,7 +187,7 @@ void TaskProcess::sleep_until(Tick tick) {
 OperatorRequest TaskProcess::operator_request() {
   read_superior();
   poll_others();
-  if (process_.strands() != nullptr && process_.strands()->cancelled()) return OperatorRequest::stop;
+  if (process_.fibers() != nullptr && process_.fibers()->cancelled()) return OperatorRequest::stop;
   if (request_ != OperatorRequest::end_motion) return request_;
   request_ = OperatorRequest::none;  // it ends one motion only
   return OperatorRequest::end_motion;
@@ -200,11 +200,11 @@ bool TaskProcess::may_go_on() {
 }
 
 void TaskProcess::wait_until(const std::function<bool()>& holds) {
-  StrandClock* const strands = process_.strands();
-  if (strands != nullptr) strands->note_progress();
+  FiberScheduler* const fibers = process_.fibers();
+  if (fibers != nullptr) fibers->note_progress();
   for (;;) {  // check before waiting: earlier messages do not wake the thread
     if (may_go_on() && holds()) {
-      if (strands != nullptr) strands->note_progress();
+      if (fibers != nullptr) fibers->note_progress();
       return;
     }
     if (process_.clock().wait(kNever) == clock::Wake::interrupted) throw Stopped{};

@@ -41,7 +41,7 @@ class TaskProcess : public Task {
   /// Takes the superior's commands that have arrived; returns true when one of them is `start`.
   bool read_superior();
   /// The behaviour of the last `start`; without label: the program itself.
-  const Parcel& started() const noexcept { return started_; }
+  const Message& started() const noexcept { return started_; }
   /// Reports the task's state to the superior.
   void report(links::TaskState state);
   /// Reports to it the failure of the task, its reason and its origin: this process unless `error` names another. Also
@@ -105,7 +105,7 @@ class TaskProcess : public Task {
   links::TaskSubordinate superior_;
   Dialogue dialogue_;
   Mailbox mailbox_;
-  Parcel started_;
+  Message started_;
   bool running_ = false;  // since `start` came, until the end is reported
   std::unique_ptr<StepReporter> reporter_;
   /// Links cannot be opened any more: the other side waits for its clients before the start only. From then on the maps

@@ -33,7 +33,7 @@ struct JointDrive {
   Tick tick = 0;  ///< tick in which it was computed; 0: never attached
   std::uint32_t joint_count = 0;
   std::uint32_t enabled = 0;                ///< 0: brakes on
-  Signals outputs;                          ///< of the robot's controller, independent of the brakes
+  ControllerIo outputs;                     ///< of the robot's controller, independent of the brakes
   std::array<double, kMaxJoints> torque{};  ///< tau = G^T (torque constant * current), N m or N
   std::array<double, kMaxJoints> bias{};    ///< c = G^T J dG/dt dq/dt
   std::array<double, kMaxJoints * kMaxJoints> rotor_inertia{};  ///< B = G^T J G, row major
@@ -45,7 +45,7 @@ struct JointMeasurement {
   Tick tick = 0;
   std::array<double, kMaxJoints> position{};
   std::array<double, kMaxJoints> velocity{};
-  Signals inputs;  ///< of the robot's controller
+  ControllerIo inputs;  ///< of the robot's controller
 };
 
 /// sim -> VSPs that render the world (cameras), every tick if there is one: the state from which a picture is drawn.

@@ -13,7 +13,7 @@ class Follow : public ecp::Task {
     arm.bias_force();
 
     ForceLaw law;
-    law.reciprocal_damping[2] = 0.015;  // m/(N s): the workpiece yields by 1 mm per 2 N
+    law.admittance[2] = 0.015;  // m/(N s): the workpiece yields by 1 mm per 2 N
     law.inertia[2] = 0.5;
     law.contact(2, -10.0);  // along the tool's z, down
     Move({arm}, {}, ToolVelocity{arm, {0, 0, 0.02}}.until(Touching{arm, 2.0} || Travelled{arm, 0.15}));

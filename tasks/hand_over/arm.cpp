@@ -25,7 +25,7 @@ struct Arm : ecp::Task {
     });
     on<Take>([this](const Take&) {
       ForceLaw law = ForceLaw{}.guarded(0).guarded(1).guarded(2).guarded(3).guarded(4).guarded(5);
-      law.reciprocal_damping << 3e-4, 3e-4, 3e-4, 3e-3, 3e-3, 3e-3;  // m/(N s), rad/(N m s): two hands are stiff
+      law.admittance << 3e-4, 3e-4, 3e-4, 3e-3, 3e-3, 3e-3;  // m/(N s), rad/(N m s): two hands are stiff
       Move({arm}, {}, ForceControl{arm, law});
       Move({arm}, {}, ForceControl{arm, law.contact(1, -10)});
     });

@@ -7,7 +7,7 @@ using namespace mrroc;
 
 /// Bars come along on a belt. One arm picks each and holds it out; the other grips it in the air and pulls; the first
 /// detects the pull and releases the bar. While the second lays the bar on a table, the first fetches the next.
-class HandOver : public mp::Task {
+class ServoChannel : public mp::Task {
   TwoFingerGripper giver_hand{*this, "giver_hand"}, receiver_hand{*this, "receiver_hand"};
 
   void open(TwoFingerGripper& hand) { Move({hand}, {}, JointLine{hand, TwoFingerGripper::at(0.070), 1.0}); }
@@ -46,4 +46,4 @@ class HandOver : public mp::Task {
   }
 };
 
-MRROC_MP(HandOver)
+MRROC_MP(ServoChannel)

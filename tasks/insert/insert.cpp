@@ -19,7 +19,7 @@ class Insert : public ecp::Task {
   static ForceLaw press(double force, bool soft) {
     ForceLaw law;
     law.inertia << 5, 5, 1, 0.5, 0.5, 0.5;
-    law.reciprocal_damping << 0.001, 0.001, 0.005, 0.1, 0.1, 0.1;
+    law.admittance << 0.001, 0.001, 0.005, 0.1, 0.1, 0.1;
     law.contact(2, -force);
     if (soft) law.guarded(0).guarded(1).guarded(3).guarded(4);
     return law;

@@ -47,7 +47,7 @@ class Polish : public ecp::Task {
     }
 
     SurfaceContact contact;
-    contact.reciprocal_damping = 0.004;  // m/(N s): 16 / s on a fixture of 4 kN/m
+    contact.admittance = 0.004;  // m/(N s): 16 / s on a fixture of 4 kN/m
     contact.turn_to_normal = true;
     lift(0.01);
     Move({arm}, {}, JointLine{arm, Irb6::tool_down(path[0].x(), path[0].y(), path[0].z() + 0.002)});

@@ -70,7 +70,7 @@ class Teach : public ecp::Task {
   }
 
   void set_lamp(bool on) {
-    Signals outputs;
+    ControllerIo outputs;
     outputs.set(kLamp, on);
     arm.set_outputs(outputs);
   }

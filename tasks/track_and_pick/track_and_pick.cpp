@@ -51,7 +51,7 @@ class TrackAndPick : public mp::Task {
     turn = Eigen::AngleAxisd(-angle, Eigen::Vector3d::UnitZ());
   }
 
-  void look() {
+  void measure() {
     Wait({arm, gripper}, {eye, encoder}, Seen{eye} || BeltTravelled{encoder, 4.0}).require<Seen>("no part comes");
     remember(eye.pose());
     Pose ahead = part().pose * grip(kAbove);
@@ -91,7 +91,7 @@ class TrackAndPick : public mp::Task {
       Move({arm, gripper}, {},
            Together{JointLine{arm, around(0.75, kWaiting, -0.07), 0.9},
                     JointLine{gripper, TwoFingerGripper::at(kOpen), 1.0}});
-      look();
+      measure();
       pick();
       std::printf("part %d picked at %.3f m, belt at %.3f m/s\n", index + 1, part().pose.translation().y(),
                   encoder.velocity());

@@ -37,13 +37,13 @@ TEST(Lockstep, WaitEndsAtExactlyItsTick) {
 TEST(Lockstep, WorldStepsBeforeParticipantsReachTheTick) {
   ThreadDeployment deployment({"arm", "world", "belt"});
   std::atomic<Tick> world{kNever};
-  const auto look = [&world](Clock& clock) {
+  const auto check = [&world](Clock& clock) {
     do {
       stray(20);
       EXPECT_EQ(world.load(), clock.tick());
     } while (clock.wait(clock.tick() + 1) == Wake::tick && clock.tick() < 50);
   };
-  deployment.add("arm", look);
+  deployment.add("arm", check);
   deployment.add(
       "world",
       [&world](Clock& clock) {
@@ -53,7 +53,7 @@ TEST(Lockstep, WorldStepsBeforeParticipantsReachTheTick) {
         } while (clock.wait(clock.tick() + 1) == Wake::tick && clock.tick() < 50);
       },
       Part::world);
-  deployment.add("belt", look);
+  deployment.add("belt", check);
   deployment.start();
   deployment.join();
 }

@@ -92,7 +92,7 @@ struct Rig {
 
   Model model;
   FaultyHardware hardware;
-  HandOver hand_over;
+  ServoChannel hand_over;
   ModelSet models{model};
   clock::EmergencyStop operators;
   Servo servo{models, hardware, kPeriod, hand_over};

@@ -6,7 +6,7 @@
 #include "can/raw_frame.hpp"
 #include "canopen/emergency.hpp"
 #include "canopen/sdo.hpp"
-#include "cli/can/can_frame_words.hpp"
+#include "cli/can/can_frame_formatter.hpp"
 #include "cli/can/can_nodes.hpp"
 #include "edp/drivers/can/drive.hpp"
 #include "fuzz/fuzz.hpp"
@@ -94,7 +94,7 @@ class Slave {
   void take(const can::Frame& frame) {
     now_ += 1'000'000;
     node_.take(frame, now_);
-    node_.look(now_);
+    node_.update(now_);
     if (frame.id != kSync || frame.error) return;
     node_.measure(0, 0, {});
     node_.synchronise();
@@ -138,7 +138,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const RobotParameters robot = cli::irb6_parameters();
   fuzz::Bytes input(data, size);
   const config::DriveTable& own = tables[input.take<std::uint8_t>() % tables.size()];
-  cli::FrameWords words(own), without;
+  cli::CanFrameFormatter words(own), without;
   Master master(own);
   Slave slave(own, robot.axes[0]);
   SdoTransfer reads, writes;

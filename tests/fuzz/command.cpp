@@ -76,13 +76,13 @@ class Driver {
     if ((flags & 0x40) != 0) command.joint_acceleration = vector(input, any);
     command.pose = pose(input, any);
     for (double& value : command.twist) value = number(input, any);
-    if (any) command.twist_rate = vector(input, any);
+    if (any) command.twist_acceleration = vector(input, any);
     for (AxisBehaviour& behaviour : command.force.behaviour)
       behaviour = static_cast<AxisBehaviour>(input.take<std::uint8_t>() % 3);
     for (int i = 0; i < 6; ++i) {
       command.force.wrench[i] = number(input, any);
       command.force.inertia[i] = number(input, any);
-      command.force.reciprocal_damping[i] = number(input, any);
+      command.force.admittance[i] = number(input, any);
     }
     command.choice = input.take<std::uint8_t>();
     command.with_outputs = (flags & 0x80) != 0;

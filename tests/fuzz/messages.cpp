@@ -36,9 +36,9 @@ using namespace mrroc::links;
 template <class T>
 void use(const T&) {}
 
-void use(const mrroc::Parcel& parcel) {
+void use(const mrroc::Message& parcel) {
   refuses<mrroc::NonFatalError>([&] { mrroc::unpack<Everything>(parcel); });
-  mrroc::Parcel forged = parcel;  // a fingerprint is not secret
+  mrroc::Message forged = parcel;  // a fingerprint is not secret
   forged.fingerprint = mrroc::detail::fingerprint_of<Everything>();
   forged.size = static_cast<std::uint16_t>(mrroc::detail::size_of<Everything>());
   const auto message = mrroc::unpack<Everything>(forged);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/operator/typed_lines.hpp"
+#include "cli/operator/console_input.hpp"
 #include "config/text/message_text.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
@@ -63,7 +63,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::require(!mrroc::process::expected_answer(question).empty(), "a question names the expected answer");
   const std::string_view typed = input.rest();
   const int descriptor = open(file.write(typed).c_str(), O_RDONLY | O_CLOEXEC);
-  mrroc::cli::TypedLines lines(descriptor);
+  mrroc::cli::ConsoleInput lines(descriptor);
   std::string all, before;
   while (const auto line = lines.next()) {
     check_answer(question, *line);

@@ -35,7 +35,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::require(!mrroc::config::to_dot(machine).empty(), "a state machine can be drawn");
     for (const auto& state : machine.states)
       for (const auto& start : state.starts)
-        fuzz::require(start.behaviour.size <= mrroc::Parcel::kCapacity, "a behaviour fits its message");
+        fuzz::require(start.behaviour.size <= mrroc::Message::kCapacity, "a behaviour fits its message");
   });
   return 0;
 }

@@ -133,9 +133,9 @@ class EveryRobotsLimits : public ::testing::TestWithParam<KnownRobot> {
  protected:
   std::shared_ptr<const RobotModel> model = GetParam().load(GetParam().file("toml")).front();
 
-  /// Every limit of every joint and motor that some posture reaches: `look(cell, posture)` starts at home.
-  template <class Look>
-  void for_every_limit(Look look) {
+  /// Every limit of every joint and motor that some posture reaches: `check(cell, posture)` starts at home.
+  template <class Check>
+  void for_every_limit(Check check) {
     std::uint64_t seed = 1;
     for (std::size_t k = 0; k < model->parameters().axes.size(); ++k) {
       const AxisParameters& axis = model->parameters().axes[k];
@@ -149,7 +149,7 @@ class EveryRobotsLimits : public ::testing::TestWithParam<KnownRobot> {
               motor ? cell.find_motor_posture(k, limit, posture) : cell.find_joint_posture(k, limit, posture);
           if (!found || !cell.straight_from_home(posture)) continue;
           SCOPED_TRACE(axis.name + (motor ? ", motor at " : " at ") + std::to_string(limit));
-          look(cell, posture);
+          check(cell, posture);
         }
       }
     }

@@ -77,7 +77,7 @@ class LoopbackCell : public CellTask {
     LoopbackCell* cell;
     std::shared_ptr<const RobotModel> model;
     edp::LoopbackHardware hardware;
-    edp::HandOver hand_over;
+    edp::ServoChannel hand_over;
     edp::ModelSet models;
     edp::Servo servo{models, hardware, kPeriod, hand_over};
     edp::Effector effector{models, kPeriod, hand_over};

@@ -25,14 +25,14 @@ struct PathCell : PlannedCell {
   PathCell() : PlannedCell(load_irb6().front()), home(kinematics().direct(axes_home())) {
     arm.set_macrostep(static_cast<std::uint16_t>(fakes::pick(2, 25)), 2);
     on_tick = [this](const DesiredState& now, const DesiredState& before, const RobotCommand& command) {
-      look(now, before, command);
+      check(now, before, command);
     };
   }
   JointVector axes_home() { return desired().position; }
   Pose random_pose() const {
     Pose pose = home;
     pose.translation() += fakes::random_vector(0.12);
-    pose.linear() = rotation_of(fakes::random_vector(0.25)) * home.linear();
+    pose.linear() = exp_rotation(fakes::random_vector(0.25)) * home.linear();
     return pose;
   }
   /// The final position of the tool.
@@ -61,7 +61,7 @@ struct PathCell : PlannedCell {
   int ticks = 0;
 
  private:
-  void look(const DesiredState& now, const DesiredState& before, const RobotCommand& command) {
+  void check(const DesiredState& now, const DesiredState& before, const RobotCommand& command) {
     ++ticks;
     for (Eigen::Index i = 0; i < now.position.size(); ++i) {
       const AxisParameters& axis = axes()[static_cast<std::size_t>(i)];

@@ -32,7 +32,8 @@ double random_distance(int least, int most) { return std::pow(10, -0.25 * pick(4
 Pose beside(Pose pose, double distance) {
   const int what = pick(0, 2);
   if (what != 1) pose.translation() += distance * random_vector(1).normalized();
-  if (what != 0) pose.linear() = rotation_of(Eigen::Vector3d(distance * random_vector(1).normalized())) * pose.linear();
+  if (what != 0)
+    pose.linear() = exp_rotation(Eigen::Vector3d(distance * random_vector(1).normalized())) * pose.linear();
   return pose;
 }
 

@@ -158,10 +158,10 @@ class SimulatedCell : public Task, private RobotLink {
   sim::Simulation simulation_;
   std::shared_ptr<const RobotModel> model_ = load_irb6().front();
   edp::MujocoHardware hardware_{*model_, *memory_, 0, edp::MujocoHardware::Timing::lockstep};
-  edp::HandOver hand_over_;
+  edp::ServoChannel channel_;
   edp::ModelSet models_{*model_};
-  edp::Servo servo_{models_, hardware_, kPeriod, hand_over_};
-  edp::Effector effector_{models_, kPeriod, hand_over_};
+  edp::Servo servo_{models_, hardware_, kPeriod, channel_};
+  edp::Effector effector_{models_, kPeriod, channel_};
   std::unique_ptr<edp::ForceSensor> wrist_;
   std::vector<Readings> links_;
   std::uint64_t number_ = 0;

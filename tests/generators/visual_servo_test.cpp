@@ -35,7 +35,7 @@ struct Servoing : testing::Test {
   SimulatedCell cell{kBareScene};
   Irb6 arm{cell};
   const Pose camera = Pose(Eigen::Translation3d(0.05, 0, -0.05));
-  const Pose target = Irb6::tool_down(0.8, 0.06, -0.35) * Pose(rotation_of({0, 0, 0.2}));
+  const Pose target = Irb6::tool_down(0.8, 0.06, -0.35) * Pose(exp_rotation({0, 0, 0.2}));
   const Pose wanted = Pose(Eigen::Translation3d(0, 0, 0.4));
 };
 

@@ -42,7 +42,7 @@ TEST(MovingPose, RateInItsOwnAxesIsThatOfTheComponents) {
   check_property(kCases, [] {
     const MovingPose moving = random_motion();
     const auto components = [&](double t) {
-      return turned(moving.after(t).linear().transpose(), moving.twist + t * moving.rate);
+      return rotate_twist(moving.after(t).linear().transpose(), moving.twist + t * moving.rate);
     };
     const OwnMotion own = in_own_axes(moving);
     RC_ASSERT((own.twist - components(0)).norm() < 1e-12);

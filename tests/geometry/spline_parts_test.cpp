@@ -93,7 +93,7 @@ TEST(KnotRates, CollinearDataGiveAStraightLine) {
 
 /// A variable rotation vector: phi + phi' t + phi'' t^2 / 2.
 Eigen::Matrix3d rotation_at(const Vector3d& vector, const Vector3d& first, const Vector3d& second, double t) {
-  return rotation_of(vector + t * first + 0.5 * t * t * second);
+  return exp_rotation(vector + t * first + 0.5 * t * t * second);
 }
 
 TEST(RotationRates, AreTheDerivativesOfTheRotationAndHaveAnInverse) {
@@ -105,7 +105,7 @@ TEST(RotationRates, AreTheDerivativesOfTheRotationAndHaveAnInverse) {
     const Vector3d first = random_vector(1), second = random_vector(2);
     const Turning turning = turning_of(vector, first, second);
     const double h = 1e-4;
-    const Eigen::Matrix3d now = rotation_of(vector);
+    const Eigen::Matrix3d now = exp_rotation(vector);
     const Vector3d before = rotation_vector(now * rotation_at(vector, first, second, -h).transpose()) / h;
     const Vector3d after = rotation_vector(rotation_at(vector, first, second, h) * now.transpose()) / h;
     RC_ASSERT((0.5 * (before + after) - turning.velocity).norm() < 1e-6);
@@ -173,7 +173,7 @@ TEST(PosePiece, BetweenEndsOnALineItIsTheLine) {
     const PathPose there = piece.at(u * length);
     RC_ASSERT((there.pose.translation() - (1 - u) * from.translation() - u * to.translation()).norm() < 1e-12);
     RC_ASSERT(
-        rotation_vector(there.pose.linear() * (rotation_of(u * turn_between(from, to)) * from.linear()).transpose())
+        rotation_vector(there.pose.linear() * (exp_rotation(u * turn_between(from, to)) * from.linear()).transpose())
             .norm() < 1e-12);
     RC_ASSERT((there.first - line.from.first).norm() < 1e-9);
     RC_ASSERT(there.second.norm() < 1e-9);

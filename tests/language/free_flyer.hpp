@@ -23,7 +23,7 @@ class FreeModel : public FakeModel {
   Pose flange(const JointVector& joints) const noexcept override {
     Pose pose = Pose::Identity();
     pose.translation() = joints.head<3>();
-    pose.linear() = rotation_of(joints.tail<3>());
+    pose.linear() = exp_rotation(joints.tail<3>());
     return pose;
   }
   ErrorCode inverse(const Pose& pose, const JointVector&, JointVector& joints) const noexcept override {

@@ -18,7 +18,7 @@ inline Eigen::Vector3d random_vector(double largest) {
 inline Pose random_pose(double largest, double turn) {
   Pose pose = Pose::Identity();
   pose.translation() = random_vector(largest);
-  pose.linear() = rotation_of(random_vector(turn));
+  pose.linear() = exp_rotation(random_vector(turn));
   return pose;
 }
 

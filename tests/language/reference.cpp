@@ -225,20 +225,20 @@ class Model {
 
   /// f_E at this step: the most severe error reported, the first in the lists among equals.
   bool error() {
-    const auto look = [&](ErrorClass error_class, ErrorCode code, const std::string& device, Tick tick) {
+    const auto check = [&](ErrorClass error_class, ErrorCode code, const std::string& device, Tick tick) {
       if (run_.error && run_.error->error_class >= error_class) return;
       run_.error = ThrownError{error_class, code, "test", device, 0, tick};
     };
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       const FaultScript* fault = robots_[i].fault;
-      if (fault != nullptr) look(fault->error_class, fault->code, robot_name(i), robots_[i].tick);
+      if (fault != nullptr) check(fault->error_class, fault->code, robot_name(i), robots_[i].tick);
     }
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
       const ModelSensor& sensor = sensors_[i];
       if (sensor.not_ready)
-        look(ErrorClass::non_fatal, ErrorCode::sensor_not_ready, sensor_name(i), sensor.tick);
+        check(ErrorClass::non_fatal, ErrorCode::sensor_not_ready, sensor_name(i), sensor.tick);
       else if (sensor.fault != nullptr)
-        look(sensor.fault->error_class, sensor.fault->code, sensor_name(i), sensor.tick);
+        check(sensor.fault->error_class, sensor.fault->code, sensor_name(i), sensor.tick);
     }
     return run_.error.has_value();
   }

@@ -10,8 +10,8 @@
 namespace mrroc::process {
 namespace {
 
-Parcel parcel(const std::string& label, std::uint64_t number) {
-  Parcel parcel;
+Message parcel(const std::string& label, std::uint64_t number) {
+  Message parcel;
   parcel.label.assign(label);
   parcel.fingerprint = number;
   return parcel;
@@ -35,7 +35,7 @@ TEST(Mailbox, GivesTheOldestOfALabelAndKeepsTheOthers) {
       const auto expected =
           std::find_if(model.begin(), model.end(), [&](const auto& entry) { return entry.first == label; });
       RC_ASSERT(mailbox.has(label) == (expected != model.end()));
-      Parcel taken;
+      Message taken;
       RC_ASSERT(mailbox.take(label, taken) == (expected != model.end()));
       if (expected == model.end()) continue;
       RC_ASSERT(taken.fingerprint == expected->second);

@@ -61,7 +61,7 @@ struct Edp {
 
   std::shared_ptr<const RobotModel> model;
   edp::MujocoHardware hardware;
-  edp::HandOver hand_over;
+  edp::ServoChannel hand_over;
   edp::ModelSet models{*model};
   edp::Servo servo{models, hardware, kPeriod, hand_over};
   edp::Effector effector{models, kPeriod, hand_over};

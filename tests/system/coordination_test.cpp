@@ -67,7 +67,7 @@ TEST(Coordination, ProgramsExchangeMessagesThroughTheMp) {
 
 TEST(Coordination, PartsOfATaskMoveTheirRobotsSimultaneously) {
   const ScratchFolder folder;
-  const auto file = deployment(folder, "strands", "[[answers]]\nquestion = \"Back?\"\nanswer = \"yes\"\n");
+  const auto file = deployment(folder, "fibers", "[[answers]]\nquestion = \"Back?\"\nanswer = \"yes\"\n");
   const std::string output = expect_lines(file, {"mp: Back? yes", "both are there", "left 0.100 m, right 0.100 m"});
   // the instructions of the two parts overlap in time
   const auto trace = folder.path() / "trace";
@@ -85,8 +85,8 @@ TEST(Coordination, PartsOfATaskMoveTheirRobotsSimultaneously) {
 TEST(Coordination, TwoPartsMustNotMoveOneRobot) {
   const ScratchFolder folder;
   expect_lines(deployment(folder, "shared"),
-               {"refused: non-fatal error: the receiver is busy: another strand moves this robot",
-                "refused: non-fatal error: invalid argument: a strand cannot have strands", "left 0.000 m"});
+               {"refused: non-fatal error: the receiver is busy: another fiber moves this robot",
+                "refused: non-fatal error: invalid argument: a fiber cannot have fibers", "left 0.000 m"});
 }
 
 TEST(Coordination, FailingPartStopsTheOthers) {

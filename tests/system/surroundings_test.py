@@ -193,7 +193,7 @@ LOOK = """
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
-__attribute__((destructor)) static void look(void) {
+__attribute__((destructor)) static void check(void) {
   FILE* seen = fopen(getenv("SEEN"), "a");
   for (int fd = 0; fd < 3; ++fd) {
     char link[20], name[200] = "";

@@ -22,13 +22,13 @@ class RawWatchTest : public ::testing::Test {
     return {entry, {{"range", "m"}, {"level", "V"}}, kPeriod};
   }
   /// The error of the reading of `tick`.
-  static std::string look(RawWatch& watch, Tick tick, double range, double level = 0) {
+  static std::string check(RawWatch& watch, Tick tick, double range, double level = 0) {
     RawReading r;
     r.tick = tick;
     r.count = 2;
     r.values = {range, level};
     SensorReading v;
-    watch.look(r, v);
+    watch.check(r, v);
     EXPECT_TRUE(v.error.error_class == ErrorClass::none || v.error.code == ErrorCode::sensor_hardware);
     return std::string(v.error.detail.view());
   }
@@ -36,24 +36,24 @@ class RawWatchTest : public ::testing::Test {
 
 TEST_F(RawWatchTest, FindsNothingWithoutLimits) {
   RawWatch watch = RawWatchTest::watch(0, {});
-  for (Tick k = 0; k < 5000; ++k) EXPECT_EQ(look(watch, k, k % 2 == 0 ? 0 : 1e6), "");
-  for (Tick k = 5000; k < 10000; ++k) EXPECT_EQ(look(watch, k, 1), "");
+  for (Tick k = 0; k < 5000; ++k) EXPECT_EQ(check(watch, k, k % 2 == 0 ? 0 : 1e6), "");
+  for (Tick k = 5000; k < 10000; ++k) EXPECT_EQ(check(watch, k, 1), "");
 }
 
 TEST_F(RawWatchTest, FrozenMeansUnchangedForTooLong) {
   RawWatch watch = RawWatchTest::watch(0.1, {});  // 50 ticks
-  for (Tick k = 0; k <= 30; ++k) EXPECT_EQ(look(watch, k, 0.5), "");
-  EXPECT_EQ(look(watch, 31, std::nextafter(0.5, 1)), "") << "a change of one bit is sufficient";
-  for (Tick k = 32; k < 81; ++k) EXPECT_EQ(look(watch, k, std::nextafter(0.5, 1)), "");
-  EXPECT_EQ(look(watch, 81, std::nextafter(0.5, 1)), "frozen: range has been 0.5 for 50 ticks");
-  EXPECT_EQ(look(watch, 82, std::nextafter(0.5, 1), 1), "") << "the other value has changed";
+  for (Tick k = 0; k <= 30; ++k) EXPECT_EQ(check(watch, k, 0.5), "");
+  EXPECT_EQ(check(watch, 31, std::nextafter(0.5, 1)), "") << "a change of one bit is sufficient";
+  for (Tick k = 32; k < 81; ++k) EXPECT_EQ(check(watch, k, std::nextafter(0.5, 1)), "");
+  EXPECT_EQ(check(watch, 81, std::nextafter(0.5, 1)), "frozen: range has been 0.5 for 50 ticks");
+  EXPECT_EQ(check(watch, 82, std::nextafter(0.5, 1), 1), "") << "the other value has changed";
 }
 
 TEST_F(RawWatchTest, TwoReadingsFarApartAreNotFrozen) {
   RawWatch watch = RawWatchTest::watch(0.1, {});
-  EXPECT_EQ(look(watch, 0, 1), "");
-  EXPECT_EQ(look(watch, 1000, 1), "");
-  EXPECT_NE(look(watch, 1001, 1), "");
+  EXPECT_EQ(check(watch, 0, 1), "");
+  EXPECT_EQ(check(watch, 1000, 1), "");
+  EXPECT_NE(check(watch, 1001, 1), "");
 }
 
 TEST_F(RawWatchTest, NoiseIsComputedFromTheSignalsSecondDifferences) {
@@ -63,7 +63,7 @@ TEST_F(RawWatchTest, NoiseIsComputedFromTheSignalsSecondDifferences) {
     for (Tick k = 0; k < 2000; ++k) {
       const double t = kPeriod * static_cast<double>(k);
       const double motion = 2 * t + 0.3 * std::sin(6 * t);  // the measured object moves at metres per second
-      if (!look(watch, k, motion + deviation * noise.normal(k, 0), 100 * noise.normal(k, 1)).empty()) return k;
+      if (!check(watch, k, motion + deviation * noise.normal(k, 0), 100 * noise.normal(k, 1)).empty()) return k;
     }
     return kNever;
   };

@@ -22,7 +22,7 @@ class Behaviours {
   requires std::invocable<Handler, const B&>
   void on(Handler handler) {
     declare(On<B>::kEntered);
-    handlers_[std::string{label_of<B>()}] = [handler = std::move(handler)](const Parcel& parcel) {
+    handlers_[std::string{label_of<B>()}] = [handler = std::move(handler)](const Message& parcel) {
       handler(unpack<B>(parcel));
     };
   }
@@ -34,7 +34,7 @@ class Behaviours {
 
   /// Runs the behaviour of the parcel's label. Throws NonFatalError(invalid_argument) when no behaviour has this label
   /// (the message lists the labels), or its fields differ; and any exception of the behaviour.
-  void run(const Parcel& parcel) const;
+  void run(const Message& parcel) const;
 
   /// The labels of the linked program's behaviours and of the messages that it sends. Any thread.
   static config::ProgramBehaviours declared();
@@ -51,7 +51,7 @@ class Behaviours {
   };
   static void declare(bool /*entered*/) noexcept {}
 
-  std::map<std::string, std::function<void(const Parcel&)>> handlers_;
+  std::map<std::string, std::function<void(const Message&)>> handlers_;
 };
 
 }  // namespace mrroc::ecp

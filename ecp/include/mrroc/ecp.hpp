@@ -59,7 +59,7 @@ class Task : public process::TaskProcess {
   /// Neither waits nor allocates: for a generator or a condition too.
   template <MessageType M>
   std::optional<M> take() {
-    Parcel parcel;
+    Message parcel;
     return mailbox().take(label_of<M>(), parcel) ? std::optional<M>(unpack<M>(parcel)) : std::nullopt;
   }
   /// Whether there is such a message. For conditions: When{"corrected", [this] { return heard<Correction>(); }}.
@@ -73,7 +73,7 @@ class Task : public process::TaskProcess {
   void poll_others() override;
 
  private:
-  void tell_parcel(const Parcel& parcel);
+  void tell_parcel(const Message& parcel);
   /// Holds the robot until it rests or reports why it cannot.
   void come_to_rest();
 

@@ -61,7 +61,7 @@ class CanHardware : public Hardware {
   void set_up_all();
   void check_modes(std::size_t axis, canopen::SdoClient& client) const;
   void set_up(std::size_t axis);
-  canopen::DriveState look_at(std::size_t axis, canopen::SdoClient& client);
+  canopen::DriveState read_state(std::size_t axis, canopen::SdoClient& client);
   void take_power(std::size_t axis, canopen::SdoClient& client);
   void clear_fault(std::size_t axis, canopen::SdoClient& client);
   void free_pdos(std::size_t axis, canopen::SdoClient& client);

@@ -130,7 +130,7 @@ void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
 }
 
 /// The drive's state, a moment after the last check.
-DriveState CanHardware::look_at(std::size_t axis, SdoClient& client) {
+DriveState CanHardware::read_state(std::size_t axis, SdoClient& client) {
   send(sync_frame());  // simulated drives may advance only with it
   can::Frame frame;
   const std::int64_t next_look = clock::monotonic_ns() + kBetweenLooks;
@@ -145,11 +145,11 @@ void CanHardware::take_power(std::size_t axis, SdoClient& client) {
     return state == DriveState::operation_enabled || state == DriveState::quick_stop_active;
   };
   for (const std::uint16_t word : {kQuickStop, kDisableVoltage}) {
-    if (!has_power(look_at(axis, client))) return;
+    if (!has_power(read_state(axis, client))) return;
     download_patiently(client, drives_[axis].node(), kControlword, word, 2);
     const std::int64_t end = clock::monotonic_ns() + std::llround(table_.switch_on_time * clock::kSecond);
     while (clock::monotonic_ns() < end)
-      if (!has_power(look_at(axis, client))) return;
+      if (!has_power(read_state(axis, client))) return;
   }
   fail(ErrorCode::drive_not_ready, axis, "keeps its power against its controlword");
 }
@@ -159,7 +159,7 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
   const NodeId node = drives_[axis].node();
   const std::int64_t end = clock::monotonic_ns() + std::llround(table_.switch_on_time * clock::kSecond);
   for (;;) {
-    const DriveState state = look_at(axis, client);
+    const DriveState state = read_state(axis, client);
     if (state != DriveState::fault && state != DriveState::fault_reaction_active) return;
     if (clock::monotonic_ns() > end) break;
     if (state == DriveState::fault)

@@ -155,10 +155,10 @@ can::Frame DriveSetup::resume() noexcept {
   status_ = Status::writing;
   looks_ = true;
   forgotten_ = false;
-  return look();
+  return poll();
 }
 
-can::Frame DriveSetup::look() noexcept { return transfer_.upload(node_, kProducerHeartbeat); }
+can::Frame DriveSetup::poll() noexcept { return transfer_.upload(node_, kProducerHeartbeat); }
 
 can::Frame DriveSetup::request() noexcept {
   std::array<std::uint8_t, 8> bytes{};

@@ -43,7 +43,7 @@ class DriveSetup {
   /// power (1010h) would hide the restart.
   bool forgotten() const noexcept { return forgotten_; }
   /// The request under way once more: it was lost, or its answer was. A value of more than four bytes begins again.
-  can::Frame again() noexcept { return looks_ ? look() : request(); }
+  can::Frame again() noexcept { return looks_ ? poll() : request(); }
   /// Takes a frame. True: it was an answer; `next` is to be sent when it has an identifier.
   bool take(const can::Frame& frame, can::Frame& next) noexcept;
   /// Stops the set-up.
@@ -56,7 +56,7 @@ class DriveSetup {
 
  private:
   can::Frame request() noexcept;
-  can::Frame look() noexcept;
+  can::Frame poll() noexcept;
 
   canopen::NodeId node_;
   std::vector<config::DriveSetting> settings_;

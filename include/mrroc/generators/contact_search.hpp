@@ -64,7 +64,7 @@ class ContactSearch : public Generator {
   const Probe& probe() const { return probes_[probe_]; }
   void enter(Phase phase) noexcept;
   void travel(const Eigen::Vector3d& to);
-  void look();
+  void update();
   void command(const Eigen::Vector3d& velocity);
 
   Robot* robot_;

@@ -8,7 +8,7 @@
 namespace mrroc {
 
 /// Guarded approach by force: the tool moves with a velocity until it meets an obstacle. The robot's EDP guards the
-/// tool axes along the motion at every servo tick, with the reciprocal damping b = |v| / (2 contact force): the settled
+/// tool axes along the motion at every servo tick, with the admittance b = |v| / (2 contact force): the settled
 /// force is at most twice the contact force, however late the task detects it. The other axes keep their position. The
 /// tool reaches the velocity with `acceleration`.
 ///

@@ -11,15 +11,15 @@ namespace mrroc {
 
 /// Parameters of surface following.
 struct SurfaceContact {
-  double reciprocal_damping = 0.01;  ///< m/(N s), along the tool's z: see docs/explanation/force.md, choosing b
-  double inertia = 0.5;              ///< kg, along the tool's z
-  double approach_speed = 0.01;      ///< m/s, at most, while the tool touches nothing
-  double acceleration = 0.2;         ///< m/s^2, along the surface
-  bool turn_to_normal = false;       ///< the tool's z axis is turned against the surface's normal
-  double turning_gain = 3;           ///< 1/s
-  double angular_speed = 0.3;        ///< rad/s, at most
-  double angular_acceleration = 1;   ///< rad/s^2
-  Load load{};                       ///< on the tool, in the tool frame: its weight is not contact
+  double admittance = 0.01;         ///< m/(N s), along the tool's z: see docs/explanation/force.md, choosing b
+  double inertia = 0.5;             ///< kg, along the tool's z
+  double approach_speed = 0.01;     ///< m/s, at most, while the tool touches nothing
+  double acceleration = 0.2;        ///< m/s^2, along the surface
+  bool turn_to_normal = false;      ///< the tool's z axis is turned against the surface's normal
+  double turning_gain = 3;          ///< 1/s
+  double angular_speed = 0.3;       ///< rad/s, at most
+  double angular_acceleration = 1;  ///< rad/s^2
+  Load load{};                      ///< on the tool, in the tool frame: its weight is not contact
   Eigen::Vector3d gravity = standard_gravity();
 };
 
@@ -70,7 +70,7 @@ class SurfaceFollowing : public Generator {
 
  private:
   SurfaceFollowing(Robot& robot, double force, double speed, const SurfaceContact& contact);
-  void look_at_contact(double pressed);
+  void update_contact(double pressed);
   double approach_force() const;
   Eigen::Vector3d along_path();
   Eigen::Vector3d point_at(double way, Eigen::Vector3d& direction) const;

@@ -84,7 +84,7 @@ class Task : public process::TaskProcess {
   /// also when it has ended since. Neither waits nor allocates.
   template <MessageType M>
   std::optional<M> take(const std::string& name) {
-    Parcel parcel;
+    Message parcel;
     return take_parcel(name, label_of<M>(), parcel) ? std::optional<M>(unpack<M>(parcel)) : std::nullopt;
   }
   /// Whether there is such a message. For conditions.
@@ -107,8 +107,8 @@ class Task : public process::TaskProcess {
 
  protected:
   // the same for messages whose types are read from a file
-  void start_with(const std::string& name, const Parcel& behaviour);
-  bool take_parcel(const std::string& name, std::string_view label, Parcel& parcel);
+  void start_with(const std::string& name, const Message& behaviour);
+  bool take_parcel(const std::string& name, std::string_view label, Message& parcel);
   void forget_messages(const std::string& name);
 
   std::string robot_topic(const std::string& name) const override;
@@ -125,7 +125,7 @@ class Task : public process::TaskProcess {
     links::TaskStatus status;
     process::Mailbox mailbox;
   };
-  void tell_parcel(const std::string& name, const Parcel& parcel);
+  void tell_parcel(const std::string& name, const Message& parcel);
   bool heard_label(const std::string& name, std::string_view label);
   Ecp& ecp(const std::string& name, const char* asked);
   [[noreturn]] static void rethrow(Ecp& failed);

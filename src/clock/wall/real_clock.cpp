@@ -22,7 +22,7 @@ Wake RealClock::wait(Tick wake_tick) {
 }
 
 Wake RealClock::wait_for(Tick wake_tick) {
-  look_for_host();
+  check_host();
   const std::int64_t deadline = begin_of(memory(), wake_tick);
   std::uint32_t word = slot().gate.word();
   if (slot().gate.interrupted()) {

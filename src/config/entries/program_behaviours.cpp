@@ -49,11 +49,11 @@ MessageFieldEntry read_field(const std::string& word) {
 
 /// Throws unless the fields together fit a parcel.
 void check_size(const MessageSchema& schema) {
-  std::size_t left = Parcel::kCapacity;
+  std::size_t left = Message::kCapacity;
   for (const MessageFieldEntry& field : schema.fields) {
     if (field.size > left)
       throw std::runtime_error("the behaviour " + in_quotes(schema.label) + " is too large, expected at most " +
-                               std::to_string(Parcel::kCapacity) + " bytes");
+                               std::to_string(Message::kCapacity) + " bytes");
     left -= field.size;
   }
 }

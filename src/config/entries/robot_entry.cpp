@@ -39,7 +39,7 @@ Pose read_base(const Table& table) {
   const std::vector<double> none(3, 0.0);
   const auto position = table.optional_numbers("position", 3).value_or(none);
   const auto rotation = table.optional_numbers("rotation", 3).value_or(none);
-  return frame_at(Eigen::Vector3d(position.data()), Eigen::Vector3d(rotation.data()));
+  return pose_from_rpy(Eigen::Vector3d(position.data()), Eigen::Vector3d(rotation.data()));
 }
 
 void read_force(const Table& table, RobotEntry& robot) {
@@ -68,7 +68,7 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   robot.synchronised = read_synchronised(table, robot);
   read_can(table, deployment, robot);
   if (table.has("emergency_stop"))
-    robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, Signals::kDigital - 1));
+    robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, ControllerIo::kDigital - 1));
   read_force(table, robot);
   robot.program = table.optional_text("program").value_or(robot.program);
   robot.edp_program = robot.type + "_edp";

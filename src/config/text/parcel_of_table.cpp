@@ -73,8 +73,8 @@ void put_field(const Table& table, const MessageFieldEntry& field, std::uint8_t*
 
 }  // namespace
 
-Parcel parcel_of(const Table& table, const MessageSchema& schema) {
-  Parcel parcel;
+Message parcel_of(const Table& table, const MessageSchema& schema) {
+  Message parcel;
   parcel.label.assign(schema.label);
   parcel.fingerprint = schema.fingerprint();
   for (const MessageFieldEntry& field : schema.fields) {

@@ -27,9 +27,9 @@ Touching::Touching(const Robot& robot, double newtons)
 
 DigitalInput::DigitalInput(const Robot& robot, int terminal)
     : Condition(robot.name() + " input " + std::to_string(terminal)), robot_(&robot), terminal_(terminal) {
-  if (terminal < 0 || terminal >= Signals::kDigital) {
+  if (terminal < 0 || terminal >= ControllerIo::kDigital) {
     throw NonFatalError(ErrorCode::invalid_argument, "DigitalInput " + std::to_string(terminal) + ", expected 0 to " +
-                                                         std::to_string(Signals::kDigital - 1));
+                                                         std::to_string(ControllerIo::kDigital - 1));
   }
 }
 

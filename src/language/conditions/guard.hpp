@@ -14,7 +14,7 @@ inline void guard(ForceLaw& law, const Eigen::Vector3d& velocity, double contact
   for (int i = 0; i < 3; ++i) {
     if (velocity[i] == 0) continue;
     law.guarded(i);
-    law.reciprocal_damping[i] = damping;
+    law.admittance[i] = damping;
     law.inertia[i] = kGuardLag / damping;
   }
 }

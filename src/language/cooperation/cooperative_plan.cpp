@@ -35,7 +35,7 @@ Pose middle_of(const std::vector<Pose>& poses) {
   }
   Pose middle = Pose::Identity();
   middle.translation() = position;
-  middle.linear() = poses[0].linear() * rotation_of(turn);
+  middle.linear() = poses[0].linear() * exp_rotation(turn);
   return middle;
 }
 
@@ -135,8 +135,8 @@ void CooperativePlan::check_arm(std::size_t i) const {
 void CooperativePlan::take_motion(std::size_t arm) {
   const MovingPose tool = desired_motion(*arms_[arm].robot);
   const Eigen::Matrix3d axes = poses_[0].linear().transpose() * arms_[arm].base.linear();
-  of(speed_, arm) = turned(axes, tool.twist);
-  of(rate_, arm) = turned(axes, tool.rate);
+  of(speed_, arm) = rotate_twist(axes, tool.twist);
+  of(rate_, arm) = rotate_twist(axes, tool.rate);
   of(speed_, arm).tail<3>() *= force_.length;
   of(rate_, arm).tail<3>() *= force_.length;
 }
@@ -178,7 +178,7 @@ Pose CooperativePlan::object_at(double t) const {
   const double left = 1 - u * u * u * (10 - u * (15 - 6 * u));
   if (left == 0 || off_.isZero(0)) return pose;
   pose.translation() += left * off_.head<3>();
-  pose.linear() = pose.linear() * rotation_of(left * off_.tail<3>());
+  pose.linear() = pose.linear() * exp_rotation(left * off_.tail<3>());
   return pose;
 }
 
@@ -186,7 +186,7 @@ Pose CooperativePlan::grasp_at(std::size_t arm, double t) const {
   const Twist d = of(given_, arm) + t * (of(speed_, arm) + t * (of(rate_, arm) / 2 + (t / 6) * of(jerk_, arm)));
   Pose grasp = grasps_[arm];
   grasp.translation() += d.head<3>();
-  grasp.linear() = rotation_of(d.tail<3>() / force_.length) * grasp.linear();
+  grasp.linear() = exp_rotation(d.tail<3>() / force_.length) * grasp.linear();
   return grasp;
 }
 
@@ -247,7 +247,7 @@ void CooperativePlan::command(std::size_t i) const {
   command.twist << (after.translation() - before.translation()) / (2 * h), 0.5 * (first + second);
   Twist rate;
   rate << (after.translation() - 2 * there.translation() + before.translation()) / (h * h), (second - first) / h;
-  command.twist_rate = rate;
+  command.twist_acceleration = rate;
 }
 
 void CooperativePlan::advance() {

@@ -91,7 +91,7 @@ Pose ObjectPath::pose(double u) const noexcept {
   const Coordinates x = coordinates(u);
   Pose pose = Pose::Identity();
   pose.translation() = x.head<3>();
-  pose.linear() = first_ * rotation_of(x.tail<3>());
+  pose.linear() = first_ * exp_rotation(x.tail<3>());
   return pose;
 }
 

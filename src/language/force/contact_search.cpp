@@ -78,7 +78,7 @@ void ContactSearch::enter(Phase phase) noexcept {
 }
 
 void ContactSearch::next_state() {
-  look();
+  update();
   ++steps_;
   const double most = probing_.acceleration * robot_->step_duration();
   Eigen::Vector3d wanted = Eigen::Vector3d::Zero();
@@ -98,7 +98,7 @@ void ContactSearch::next_state() {
 }
 
 /// Updates the phase from the measured state.
-void ContactSearch::look() {
+void ContactSearch::update() {
   const RobotState& state = robot_->state();
   const Eigen::Vector3d place = state.pose.translation();
   const Eigen::Vector3d force = state.pose.linear() * felt_without(state, probing_.load, probing_.gravity).head<3>();
@@ -154,7 +154,7 @@ void ContactSearch::command(const Eigen::Vector3d& velocity) {
     if (phase_ == Phase::pressing)
       command.force.contact(i, weight[i] - probing_.force * direction[i]);
     else
-      command.twist[i] -= command.force.reciprocal_damping[i] * weight[i];  // guarded is about a force of 0
+      command.twist[i] -= command.force.admittance[i] * weight[i];  // guarded is about a force of 0
   }
 }
 

@@ -16,8 +16,8 @@ ToolPrediction predict_tool(const Robot& robot, bool first, double after) {
       (static_cast<double>(begin) - static_cast<double>(state.desired_tick)) * robot.task().servo_period() + after;
   const Twist base = robot.kinematics().jacobian(state.desired_joints) * state.desired_velocity;
   ToolPrediction tool;
-  tool.twist = turned(state.desired_pose.linear().transpose(), base);
-  tool.pose = state.desired_pose * exponential(tool.twist * std::max(ahead, 0.0));
+  tool.twist = rotate_twist(state.desired_pose.linear().transpose(), base);
+  tool.pose = state.desired_pose * exp_twist(tool.twist * std::max(ahead, 0.0));
   return tool;
 }
 

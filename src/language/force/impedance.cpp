@@ -76,7 +76,7 @@ void Impedance::next_state() {
     throw NonFatalError(ErrorCode::not_finite, "set-point of the impedance of " + robot_->name());
   spring_ = parameters_.stiffness.cwiseProduct(error);
 
-  const Wrench pull = spring_ + parameters_.damping.cwiseProduct(turned(to_tool, wanted.twist));
+  const Wrench pull = spring_ + parameters_.damping.cwiseProduct(rotate_twist(to_tool, wanted.twist));
   const Wrench weight = weight_of(parameters_.load, robot_->state().pose.linear(), parameters_.gravity);
   const Twist free = (pull + robot_->state().wrench - weight).cwiseQuotient(parameters_.damping);
   ForceLaw::Axes damping = parameters_.damping;
@@ -87,7 +87,7 @@ void Impedance::next_state() {
   command.kind = CommandKind::force;
   for (int i = 0; i < 6; ++i) command.force.contact(i, weight[i] - pull[i]);
   command.force.inertia = parameters_.inertia;
-  command.force.reciprocal_damping = damping.cwiseInverse();
+  command.force.admittance = damping.cwiseInverse();
   elapsed_ += step;
   first_ = false;
 }

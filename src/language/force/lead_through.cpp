@@ -56,7 +56,7 @@ void LeadThrough::next_state() {
   for (int i = 0; i < 6; ++i)
     if (guidance_.free[static_cast<std::size_t>(i)]) command.force.contact(i, ignored[i]);
   command.force.inertia << Eigen::Vector3d::Constant(guidance_.mass), Eigen::Vector3d::Constant(guidance_.inertia);
-  command.force.reciprocal_damping << Eigen::Vector3d::Constant(1 / linear.damping),
+  command.force.admittance << Eigen::Vector3d::Constant(1 / linear.damping),
       Eigen::Vector3d::Constant(1 / angular.damping);
 }
 

@@ -20,7 +20,7 @@ constexpr double kMovesAlong = 0.3;  // of the commanded path: less does not det
 SurfaceFollowing::SurfaceFollowing(Robot& robot, double force, double speed, const SurfaceContact& contact)
     : Generator("SurfaceFollowing"), robot_(&robot), force_(force), speed_(speed), contact_(contact) {
   require_above_zero("SurfaceFollowing", "force", force);
-  require_above_zero("SurfaceFollowing", "reciprocal damping", contact.reciprocal_damping);
+  require_above_zero("SurfaceFollowing", "admittance", contact.admittance);
   require_not_negative("SurfaceFollowing", "inertia", contact.inertia);
   require_above_zero("SurfaceFollowing", "approach speed", contact.approach_speed);
   require_above_zero("SurfaceFollowing", "acceleration", contact.acceleration);
@@ -83,7 +83,7 @@ void SurfaceFollowing::next_state() {
   const Eigen::Vector3d gone = state.pose.linear().transpose() * (state.pose.translation() - before_);
   displacement_ += step / (kSmoothing + step) * (gone - displacement_);
   before_ = state.pose.translation();
-  look_at_contact(-felt[2]);
+  update_contact(-felt[2]);
 
   Eigen::Vector3d wanted = Eigen::Vector3d::Zero();
   if (touching_) wanted = path_.empty() ? velocity_ : along_path();
@@ -98,11 +98,11 @@ void SurfaceFollowing::next_state() {
   command.twist.tail<3>() = turned_;
   const double pressing = touching_ ? force_ : approach_force();
   command.force.contact(2, weight[2] - pressing);
-  command.force.reciprocal_damping[2] = contact_.reciprocal_damping;
+  command.force.admittance[2] = contact_.admittance;
   command.force.inertia[2] = contact_.inertia;
 }
 
-void SurfaceFollowing::look_at_contact(double pressed) {
+void SurfaceFollowing::update_contact(double pressed) {
   if (touching_) {
     lost_ = pressed < kFelt * force_ ? lost_ + 1 : 0;
     touching_ = lost_ <= kPatience;
@@ -113,7 +113,7 @@ void SurfaceFollowing::look_at_contact(double pressed) {
 }
 
 double SurfaceFollowing::approach_force() const {
-  return std::min(force_, contact_.approach_speed / contact_.reciprocal_damping);
+  return std::min(force_, contact_.approach_speed / contact_.admittance);
 }
 
 Eigen::Vector3d SurfaceFollowing::along_path() {

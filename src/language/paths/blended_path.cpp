@@ -27,7 +27,7 @@ struct Line {
       return there;
     }
     there.pose.translation() += s * there.first.head<3>();
-    there.pose.linear() = rotation_of(s * there.first.tail<3>()) * from.linear();
+    there.pose.linear() = exp_rotation(s * there.first.tail<3>()) * from.linear();
     return there;
   }
   /// The part of it that lies within `radius` of one of its ends, at most a half.
@@ -50,7 +50,7 @@ bool is_between(const Pose& a, const Pose& b, const Pose& c) {
   if (part < 0 || part > 1) return false;
   Pose there = Pose::Identity();
   there.translation() = a.translation() + part * way;
-  there.linear() = rotation_of(part * turn) * a.linear();
+  there.linear() = exp_rotation(part * turn) * a.linear();
   return are_near(there, b);
 }
 

@@ -75,8 +75,8 @@ std::unique_ptr<RobotPath> CartesianArc::path_from(const JointVector& joints) {
   if (through_) {
     turn = rotation_vector(target_.linear() * start.linear().transpose());
   } else {
-    end.translation() = centre + rotation_of(circle.angle * circle.axis) * (from - centre);
-    end.linear() = rotation_of(turn) * start.linear();
+    end.translation() = centre + exp_rotation(circle.angle * circle.axis) * (from - centre);
+    end.linear() = exp_rotation(turn) * start.linear();
   }
   const double length =
       std::max(std::abs(circle.angle) * (from - centre).norm() / limits_.speed, turn.norm() / limits_.angular_speed);

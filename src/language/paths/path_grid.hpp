@@ -44,10 +44,10 @@ class PathGrid {
   };
   double stretch_of(std::size_t cell) const noexcept { return std::max(stretch_[cell], stretch_[cell + 1]); }
   double acceleration(const PathLimit& limit, std::size_t cell, double window) const noexcept;
-  template <class Look>
-  void for_shapes(std::size_t cell, Look look) const {
+  template <class Visit>
+  void for_shapes(std::size_t cell, Visit visit) const {
     const std::size_t count = limits_->size();
-    for (std::size_t i = 0; i < 2 * count; ++i) look((*limits_)[i % count], shapes_[2 * count * cell + i]);
+    for (std::size_t i = 0; i < 2 * count; ++i) visit((*limits_)[i % count], shapes_[2 * count * cell + i]);
   }
 
   const std::vector<PathLimit>* limits_;

@@ -14,9 +14,9 @@ constexpr double kLargestChange = 1.5;    // of the grid's stretch, in a round
 constexpr double kHealedBeyond = 1.002;   // corrected a little more than needed: otherwise the rounds never end
 constexpr double kExcessRounding = 1e-9;  // of the excess
 constexpr double kLooksPerWindow = 8;
-constexpr int kMostLooks = 4000;   // at equal distances
-constexpr int kLooksPerPiece = 8;  // at least
-constexpr int kLooksPerCell = 6;   // of the grid, on long motions
+constexpr int kMostLooks = 4000;     // at equal distances
+constexpr int kSamplesPerPiece = 8;  // at least
+constexpr int kLooksPerCell = 6;     // of the grid, on long motions
 constexpr int kTimeHalvings = 60;
 constexpr double kDip = 0.1;        // of the speeds before and after: slower is almost a rest
 constexpr double kUnhealed = 1.05;  // a stretch of the whole path required by one point
@@ -40,7 +40,7 @@ PathTiming::PathTiming(const RobotPath& path, double begin, double end, double s
   lead(grid, window);
   for (int round = 0; round < kRounds && slow_down(path, grid, sample); ++round) lead(grid, window);
   double worst = 0;
-  for_looks(path, 0.5 * sample, 2 * kLooksPerWindow, [&](double t) {
+  for_samples(path, 0.5 * sample, 2 * kLooksPerWindow, [&](double t) {
     const Point point = at(t);
     const double factor = excess_of(path, point.position, point.speed, point.acceleration, point.jerk).factor;
     if (factor <= worst) return;
@@ -88,7 +88,7 @@ void PathTiming::lead(const PathGrid& grid, double window) {
 bool PathTiming::slow_down(const RobotPath& path, PathGrid& grid, double sample) const {
   std::vector<double> change(nodes_.size(), 1);
   bool over = false;
-  for_looks(path, sample, kLooksPerWindow, [&](double t) {
+  for_samples(path, sample, kLooksPerWindow, [&](double t) {
     const Point point = at(t);
     const double factor = excess_of(path, point.position, point.speed, point.acceleration, point.jerk).factor;
     if (factor <= 1 + kExcessRounding) return;
@@ -105,22 +105,22 @@ bool PathTiming::slow_down(const RobotPath& path, PathGrid& grid, double sample)
   return over;
 }
 
-template <class Look>
-void PathTiming::for_looks(const RobotPath& path, double sample, double per_window, Look look) const {
+template <class Visit>
+void PathTiming::for_samples(const RobotPath& path, double sample, double per_window, Visit visit) const {
   const double whole = unstretched_duration(), looks = std::ceil(whole / std::min(sample, window_ / per_window));
   if (looks > kMostLooks * per_window / kLooksPerWindow) {
     for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
       const double part = (times_[i + 1] - times_[i]) / kLooksPerCell;
       for (int k = 0; k < kLooksPerCell; ++k) {
         const double t = times_[i] + k * part;
-        look(t), look(t + 0.5 * window_), look(t + window_);
+        visit(t), visit(t + 0.5 * window_), visit(t + window_);
       }
     }
-    look(whole);
+    visit(whole);
     return;
   }
   const int count = static_cast<int>(looks);
-  for (int k = 0; k <= count; ++k) look(whole * k / count);
+  for (int k = 0; k <= count; ++k) visit(whole * k / count);
   const double spacing = whole / count;
   for (std::size_t piece = 0; piece + 1 < path.breaks().size(); ++piece) {
     const double low = std::max(begin_, path.breaks()[piece]), high = std::min(end_, path.breaks()[piece + 1]);
@@ -128,10 +128,10 @@ void PathTiming::for_looks(const RobotPath& path, double sample, double per_wind
     const auto first = std::lower_bound(nodes_.begin(), nodes_.end(), low) - nodes_.begin();
     const auto last = std::lower_bound(nodes_.begin(), nodes_.end(), high) - nodes_.begin();
     const double raw = times_[static_cast<std::size_t>(last)] - times_[static_cast<std::size_t>(first)];
-    if (raw > kLooksPerPiece * spacing && raw > window_) continue;
+    if (raw > kSamplesPerPiece * spacing && raw > window_) continue;
     const double from = time_of(low), time = time_of(high) - from;
-    if (time > kLooksPerPiece * spacing) continue;
-    for (int k = 0; k <= kLooksPerPiece; ++k) look(from + time * k / kLooksPerPiece);
+    if (time > kSamplesPerPiece * spacing) continue;
+    for (int k = 0; k <= kSamplesPerPiece; ++k) visit(from + time * k / kSamplesPerPiece);
   }
 }
 

@@ -62,8 +62,8 @@ class PathTiming {
   /// Calls `look` with times of the unstretched motion at which limits are to be checked: at most `sample` and a part
   /// of the window apart; on long motions instead several for every cell of the grid. On each piece of the path there
   /// are at least some. Their number is bounded by the grid's size, not by the duration.
-  template <class Look>
-  void for_looks(const RobotPath& path, double sample, double per_window, Look look) const;
+  template <class Visit>
+  void for_samples(const RobotPath& path, double sample, double per_window, Visit visit) const;
   /// The time at which the unstretched motion passes s.
   double time_of(double s) const noexcept;
 

@@ -17,14 +17,14 @@ Excess excess_of(const RobotPath& path, double s, double speed, double accelerat
   const PathRow a = acceleration * rates.first + speed * speed * rates.second;
   const PathRow j = jerk * rates.first + 3 * speed * acceleration * rates.second + speed * speed * speed * rates.third;
   Excess worst;
-  const auto look = [&worst](double factor, std::size_t limit, ErrorCode code) {
+  const auto judge = [&worst](double factor, std::size_t limit, ErrorCode code) {
     if (factor > worst.factor) worst = {factor, limit, code};
   };
   for (std::size_t i = 0; i < path.limits().size(); ++i) {
     const PathLimit& limit = path.limits()[i];
-    look(v.segment(limit.row, limit.rows).norm() / limit.velocity, i, ErrorCode::velocity_limit);
-    look(std::sqrt(a.segment(limit.row, limit.rows).norm() / limit.acceleration), i, ErrorCode::acceleration_limit);
-    look(std::cbrt(j.segment(limit.row, limit.rows).norm() / limit.jerk), i, ErrorCode::jerk_limit);
+    judge(v.segment(limit.row, limit.rows).norm() / limit.velocity, i, ErrorCode::velocity_limit);
+    judge(std::sqrt(a.segment(limit.row, limit.rows).norm() / limit.acceleration), i, ErrorCode::acceleration_limit);
+    judge(std::cbrt(j.segment(limit.row, limit.rows).norm() / limit.jerk), i, ErrorCode::jerk_limit);
   }
   return worst;
 }

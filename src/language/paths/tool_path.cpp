@@ -137,7 +137,7 @@ void ToolPath::differentiate(const JointVector& joints, const PathPose& tool, Pa
     way.tail<3>() -= (t * t * t / 12) * first.tail<3>().cross(second.tail<3>());
     Pose pose = tool.pose;
     pose.translation() += way.head<3>();
-    pose.linear() = rotation_of(way.tail<3>()) * tool.pose.linear();
+    pose.linear() = exp_rotation(way.tail<3>()) * tool.pose.linear();
     points[i] = joints;
     if (kinematics_.follow(pose, joints, points[i]) != ErrorCode::none) return;
   }
@@ -176,7 +176,7 @@ void ToolPath::command(double s, double speed, double acceleration, RobotCommand
   command.kind = CommandKind::pose;
   command.pose = tool.pose;
   command.twist = speed * tool.first;
-  command.twist_rate = acceleration * tool.first + (speed * speed) * tool.second;
+  command.twist_acceleration = acceleration * tool.first + (speed * speed) * tool.second;
 }
 
 }  // namespace mrroc

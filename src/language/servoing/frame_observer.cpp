@@ -32,7 +32,7 @@ MovingFrame FrameObserver::at(double t) const noexcept {
   MovingFrame frame = estimate_;
   const Twist way = t * (estimate_.twist + t * (rate_ / 2 + (t / 6) * jerk_));
   frame.pose.translation() += way.head<3>();
-  frame.pose.linear() = orthonormal(rotation_of(way.tail<3>()) * estimate_.pose.linear());
+  frame.pose.linear() = orthonormal(exp_rotation(way.tail<3>()) * estimate_.pose.linear());
   frame.twist += t * (rate_ + (0.5 * t) * jerk_);
   return frame;
 }

@@ -79,7 +79,7 @@ void ImageServo::next_state() {
     error.segment<2>(2 * i) = seen_->col(i) - wanted_.col(i);
   }
   const Twist camera = -servo_->gain() * Eigen::CompleteOrthogonalDecomposition<Interaction>(matrix).solve(error);
-  Twist tool = turned(camera_.linear(), camera);
+  Twist tool = rotate_twist(camera_.linear(), camera);
   tool.head<3>() -= tool.tail<3>().cross(camera_.translation());
   servo_->step(tool);
 }

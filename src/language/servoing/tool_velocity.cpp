@@ -69,7 +69,7 @@ bool ToolVelocity::gentle(double duration) const noexcept {
 void ToolVelocity::next_state() {
   const double before = time_;
   time_ += robot_->step_duration();
-  reference_ = reference_ * exponential(way(time_) - way(before));
+  reference_ = reference_ * exp_twist(way(time_) - way(before));
   reference_.linear() = orthonormal(reference_.linear());
 
   OwnMotion motion{target_, Twist::Zero()};

@@ -84,7 +84,7 @@ struct TrackFrame::Plan {
     trajectory.at_time(std::max(t, 0.0), c, velocity, acceleration);
     Pose x = Pose::Identity();
     x.translation() << c[0], c[1], c[2];
-    x.linear() = target().linear() * rotation_of(Eigen::Vector3d(c[3], c[4], c[5]));
+    x.linear() = target().linear() * exp_rotation(Eigen::Vector3d(c[3], c[4], c[5]));
     return x;
   }
 
@@ -106,7 +106,8 @@ TrackFrame::TrackFrame(Robot& robot, Frame frame, std::vector<FramePoint> path, 
   if (!frame) throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame without a function for the frame");
   if (path.empty()) throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame without a point");
   for (const FramePoint& point : path) {
-    if (!is_rigid(point.pose)) throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame: a point is not a rigid pose");
+    if (!is_rigid(point.pose))
+      throw NonFatalError(ErrorCode::invalid_argument, "TrackFrame: a point is not a rigid pose");
     require(point.dwell >= 0, "TrackFrame", "dwell", point.dwell, "a number of at least 0");
   }
   require(limits.speed > 0, "TrackFrame", "speed", limits.speed, "a number above 0");

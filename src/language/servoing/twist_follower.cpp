@@ -49,12 +49,12 @@ void TwistFollower::start() {
 
 void TwistFollower::find_brake() {
   braking_ = false;
-  const Twist now = turned(axes_.transpose(), motion_.twist);
+  const Twist now = rotate_twist(axes_.transpose(), motion_.twist);
   if (now.isZero(kMovingTwist)) return;
   const Eigen::Matrix3d to_base = pose_.linear() * axes_;
   Eigen::MatrixXd jacobian = robot_->kinematics().jacobian(robot_->state().desired_joints);
   for (Eigen::Index i = 0; i < jacobian.cols(); ++i)
-    jacobian.col(i) = turned(to_base.transpose(), Twist(jacobian.col(i)));
+    jacobian.col(i) = rotate_twist(to_base.transpose(), Twist(jacobian.col(i)));
   const Eigen::MatrixXd inverse = jacobian.completeOrthogonalDecomposition().pseudoInverse();
   const Twist moves = (now.array().abs() > kMovingTwist).cast<double>();
   const Eigen::VectorXd share = inverse.cwiseAbs() * moves;
@@ -75,18 +75,18 @@ void TwistFollower::step(const Twist& wanted) {
   if (!wanted.allFinite()) throw NonFatalError(ErrorCode::not_finite, "desired tool velocity of " + robot_->name());
   ruckig::InputParameter<6>& input = plan_->input;
   const Eigen::Matrix3d back = axes_.transpose();
-  Eigen::Map<Twist>(input.current_velocity.data()) = turned(back, motion_.twist);
-  Eigen::Map<Twist>(input.current_acceleration.data()) = turned(back, motion_.rate);
+  Eigen::Map<Twist>(input.current_velocity.data()) = rotate_twist(back, motion_.twist);
+  Eigen::Map<Twist>(input.current_acceleration.data()) = rotate_twist(back, motion_.rate);
   Twist goal = wanted;  // of this step
   if (braking_) {
-    const Twist now = turned(back, motion_.twist), asked = turned(back, wanted), none = Twist::Zero();
+    const Twist now = rotate_twist(back, motion_.twist), asked = rotate_twist(back, wanted), none = Twist::Zero();
     const Twist slower = asked.cwiseMax(now.cwiseMin(none)).cwiseMin(now.cwiseMax(none));
     braking_ = !(slower - now).isZero(kMovingTwist);
-    if (braking_) goal = turned(axes_, slower);
+    if (braking_) goal = rotate_twist(axes_, slower);
   }
   input.max_acceleration.fill(braking_ ? brake_acceleration_ : acceleration_);
   input.max_jerk.fill(braking_ ? brake_jerk_ : kJerkRate * acceleration_);
-  Eigen::Map<Twist>(input.target_velocity.data()) = turned(back, goal);
+  Eigen::Map<Twist>(input.target_velocity.data()) = rotate_twist(back, goal);
   const ruckig::Result result = plan_->ruckig.calculate(input, plan_->trajectory);
   if (result != ruckig::Result::Working && result != ruckig::Result::Finished) {
     throw NonFatalError(
@@ -98,10 +98,10 @@ void TwistFollower::step(const Twist& wanted) {
   plan_->trajectory.at_time(robot_->step_duration(), way, velocity, acceleration);
   // the end itself, without rounding errors: rest is exact
   const bool there = plan_->trajectory.get_duration() <= robot_->step_duration();
-  motion_.twist = there ? goal : turned(axes_, Eigen::Map<const Twist>(velocity.data()));
-  motion_.rate = there ? Twist(Twist::Zero()) : turned(axes_, Eigen::Map<const Twist>(acceleration.data()));
+  motion_.twist = there ? goal : rotate_twist(axes_, Eigen::Map<const Twist>(velocity.data()));
+  motion_.rate = there ? Twist(Twist::Zero()) : rotate_twist(axes_, Eigen::Map<const Twist>(acceleration.data()));
   if (there) braking_ = false;
-  pose_ = pose_ * exponential(turned(axes_, Eigen::Map<const Twist>(way.data())));
+  pose_ = pose_ * exp_twist(rotate_twist(axes_, Eigen::Map<const Twist>(way.data())));
   pose_.linear() = orthonormal(pose_.linear());
 
   command_motion(robot_->command(), in_base_axes(pose_, motion_));

@@ -13,7 +13,7 @@ TaskSuperior::TaskSuperior(Domain& domain, clock::Clock& clock, const std::strin
 
 void TaskSuperior::connect(double timeout) { links::connect(writer_, {&reader_}, timeout, peer_); }
 
-std::uint64_t TaskSuperior::send(TaskCommandKind kind, const Parcel& parcel) {
+std::uint64_t TaskSuperior::send(TaskCommandKind kind, const Message& parcel) {
   writer_.write({kind, parcel}, ++sequence_);
   return sequence_;
 }

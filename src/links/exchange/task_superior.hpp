@@ -17,7 +17,7 @@ class TaskSuperior {
   void connect(double timeout);
 
   /// Sends a command and returns its number (1, 2, ...). Does not wait. Throws SystemError when DDS refuses it.
-  std::uint64_t send(TaskCommandKind kind, const Parcel& parcel = {});
+  std::uint64_t send(TaskCommandKind kind, const Message& parcel = {});
 
   /// The oldest status not yet taken; `last_command` is the number of the last command that the subordinate had taken
   /// when it reported, so that a status sent before a command can be recognised. Neither waits, locks nor allocates.

@@ -9,7 +9,7 @@ namespace {
 
 /// A part of a message that has fields itself.
 template <class T>
-concept Composite = Is<T, ErrorReport> || Is<T, Signals> || Is<T, Parcel> || Is<T, ForceLaw> || Is<T, Counters>;
+concept Composite = Is<T, ErrorReport> || Is<T, ControllerIo> || Is<T, Message> || Is<T, ForceLaw> || Is<T, Counters>;
 
 struct Put {
   template <class T, class Wire>

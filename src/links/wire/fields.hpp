@@ -6,36 +6,36 @@
 
 /// The one description of each message: its fields, and where each is in the wire form. `field(value, wire)` is called
 /// for each of them in order until it returns false; `count(value, wire, most)` for a number with an upper bound of its
-/// own. `Message` and `Wire` may be const. A new field is a line here and a line in messages.idl.
+/// own. `M` and `Wire` may be const. A new field is a line here and a line in messages.idl.
 namespace mrroc::links {
 
-template <class Message, class Type>
-concept Is = std::is_same_v<std::remove_const_t<Message>, Type>;
+template <class M, class Type>
+concept Is = std::is_same_v<std::remove_const_t<M>, Type>;
 
-template <Is<ErrorReport> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<ErrorReport> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.error_class, w.error_class) && v.field(m.code, w.code) && v.field(m.detail, w.detail);
 }
 
-template <Is<Signals> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<ControllerIo> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.digital, w.digital) && v.field(m.analog, w.analog);
 }
 
-template <Is<Parcel> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<Message> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.label, w.label) && v.field(m.fingerprint, w.fingerprint) &&
-         v.count(m.size, w.size, Parcel::kCapacity) && v.field(m.content, w.content);
+         v.count(m.size, w.size, Message::kCapacity) && v.field(m.content, w.content);
 }
 
-template <Is<ForceLaw> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<ForceLaw> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.behaviour, w.behaviour) && v.field(m.wrench, w.wrench) && v.field(m.inertia, w.inertia) &&
-         v.field(m.reciprocal_damping, w.reciprocal_damping);
+         v.field(m.admittance, w.admittance);
 }
 
-template <Is<Counters> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<Counters> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.ticks, w.ticks) && v.field(m.missed_ticks, w.missed_ticks) &&
          v.field(m.late_commands, w.late_commands) && v.field(m.stale_replies, w.stale_replies) &&
          v.field(m.common_steps, w.common_steps) && v.field(m.skew_ticks, w.skew_ticks) &&
@@ -44,19 +44,19 @@ bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
          v.field(m.execution_p99_us, w.execution_p99_us) && v.field(m.execution_max_us, w.execution_max_us);
 }
 
-template <Is<RobotCommand> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<RobotCommand> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.kind, w.command_kind) && v.field(m.relative, w.relative) &&
          v.field(m.interpolation, w.interpolation) && v.field(m.motion_steps, w.motion_steps) &&
          v.field(m.reply_step, w.reply_step) && v.field(m.start_tick, w.start_tick) && v.field(m.joints, w.joints) &&
          v.field(m.joint_velocity, w.joint_velocity) && v.field(m.joint_acceleration, w.joint_acceleration) &&
-         v.field(m.pose, w.pose) && v.field(m.twist, w.twist) && v.field(m.twist_rate, w.twist_rate) &&
+         v.field(m.pose, w.pose) && v.field(m.twist, w.twist) && v.field(m.twist_acceleration, w.twist_acceleration) &&
          v.field(m.force, w.force) && v.field(m.choice, w.choice) && v.field(m.with_outputs, w.with_outputs) &&
          v.field(m.outputs, w.outputs);
 }
 
-template <Is<RobotState> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<RobotState> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.tick, w.tick) && v.field(m.joints, w.joints) && v.field(m.joint_velocity, w.joint_velocity) &&
          v.field(m.motors, w.motors) && v.field(m.current, w.current) && v.field(m.pose, w.pose) &&
          v.field(m.macrostep_start, w.macrostep_start) && v.field(m.desired_tick, w.desired_tick) &&
@@ -68,44 +68,44 @@ bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
          v.field(m.enabled, w.enabled) && v.field(m.late_commands, w.late_commands) && v.field(m.error, w.error);
 }
 
-template <Is<SensorRequest> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<SensorRequest> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.kind, w.request_kind) && v.field(m.measure_at, w.measure_at);
 }
 
-template <Is<SensorReading> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<SensorReading> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.sequence, w.number) && v.field(m.tick, w.tick) &&
          v.count(m.channel_count, w.channel_count, kMaxChannels) && v.field(m.values, w.values) &&
          v.field(m.error, w.error);
 }
 
-template <Is<TaskCommand> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<TaskCommand> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.kind, w.command_kind) && v.field(m.parcel, w.parcel);
 }
 
-template <Is<TaskStatus> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<TaskStatus> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.state, w.state) && v.field(m.error, w.error) && v.field(m.process, w.process) &&
          v.field(m.device, w.device) && v.field(m.step, w.step) && v.field(m.error_tick, w.error_tick) &&
          v.field(m.tick, w.tick) && v.field(m.parcel, w.parcel);
 }
 
-template <Is<OperatorQuestion> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<OperatorQuestion> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.text, w.text) && v.field(m.kind, w.question_kind) && v.field(m.minimum, w.minimum) &&
          v.field(m.maximum, w.maximum) && v.count(m.choice_count, w.choice_count, OperatorQuestion::kChoices) &&
          v.field(m.choices, w.choices) && v.field(m.tick, w.tick);
 }
 
-template <Is<OperatorAnswer> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<OperatorAnswer> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.question, w.question) && v.field(m.value, w.value);
 }
 
-template <Is<ProcessStatus> Message, class Wire, class Visitor>
-bool visit_fields(Message& m, Wire& w, const Visitor& v) noexcept {
+template <Is<ProcessStatus> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.process, w.process) && v.field(m.role, w.process_role) && v.field(m.state, w.process_state) &&
          v.field(m.boot, w.boot) && v.field(m.beat, w.beat) && v.field(m.pid, w.pid) && v.field(m.tick, w.tick) &&
          v.field(m.instruction, w.instruction) && v.field(m.activity, w.activity) && v.field(m.step, w.step) &&

@@ -19,7 +19,7 @@ enum class TaskCommandKind : std::uint8_t {
 /// From the superior to its subordinate: operator to MP, MP to ECP.
 struct TaskCommand {
   TaskCommandKind kind = TaskCommandKind::start;
-  Parcel parcel;  ///< the behaviour to start, or the message; a start without one: the program itself
+  Message parcel;  ///< the behaviour to start, or the message; a start without one: the program itself
 };
 
 enum class TaskState : std::uint8_t { idle = 0, running = 1, paused = 2, succeeded = 3, failed = 4, stopped = 5 };
@@ -32,8 +32,8 @@ struct TaskStatus {
   FixedText<63> process, device;
   std::uint64_t step = 0;
   Tick error_tick = 0;
-  Tick tick = 0;  ///< at which this is sent
-  Parcel parcel;  ///< a message of the program under way; without one, this is a change of its state
+  Tick tick = 0;   ///< at which this is sent
+  Message parcel;  ///< a message of the program under way; without one, this is a change of its state
 };
 
 }  // namespace mrroc::links

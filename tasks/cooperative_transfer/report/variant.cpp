@@ -44,7 +44,7 @@ Pose Variant::error_of(unsigned seed) {
   const auto number = [&random] { return static_cast<double>(random()) / 2147483648.0 - 1; };  // -1 to 1
   const double x = number(), y = number(), z = number(), roll = number(), pitch = number(), yaw = number();
   constexpr double kTurn = 0.5 * 0.017453292519943295;
-  return frame_at(0.001 * Eigen::Vector3d(x, y, z), kTurn * Eigen::Vector3d(roll, pitch, yaw));
+  return pose_from_rpy(0.001 * Eigen::Vector3d(x, y, z), kTurn * Eigen::Vector3d(roll, pitch, yaw));
 }
 
 std::filesystem::path write_variant(const Variant& variant, const std::filesystem::path& folder) {

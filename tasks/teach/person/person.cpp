@@ -10,7 +10,7 @@ class Person : public ecp::Task {
   Irb6 arm{*this};
 
   void set(std::uint16_t outputs) {
-    Signals signals;
+    ControllerIo signals;
     signals.digital = outputs;
     arm.set_outputs(signals);
   }

@@ -38,9 +38,9 @@ struct Cycle {
   Frame status = pdo(0x281, pdos.status, {turn, kPositiveLimitSwitch});
 };
 
-TEST(FrameWords, NameDrivesByTheirAxes) {
+TEST(CanFrameFormatter, NameDrivesByTheirAxes) {
   Cycle cycle;
-  FrameWords words(cycle.table);
+  CanFrameFormatter words(cycle.table);
   EXPECT_EQ(words.line(cycle.command), "column RPDO 1: enable operation; cyclic synchronous position, 1.57080 rad");
   EXPECT_EQ(words.line(cycle.feedback),
             "column TPDO 1: operation enabled, target reached, follows command; -6.28319 rad, 2.500 A");
@@ -59,51 +59,51 @@ TEST(FrameWords, NameDrivesByTheirAxes) {
   EXPECT_EQ(words.line(sync_frame()), "SYNC");
 }
 
-TEST(FrameWords, ReadAStatuswordInTheCommandedMode) {
+TEST(CanFrameFormatter, ReadAStatuswordInTheCommandedMode) {
   Cycle cycle;
-  FrameWords words(cycle.table);
+  CanFrameFormatter words(cycle.table);
   words.line(pdo(0x201, cycle.pdos.command, {kEnableOperation | kStartHoming, 0, 6}));
   EXPECT_EQ(words.line(pdo(0x181, cycle.pdos.feedback, {0x1637, 0, 0})),
             "column TPDO 1: operation enabled, target reached, homing attained; 0.00000 rad, 0.000 A");
 }
 
-TEST(FrameWords, DriveWithReversedCounter) {
+TEST(CanFrameFormatter, DriveWithReversedCounter) {
   Cycle cycle;
   cycle.table.drives[0].units_per_turn *= -1;
-  FrameWords words(cycle.table);
+  CanFrameFormatter words(cycle.table);
   EXPECT_EQ(words.line(cycle.feedback),
             "column TPDO 1: operation enabled, target reached, follows command; 6.28319 rad, -2.500 A");
 }
 
-TEST(FrameWords, DriveThatReportsRevolutionsPerMinute) {
+TEST(CanFrameFormatter, DriveThatReportsRevolutionsPerMinute) {
   Cycle cycle;
   cycle.table.drives[0].velocity_units_per_turn = 60;
   cycle.table.mode = DriveMode::cyclic_velocity;
-  FrameWords words(cycle.table);
+  CanFrameFormatter words(cycle.table);
   EXPECT_EQ(words.line(pdo(0x281, cycle.pdos.status, {30, 0})), "column TPDO 2: 3.1416 rad/s; no switch");
   const auto velocity = edp::drive_pdos(cycle.table.mode).command;
   EXPECT_EQ(words.line(pdo(0x201, velocity, {kEnableOperation, 90, 9})),
             "column RPDO 1: enable operation; cyclic synchronous velocity, 9.4248 rad/s");
 }
 
-TEST(FrameWords, OtherModes) {
+TEST(CanFrameFormatter, OtherModes) {
   Cycle cycle;
   cycle.table.mode = DriveMode::cyclic_torque;
   const auto torque = edp::drive_pdos(cycle.table.mode).command;
-  EXPECT_EQ(FrameWords(cycle.table).line(pdo(0x201, torque, {kEnableOperation, -500, 10})),
+  EXPECT_EQ(CanFrameFormatter(cycle.table).line(pdo(0x201, torque, {kEnableOperation, -500, 10})),
             "column RPDO 1: enable operation; cyclic synchronous torque, -5.000 A");
   cycle.table.mode = DriveMode::cyclic_velocity;
   const auto velocity = edp::drive_pdos(cycle.table.mode).command;
-  EXPECT_EQ(FrameWords(cycle.table).line(pdo(0x201, velocity, {kEnableOperation, cycle.turn, 9})),
+  EXPECT_EQ(CanFrameFormatter(cycle.table).line(pdo(0x201, velocity, {kEnableOperation, cycle.turn, 9})),
             "column RPDO 1: enable operation; cyclic synchronous velocity, 6.2832 rad/s");
 }
 
-TEST(FrameWords, NetworkTextWithoutATable) {
-  EXPECT_EQ(FrameWords().line(Frame{0x181, {0x37, 0x16}}), "node 1 TPDO 1: 37 16");
+TEST(CanFrameFormatter, NetworkTextWithoutATable) {
+  EXPECT_EQ(CanFrameFormatter().line(Frame{0x181, {0x37, 0x16}}), "node 1 TPDO 1: 37 16");
 }
 
-TEST(FrameWords, OnePrintableLineForAnyFrame) {
-  FrameWords words(irb6_drives());
+TEST(CanFrameFormatter, OnePrintableLineForAnyFrame) {
+  CanFrameFormatter words(irb6_drives());
   EXPECT_TRUE(rc::check("any frame", [&words](Frame frame) {
     if (*rc::gen::arbitrary<bool>()) frame.id = (frame.id & 0x780) | *rc::gen::inRange<std::uint32_t>(1, 7);
     const std::string text = words.line(frame);
@@ -124,7 +124,7 @@ TEST(CanSummary, CountsFramesAndTheirLoad) {
   Frame error;
   error.error = true;
   summary.add(error);
-  EXPECT_EQ(summary.text(FrameWords(cycle.table), 1.0, 1e6),
+  EXPECT_EQ(summary.text(CanFrameFormatter(cycle.table), 1.0, 1e6),
             "id    what                             frames      per s   load %\n"
             "080h  SYNC                                500      500.0     2.75\n"
             "181h  column TPDO 1                       500      500.0     6.75\n"
@@ -155,14 +155,14 @@ TEST_F(CanMonitor, EndsWithItsBus) {
   const auto bus = can::open_bus(hub_->name());
   sender_->send(sync_frame());
   hub_.reset();
-  FrameWords words;
+  CanFrameFormatter words;
   const auto stop = [] { return false; };
   EXPECT_THROW(monitor(*bus, words, {}, stop, [](std::string_view) {}), std::runtime_error);
 }
 
 TEST_F(CanMonitor, EndsOnRequest) {
   const auto bus = can::open_bus(hub_->name());
-  FrameWords words;
+  CanFrameFormatter words;
   const auto stop = [] { return true; };
   monitor(*bus, words, {}, stop, [](std::string_view text) { FAIL() << text; });
 }

@@ -50,7 +50,7 @@ class CanNodes {
       const bool came = bus_->receive(frame, clock::monotonic_ns() + 2'000'000);
       for (sim::DriveNode& node : nodes_) {
         if (came) node.take(frame, clock::monotonic_ns());
-        node.look(clock::monotonic_ns());
+        node.update(clock::monotonic_ns());
       }
     }
   }

@@ -35,19 +35,20 @@ class RunningAgent {
   void hear(const std::string& begin) {
     for (bool ended = false; !ended && !has_said(begin);) {
       ended = agent_.ended();
-      pollfd look{channel_.fd(), POLLIN, 0};
-      poll(&look, 1, 20);
-      for (std::string& line : channel_.read()) said_.push_back(std::move(line));
+      pollfd entry{channel_.fd(), POLLIN, 0};
+      poll(&entry, 1, 20);
+      for (std::string& line : channel_.read()) feedback_.push_back(std::move(line));
     }
   }
   bool has_said(const std::string& begin) const {
-    return std::any_of(said_.begin(), said_.end(), [&](const std::string& line) { return line.starts_with(begin); });
+    return std::any_of(feedback_.begin(), feedback_.end(),
+                       [&](const std::string& line) { return line.starts_with(begin); });
   }
   /// Reads its output to the end; returns all of it.
   const Lines& hear_out() {
     while (!agent_.ended()) hear("\n");
     hear("\n");
-    return said_;
+    return feedback_;
   }
 
  private:
@@ -60,7 +61,7 @@ class RunningAgent {
   std::vector<int> ends_;
   Child agent_;
   LineChannel channel_;
-  Lines said_;
+  Lines feedback_;
 };
 
 TEST(Agent, EndsBySignalBeforeItHasAnOrder) {

@@ -57,7 +57,7 @@ int main(int, char** arguments) {
   runner.write("beat " + std::to_string(port_of(fd)));
   runner.write("missing");
   std::int64_t ahead = 0, heard_at = 0;
-  cli::Beat heard, own;
+  cli::Heartbeat heard, own;
   for (; !runner.closed(); poll(nullptr, 0, 1)) {
     for (const std::string& line : runner.read())
       if (line.starts_with("start ")) ahead = jump;

@@ -16,10 +16,10 @@ namespace {
 constexpr int kDomain = 90;
 constexpr int kPatience = 20000;  // ms
 
-RC_GTEST_PROP(Beat, OpensAsItWasSealed,
+RC_GTEST_PROP(Heartbeat, OpensAsItWasSealed,
               (bool from_runner, std::uint64_t sequence, std::int64_t sent, std::int64_t echo, std::int64_t held,
                std::uint32_t presses, std::uint32_t resets)) {
-  const BeatKey key = new_beat_key();
+  const HeartbeatKey key = new_beat_key();
   const auto datagram = seal({from_runner, sequence, sent, echo, held, presses, resets}, key);
   const auto beat = open(datagram.data(), datagram.size(), key);
   RC_ASSERT(beat.has_value());
@@ -28,26 +28,26 @@ RC_GTEST_PROP(Beat, OpensAsItWasSealed,
   RC_ASSERT(beat->presses == presses && beat->resets == resets);
 }
 
-RC_GTEST_PROP(Beat, RejectsAFlippedBit, (std::uint64_t sequence)) {
-  const BeatKey key = new_beat_key();
+RC_GTEST_PROP(Heartbeat, RejectsAFlippedBit, (std::uint64_t sequence)) {
+  const HeartbeatKey key = new_beat_key();
   auto datagram = seal({true, sequence, 1, 2, 3}, key);
   const auto bit = *rc::gen::inRange<std::size_t>(0, 8 * datagram.size());
   datagram[bit / 8] = static_cast<std::uint8_t>(datagram[bit / 8] ^ (1U << (bit % 8)));
   RC_ASSERT(!open(datagram.data(), datagram.size(), key));
 }
 
-RC_GTEST_PROP(Beat, RejectsRandomBytes, (std::vector<std::uint8_t> bytes)) {
+RC_GTEST_PROP(Heartbeat, RejectsRandomBytes, (std::vector<std::uint8_t> bytes)) {
   RC_ASSERT(!open(bytes.data(), bytes.size(), new_beat_key()));
 }
 
-TEST(Beat, RejectsAnotherKey) {
+TEST(Heartbeat, RejectsAnotherKey) {
   const auto datagram = seal({true, 1, 2, 3, 4}, new_beat_key());
   EXPECT_FALSE(open(datagram.data(), datagram.size(), new_beat_key()));
   EXPECT_FALSE(open(datagram.data(), datagram.size() - 1, new_beat_key()));
 }
 
-TEST(Beat, KeyIsSentInHexadecimal) {
-  const BeatKey key = new_beat_key();
+TEST(Heartbeat, KeyIsSentInHexadecimal) {
+  const HeartbeatKey key = new_beat_key();
   EXPECT_EQ(key_of_hex(to_hex(key)), key);
   EXPECT_FALSE(key_of_hex(to_hex(key) + "0"));
   EXPECT_FALSE(key_of_hex(std::string(64, 'g')));
@@ -61,7 +61,7 @@ bool readable(int fd, int milliseconds) {
 TEST(HostLink, LearnsThePeersClock) {
   const in_addr here = ipv4_of("127.0.0.1");
   clock::EmergencyStop nobodys;
-  const BeatKey key = new_beat_key();
+  const HeartbeatKey key = new_beat_key();
   HostLink a(here, kDomain, key, true, 0.05, nobodys);
   HostLink b(here, kDomain, key, false, 0.05, nobodys);
   EXPECT_NE(a.port(), b.port());
@@ -78,7 +78,7 @@ TEST(HostLink, LearnsThePeersClock) {
 TEST(HostLink, ReportsSilenceOnceItIsWatched) {
   const in_addr here = ipv4_of("127.0.0.1");
   clock::EmergencyStop nobodys;
-  const BeatKey key = new_beat_key();
+  const HeartbeatKey key = new_beat_key();
   HostLink a(here, kDomain, key, true, 0.2, nobodys);
   auto b = std::make_unique<HostLink>(here, kDomain, key, false, 0.2, nobodys);
   a.start(here, b->port());
@@ -109,7 +109,7 @@ TEST(HostLink, IsNotKeptAliveByAnotherKey) {
 
 TEST(HostLink, TransmitsTheEmergencyStopOfTheRunner) {
   const in_addr here = ipv4_of("127.0.0.1");
-  const BeatKey key = new_beat_key();
+  const HeartbeatKey key = new_beat_key();
   clock::EmergencyStop runners, agents;
   HostLink runner(here, kDomain, key, true, 0.2, runners);
   HostLink agent(here, kDomain, key, false, 0.2, agents);

@@ -33,13 +33,13 @@ class HostWithAClock {
     const in_addr here = ipv4_of(entry.address);
     host_.emplace(entry, order, here, here, HostLimits{.link_timeout = 10, .clock_error = 1}, listener_,
                   emergency_stop_);
-    while (failures_.empty() && !host_->missing().empty()) look();
+    while (failures_.empty() && !host_->missing().empty()) poll();
     host_->start(clock::monotonic_ns());
   }
 
-  void look() {
+  void poll() {
     poll(nullptr, 0, 1);
-    host_->look();
+    host_->poll();
   }
   const std::vector<std::string>& failures() const { return failures_; }
   std::string summary() const { return host_->summary(); }
@@ -53,7 +53,7 @@ class HostWithAClock {
 
 TEST(RemoteHost, FailsWhenTheClocksCertainlyDifferTooMuch) {
   HostWithAClock host(3000);
-  while (host.failures().empty()) host.look();
+  while (host.failures().empty()) host.poll();
   EXPECT_TRUE(host.failures().front().starts_with("4 host cell: clock lost: its clock has moved by "))
       << host.failures().front();
   EXPECT_TRUE(host.failures().front().ends_with(" ms since the start, more than clock_error = 1000 ms"))
@@ -62,7 +62,7 @@ TEST(RemoteHost, FailsWhenTheClocksCertainlyDifferTooMuch) {
 
 TEST(RemoteHost, ToleratesADriftWithinTheLimit) {
   HostWithAClock host(300);
-  while (host.failures().empty() && host.summary().find("drift 0 us") != std::string::npos) host.look();
+  while (host.failures().empty() && host.summary().find("drift 0 us") != std::string::npos) host.poll();
   EXPECT_EQ(host.failures(), std::vector<std::string>{}) << host.summary();
   EXPECT_NE(host.summary().find("drift "), std::string::npos) << host.summary();
 }

@@ -1,5 +1,3 @@
-#include "cli/run/orderly_end.hpp"
-
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -7,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include "cli/run/shutdown.hpp"
 #include "clock/participant.hpp"
 
 namespace mrroc::cli {
@@ -27,8 +26,8 @@ class OrderlyEnd : public testing::Test {
     process.name = "arm_edp";
     process.program = "/bin/sh";
     process.part = clock::Part::drives;
-    crew_.start(process, {"-c", "trap '" + at_end() + "' TERM; sleep 10 & echo ready; while :; do wait; done"});
-    while (!ready_) crew_.wait(20, -1);
+    group_.start(process, {"-c", "trap '" + at_end() + "' TERM; sleep 10 & echo ready; while :; do wait; done"});
+    while (!ready_) group_.wait(20, -1);
   }
 
   static clock::HostOptions options() {
@@ -44,42 +43,42 @@ class OrderlyEnd : public testing::Test {
   clock::ClockHost clock_{options()};
   std::unique_ptr<clock::Clock> edp_;
   bool ready_ = false;
-  Crew crew_{[this](const std::string&, const std::string& line) { ready_ = ready_ || line == "ready"; }};
+  ProcessGroup group_{[this](const std::string&, const std::string& line) { ready_ = ready_ || line == "ready"; }};
 };
 
 TEST_F(OrderlyEnd, ReportsAClockThatFailsMeanwhile) {
   std::vector<std::string> told;
-  end_in_order(crew_, clock_, true,
-               {.turn =
-                    [this] {
-                      clock_.fail("the pendulum is stuck");
-                      crew_.wait(20, -1);
-                    },
-                .message = [](const std::string&) {},
-                .failed = [&told](const std::string& reason) { told.push_back(reason); }});
+  shut_down(group_, clock_, true,
+            {.turn =
+                 [this] {
+                   clock_.fail("the pendulum is stuck");
+                   group_.wait(20, -1);
+                 },
+             .message = [](const std::string&) {},
+             .failed = [&told](const std::string& reason) { told.push_back(reason); }});
   EXPECT_EQ(told, (std::vector<std::string>{"clock lost: the pendulum is stuck"}));
-  EXPECT_TRUE(crew_.all_ended());
+  EXPECT_TRUE(group_.all_ended());
 }
 
 /// Ends the processes; the EDP leaves the clock at the first pass. Returns the failures that are reported.
-std::vector<std::string> failures_after_leaving(Crew& crew, clock::ClockHost& clock,
+std::vector<std::string> failures_after_leaving(ProcessGroup& group, clock::ClockHost& clock,
                                                 std::unique_ptr<clock::Clock>& edp) {
   std::vector<std::string> failures;
-  end_in_order(crew, clock, true,
-               {.turn =
-                    [&crew, &edp] {
-                      edp.reset();
-                      crew.wait(20, -1);
-                    },
-                .message = [](const std::string&) {},
-                .failed = [&failures](const std::string& reason) { failures.push_back(reason); },
-                .end_timeout = 1});
-  EXPECT_TRUE(crew.all_ended());
+  shut_down(group, clock, true,
+            {.turn =
+                 [&group, &edp] {
+                   edp.reset();
+                   group.wait(20, -1);
+                 },
+             .message = [](const std::string&) {},
+             .failed = [&failures](const std::string& reason) { failures.push_back(reason); },
+             .end_timeout = 1});
+  EXPECT_TRUE(group.all_ended());
   return failures;
 }
 
 TEST_F(OrderlyEnd, RobotHasStoppedWhenItsProcessHasLeftTheClock) {
-  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_), std::vector<std::string>{});
+  EXPECT_EQ(failures_after_leaving(group_, clock_, edp_), std::vector<std::string>{});
 }
 
 class SlowEnd : public OrderlyEnd {
@@ -87,7 +86,7 @@ class SlowEnd : public OrderlyEnd {
 };
 
 TEST_F(SlowEnd, AfterLeavingTheClockIsNoFailure) {
-  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_), std::vector<std::string>{});
+  EXPECT_EQ(failures_after_leaving(group_, clock_, edp_), std::vector<std::string>{});
 }
 
 class FailingEnd : public OrderlyEnd {
@@ -95,7 +94,7 @@ class FailingEnd : public OrderlyEnd {
 };
 
 TEST_F(FailingEnd, AfterLeavingTheClockIsReported) {
-  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
+  EXPECT_EQ(failures_after_leaving(group_, clock_, edp_),
             (std::vector<std::string>{"process arm_edp failed at the end: exit code 3: the disk is full"}));
 }
 
@@ -104,7 +103,7 @@ class CrashAtTheEnd : public OrderlyEnd {
 };
 
 TEST_F(CrashAtTheEnd, AfterLeavingTheClockIsReported) {
-  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
+  EXPECT_EQ(failures_after_leaving(group_, clock_, edp_),
             (std::vector<std::string>{"process arm_edp failed at the end: signal 11 (Segmentation fault)"}));
 }
 
@@ -113,7 +112,7 @@ class NoEnd : public OrderlyEnd {
 };
 
 TEST_F(NoEnd, AfterLeavingTheClockIsReportedOnKill) {
-  EXPECT_EQ(failures_after_leaving(crew_, clock_, edp_),
+  EXPECT_EQ(failures_after_leaving(group_, clock_, edp_),
             (std::vector<std::string>{"process arm_edp failed at the end: signal 9 (Killed)"}));
 }
 

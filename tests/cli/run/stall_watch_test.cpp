@@ -60,27 +60,27 @@ class Stalled {
 TEST(StallWatch, RealClockNamesAComputingProcessEverLessOften) {
   Stalled stalled(Mode::real);
   StallWatch watch(stalled.clock());
-  EXPECT_EQ(watch.look(10), "");
-  EXPECT_EQ(watch.look(11.9), "");
-  EXPECT_EQ(watch.look(12), "busy has waited for nothing for 2 s: it computes, or is blocked outside of MRROC++");
-  EXPECT_EQ(watch.look(12.1), "");
-  EXPECT_EQ(watch.look(13.9), "");
-  EXPECT_EQ(watch.look(14), "busy has waited for nothing for 4 s: it computes, or is blocked outside of MRROC++");
-  EXPECT_EQ(watch.look(17.9), "");
+  EXPECT_EQ(watch.check(10), "");
+  EXPECT_EQ(watch.check(11.9), "");
+  EXPECT_EQ(watch.check(12), "busy has waited for nothing for 2 s: it computes, or is blocked outside of MRROC++");
+  EXPECT_EQ(watch.check(12.1), "");
+  EXPECT_EQ(watch.check(13.9), "");
+  EXPECT_EQ(watch.check(14), "busy has waited for nothing for 4 s: it computes, or is blocked outside of MRROC++");
+  EXPECT_EQ(watch.check(17.9), "");
   stalled.calm_down();
-  EXPECT_EQ(watch.look(100), "") << "a long wait for a message is not a stall";
+  EXPECT_EQ(watch.check(100), "") << "a long wait for a message is not a stall";
 }
 
 TEST(StallWatch, NamesTheRunningProcessWhileSimulatedTimeStandsStill) {
   Stalled stalled(Mode::lockstep);
   StallWatch watch(stalled.clock());
-  EXPECT_EQ(watch.look(10), "");
-  const std::string line = watch.look(12);
+  EXPECT_EQ(watch.check(10), "");
+  const std::string line = watch.check(12);
   EXPECT_EQ(line.find("nothing has happened for 2 s; clock running at tick 1"), 0U) << line;
   EXPECT_NE(line.find("at work: busy"), std::string::npos) << line;
-  EXPECT_EQ(watch.look(13), "");
+  EXPECT_EQ(watch.check(13), "");
   stalled.calm_down();
-  EXPECT_EQ(watch.look(100), "");
+  EXPECT_EQ(watch.check(100), "");
 }
 
 }  // namespace

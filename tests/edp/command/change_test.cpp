@@ -45,7 +45,7 @@ struct TwoModels {
   RobotModels list{std::make_shared<PlanarArm>(), std::make_shared<Measured>()};
   ModelSet models{list};
   LoopbackHardware hardware{*list[0], kPeriod};
-  HandOver hand_over;
+  ServoChannel hand_over;
   Servo servo{models, hardware, kPeriod, hand_over};
   Effector effector{models, kPeriod, hand_over};
   Tick now = 0;

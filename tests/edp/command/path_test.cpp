@@ -21,13 +21,13 @@ DesiredState moving(const JointVector& position, double speed) {
 }
 
 /// Follows the path tick by tick as the servo does; `look` receives every state.
-template <class Look>
-void follow(const Path& path, const DesiredState& from, int steps, Look look) {
+template <class Check>
+void follow(const Path& path, const DesiredState& from, int steps, Check check) {
   DesiredState state = from;
   for (int k = 1; k <= steps; ++k) {
     DesiredState next;
     RC_ASSERT(path.at(k * kServoPeriod, state.position, next) == ErrorCode::none);
-    look(k, state, next);
+    check(k, state, next);
     state = next;
   }
 }

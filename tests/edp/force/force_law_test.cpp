@@ -21,7 +21,7 @@ ForceLaw any_law() {
   for (AxisBehaviour& behaviour : law.behaviour) behaviour = static_cast<AxisBehaviour>(*rc::gen::inRange(0, 3));
   law.wrench = any_six(100);
   law.inertia = any_six(50).cwiseAbs();
-  law.reciprocal_damping = any_six(0.2).cwiseAbs() + ForceLaw::Axes::Constant(1e-4);
+  law.admittance = any_six(0.2).cwiseAbs() + ForceLaw::Axes::Constant(1e-4);
   return law;
 }
 
@@ -34,7 +34,7 @@ TEST(ForceLaw, EqualsThatOfTheOriginal) {
     const double dt = number(0.0005, 0.02);
     const Twist twist = follow_force(law, velocity, measured, previous, dt);
     for (int i = 0; i < 6; ++i) {
-      double b = law.reciprocal_damping[i], m = law.inertia[i], v = velocity[i], desired = -law.wrench[i];
+      double b = law.admittance[i], m = law.inertia[i], v = velocity[i], desired = -law.wrench[i];
       switch (law.behaviour[static_cast<std::size_t>(i)]) {
         case AxisBehaviour::unguarded:
           b = m = 0;
@@ -58,9 +58,9 @@ TEST(ForceLaw, DefaultLawIsTheOriginalsWithoutGuards) {
   for (const AxisBehaviour behaviour : law.behaviour) EXPECT_EQ(behaviour, AxisBehaviour::unguarded);
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(law.inertia[i], 20);
-    EXPECT_EQ(law.reciprocal_damping[i], 0.005);
+    EXPECT_EQ(law.admittance[i], 0.005);
     EXPECT_EQ(law.inertia[i + 3], 0.5);
-    EXPECT_EQ(law.reciprocal_damping[i + 3], 0.1);
+    EXPECT_EQ(law.admittance[i + 3], 0.1);
   }
 }
 
@@ -69,7 +69,7 @@ TEST(ForceLaw, ForceAgainstASpringSettlesAtTheDesiredOne) {
     const double stiffness = number(100, 5000), desired = number(-30, -1), dt = 0.002;
     ForceLaw law;
     law.contact(2, desired);
-    law.reciprocal_damping[2] = 20 / stiffness;           // 20 / s
+    law.admittance[2] = 20 / stiffness;                   // 20 / s
     law.inertia[2] = number(0.0, 0.2) * stiffness / 400;  // 4 b^2 k m < 1
     double position = 0, velocity = 0, strongest = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -123,7 +123,7 @@ TEST(ForceLaw, RefusesInvalidLawsWithTheirAxis) {
   wrong.inertia[2] = -1;
   EXPECT_EQ(code(wrong), ErrorCode::invalid_argument);
   wrong = law;
-  wrong.reciprocal_damping[2] = 0;
+  wrong.admittance[2] = 0;
   EXPECT_EQ(code(wrong), ErrorCode::invalid_argument) << "a contact axis that cannot move";
   wrong.guarded(2);
   EXPECT_EQ(code(wrong), ErrorCode::none);

@@ -44,7 +44,7 @@ class Driver {
       disturb();
       if (waiting_ == 0 || chance(0.01)) send();
       rig_.tick();
-      look();
+      check();
       waiting_ -= rig_.replies.size();
       totals_.replies += rig_.replies.size();
       rig_.replies.clear();
@@ -73,7 +73,7 @@ class Driver {
     const int left = chance(0.05) ? integer(0, 40) : 0;  // occasionally late
     for (int i = 0; i < left; ++i) {
       rig_.tick();
-      look();
+      check();
     }
     waiting_ -= rig_.replies.size();
     rig_.replies.clear();
@@ -88,7 +88,7 @@ class Driver {
     for (int i = 0; i < 6; ++i) {
       command.force.behaviour[static_cast<std::size_t>(i)] = static_cast<AxisBehaviour>(integer(0, 2));
       command.force.wrench[i] = real(-30, 30);
-      command.force.reciprocal_damping[i] = std::pow(10, real(-4, 0));
+      command.force.admittance[i] = std::pow(10, real(-4, 0));
       command.force.inertia[i] = chance(0.2) ? 0 : real(0, 30);
     }
     const double speed = chance(0.1) ? 5 : 0.3;
@@ -102,7 +102,7 @@ class Driver {
   }
 
   /// Position, velocity, acceleration and jerk of the set-point and of its change since the tick before.
-  void look() {
+  void check() {
     const DesiredState& now = rig_.seen().desired;
     const auto& axes = rig_.model.parameters().axes;
     for (int i = 0; i < 4; ++i) {

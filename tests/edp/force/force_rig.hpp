@@ -68,7 +68,7 @@ inline RobotCommand force_command(double newtons, double speed = 0) {
     command.force.contact(0, -newtons);
   else
     command.force.guarded(0);
-  command.force.reciprocal_damping[0] = 0.01;
+  command.force.admittance[0] = 0.01;
   command.force.inertia[0] = 1;
   return command;
 }

@@ -134,7 +134,7 @@ TEST(ForceMotion, LawUsesTheCurrentToolFrame) {
   RobotCommand command = force_command(10);
   std::swap(command.force.behaviour[0], command.force.behaviour[1]);  // the tool's -y is the wall's x
   command.force.wrench << 0, 10, 0, 0, 0, 0;
-  command.force.reciprocal_damping[1] = 0.01;
+  command.force.admittance[1] = 0.01;
   command.force.inertia[1] = 1;
   const RobotState state = rig.repeat(command, 200);
   ASSERT_TRUE(well(state)) << state.error.detail.view();

@@ -72,20 +72,20 @@ TEST(EmergencyLatch, RegistersEveryPressAndIgnoresEarlyResets) {
   clock::EmergencyStop stop;
   EmergencyLatch latch;
   latch.use(stop);
-  EXPECT_FALSE(latch.look({}));
+  EXPECT_FALSE(latch.check({}));
   stop.press();
   stop.reset();  // both between two polls
-  EXPECT_TRUE(latch.look({}));
-  EXPECT_TRUE(latch.look({}));
+  EXPECT_TRUE(latch.check({}));
+  EXPECT_TRUE(latch.check({}));
   stop.reset();
-  EXPECT_FALSE(latch.look({}));
+  EXPECT_FALSE(latch.check({}));
   stop.reset();
-  EXPECT_FALSE(latch.look({}));
+  EXPECT_FALSE(latch.check({}));
   stop.press();
-  EXPECT_TRUE(latch.look({})) << "an early reset has no effect";
+  EXPECT_TRUE(latch.check({})) << "an early reset has no effect";
   stop.press();
   stop.reset();
-  EXPECT_TRUE(latch.look({}));
+  EXPECT_TRUE(latch.check({}));
 }
 
 }  // namespace

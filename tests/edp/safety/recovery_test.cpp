@@ -88,7 +88,7 @@ class Recovery : public testing::TestWithParam<std::tuple<Driver, Cause>> {
 
   std::shared_ptr<const RobotModel> model = load_irb6().front();
   std::unique_ptr<Plant> plant;
-  std::unique_ptr<HandOver> hand_over = std::make_unique<HandOver>();
+  std::unique_ptr<ServoChannel> hand_over = std::make_unique<ServoChannel>();
   ModelSet models{*model};
   std::optional<Servo> servo;
   std::optional<Effector> effector;

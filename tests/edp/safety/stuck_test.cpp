@@ -151,10 +151,10 @@ class Driven {
   Drives drives;
 
  private:
-  std::unique_ptr<HandOver> hand_over_ = std::make_unique<HandOver>();
+  std::unique_ptr<ServoChannel> channel_ = std::make_unique<ServoChannel>();
   clock::EmergencyStop stop_;
-  std::unique_ptr<Servo> servo_ = std::make_unique<Servo>(set_, drives, kTime, *hand_over_);
-  std::unique_ptr<Effector> effector_ = std::make_unique<Effector>(set_, kTime, *hand_over_);
+  std::unique_ptr<Servo> servo_ = std::make_unique<Servo>(set_, drives, kTime, *channel_);
+  std::unique_ptr<Effector> effector_ = std::make_unique<Effector>(set_, kTime, *channel_);
   Tick now_ = 0;
   std::uint64_t number_ = 0;
 };

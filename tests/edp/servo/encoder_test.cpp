@@ -29,7 +29,7 @@ Fault after_ways(const std::vector<double>& ways, const std::vector<double>& lat
   MotionWatch watch(kPeriod);
   const double full = model.parameters().axes[0].velocity_max * kPeriod;
   JointVector joints = one(0), velocity = one(ways.front() * full / kPeriod);
-  Fault fault = watch.look(model, {joints, velocity, joints, joints, one(0)}, {1}, true, homing);
+  Fault fault = watch.check(model, {joints, velocity, joints, joints, one(0)}, {1}, true, homing);
   Tick tick = 1;
   for (const double way : ways) {
     if (fault.code != ErrorCode::none) break;
@@ -37,7 +37,7 @@ Fault after_ways(const std::vector<double>& ways, const std::vector<double>& lat
     velocity[0] = way * full / kPeriod;
     const JointVector motors = GearedModel::kGear * joints;
     const double lateness = late.empty() ? 0 : late[tick - 1];
-    fault = watch.look(model, {joints, velocity, motors, motors, one(0)}, {++tick, lateness}, true, homing);
+    fault = watch.check(model, {joints, velocity, motors, motors, one(0)}, {++tick, lateness}, true, homing);
   }
   fault.tick = tick;
   return fault;
@@ -179,7 +179,7 @@ class Mute final : public Hardware {
 TEST(Encoder, SilentDrivesAreNeverSwitchedOn) {
   Slide model;
   Mute hardware;
-  HandOver hand_over;
+  ServoChannel hand_over;
   const ModelSet models(model);
   Servo servo(models, hardware, kPeriod, hand_over);
   Effector effector(models, kPeriod, hand_over);

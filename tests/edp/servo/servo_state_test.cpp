@@ -97,16 +97,16 @@ class Walk {
   int draw(int below) { return std::uniform_int_distribution<int>(0, below - 1)(random_); }
   void order() {
     const DriveOrder orders[]{DriveOrder::enable, DriveOrder::disable, DriveOrder::recover};
-    hand_over_.order.store(orders[draw(3)]);
+    channel_.order.store(orders[draw(3)]);
   }
 
   std::mt19937 random_;
   Slide model_;
   SlowDrives hardware_{model_, kPeriod, true};
-  HandOver hand_over_;
+  ServoChannel channel_;
   ModelSet models_{model_};
-  Servo servo_{models_, hardware_, kPeriod, hand_over_};
-  Effector effector_{models_, kPeriod, hand_over_};
+  Servo servo_{models_, hardware_, kPeriod, channel_};
+  Effector effector_{models_, kPeriod, channel_};
   Tick now_ = 0;
   std::uint64_t number_ = 0;
   Reply answer_;

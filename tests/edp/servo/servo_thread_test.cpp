@@ -42,7 +42,7 @@ TEST(ServoThread, TicksTheServoWakesTheCommsSideAndEndsWithTheRobotAtRestAndTheD
   model.change().axes[0].following_error_max = 1e9;  // a loaded machine may miss ticks
   GridClock clock;
   FaultyHardware hardware(model, clock.period());
-  HandOver hand_over;
+  ServoChannel hand_over;
   const ModelSet models(model);
   Servo servo(models, hardware, clock.period(), hand_over);
   Effector effector(models, clock.period(), hand_over);
@@ -96,7 +96,7 @@ TEST(ServoThread, WaitingDrivesGetEveryTickOthersThePresentOne) {
     Slide model;
     GridClock clock;
     OverrunningHardware hardware(model, clock.period(), waits);
-    HandOver hand_over;
+    ServoChannel hand_over;
     const ModelSet models(model);
     Servo servo(models, hardware, clock.period(), hand_over);
     {

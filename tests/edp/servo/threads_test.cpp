@@ -12,10 +12,10 @@ namespace {
 
 // The servo and the comms side in two threads, both as fast as possible: commands arrive in time, late, and in the same
 // tick in which the robot begins to brake.
-TEST(HandOver, TwoThreadsLoseNoCommandAndNeverTearASetPoint) {
+TEST(ServoChannel, TwoThreadsLoseNoCommandAndNeverTearASetPoint) {
   const Slide model;
   FaultyHardware hardware(model, kPeriod);
-  HandOver hand_over;
+  ServoChannel hand_over;
   const ModelSet models(model);
   Servo servo(models, hardware, kPeriod, hand_over);
   Effector effector(models, kPeriod, hand_over);

@@ -34,12 +34,12 @@ Vector3d random_direction() { return (random_vector(1) + Vector3d(0, 0, 2.5)).no
 Pose random_pose() {
   Pose pose = Pose::Identity();
   pose.translation() = random_vector(1);
-  pose.linear() = rotation_of(random_vector(2));
+  pose.linear() = exp_rotation(random_vector(2));
   return pose;
 }
 
 /// Makes the fake's state the arm's state.
-void look(FreeFlyer& task) {
+void check(FreeFlyer& task) {
   task.arm->reset_command(CommandKind::query);
   task.arm->send();
   task.arm->receive();
@@ -56,8 +56,8 @@ TEST(PositionReached, HoldsWithinTheTolerances) {
     FreeFlyer task(Pose::Identity());
     task.state.pose = wanted;
     task.state.pose.translation() += off * random_direction();
-    task.state.pose.linear() = wanted.linear() * rotation_of(turned_by * random_direction());
-    look(task);
+    task.state.pose.linear() = wanted.linear() * exp_rotation(turned_by * random_direction());
+    check(task);
     PositionReached place(*task.arm, Vector3d{wanted.translation()}, tolerance);
     PositionReached pose(*task.arm, wanted, tolerance, angle);
     RC_ASSERT(place.evaluate() == (off < tolerance));
@@ -78,7 +78,7 @@ TEST(JointsReached, HoldsWhenEveryJointIsAtItsTarget) {
       there = there && off < tolerance;
     }
     task.state.joints = now;
-    look(task);
+    check(task);
     RC_ASSERT((JointsReached{*task.arm, wanted, tolerance}.evaluate()) == there);
   });
 }
@@ -86,7 +86,7 @@ TEST(JointsReached, HoldsWhenEveryJointIsAtItsTarget) {
 TEST(PathTravelled, CountsThePathAlsoWhenItReturns) {
   check_property(kCases, [] {
     FreeFlyer task(random_pose());
-    look(task);
+    check(task);
     const double length = 0.01 * pick(1, 300) + 0.0005;
     PathTravelled path(*task.arm, length);
     path.start();
@@ -97,14 +97,14 @@ TEST(PathTravelled, CountsThePathAlsoWhenItReturns) {
       way += stride;
       if (std::abs(way - length) < 1e-9) return;
       task.state.pose.translation() += (step % 2 == 0 ? 1 : -1) * stride * random_direction();
-      look(task);
+      check(task);
     }
   });
 }
 
 TEST(PathTravelled, EndsACircleWhichTravelledDoesNot) {
   FreeFlyer task(Pose::Identity());
-  look(task);
+  check(task);
   PathTravelled path(*task.arm, 0.6);
   Travelled straight(*task.arm, 0.21);
   path.start();
@@ -114,7 +114,7 @@ TEST(PathTravelled, EndsACircleWhichTravelledDoesNot) {
     const double angle = 0.01 * steps;
     task.state.pose.translation() = 0.1 * Vector3d(std::cos(angle) - 1, std::sin(angle), 0);
     EXPECT_FALSE(straight.evaluate());
-    look(task);
+    check(task);
   }
   EXPECT_NEAR(steps, 601, 1) << "0.6 m on a radius of 0.1 m";
 }
@@ -168,7 +168,7 @@ TEST(TorqueAbove, UsesTheTorqueOfASensorOrOfTheRobot) {
     FreeFlyer flyer(Pose::Identity());
     const double limit = 0.01 * pick(1, 500), torque = beside(limit);
     flyer.state.wrench << random_vector(100), torque * random_direction();
-    look(flyer);
+    check(flyer);
     RC_ASSERT((TorqueAbove{*flyer.arm, limit}.evaluate()) == (torque > limit));
   });
 }
@@ -179,7 +179,7 @@ TEST(TouchingAlong, HoldsWhenTheToolPressesInThatDirection) {
     const Vector3d direction = random_direction(), aside = direction.unitOrthogonal();
     const double limit = 0.1 * pick(1, 200), force = beside(limit), sideways = pick(-50, 50);
     task.state.wrench.head<3>() = -force * direction + sideways * aside;
-    look(task);
+    check(task);
     RC_ASSERT((TouchingAlong{*task.arm, 0.01 * pick(1, 900) * direction, limit}.evaluate()) == (force > limit));
     RC_ASSERT(!(TouchingAlong{*task.arm, -direction, limit}.evaluate()));
   });

@@ -81,7 +81,7 @@ TEST(CooperativeMotion, TwistIsThePosesDerivativeAndItsRateTheTwists) {
         RC_ASSERT((moved / (2 * dt) - commands[k].twist.head<3>()).norm() < 1e-4);
         RC_ASSERT((turned / (2 * dt) - commands[k].twist.tail<3>()).norm() < 1e-4);
         const Twist change = commands[k + 1].twist - commands[k - 1].twist;
-        RC_ASSERT((change / (2 * dt) - Twist(commands[k].twist_rate)).norm() < 2e-2);
+        RC_ASSERT((change / (2 * dt) - Twist(commands[k].twist_acceleration)).norm() < 2e-2);
       }
     }
   });

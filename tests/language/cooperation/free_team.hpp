@@ -33,7 +33,7 @@ class FreeTeam : public FakeTask {
           const Twist way = overrun * state.desired_velocity;
           Pose pose = state.desired_pose;
           pose.translation() += way.head<3>();
-          pose.linear() = rotation_of(way.tail<3>()) * pose.linear();
+          pose.linear() = exp_rotation(way.tail<3>()) * pose.linear();
           place(pose);
         }
         state.desired_velocity.setZero();
@@ -41,7 +41,7 @@ class FreeTeam : public FakeTask {
         if (command_.kind == CommandKind::pose) {
           place(command_.pose);
           state.desired_velocity = command_.twist;
-          if (command_.twist_rate.size() > 0) state.desired_acceleration = command_.twist_rate;
+          if (command_.twist_acceleration.size() > 0) state.desired_acceleration = command_.twist_acceleration;
         }
         if (commands.size() == late_at) ++state.late_commands;
         state.tick = state.desired_tick = state.macrostep_start + command_.motion_steps;

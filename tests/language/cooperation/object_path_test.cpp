@@ -139,7 +139,7 @@ TEST(ObjectPath, RefusesInvalidArguments) {
   const Pose here = Pose::Identity(), there(Eigen::Translation3d(1, 0, 0));
   Pose bad = here, turned = there;
   bad.linear() *= 2;
-  turned.linear() = rotation_of({0, 0, 3.1});
+  turned.linear() = exp_rotation({0, 0, 3.1});
   const auto make = [](const std::vector<Pose>& poses, const CooperativeLimits& limits) { ObjectPath{poses, limits}; };
   EXPECT_NO_THROW(make({here, there}, {}));
   EXPECT_THROW(make({}, {}), NonFatalError);

@@ -21,7 +21,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 Pose turned_by(const Vector3d& turn, const Vector3d& place = Vector3d::Zero()) {
   Pose pose = Pose::Identity();
   pose.translation() = place;
-  pose.linear() = rotation_of(turn);
+  pose.linear() = exp_rotation(turn);
   return pose;
 }
 

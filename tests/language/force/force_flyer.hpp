@@ -57,14 +57,14 @@ class ForceFlyer : public FakeTask, private RobotLink {
       const ForceLaw& law = active_.force;
       for (Eigen::Index i = 0; i < 6; ++i) {
         const auto behaviour = law.behaviour[static_cast<std::size_t>(i)];
-        const double b = behaviour == AxisBehaviour::unguarded ? 0 : law.reciprocal_damping[i];
+        const double b = behaviour == AxisBehaviour::unguarded ? 0 : law.admittance[i];
         const double m = behaviour == AxisBehaviour::unguarded ? 0 : law.inertia[i];
         const double wanted = behaviour == AxisBehaviour::contact ? law.wrench[i] : 0;
         const double v = behaviour == AxisBehaviour::contact ? 0 : active_.twist[i];
         const double moved = twist[i] * dt;
         twist[i] = ((b * (wrench[i] - wanted) + v) * dt * dt + b * m * moved) / (dt + b * m) / dt;
       }
-      pose = pose * exponential(twist * dt);
+      pose = pose * exp_twist(twist * dt);
       if (on_tick) on_tick(now_ + 1, wrench);
     } else {
       twist.setZero();
@@ -81,7 +81,7 @@ class ForceFlyer : public FakeTask, private RobotLink {
     model_->inverse(pose, {}, state.desired_joints);
     state.joints = state.desired_joints;
     state.pose = state.desired_pose = pose;
-    state.desired_velocity = turned(pose.linear(), twist);
+    state.desired_velocity = rotate_twist(pose.linear(), twist);
     state.desired_acceleration = JointVector::Zero(6);
     state.wrench = felt(pose, twist);
     reply = state;

@@ -22,7 +22,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 Pose random_pose() {
   Pose pose = Pose::Identity();
   pose.translation() = random_vector(0.5);
-  pose.linear() = rotation_of(random_vector(1.5));
+  pose.linear() = exp_rotation(random_vector(1.5));
   return pose;
 }
 
@@ -68,7 +68,7 @@ TEST(Impedance, MovesLikeAMassOnASpringAndADamper) {
     const double offset = scale * 0.001 * pick(-50, 50);
     Twist displacement = Twist::Zero();
     displacement[axis] = offset;
-    ForceFlyer task(home * exponential(displacement), {}, n, static_cast<std::uint16_t>(pick(1, n)));
+    ForceFlyer task(home * exp_twist(displacement), {}, n, static_cast<std::uint16_t>(pick(1, n)));
     // a force that turns with the tool
     task.felt = [&](const Pose&, const Twist&) {
       Wrench wrench = Wrench::Zero();
@@ -111,7 +111,7 @@ TEST(Impedance, FollowsAMovingSetPointWithoutALag) {
     const auto set_point = [&](double t) {
       MovingFrame frame;
       frame.pose.translation() = home.translation() + t * velocity;
-      frame.pose.linear() = rotation_of(t * turning) * home.linear();
+      frame.pose.linear() = exp_rotation(t * turning) * home.linear();
       frame.twist << velocity, turning;
       return frame;
     };
@@ -132,8 +132,8 @@ TEST(Impedance, PressesASurfaceWithTheSpringsForce) {
   check_property(40, [] {
     const double depth = 0.001 * pick(2, 15);
     Pose home = Pose::Identity();
-    home.linear() = rotation_of({std::numbers::pi, 0, 0});  // z down
-    home.translation().z() = -depth;                        // the set-point is inside
+    home.linear() = exp_rotation({std::numbers::pi, 0, 0});  // z down
+    home.translation().z() = -depth;                         // the set-point is inside
     Pose above = home;
     above.translation().z() = 0.01;
     ForceFlyer task(above, fakes::plane({0, 0, 0}, {0, 0, 1}, 20000));

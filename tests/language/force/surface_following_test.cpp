@@ -23,7 +23,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 Pose down(const Vector3d& place, double yaw = 0) {
   Pose pose = Pose::Identity();
   pose.translation() = place;
-  pose.linear() = rotation_of({std::numbers::pi, 0, 0}) * rotation_of({0, 0, yaw});
+  pose.linear() = exp_rotation({std::numbers::pi, 0, 0}) * exp_rotation({0, 0, yaw});
   return pose;
 }
 
@@ -172,7 +172,7 @@ TEST(SurfaceFollowing, RefusesInvalidArguments) {
   EXPECT_THROW(with(5, {0, kNan, 0}), NonFatalError);
   for (const double bad : {0.0, -1.0, kNan}) {
     EXPECT_THROW(with(bad, {0.01, 0, 0}), NonFatalError);
-    EXPECT_THROW(with(5, {0.01, 0, 0}, {.reciprocal_damping = bad}), NonFatalError);
+    EXPECT_THROW(with(5, {0.01, 0, 0}, {.admittance = bad}), NonFatalError);
     EXPECT_THROW(with(5, {0.01, 0, 0}, {.approach_speed = bad}), NonFatalError);
     EXPECT_THROW(with(5, {0.01, 0, 0}, {.acceleration = bad}), NonFatalError);
     EXPECT_THROW(with(5, {0.01, 0, 0}, {.angular_speed = bad}), NonFatalError);

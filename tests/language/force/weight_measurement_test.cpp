@@ -32,12 +32,12 @@ Wrench random_offset() {
 
 /// Three orientations that differ by tilts of at least 0.3 rad about two axes, and up to five random ones.
 std::vector<Eigen::Matrix3d> random_orientations() {
-  const Eigen::Matrix3d first = rotation_of(random_vector(3));
+  const Eigen::Matrix3d first = exp_rotation(random_vector(3));
   std::vector<Eigen::Matrix3d> orientations;
   for (const Vector3d& tilt :
        {Vector3d(0, 0, 0), Vector3d(0.01 * pick(30, 150), 0, 0), Vector3d(0, 0.01 * pick(30, 150), 0)})
-    orientations.push_back(rotation_of(tilt) * first);
-  for (int more = pick(0, 5); more > 0; --more) orientations.push_back(rotation_of(random_vector(3)));
+    orientations.push_back(exp_rotation(tilt) * first);
+  for (int more = pick(0, 5); more > 0; --more) orientations.push_back(exp_rotation(random_vector(3)));
   return orientations;
 }
 
@@ -53,7 +53,7 @@ Wrench weight_by_hand(const Load& load, const Eigen::Matrix3d& rotation) {
 TEST(Load, WeightIsThatOfAMassAtItsCentre) {
   check_property(kCases, [] {
     const Load load = random_load();
-    const Eigen::Matrix3d rotation = rotation_of(random_vector(3));
+    const Eigen::Matrix3d rotation = exp_rotation(random_vector(3));
     RC_ASSERT((weight_of(load, rotation) - weight_by_hand(load, rotation)).norm() < 1e-9);
   });
 }
@@ -77,10 +77,10 @@ TEST(LoadIdentification, FindsTheLoadWithAnyZero) {
 TEST(LoadIdentification, TwoOrientationsAreEnoughWithAKnownZero) {
   check_property(kCases, [] {
     const Load load = random_load();
-    const Eigen::Matrix3d first = rotation_of(random_vector(3));
+    const Eigen::Matrix3d first = exp_rotation(random_vector(3));
     LoadIdentification readings(Offset::zero);
     for (const double tilt : {0.0, 0.01 * pick(30, 250)}) {
-      const Eigen::Matrix3d rotation = rotation_of({tilt, 0, 0}) * first;
+      const Eigen::Matrix3d rotation = exp_rotation({tilt, 0, 0}) * first;
       readings.add(rotation, weight_by_hand(load, rotation));
     }
     const LoadEstimate found = readings.estimate();
@@ -103,7 +103,7 @@ TEST(LoadIdentification, DeviationsMatchTheErrors) {
     for (const Vector3d& turn : turns) {
       Wrench error;
       for (int i = 0; i < 6; ++i) error[i] = (i < 3 ? 0.2 : 0.01) * noise(random);
-      readings.add(rotation_of(turn), weight_by_hand(load, rotation_of(turn)) + error);
+      readings.add(exp_rotation(turn), weight_by_hand(load, exp_rotation(turn)) + error);
     }
     const LoadEstimate found = readings.estimate();
     mass_square += std::pow((found.load.mass - load.mass) / found.mass_deviation, 2) / kTrials;
@@ -120,7 +120,7 @@ TEST(LoadIdentification, RefusesTooFewOrSimilarOrientations) {
   const Load load{2, {0, 0, 0.1}};
   const auto refused = [&](Offset offset, const std::vector<Vector3d>& turns) {
     LoadIdentification readings(offset);
-    for (const Vector3d& turn : turns) readings.add(rotation_of(turn), weight_of(load, rotation_of(turn)));
+    for (const Vector3d& turn : turns) readings.add(exp_rotation(turn), weight_of(load, exp_rotation(turn)));
     try {
       readings.estimate();
     } catch (const NonFatalError& error) {
@@ -145,7 +145,7 @@ TEST(LoadIdentification, ZeroMassHasNoCentre) {
   for (const Vector3d& turn : {Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1)}) {
     Wrench noise = Wrench::Zero();
     noise[0] = 0.01 * turn.x() - 0.02 * turn.z();
-    readings.add(rotation_of(turn), noise);
+    readings.add(exp_rotation(turn), noise);
   }
   const LoadEstimate found = readings.estimate();
   EXPECT_LT(std::abs(found.load.mass), 3 * found.mass_deviation);

@@ -195,7 +195,7 @@ TEST(JointPath, ComesToRestFirstFromAPresentMotion) {
 TEST(JointPath, ReachesPosesThroughTheInverseKinematics) {
   Cell cell;
   Pose a(Eigen::Translation3d(0.3, -0.2, 0.5)), b = a;
-  b.linear() = rotation_of({0, 0, 0.7});
+  b.linear() = exp_rotation({0, 0, 0.7});
   cell.move(JointPath(*cell.arm, std::vector<Pose>{a, b}));
   EXPECT_TRUE(
       cell.commands.back().joints.isApprox((Eigen::VectorXd(6) << 0.3, -0.2, 0.5, 0, 0, 0.7).finished(), 1e-12));

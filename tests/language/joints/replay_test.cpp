@@ -166,7 +166,7 @@ TEST(Replay, PosesBecomeJointsOfTheSamePath) {
       Twist stride;
       stride << 0.001 * pick(-50, 50), 0.001 * pick(-50, 50), 0.001 * pick(-50, 50), 0.001 * pick(-50, 50),
           0.001 * pick(-50, 50), 0.001 * pick(-50, 50);
-      pose = pose * exponential(stride);
+      pose = pose * exp_twist(stride);
       path.points.push_back({0.5 * i, {}, pose});
     }
     if (path.points.size() < 2) return;

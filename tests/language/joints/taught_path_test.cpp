@@ -47,7 +47,7 @@ TaughtPath random_path() {
     point.joints.resize(6);
     for (double& joint : point.joints) joint = digits(1.9);
     point.pose.translation() << digits(1), digits(1), digits(1);
-    point.pose.linear() = rotation_of({digits(2), digits(2), digits(2)});
+    point.pose.linear() = exp_rotation({digits(2), digits(2), digits(2)});
     path.points.push_back(point);
   }
   return path;

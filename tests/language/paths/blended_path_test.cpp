@@ -121,7 +121,7 @@ TEST(BlendedPath, SpeedIsNearlyConstantWhereTheRadiusIsLargeEnough) {
 
 TEST(BlendedPath, RotationsAndReversalsAreBlended) {
   Pose there(Eigen::Translation3d(0.2, 0, 0)), turned = there;
-  turned.linear() = rotation_of({0, 0, 1});
+  turned.linear() = exp_rotation({0, 0, 1});
   Pose back = turned;
   back.translation() = Vector3d(0.05, 0, 0);
   Pose on = back;

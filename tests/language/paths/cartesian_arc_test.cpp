@@ -25,7 +25,7 @@ const PathLimits kLimits{.speed = 0.4, .acceleration = 1, .angular_speed = 1, .a
 /// A circle at a random pose, with two unit vectors in its plane.
 struct Ring {
   Vector3d centre = random_vector(0.3);
-  Eigen::Matrix3d axes = rotation_of(random_vector(2));
+  Eigen::Matrix3d axes = exp_rotation(random_vector(2));
   double radius = 0.01 * pick(2, 30);
   Vector3d at(double angle) const { return centre + radius * axes * Vector3d(std::cos(angle), std::sin(angle), 0); }
   Vector3d axis() const { return axes.col(2); }

@@ -177,7 +177,7 @@ TEST(CartesianLine, ComesToRestFirstFromAPresentMotion) {
 
 TEST(CartesianLine, CommandsNothingAtTheTarget) {
   Pose here = Pose::Identity();
-  here.linear() = rotation_of({0.3, 0.2, 0.1});
+  here.linear() = exp_rotation({0.3, 0.2, 0.1});
   PathArm task(here);
   task.move(CartesianLine(*task.arm, here));
   EXPECT_EQ(task.ending, Ending::generator);

@@ -37,7 +37,7 @@ class WideModel : public FakeModel {
   Pose flange(const JointVector& joints) const noexcept override {
     Pose pose = Pose::Identity();
     pose.translation() = joints.head<3>();
-    pose.linear() = rotation_of(joints.tail<3>());
+    pose.linear() = exp_rotation(joints.tail<3>());
     return pose;
   }
   ErrorCode inverse(const Pose& pose, const JointVector& near, JointVector& joints) const noexcept override {
@@ -123,10 +123,10 @@ class PathArm : public FakeTask, private RobotLink {
         roll_on();
       } else if (command_.kind == CommandKind::pose) {
         model_->inverse(command_.pose, JointVector(state.desired_joints), state.desired_joints);
-        const Turning turning =
-            vector_rates_of(state.desired_joints.tail<3>(), {command_.twist.tail<3>(), command_.twist_rate.tail<3>()});
+        const Turning turning = vector_rates_of(state.desired_joints.tail<3>(),
+                                                {command_.twist.tail<3>(), command_.twist_acceleration.tail<3>()});
         state.desired_velocity << command_.twist.head<3>(), turning.velocity;
-        state.desired_acceleration << command_.twist_rate.head<3>(), turning.rate;
+        state.desired_acceleration << command_.twist_acceleration.head<3>(), turning.rate;
       } else if (command_.kind == CommandKind::joint) {
         rest();
         state.desired_joints = command_.joints;
@@ -162,14 +162,14 @@ void assert_tool_motion(const PathArm& task, const Limits& limits, std::size_t f
     const RobotCommand& now = task.commands[k];
     RC_ASSERT(now.kind == CommandKind::pose);
     RC_ASSERT(is_rigid(now.pose));
-    const Twist rate = now.twist_rate;
+    const Twist rate = now.twist_acceleration;
     RC_ASSERT(now.twist.head<3>().norm() <= limits.speed * kBeyond);
     RC_ASSERT(now.twist.tail<3>().norm() <= limits.angular_speed * kBeyond);
     RC_ASSERT(rate.head<3>().norm() <= limits.acceleration * kBeyond);
     RC_ASSERT(rate.tail<3>().norm() <= limits.angular_acceleration * kBeyond);
     if (k == first) continue;
     const RobotCommand& before = task.commands[k - 1];
-    const Twist jerk = (now.twist_rate - before.twist_rate) / dt;
+    const Twist jerk = (now.twist_acceleration - before.twist_acceleration) / dt;
     RC_ASSERT(jerk.head<3>().norm() <= 10 * limits.acceleration * 1.001);
     RC_ASSERT(jerk.tail<3>().norm() <= 10 * limits.angular_acceleration * 1.001);
     // trapezoidal rule: the error is dt^2 / 12 times the third derivative
@@ -179,11 +179,11 @@ void assert_tool_motion(const PathArm& task, const Limits& limits, std::size_t f
     const double error = dt * dt * 10 * (limits.acceleration + limits.angular_acceleration) + 1e-9 / dt;
     RC_ASSERT((way / dt - 0.5 * (now.twist + before.twist)).norm() < error);
     const Twist change = (now.twist - before.twist) / dt;
-    RC_ASSERT((change - 0.5 * (now.twist_rate + before.twist_rate)).norm() <
+    RC_ASSERT((change - 0.5 * (now.twist_acceleration + before.twist_acceleration)).norm() <
               dt * 10 * (limits.acceleration + limits.angular_acceleration));
   }
   RC_ASSERT(task.commands.back().twist.isZero(0));
-  RC_ASSERT(task.commands.back().twist_rate.isZero(0));
+  RC_ASSERT(task.commands.back().twist_acceleration.isZero(0));
 }
 
 }  // namespace mrroc::fakes

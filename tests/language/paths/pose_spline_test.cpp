@@ -108,10 +108,10 @@ TEST(PoseSpline, VelocityAndAccelerationAreContinuousByTimes) {
     Pose before = task.commands.front().pose;
     for (const RobotCommand& command : task.commands) {
       const Twist change = command.twist - twist;
-      RC_ASSERT((change / dt - 0.5 * (Twist(command.twist_rate) + rate)).norm() < 0.02);
-      RC_ASSERT((Twist(command.twist_rate) - rate).norm() < 0.5);
+      RC_ASSERT((change / dt - 0.5 * (Twist(command.twist_acceleration) + rate)).norm() < 0.02);
+      RC_ASSERT((Twist(command.twist_acceleration) - rate).norm() < 0.5);
       twist = command.twist;
-      rate = command.twist_rate;
+      rate = command.twist_acceleration;
       before = command.pose;
     }
     RC_ASSERT(twist.isZero(0));
@@ -124,7 +124,7 @@ TEST(PoseSpline, QuinticAboutOneAxisHasContinuousJerkAndTheCommandedAngle) {
   std::vector<TimedPose> timed;
   for (int i = 1; i <= 8; ++i) {
     Pose pose = Pose::Identity();
-    pose.linear() = rotation_of(Vector3d(0, 0, 1.2 * i + (i % 2 == 0 ? 0.3 : 0)));
+    pose.linear() = exp_rotation(Vector3d(0, 0, 1.2 * i + (i % 2 == 0 ? 0.3 : 0)));
     timed.push_back({pose, 2.0 * i});
   }
   PathArm task(Pose::Identity());
@@ -133,9 +133,9 @@ TEST(PoseSpline, QuinticAboutOneAxisHasContinuousJerkAndTheCommandedAngle) {
   Twist before = Twist::Zero(), jerk_before = Twist::Zero();
   for (std::size_t k = 0; k < task.commands.size(); ++k) {
     turned += task.dt() * task.commands[k].twist[5];
-    const Twist jerk = (Twist(task.commands[k].twist_rate) - before) / task.dt();
+    const Twist jerk = (Twist(task.commands[k].twist_acceleration) - before) / task.dt();
     if (k > 1) worst = std::max(worst, (jerk - jerk_before).norm());
-    before = task.commands[k].twist_rate;
+    before = task.commands[k].twist_acceleration;
     jerk_before = jerk;
   }
   EXPECT_NEAR(turned, 1.2 * 8 + 0.3, 1e-3);
@@ -165,7 +165,7 @@ TEST(PoseSpline, PassesTheRemainingPosesAfterAnInterruption) {
 TEST(PoseSpline, RefusesTimesThatAreTooShortWithTheFactor) {
   PathArm task(Pose::Identity(), 10, 100, 0.5);
   Pose target(Eigen::Translation3d(1, 0, 0));
-  target.linear() = rotation_of({0, 0, 0.1});
+  target.linear() = exp_rotation({0, 0, 0.1});
   try {
     task.move(PoseSpline(*task.arm, std::vector<TimedPose>{{target, 2.0}}));
     FAIL();

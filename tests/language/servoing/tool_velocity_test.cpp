@@ -114,7 +114,7 @@ TEST(ToolVelocity, TwistIsThePosesDerivativeAndItsRateTheTwists) {
       RC_ASSERT((turn.angle() * turn.axis() / (2 * dt) - commands[k].twist.tail<3>()).norm() < 1e-4);
       // the rate has a corner at the end of the ramp
       const Twist change = commands[k + 1].twist - commands[k - 1].twist;
-      RC_ASSERT((change / (2 * dt) - commands[k].twist_rate).norm() < 20 * acceleration * dt);
+      RC_ASSERT((change / (2 * dt) - commands[k].twist_acceleration).norm() < 20 * acceleration * dt);
     }
   });
 }
@@ -124,8 +124,8 @@ Twist rate_in_tool(const RobotCommand& command) {
   const Twist twist = in_tool(command);
   const Eigen::Matrix3d back = command.pose.linear().transpose();
   Twist rate;
-  rate << back * command.twist_rate.head<3>() - twist.tail<3>().cross(twist.head<3>()),
-      back * command.twist_rate.tail<3>();
+  rate << back * command.twist_acceleration.head<3>() - twist.tail<3>().cross(twist.head<3>()),
+      back * command.twist_acceleration.tail<3>();
   return rate;
 }
 

@@ -24,7 +24,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 Pose random_pose(double largest, double turn) {
   Pose pose = Pose::Identity();
   pose.translation() = random_vector(largest);
-  pose.linear() = rotation_of(random_vector(turn));
+  pose.linear() = exp_rotation(random_vector(turn));
   return pose;
 }
 

@@ -27,7 +27,7 @@ constexpr std::uint64_t kMostSteps = 20000;
 Pose random_pose(double largest, double turn) {
   Pose pose = Pose::Identity();
   pose.translation() = random_vector(largest);
-  pose.linear() = rotation_of(random_vector(turn));
+  pose.linear() = exp_rotation(random_vector(turn));
   return pose;
 }
 
@@ -53,7 +53,7 @@ struct Cell {
   Cell(double away, double turn)
       : camera(random_pose(0.1, 0.5)),
         target(random_pose(0.5, 1)),
-        wanted_in_camera(Eigen::Translation3d(0.02, -0.03, 0.5) * Pose(rotation_of(random_vector(0.2)))),
+        wanted_in_camera(Eigen::Translation3d(0.02, -0.03, 0.5) * Pose(exp_rotation(random_vector(0.2)))),
         goal(target * (camera * wanted_in_camera).inverse()),
         task(goal * camera * random_pose(away, turn) * camera.inverse(), random_steps()) {}
   Pose target_in_camera() const { return (task.arm->state().pose * camera).inverse() * target; }
@@ -93,7 +93,7 @@ struct Cell {
   void check_limits() const {
     Twist before = Twist::Zero();
     for (const RobotCommand& command : task.commands) {
-      const Twist now = turned(command.pose.linear().transpose(), command.twist);
+      const Twist now = rotate_twist(command.pose.linear().transpose(), command.twist);
       RC_ASSERT(now.head<3>().norm() <= 1.02 * limits.speed);
       RC_ASSERT(now.tail<3>().norm() <= 1.02 * limits.angular_speed);
       RC_ASSERT((now - before).cwiseAbs().maxCoeff() <= limits.acceleration * task.arm->step_duration() + 1e-9);
@@ -150,7 +150,7 @@ TEST(ImageServo, InteractionMatrixIsTheImagesDerivative) {
     Twist twist;
     twist << random_vector(0.5), random_vector(1);
     const auto image = [&](double t) {
-      const Vector3d seen = exponential(t * twist).inverse() * p;
+      const Vector3d seen = exp_twist(t * twist).inverse() * p;
       return Eigen::Vector2d(seen.x() / seen.z(), seen.y() / seen.z());
     };
     const double h = 1e-5;

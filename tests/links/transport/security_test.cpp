@@ -69,7 +69,7 @@ TEST(Security, ProcessWithOtherOrNoKeysCommandsNothing) {
   RobotResponder link(domain, clock, "cell/arm", 1000);
   int from_us = 0;
   int from_others = 0;
-  const auto look = [&] {
+  const auto check = [&] {
     RobotCommand command;
     std::uint64_t sequence = 0;
     if (link.take(command, sequence)) ++(command.start_tick == 1 ? from_us : from_others);
@@ -80,7 +80,7 @@ TEST(Security, ProcessWithOtherOrNoKeysCommandsNothing) {
     const PeerProcess commander("commander", number.id(), "cell/arm", 20, ours.folder());
     // they all have had enough time when a hundred of the deployment's messages have arrived
     EXPECT_TRUE(eventually([&] {
-      look();
+      check();
       return from_us >= 100;
     })) << from_us;
     EXPECT_EQ(from_others, 0);
@@ -88,7 +88,7 @@ TEST(Security, ProcessWithOtherOrNoKeysCommandsNothing) {
   // the same unknown participant is accepted with the keys: only the keys had excluded it
   const PeerProcess admitted("foreigner", number.id(), "cell/arm", 20, ours.folder());
   EXPECT_TRUE(eventually([&] {
-    look();
+    check();
     return from_others > 0;
   }));
 }

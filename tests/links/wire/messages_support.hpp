@@ -28,10 +28,10 @@ inline bool same(const RobotCommand& a, const RobotCommand& b) {
          a.reply_step == b.reply_step && a.start_tick == b.start_tick && same_matrix(a.joints, b.joints) &&
          same_matrix(a.joint_velocity, b.joint_velocity) && same_matrix(a.joint_acceleration, b.joint_acceleration) &&
          same_matrix(a.pose.matrix(), b.pose.matrix()) && same_matrix(a.twist, b.twist) &&
-         a.interpolation == b.interpolation && same_matrix(a.twist_rate, b.twist_rate) && a.choice == b.choice &&
-         a.with_outputs == b.with_outputs && a.outputs == b.outputs && a.force.behaviour == b.force.behaviour &&
-         same_matrix(a.force.wrench, b.force.wrench) && same_matrix(a.force.inertia, b.force.inertia) &&
-         same_matrix(a.force.reciprocal_damping, b.force.reciprocal_damping);
+         a.interpolation == b.interpolation && same_matrix(a.twist_acceleration, b.twist_acceleration) &&
+         a.choice == b.choice && a.with_outputs == b.with_outputs && a.outputs == b.outputs &&
+         a.force.behaviour == b.force.behaviour && same_matrix(a.force.wrench, b.force.wrench) &&
+         same_matrix(a.force.inertia, b.force.inertia) && same_matrix(a.force.admittance, b.force.admittance);
 }
 inline bool same(const RobotState& a, const RobotState& b) {
   return a.tick == b.tick && same_matrix(a.joints, b.joints) && same_matrix(a.joint_velocity, b.joint_velocity) &&
@@ -52,7 +52,7 @@ inline bool same(const SensorReading& a, const SensorReading& b) {
   return a.sequence == b.sequence && a.tick == b.tick && a.channel_count == b.channel_count &&
          std::memcmp(a.values.data(), b.values.data(), sizeof a.values) == 0 && same(a.error, b.error);
 }
-inline bool same(const Parcel& a, const Parcel& b) {
+inline bool same(const Message& a, const Message& b) {
   return a.label == b.label && a.fingerprint == b.fingerprint && a.size == b.size && a.content == b.content;
 }
 inline bool same(const TaskCommand& a, const TaskCommand& b) { return a.kind == b.kind && same(a.parcel, b.parcel); }
@@ -144,9 +144,9 @@ struct Arbitrary<mrroc::ErrorReport> {
 };
 
 template <>
-struct Arbitrary<mrroc::Signals> {
-  static Gen<mrroc::Signals> arbitrary() {
-    using T = mrroc::Signals;
+struct Arbitrary<mrroc::ControllerIo> {
+  static Gen<mrroc::ControllerIo> arbitrary() {
+    using T = mrroc::ControllerIo;
     return gen::build<T>(gen::set(&T::digital), gen::set(&T::analog));
   }
 };
@@ -157,7 +157,7 @@ struct Arbitrary<mrroc::ForceLaw> {
     using T = mrroc::ForceLaw;
     return gen::build<T>(gen::set(&T::behaviour, gen::container<std::array<mrroc::AxisBehaviour, 6>>(
                                                      any_enum(mrroc::AxisBehaviour::contact))),
-                         gen::set(&T::wrench), gen::set(&T::inertia), gen::set(&T::reciprocal_damping));
+                         gen::set(&T::wrench), gen::set(&T::inertia), gen::set(&T::admittance));
   }
 };
 
@@ -168,8 +168,8 @@ struct Arbitrary<mrroc::RobotCommand> {
     return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::CommandKind::set_outputs)), gen::set(&T::relative),
                          gen::set(&T::motion_steps), gen::set(&T::reply_step), gen::set(&T::start_tick),
                          gen::set(&T::joints), gen::set(&T::joint_velocity), gen::set(&T::joint_acceleration),
-                         gen::set(&T::pose), gen::set(&T::twist), gen::set(&T::twist_rate), gen::set(&T::choice),
-                         gen::set(&T::with_outputs), gen::set(&T::outputs),
+                         gen::set(&T::pose), gen::set(&T::twist), gen::set(&T::twist_acceleration),
+                         gen::set(&T::choice), gen::set(&T::with_outputs), gen::set(&T::outputs),
                          gen::set(&T::interpolation, any_enum(mrroc::Interpolation::task)), gen::set(&T::force));
   }
 };
@@ -207,9 +207,9 @@ struct Arbitrary<mrroc::SensorReading> {
 };
 
 template <>
-struct Arbitrary<mrroc::Parcel> {
-  static Gen<mrroc::Parcel> arbitrary() {
-    using T = mrroc::Parcel;
+struct Arbitrary<mrroc::Message> {
+  static Gen<mrroc::Message> arbitrary() {
+    using T = mrroc::Message;
     return gen::build<T>(gen::set(&T::label), gen::set(&T::fingerprint),
                          gen::set(&T::size, gen::inRange<std::uint16_t>(0, T::kCapacity + 1)), gen::set(&T::content));
   }

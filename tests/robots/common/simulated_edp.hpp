@@ -56,10 +56,10 @@ class SimulatedEdp {
 
   std::shared_ptr<const RobotModel> model_;
   edp::MujocoHardware hardware_;
-  edp::HandOver hand_over_;
+  edp::ServoChannel channel_;
   edp::ModelSet models_{*model_};
-  edp::Servo servo_{models_, hardware_, kPeriod, hand_over_};
-  edp::Effector effector_{models_, kPeriod, hand_over_};
+  edp::Servo servo_{models_, hardware_, kPeriod, channel_};
+  edp::Effector effector_{models_, kPeriod, channel_};
   edp::Reply reply_;
   std::uint64_t number_ = 0;
 };

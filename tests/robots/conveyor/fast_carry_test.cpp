@@ -18,7 +18,7 @@ class FastConveyorCarries : public ConveyorCarries {
       edp_.keep(speed, 500);
       for (int i = 0; i < 500; ++i) {
         run(1);
-        look();
+        check();
       }
     }
   }
@@ -47,7 +47,7 @@ TEST_F(FastConveyorCarries, PartsMoveAtFullSpeedWithoutSlipping) {
 
 TEST_F(FastConveyorCarries, BeltFollowsItsPathWithinTheServosErrorAndCurrent) {
   double worst = 0, peak = 0;
-  const auto look = [&] {
+  const auto check = [&] {
     worst = std::max(worst, std::abs(edp_.snapshot().desired.position[0] - travel()));
     peak = std::max(peak, std::abs(edp_.snapshot().current[0]));
   };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTolerance = irb6::FiveAxisKinematics::kPlaneTolerance;
 
-Pose turned(const Pose& pose, double angle, const Eigen::Vector3d& flange_axis) {
+Pose rotate_twist(const Pose& pose, double angle, const Eigen::Vector3d& flange_axis) {
   return pose * Eigen::AngleAxisd(angle, flange_axis);
 }
 
@@ -35,9 +35,9 @@ TEST(Irb6FiveAxis, ToolOutsideTheArmsPlaneIsOutOfWorkspace) {
     const Eigen::Vector3d across(std::cos(joints[4]), -std::sin(joints[4]), 0);
     const double angle = any_between(2 * kTolerance, 1) * (*rc::gen::arbitrary<bool>() ? 1 : -1);
     JointVector found = joints;
-    RC_ASSERT(robot().inverse(turned(pose, angle, across), joints, found) == ErrorCode::out_of_workspace);
+    RC_ASSERT(robot().inverse(rotate_twist(pose, angle, across), joints, found) == ErrorCode::out_of_workspace);
     RC_ASSERT(found == joints);
-    RC_ASSERT(robot().inverse(turned(pose, kTolerance / 2, across), joints, found) == ErrorCode::none);
+    RC_ASSERT(robot().inverse(rotate_twist(pose, kTolerance / 2, across), joints, found) == ErrorCode::none);
     RC_ASSERT(pose_difference(robot().flange(found), pose) < 1.1 * kTolerance);
   }));
 }
@@ -45,7 +45,7 @@ TEST(Irb6FiveAxis, ToolOutsideTheArmsPlaneIsOutOfWorkspace) {
 TEST(Irb6FiveAxis, VerticalToolMayHaveAnyPositionAndRotation) {
   EXPECT_TRUE(rc::check([] {
     Pose pose = Irb6FiveAxis::tool_down(any_between(0.4, 0.8), any_between(-0.3, 0.3), any_between(-0.1, 0.2));
-    pose = turned(pose, any_between(-3, 3), Eigen::Vector3d::UnitZ());
+    pose = rotate_twist(pose, any_between(-3, 3), Eigen::Vector3d::UnitZ());
     JointVector found;
     RC_ASSERT(arm().inverse(pose, robot().parameters().home, found) == ErrorCode::none);
     RC_ASSERT(pose_difference(arm().direct(found), pose) < 1e-9);

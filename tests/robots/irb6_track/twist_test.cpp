@@ -28,8 +28,8 @@ JointVector line_along_the_track(const RobotModel& model, double speed) {
     pose.translation().y() = from + speed * (u < 1 ? kRamp * u * u * u * (1 - u / 2) : t - kRamp / 2);
     command.pose = pose;
     command.twist[1] = speed * (u * u * (3 - 2 * u));
-    command.twist_rate = JointVector::Zero(6);
-    command.twist_rate[1] = speed * (6 * u * (1 - u) / kRamp);
+    command.twist_acceleration = JointVector::Zero(6);
+    command.twist_acceleration[1] = speed * (6 * u * (1 - u) / kRamp);
     const ErrorReport report = planner.plan(command, state, Pace::as_commanded, macrostep);
     EXPECT_EQ(report.code, ErrorCode::none) << model.name() << ", step " << i << ": " << report.detail.view();
     if (report.error_class != ErrorClass::none) break;

@@ -31,8 +31,8 @@ ErrorReport line(const Eigen::Vector3d& velocity, const JointVector& start, Join
     pose.translation() = from + velocity * way;
     command.pose = pose;
     command.twist << velocity * (u * u * (3 - 2 * u)), Eigen::Vector3d::Zero();
-    command.twist_rate = JointVector::Zero(6);
-    command.twist_rate.head<3>() = velocity * (6 * u * (1 - u) / kRamp);
+    command.twist_acceleration = JointVector::Zero(6);
+    command.twist_acceleration.head<3>() = velocity * (6 * u * (1 - u) / kRamp);
     const ErrorReport report = planner.plan(command, state, Pace::as_commanded, macrostep);
     if (report.error_class != ErrorClass::none) return report;
     state = macrostep.to;

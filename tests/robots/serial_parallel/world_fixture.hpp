@@ -106,7 +106,7 @@ class SerialParallelWorld : public testing::Test {
   std::unique_ptr<world::WorldMemory> memory = std::make_unique<world::WorldMemory>();
   sim::Simulation simulation;
   edp::MujocoHardware hardware{machine(), *memory, 0, edp::MujocoHardware::Timing::lockstep};
-  edp::HandOver hand_over;
+  edp::ServoChannel hand_over;
   edp::ModelSet models{machine()};
   edp::Servo servo{models, hardware, kPeriod, hand_over};
   edp::Effector effector{models, kPeriod, hand_over};

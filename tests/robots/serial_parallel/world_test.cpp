@@ -63,8 +63,8 @@ TEST_F(SerialParallelWorld, DrawsAStraightLineAcrossTheBoard) {
     command.motion_steps = command.reply_step = kTicks;
     command.pose = SerialParallel::tool_down(point.x(), point.y(), point.z());
     command.twist.head<3>() = way * (30 * u * u * (1 - u) * (1 - u) / duration);
-    command.twist_rate = JointVector::Zero(6);
-    command.twist_rate.head<3>() = way * (60 * u * (1 - u) * (1 - 2 * u) / (duration * duration));
+    command.twist_acceleration = JointVector::Zero(6);
+    command.twist_acceleration.head<3>() = way * (60 * u * (1 - u) * (1 - 2 * u) / (duration * duration));
     return command;
   };
   double off_the_line = 0, off_upright = 0;

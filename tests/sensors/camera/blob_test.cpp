@@ -20,9 +20,9 @@ Errors errors_over_placements(SeenWorld& world, unsigned seed, double height = 0
   Errors errors;
   for (int i = 0; i < kPlacements; ++i) {
     const double angle = draw(-std::numbers::pi, std::numbers::pi);
-    const Pose pose = frame_at({draw(-0.2, 0.2), draw(-0.15, 0.15), height}, {0, 0, angle});
+    const Pose pose = pose_from_rpy({draw(-0.2, 0.2), draw(-0.15, 0.15), height}, {0, 0, angle});
     world.place("part", pose);
-    const SensorReading v = world.look(static_cast<Tick>(i) + 1);
+    const SensorReading v = world.measure(static_cast<Tick>(i) + 1);
     EXPECT_TRUE(detected(v)) << pose.translation().transpose();
     const Eigen::Vector3d error = position_of(v) - pose.translation();
     EXPECT_NEAR(error.z(), 0, 1e-9) << "off the plane";
@@ -67,7 +67,7 @@ TEST(Blob, CentroidIsWithinTwoMillimetresInASmallNoisyPicture) {
 TEST(Blob, PictureWithoutItsColourIsNoErrorAndReadsZero) {
   SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys + "hue = [90.0, 150.0]\n");
   world.open();
-  const SensorReading v = world.look();
+  const SensorReading v = world.measure();
   EXPECT_FALSE(detected(v));
   for (const double value : v.values) EXPECT_EQ(value, 0);
 }
@@ -76,28 +76,28 @@ TEST(Blob, PartHalfInThePictureIsNotMeasured) {
   SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys);
   world.open();
   const double edge = 0.896 * std::tan(std::numbers::pi / 8);  // of the picture, on the part's upper side
-  world.place("part", frame_at({0, edge, 0.004}, {0, 0, 0}));
-  EXPECT_FALSE(detected(world.look(1)));
-  world.place("part", frame_at({0, edge - 0.025, 0.004}, {0, 0, 0}));
-  EXPECT_TRUE(detected(world.look(2)));
+  world.place("part", pose_from_rpy({0, edge, 0.004}, {0, 0, 0}));
+  EXPECT_FALSE(detected(world.measure(1)));
+  world.place("part", pose_from_rpy({0, edge - 0.025, 0.004}, {0, 0, 0}));
+  EXPECT_TRUE(detected(world.measure(2)));
 }
 
 TEST(Blob, SpotsBelowTheMinimumAreaAreNoise) {
   SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys + "min_area = 5000\n");
   world.open();
-  EXPECT_FALSE(detected(world.look()));
+  EXPECT_FALSE(detected(world.measure()));
 }
 
 TEST(Blob, ReadingIsInTheFrameThatTheKeyNames) {
-  const Pose part = frame_at({0.11, -0.07, 0.004}, {0, 0, 0.4});
+  const Pose part = pose_from_rpy({0.11, -0.07, 0.004}, {0, 0, 0.4});
   config::RobotEntry arm;
   arm.name = "arm";
-  arm.base = frame_at({1, 2, 0.5}, {0, 0, 1.2});
+  arm.base = pose_from_rpy({1, 2, 0.5}, {0, 0, 1.2});
   const auto seen_in = [&](const std::string& keys) {
     SeenWorld world(scene_of(std::string(kOverhead) + kPart), keys, "", {arm});
     world.open();
     world.place("part", part);
-    const SensorReading v = world.look();
+    const SensorReading v = world.measure();
     EXPECT_TRUE(detected(v));
     return position_of(v);
   };
@@ -114,8 +114,8 @@ TEST(Blob, PoseOfACameraIsSetByKeys) {
                                        "position = [0.0, 0.0, 0.9]\nrotation = [3.14159265358979, 0.0, 0.0]\n"
                                        "field_of_view = 0.7853981633974483\n");
   world.open();
-  world.place("part", frame_at({0.1, 0.05, 0.004}, {0, 0, 0}));
-  const SensorReading v = world.look();
+  world.place("part", pose_from_rpy({0.1, 0.05, 0.004}, {0, 0, 0}));
+  const SensorReading v = world.measure();
   EXPECT_TRUE(detected(v));
   EXPECT_LT((position_of(v) - Eigen::Vector3d(0.1, 0.05, 0.004)).norm(), 0.002);
   EXPECT_GT(v.values[12], 320) << "x to the right";
@@ -129,8 +129,8 @@ TEST(Blob, SameTicksGiveTheSameReadingsBitForBit) {
     Draw draw(7);
     std::vector<double> values;
     for (Tick tick = 1; tick <= 10; ++tick) {
-      world.place("part", frame_at({draw(-0.1, 0.1), draw(-0.1, 0.1), 0.004}, {0, 0, draw(-3, 3)}));
-      const SensorReading v = world.look(tick);
+      world.place("part", pose_from_rpy({draw(-0.1, 0.1), draw(-0.1, 0.1), 0.004}, {0, 0, draw(-3, 3)}));
+      const SensorReading v = world.measure(tick);
       values.insert(values.end(), v.values.begin(), v.values.end());
     }
     return values;
@@ -141,8 +141,8 @@ TEST(Blob, SameTicksGiveTheSameReadingsBitForBit) {
 TEST(Blob, NoiseDependsOnTheTick) {
   SeenWorld world(scene_of(std::string(kOverhead) + kPart), kBlobKeys + "noise = 8.0\n");
   world.open();
-  world.place("part", frame_at({0.1, 0.05, 0.004}, {0, 0, 0.3}));
-  const SensorReading first = world.look(1), second = world.look(2);
+  world.place("part", pose_from_rpy({0.1, 0.05, 0.004}, {0, 0, 0.3}));
+  const SensorReading first = world.measure(1), second = world.measure(2);
   EXPECT_NE(first.values, second.values);
   EXPECT_LT((position_of(first) - position_of(second)).norm(), 0.001);
 }

@@ -7,7 +7,7 @@
 namespace mrroc::vsp {
 namespace {
 
-const Pose kBase = frame_at({0.1, -0.2, 0.7}, {0, 0, 0.5});
+const Pose kBase = pose_from_rpy({0.1, -0.2, 0.7}, {0, 0, 0.5});
 
 config::RobotEntry arm_entry() {
   config::RobotEntry arm;
@@ -40,14 +40,14 @@ class Hand {
     RobotState e;
     e.tick = tick;
     e.synchronised = true;
-    e.tool = frame_at({0.01, 0.02, 0.3}, {0.1, 0.2, 0.3});  // the camera does not move with the tool in use
+    e.tool = pose_from_rpy({0.01, 0.02, 0.3}, {0.1, 0.2, 0.3});  // the camera does not move with the tool in use
     e.pose = model.flange(joints) * e.tool;
     world_.sensor().effector_state(e);
-    return world_.look(tick);
+    return world_.measure(tick);
   }
   /// Pose of the camera in the base frame.
   Pose eye(const JointVector& joints) const {
-    return models_.front()->flange(joints) * frame_at({0.08, 0, 0.06}, {0, 0, std::numbers::pi / 2});
+    return models_.front()->flange(joints) * pose_from_rpy({0.08, 0, 0.06}, {0, 0, std::numbers::pi / 2});
   }
   JointVector home() const { return models_.front()->parameters().home; }
   SeenWorld& world() { return world_; }
@@ -69,8 +69,8 @@ Placement any_placement(Draw& draw, const JointVector& home, double height) {
   placement.joints = home;
   for (int i = 0; i < 6; ++i) placement.joints[i] += draw(-0.06, 0.06);
   placement.joints[5] += draw(-0.5, 0.5);
-  placement.in_base = frame_at({0.80 + draw(-0.05, 0.05), draw(-0.05, 0.05), height - kBase.translation().z()},
-                               {0, 0, draw(-1.5, 1.5)});
+  placement.in_base = pose_from_rpy({0.80 + draw(-0.05, 0.05), draw(-0.05, 0.05), height - kBase.translation().z()},
+                                    {0, 0, draw(-1.5, 1.5)});
   placement.in_world = kBase * placement.in_base;
   return placement;
 }
@@ -97,9 +97,9 @@ TEST(EyeInHand, MarkerIsWithinTwoMillimetresAndOneDegreeFromFiftyPostures) {
   for (Tick tick = 1; tick <= 50; ++tick) {
     const JointVector joints = any_placement(draw, hand.home(), 0).joints;
     const Pose before_the_eye =
-        frame_at({draw(-0.08, 0.08), draw(-0.06, 0.06), draw(0.4, 0.5)}, {std::numbers::pi, 0, 0});
+        pose_from_rpy({draw(-0.08, 0.08), draw(-0.06, 0.06), draw(0.4, 0.5)}, {std::numbers::pi, 0, 0});
     const Pose marker =
-        hand.eye(joints) * before_the_eye * frame_at({0, 0, 0}, {draw(-0.4, 0.4), draw(-0.4, 0.4), draw(-3, 3)});
+        hand.eye(joints) * before_the_eye * pose_from_rpy({0, 0, 0}, {draw(-0.4, 0.4), draw(-0.4, 0.4), draw(-3, 3)});
     hand.world().place("marker", kBase * marker);
     const SensorReading v = hand.look_from(joints, tick);
     ASSERT_TRUE(detected(v)) << tick;
@@ -113,11 +113,11 @@ TEST(EyeInHand, MarkerIsWithinTwoMillimetresAndOneDegreeFromFiftyPostures) {
 
 TEST(EyeInHand, ReadingIsNotReadyWithoutAKnownPoseOfTheRobot) {
   Hand hand(kPart, kBlob);
-  const SensorReading before = hand.world().look(1);
+  const SensorReading before = hand.world().measure(1);
   EXPECT_EQ(before.error.code, ErrorCode::sensor_not_ready);
   hand.look_from(hand.home(), 2);
   hand.world().sensor().effector_state(RobotState{});  // not synchronised
-  EXPECT_EQ(hand.world().look(3).error.code, ErrorCode::sensor_not_ready);
+  EXPECT_EQ(hand.world().measure(3).error.code, ErrorCode::sensor_not_ready);
 }
 
 TEST(EyeInHand, CameraDirectedAwayFromThePlaneReportsIt) {

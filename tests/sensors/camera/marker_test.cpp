@@ -26,10 +26,10 @@ Worst worst_over_placements(SeenWorld& world, unsigned seed) {
   Draw draw(seed);
   Worst worst;
   for (int i = 0; i < kMarkerPlacements; ++i) {
-    const Pose pose = frame_at({draw(-0.1, 0.1), draw(-0.08, 0.08), draw(0.02, 0.06)},
-                               {draw(-0.4, 0.4), draw(-0.4, 0.4), draw(-std::numbers::pi, std::numbers::pi)});
+    const Pose pose = pose_from_rpy({draw(-0.1, 0.1), draw(-0.08, 0.08), draw(0.02, 0.06)},
+                                    {draw(-0.4, 0.4), draw(-0.4, 0.4), draw(-std::numbers::pi, std::numbers::pi)});
     world.place("marker", pose);
-    const SensorReading v = world.look(static_cast<Tick>(i) + 1);
+    const SensorReading v = world.measure(static_cast<Tick>(i) + 1);
     EXPECT_TRUE(detected(v)) << i;
     const Eigen::Vector3d error = position_of(v) - pose.translation();
     const double angle = angle_between(orientation_of(v), pose);
@@ -58,8 +58,8 @@ TEST(Marker, PoseIsWithinTwoMillimetresAndOneDegreeAtFiftyPlacements) {
 TEST(Marker, AxesAreThoseOfTheMarker) {
   SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kMarkerKeys);
   world.open();
-  world.place("marker", frame_at({0.05, 0.02, 0.001}, {0, 0, 0}));
-  const SensorReading v = world.look();
+  world.place("marker", pose_from_rpy({0.05, 0.02, 0.001}, {0, 0, 0}));
+  const SensorReading v = world.measure();
   ASSERT_TRUE(detected(v));
   EXPECT_LT(angle_between(orientation_of(v), Pose::Identity()), kDegree);
   EXPECT_NEAR(v.values[15], 0.06 * 0.06, 1e-12);
@@ -68,7 +68,7 @@ TEST(Marker, AxesAreThoseOfTheMarker) {
 TEST(Marker, IgnoresAnotherNumber) {
   SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), "detect = 'marker'\nmarker = 8\n");
   world.open();
-  EXPECT_FALSE(detected(world.look()));
+  EXPECT_FALSE(detected(world.measure()));
 }
 
 TEST(Marker, CoveredMarkerIsNotDetected) {
@@ -79,10 +79,10 @@ TEST(Marker, CoveredMarkerIsNotDetected) {
           marker_assets()),
       kMarkerKeys);
   world.open();
-  world.place("lid", frame_at({0.3, 0, 0.1}, {0, 0, 0}));
-  EXPECT_TRUE(detected(world.look(1)));
-  world.place("lid", frame_at({0.02, 0, 0.02}, {0, 0, 0}));
-  EXPECT_FALSE(detected(world.look(2)));
+  world.place("lid", pose_from_rpy({0.3, 0, 0.1}, {0, 0, 0}));
+  EXPECT_TRUE(detected(world.measure(1)));
+  world.place("lid", pose_from_rpy({0.02, 0, 0.02}, {0, 0, 0}));
+  EXPECT_FALSE(detected(world.measure(2)));
 }
 
 }  // namespace

@@ -17,9 +17,9 @@ const Intrinsics kCamera = Intrinsics::pinhole(640, 480, 0.8);
 
 /// A frame in front of the camera whose z axis points towards it, within 60 degrees.
 Pose any_pose() {
-  const Pose facing = frame_at({between(-0.1, 0.1), between(-0.1, 0.1), between(0.4, 1.5)}, {M_PI, 0, 0});
-  return facing * frame_at({0, 0, 0}, {between(-0.7, 0.7), between(-0.7, 0.7), 0}) *
-         frame_at({0, 0, 0}, {0, 0, between(-3, 3)});
+  const Pose facing = pose_from_rpy({between(-0.1, 0.1), between(-0.1, 0.1), between(0.4, 1.5)}, {M_PI, 0, 0});
+  return facing * pose_from_rpy({0, 0, 0}, {between(-0.7, 0.7), between(-0.7, 0.7), 0}) *
+         pose_from_rpy({0, 0, 0}, {0, 0, between(-3, 3)});
 }
 
 std::vector<Eigen::Vector2d> seen(const std::vector<Eigen::Vector3d>& points) {

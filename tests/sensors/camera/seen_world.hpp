@@ -99,7 +99,7 @@ class SeenWorld {
     memory_->snapshot.store(snapshot);
   }
   /// The reading of the world in its present state.
-  SensorReading look(Tick tick = 1) {
+  SensorReading measure(Tick tick = 1) {
     store(tick);
     return read(tick);
   }

@@ -20,7 +20,7 @@ Eigen::Vector3d any_vector() {
   return v;
 }
 
-Pose any_frame() { return frame_at(any_vector(), any_vector()); }
+Pose any_frame() { return pose_from_rpy(any_vector(), any_vector()); }
 
 std::string text_of(const Eigen::Vector3d& v) {
   std::ostringstream text;
@@ -50,10 +50,10 @@ struct Reading {
 TEST(ForceTorqueFrame, ForceThroughTheFramesOriginHasNoTorqueThere) {
   // 20 N up at (0.05, 0, 0.11): r x f = (0, 1, 0) for f = -20 z
   const Reading reading(Wrench{{0, 0, -20, 0, 1, 0}});
-  const Wrench tip = reading.wrist.in(frame_at({0.05, 0, 0.11}, {0, 0, 0}));
+  const Wrench tip = reading.wrist.in(pose_from_rpy({0.05, 0, 0.11}, {0, 0, 0}));
   EXPECT_LT((tip - Wrench{{0, 0, -20, 0, 0, 0}}).norm(), 1e-12);
   // turned about x by 180 degrees: the force is along the new z
-  const Wrench turned = reading.wrist.in(frame_at({0.05, 0, 0.11}, {3.14159265358979323846, 0, 0}));
+  const Wrench turned = reading.wrist.in(pose_from_rpy({0.05, 0, 0.11}, {3.14159265358979323846, 0, 0}));
   EXPECT_LT((turned - Wrench{{0, 0, 20, 0, 0, 0}}).norm(), 1e-12);
 }
 
@@ -85,7 +85,7 @@ TEST(ForceTorqueFrame, WeightIsCompensatedWithAnyToolAndAnyMount) {
     state.tool = any_frame();
     state.pose = flange * state.tool;
     sensor.effector_state(state);
-    const Eigen::Matrix3d axes = flange.linear() * frame_at(Eigen::Vector3d::Zero(), turns).linear();
+    const Eigen::Matrix3d axes = flange.linear() * pose_from_rpy(Eigen::Vector3d::Zero(), turns).linear();
     Wrench weight;
     weight.head<3>() = axes.transpose() * Eigen::Vector3d{0, 0, -0.8 * 9.81};
     weight.tail<3>() = Eigen::Vector3d{0.01, -0.02, 0.08}.cross(weight.head<3>().eval());

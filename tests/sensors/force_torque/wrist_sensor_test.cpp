@@ -53,14 +53,14 @@ TEST(ForceTorqueInTheEdp, RotatesTheWeightIntoTheAxesOfARotatedSensor) {
                   "tool_mass = 1.0\ntool_centre = [0.1, 0.0, 0.0]\nrotation = [0.0, 0.0, "
                   "1.5707963267948966]",
               "0 0 0 0.981 0 -0.981 0\n"};
-  const edp::WrenchReading reading = wrist.read(0, frame_at({0.5, 0, 0.5}, {3.14159265358979323846, 0, 0}));
+  const edp::WrenchReading reading = wrist.read(0, pose_from_rpy({0.5, 0, 0.5}, {3.14159265358979323846, 0, 0}));
   EXPECT_EQ(reading.error, ErrorCode::none);
   EXPECT_LT(reading.wrench.norm(), 1e-9);
   // on its side, with its x axis down: the flange is turned by 90 degrees about y, so the weight is along flange x,
   // sensor -y
   Wrist aside{std::string(kCalibration) + "tool_mass = 1.0\nrotation = [0.0, 0.0, 1.5707963267948966]",
               "0 0 -0.981 0 0 0 0\n"};
-  EXPECT_LT(aside.read(0, frame_at({0, 0, 0}, {0, 1.5707963267948966, 0})).wrench.norm(), 1e-9);
+  EXPECT_LT(aside.read(0, pose_from_rpy({0, 0, 0}, {0, 1.5707963267948966, 0})).wrench.norm(), 1e-9);
 }
 
 }  // namespace

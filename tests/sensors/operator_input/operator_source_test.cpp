@@ -32,7 +32,7 @@ class OperatorSourceTest : public ::testing::Test {
   links::TestDomain net;
   links::TestClock clock;
   config::SensorEntry entry = entry_of("operator_input", "parts", "question = \"how many?\"\nmin = 0\nmax = 9\n");
-  links::OperatorResponder desk{net.domain, clock, "t/parts"};
+  links::OperatorResponder console{net.domain, clock, "t/parts"};
   OperatorSource source{entry, net.domain, clock, "t/parts", links::kPatience};
   Tick tick = 100;
 };
@@ -41,7 +41,7 @@ TEST_F(OperatorSourceTest, AsksTheQuestionOfTheDeployment) {
   source.ask(140);
   links::OperatorQuestion question;
   std::uint64_t number = 0;
-  ASSERT_TRUE(desk.take(question, number));
+  ASSERT_TRUE(console.take(question, number));
   EXPECT_EQ(question.text.view(), "how many?");
   EXPECT_EQ(question.tick, 140U);
   EXPECT_EQ(number, 1U);
@@ -51,7 +51,7 @@ TEST_F(OperatorSourceTest, CountsTheAnswerToTheOpenQuestion) {
   expect_answers(0, 0);
   source.ask(101);
   expect_answers(0, 0);
-  desk.answer({1, 4});
+  console.answer({1, 4});
   expect_answers(1, 4);
   expect_answers(1, 4);
 }
@@ -59,27 +59,27 @@ TEST_F(OperatorSourceTest, CountsTheAnswerToTheOpenQuestion) {
 TEST_F(OperatorSourceTest, EventAnswersAnyOpenQuestion) {
   source.ask(101);
   source.ask(102);
-  desk.answer({0, 7});
+  console.answer({0, 7});
   expect_answers(1, 7);
 }
 
 TEST_F(OperatorSourceTest, IgnoresAnswersWithoutAnOpenQuestion) {
-  desk.answer({0, 1});  // there is no question yet
+  console.answer({0, 1});  // there is no question yet
   expect_answers(0, 0);
   source.ask(101);
   source.ask(102);
-  desk.answer({1, 2});  // that question was withdrawn
+  console.answer({1, 2});  // that question was withdrawn
   expect_answers(0, 0);
-  desk.answer({2, 3});
-  desk.answer({2, 4});  // already answered
+  console.answer({2, 3});
+  console.answer({2, 4});  // already answered
   expect_answers(1, 3);
 }
 
 TEST_F(OperatorSourceTest, IgnoresAnswersThatTheSensorRefuses) {
   source.ask(101);
-  for (const double value : {-1.0, 9.5, std::numeric_limits<double>::quiet_NaN()}) desk.answer({0, value});
+  for (const double value : {-1.0, 9.5, std::numeric_limits<double>::quiet_NaN()}) console.answer({0, value});
   expect_answers(0, 0);
-  desk.answer({0, 9});
+  console.answer({0, 9});
   expect_answers(1, 9);
 }
 

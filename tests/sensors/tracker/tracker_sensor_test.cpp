@@ -16,7 +16,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 Vector3d position_of(const SensorReading& v) { return {v.values[0], v.values[1], v.values[2]}; }
-Quaterniond rotation_of(const SensorReading& v) { return {v.values[3], v.values[4], v.values[5], v.values[6]}; }
+Quaterniond exp_rotation(const SensorReading& v) { return {v.values[3], v.values[4], v.values[5], v.values[6]}; }
 
 TEST(TrackerSensor, ReportsTheTargetsPose) {
   EXPECT_TRUE(rc::check([] {
@@ -26,7 +26,7 @@ TEST(TrackerSensor, ReportsTheTargetsPose) {
     if (fakes::pick(0, 1) == 0) q.coeffs() *= -1;  // the same rotation
     const SensorReading v = aggregated(sensor, raw(pose.translation(), q));
     RC_ASSERT((position_of(v) - pose.translation()).norm() == 0);
-    RC_ASSERT((rotation_of(v).toRotationMatrix() - pose.linear()).norm() < 1e-12);
+    RC_ASSERT((exp_rotation(v).toRotationMatrix() - pose.linear()).norm() < 1e-12);
     RC_ASSERT(v.values[3] >= 0);
   }));
 }
@@ -38,8 +38,8 @@ TEST(TrackerSensor, NoiseHasItsStandardDeviationAndKeepsTheQuaternionNormalised)
   for (int k = 0; k < kCount; ++k) {
     const SensorReading v = aggregated(sensor, raw({1, 2, 3}, Quaterniond::Identity(), static_cast<Tick>(k)));
     way += (position_of(v) - Vector3d(1, 2, 3)).cwiseAbs2();
-    turn += rotation_vector(rotation_of(v).toRotationMatrix()).cwiseAbs2();
-    ASSERT_NEAR(rotation_of(v).norm(), 1, 1e-12);
+    turn += rotation_vector(exp_rotation(v).toRotationMatrix()).cwiseAbs2();
+    ASSERT_NEAR(exp_rotation(v).norm(), 1, 1e-12);
   }
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(std::sqrt(way[i] / kCount), 0.001, 0.00003);

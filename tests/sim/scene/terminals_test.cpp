@@ -1,7 +1,6 @@
-#include "sim/scene/terminals.hpp"
-
 #include <gtest/gtest.h>
 
+#include "sim/scene/controller_wiring.hpp"
 #include "sim/world.hpp"
 #include "sim/worlds.hpp"
 
@@ -33,18 +32,18 @@ constexpr const char* kScene = R"(<mujoco>
   </sensor>
 </mujoco>)";
 
-TEST(Terminals, AreWiredToTheWorldByName) {
+TEST(ControllerWiring, AreWiredToTheWorldByName) {
   const task_test::ScratchFolder scratch;
   World world(compose_texts(scratch, kScene), 0.002, 0.001);
-  const Terminals terminals(world.model(), "arm");
+  const ControllerWiring terminals(world.model(), "arm");
   world.start();
-  Signals outputs;
+  ControllerIo outputs;
   outputs.set(3, true);
   outputs.set(5, true);  // not connected
   outputs.analog[1] = -0.3;
   terminals.write(world.model(), world.data(), outputs);
   for (Tick k = 1; k <= 1000; ++k) world.step(k);
-  Signals inputs = terminals.read(world.data());
+  ControllerIo inputs = terminals.read(world.data());
   EXPECT_EQ(inputs.digital, 1u) << "the valve is at 0.05; no other input is connected";
   EXPECT_NEAR(inputs.analog[7], -0.3, 1e-3);
   EXPECT_EQ(inputs.analog[0], 0);
@@ -55,17 +54,17 @@ TEST(Terminals, AreWiredToTheWorldByName) {
   EXPECT_EQ(terminals.read(world.data()).digital, 0u) << "the lower end of its range is -0.02";
 }
 
-TEST(Terminals, OnIsOneWhenTheActuatorHasNoRange) {
+TEST(ControllerWiring, OnIsOneWhenTheActuatorHasNoRange) {
   const task_test::ScratchFolder scratch;
   World world(compose_texts(scratch, kScene), 0.002, 0.001);
-  const Terminals terminals(world.model(), "arm");
-  Signals outputs;
+  const ControllerWiring terminals(world.model(), "arm");
+  ControllerIo outputs;
   outputs.set(4, true);
   terminals.write(world.model(), world.data(), outputs);
   const int actuator = mj_name2id(&world.model(), mjOBJ_ACTUATOR, "arm/output_4");
   ASSERT_GE(actuator, 0);
   EXPECT_EQ(world.data().ctrl[actuator], 1);
-  terminals.write(world.model(), world.data(), Signals{});
+  terminals.write(world.model(), world.data(), ControllerIo{});
   EXPECT_EQ(world.data().ctrl[actuator], 0);
 }
 

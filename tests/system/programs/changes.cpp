@@ -16,7 +16,7 @@ class Changes : public ecp::Task {
 
   void run() override {
     Wait({arm}, {}, !DigitalInput{arm, 0});
-    Signals outputs;
+    ControllerIo outputs;
     outputs.set(3, true);
     outputs.analog[1] = 2.5;
     arm.set_outputs(outputs);

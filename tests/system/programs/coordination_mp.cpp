@@ -18,7 +18,7 @@ class Coordination : public mp::Task {
   Conveyor right{*this, "right"};
 
   void run() override {
-    const std::vector<std::string> scenarios{"behaviours", "messages",  "strands", "shared",
+    const std::vector<std::string> scenarios{"behaviours", "messages",  "fibers", "shared",
                                              "failing",    "questions", "pause"};
     switch (ask_choice("Which?", scenarios)) {
       case 0:
@@ -26,7 +26,7 @@ class Coordination : public mp::Task {
       case 1:
         return messages();
       case 2:
-        return strands();
+        return fibers();
       case 3:
         return shared();
       case 4:
@@ -97,7 +97,7 @@ class Coordination : public mp::Task {
   }
 
   /// Two simultaneous Moves of different lengths and macrosteps, and a third part without a robot.
-  void strands() {
+  void fibers() {
     left.set_macrostep(10, 8);
     right.set_macrostep(7, 5);
     int done = 0;

@@ -18,7 +18,7 @@ class EmergencyStop : public ecp::Task {
   Irb6 arm{*this};
 
   void press(bool pressed) {
-    Signals outputs;
+    ControllerIo outputs;
     outputs.set(kTerminal, !pressed);  // active low
     arm.set_outputs(outputs);
   }

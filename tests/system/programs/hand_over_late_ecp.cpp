@@ -23,7 +23,7 @@ class Late : public ecp::Task {
     });
     on<Take>([this](const Take&) {
       ForceLaw law = ForceLaw{}.guarded(0).guarded(1).guarded(2).guarded(3).guarded(4).guarded(5);
-      law.reciprocal_damping << 3e-4, 3e-4, 3e-4, 3e-3, 3e-3, 3e-3;
+      law.admittance << 3e-4, 3e-4, 3e-4, 3e-3, 3e-3, 3e-3;
       Move({arm}, {}, ForceControl{arm, law});
       Move({arm}, {}, Hold{arm, ask_number("How long does the receiver wait?", 0, 60)});
       Move({arm}, {}, ForceControl{arm, law.contact(1, -10)});

@@ -46,7 +46,7 @@ class Recover : public ecp::Task {
     // no step of the path home is longer than the joints' speeds allow, measured or desired
     JointVector measured = stands, desired = stands;
     double fastest = 0;
-    const auto look = [&] {
+    const auto check = [&] {
       const double seconds = arm.step_duration();
       for (Eigen::Index i = 0; i < stands.size(); ++i) {
         const double speed = arm.parameters().axes[static_cast<std::size_t>(i)].velocity_max;

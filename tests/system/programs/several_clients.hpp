@@ -26,7 +26,7 @@ class Client {
   void run(const RobotList& robots, std::uint32_t period, int bias_after) {
     shared_.set_period(period);
     for (int i = 1; i <= 3; ++i) {
-      look(robots);
+      check(robots);
       if (i == bias_after) bias();
     }
   }
@@ -34,7 +34,7 @@ class Client {
  private:
   const std::string& type(std::size_t sensor) const { return task_.process().deployment().sensors.at(sensor).type; }
 
-  void look(const RobotList& robots) {
+  void check(const RobotList& robots) {
     const bool hold = task_.process().deployment().name == "hold";
     const When seen("seen", [this] {
       check(shared_, last_shared_);

@@ -109,7 +109,7 @@ HandOvers hand_overs_of(const std::filesystem::path& trace) {
   return found;
 }
 
-TEST(HandOver, ThreeBarsAreHandedOverOnAPullEquallyInEveryRun) {
+TEST(ServoChannel, ThreeBarsAreHandedOverOnAPullEquallyInEveryRun) {
   const ScratchFolder folder;
   const EqualRuns runs = expect_equal_runs(kDeployment, folder, MrrocRun::kLongPatience);
   for (const std::string& output : runs.outputs)
@@ -126,7 +126,7 @@ TEST(HandOver, ThreeBarsAreHandedOverOnAPullEquallyInEveryRun) {
   }
 }
 
-TEST(HandOver, BarsInAnotherOrderReachTheirPositionsToo) {
+TEST(ServoChannel, BarsInAnotherOrderReachTheirPositionsToo) {
   const ScratchFolder folder;
   std::array<std::filesystem::path, 2> states;
   std::array<std::vector<std::string>, 2> runs;
@@ -145,7 +145,7 @@ TEST(HandOver, BarsInAnotherOrderReachTheirPositionsToo) {
   for (const auto& folder_of_run : states) expect_in_place(folder_of_run);
 }
 
-TEST(HandOver, GiverWithoutAPullReportsItAndKeepsTheBar) {
+TEST(ServoChannel, GiverWithoutAPullReportsItAndKeepsTheBar) {
   const ScratchFolder folder;
   const auto states = folder.path() / "states", trace = folder.path() / "trace";
   std::filesystem::create_directory(states);
@@ -161,7 +161,7 @@ TEST(HandOver, GiverWithoutAPullReportsItAndKeepsTheBar) {
   EXPECT_NEAR(bars_at_the_end(states).front()[2], 0.85, 0.002);
 }
 
-TEST(HandOver, LaterPullIsDetectedLater) {
+TEST(ServoChannel, LaterPullIsDetectedLater) {
   constexpr Tick kLater = 2500;
   const ScratchFolder folder;
   const std::string end = "\n[[events]]\ntick = 24000\ncommand = \"stop\"\n";

@@ -206,7 +206,7 @@ class Rig {
   Rack rack;
   WeakBus* weak_bus = nullptr;
   std::unique_ptr<CanHardware> hardware;
-  HandOver hand_over;
+  ServoChannel hand_over;
   ModelSet models{model};
   std::unique_ptr<Servo> servo;
   Effector effector{models, kCanPeriod, hand_over};

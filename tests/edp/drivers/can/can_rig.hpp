@@ -199,7 +199,7 @@ struct CanRig {
   TestBus bus;
   Rack rack;
   CanHardware hardware;
-  HandOver hand_over;
+  ServoChannel hand_over;
   ModelSet models{model};
   clock::EmergencyStop operators;
   Servo servo{models, hardware, kCanPeriod, hand_over};

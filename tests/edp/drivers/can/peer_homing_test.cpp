@@ -30,7 +30,7 @@ class PeerHoming : public testing::TestWithParam<int> {
   TestBus bus;
   Peer peer{bus.name()};
   std::unique_ptr<CanHardware> hardware;
-  HandOver hand_over;
+  ServoChannel hand_over;
   ModelSet models{model};
   std::unique_ptr<Servo> servo;
   Effector effector{models, kPeerPeriod, hand_over};

@@ -106,7 +106,7 @@ class PeerTest : public testing::TestWithParam<canopen::DriveMode> {
   TestBus bus;
   Peer peer{bus.name()};
   std::unique_ptr<CanHardware> hardware;
-  HandOver hand_over;
+  ServoChannel hand_over;
   ModelSet models{model};
   std::unique_ptr<Servo> servo;
   Effector effector{models, kPeerPeriod, hand_over};

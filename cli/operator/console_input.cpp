@@ -1,4 +1,4 @@
-#include "cli/operator/typed_lines.hpp"
+#include "cli/operator/console_input.hpp"
 
 #include <poll.h>
 #include <strings.h>
@@ -21,7 +21,7 @@ bool same_word(std::string_view typed, std::string_view word) {
 
 }  // namespace
 
-bool TypedLines::attended() const noexcept {
+bool ConsoleInput::attended() const noexcept {
   if (!unread_.empty()) return true;
   if (ended_) return false;
   struct stat status {};
@@ -29,7 +29,7 @@ bool TypedLines::attended() const noexcept {
   return isatty(fd_) != 0 || S_ISFIFO(status.st_mode) || S_ISREG(status.st_mode) || S_ISSOCK(status.st_mode);
 }
 
-std::optional<std::string> TypedLines::next() {
+std::optional<std::string> ConsoleInput::next() {
   read_more();
   const std::size_t end = unread_.find('\n');
   if (end == std::string::npos && (!ended_ || unread_.empty())) return std::nullopt;
@@ -38,7 +38,7 @@ std::optional<std::string> TypedLines::next() {
   return line;
 }
 
-std::optional<std::string> TypedLines::next_of(std::initializer_list<std::string_view> words) {
+std::optional<std::string> ConsoleInput::next_of(std::initializer_list<std::string_view> words) {
   read_more();
   std::size_t begin = 0;
   for (std::size_t end = 0; begin < unread_.size(); begin = end + 1) {
@@ -57,13 +57,13 @@ std::optional<std::string> TypedLines::next_of(std::initializer_list<std::string
 }
 
 /// Drops the oldest text: unrequested lines must not delay an emergency stop behind them.
-void TypedLines::forget_oldest() {
+void ConsoleInput::forget_oldest() {
   const std::size_t end = unread_.find('\n', unread_.size() - kTyped);
   unread_.erase(0, end == std::string::npos ? end : end + 1);
 }
 
 /// Reads what has arrived; of a file, a part.
-void TypedLines::read_more() {
+void ConsoleInput::read_more() {
   // reading a terminal from the background would stop this process, and the deployment with it
   if (isatty(fd_) != 0 && tcgetpgrp(fd_) != getpgrp()) return;
   struct stat status {};
@@ -71,7 +71,7 @@ void TypedLines::read_more() {
   if (is_file && unread_.size() >= kTyped) return;  // a file is not typed, and the rest can be read later
   std::array<char, 256> buffer;
   std::size_t taken = 0;
-  for (pollfd look{fd_, POLLIN, 0}; !ended_ && taken < kTyped && poll(&look, 1, 0) > 0;) {
+  for (pollfd entry{fd_, POLLIN, 0}; !ended_ && taken < kTyped && poll(&entry, 1, 0) > 0;) {
     const ssize_t count = read(fd_, buffer.data(), buffer.size());
     if (count == 0 && isatty(fd_) != 0) break;  // Ctrl-D ends a line there, not the typing
     ended_ = count <= 0;

@@ -29,11 +29,11 @@ struct Report {
 };
 
 /// The data that the comms thread and the servo thread share. Lock-free: neither side ever waits for the other.
-struct HandOver {
+struct ServoChannel {
   core::SpscQueue<Macrostep, 4> macrosteps;         ///< comms -> servo: two commands, each with a stop before it
   core::SpscQueue<Report, 8> reports;               ///< servo -> comms: at most two tickets are out at a time
   core::LatestValue<Snapshot> snapshot;             ///< servo -> comms, every tick, before the reports of that tick
-  core::SpscQueue<Signals, 4> outputs;              ///< comms -> servo: for the next tick
+  core::SpscQueue<ControllerIo, 4> outputs;         ///< comms -> servo: for the next tick
   std::atomic<DriveOrder> order{DriveOrder::none};  ///< comms -> servo; the last one counts
 };
 

@@ -1,4 +1,4 @@
-#include "cli/operator/operator_desk.hpp"
+#include "cli/operator/operator_console.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -41,10 +41,10 @@ links::OperatorQuestion number(const char* text, Tick tick) {
 }
 
 /// The console and the VSPs of two sensors, in one process: a message arrives when it is sent.
-class OperatorDeskTest : public testing::Test {
+class OperatorConsoleTest : public testing::Test {
  protected:
-  OperatorDeskTest() { EXPECT_EQ(pipe2(ends_.data(), O_CLOEXEC), 0); }
-  ~OperatorDeskTest() override {
+  OperatorConsoleTest() { EXPECT_EQ(pipe2(ends_.data(), O_CLOEXEC), 0); }
+  ~OperatorConsoleTest() override {
     leave();
     close(ends_[0]);
   }
@@ -52,7 +52,8 @@ class OperatorDeskTest : public testing::Test {
     deployment_ = deployment_of(clock);
     deployment_.events = std::move(events);
     input_.emplace(ends_[0]);
-    desk.emplace(deployment_, net_.domain, clock_, *input_, [this](const std::string& line) { shown.push_back(line); });
+    console.emplace(deployment_, net_.domain, clock_, *input_,
+                    [this](const std::string& line) { shown.push_back(line); });
     parts.emplace(net_.domain, clock_, "t/parts");
     weight.emplace(net_.domain, clock_, "t/weight");
     parts->connect(links::kPatience);
@@ -75,97 +76,97 @@ class OperatorDeskTest : public testing::Test {
   links::TestDomain net_;
   links::TestClock clock_;
   config::Deployment deployment_;
-  std::optional<TypedLines> input_;
+  std::optional<ConsoleInput> input_;
 
   std::vector<std::string> shown;
-  std::optional<OperatorDesk> desk;
+  std::optional<OperatorConsole> console;
   std::optional<links::OperatorRequester> parts, weight;
 };
 
 using Lines = std::vector<std::string>;
 
-TEST_F(OperatorDeskTest, TypedLineAnswersTheQuestion) {
+TEST_F(OperatorConsoleTest, TypedLineAnswersTheQuestion) {
   open();
-  desk->look();
-  EXPECT_FALSE(desk->waits_for_line());
+  console->poll();
+  EXPECT_FALSE(console->waits_for_line());
   parts->ask(number("How many?", 5));
-  desk->look();
-  EXPECT_TRUE(desk->waits_for_line());
-  desk->look();
+  console->poll();
+  EXPECT_TRUE(console->waits_for_line());
+  console->poll();
   EXPECT_EQ(shown, Lines{"parts: How many? (a number from 0 to 9)"});
   type("3\n");
-  desk->look();
-  EXPECT_FALSE(desk->waits_for_line());
+  console->poll();
+  EXPECT_FALSE(console->waits_for_line());
   expect_answer(*parts, 1, 3);
 }
 
-TEST_F(OperatorDeskTest, BadAnswerIsRefusedAndTheQuestionStaysOpen) {
+TEST_F(OperatorConsoleTest, BadAnswerIsRefusedAndTheQuestionStaysOpen) {
   open();
   parts->ask(number("How many?", 5));
   type("10\nx\n");
-  desk->look();
-  EXPECT_TRUE(desk->waits_for_line());
+  console->poll();
+  EXPECT_TRUE(console->waits_for_line());
   EXPECT_EQ(shown, (Lines{"parts: How many? (a number from 0 to 9)",
                           "parts: '10' is out of range, expected a number from 0 to 9",
                           "parts: 'x' is not a number, expected a number from 0 to 9"}));
   type("9\n");
-  desk->look();
+  console->poll();
   expect_answer(*parts, 1, 9);
 }
 
-TEST_F(OperatorDeskTest, QuestionsAreAskedOneAfterTheOther) {
+TEST_F(OperatorConsoleTest, QuestionsAreAskedOneAfterTheOther) {
   open();
   weight->ask(number("How heavy?", 5));
-  desk->look();
+  console->poll();
   parts->ask(number("How many?", 6));
-  desk->look();
+  console->poll();
   EXPECT_EQ(shown.size(), 1U);
   type("4\n7\n");
-  desk->look();
+  console->poll();
   EXPECT_EQ(shown, (Lines{"weight: How heavy? (a number from 0 to 9)", "parts: How many? (a number from 0 to 9)"}));
   expect_answer(*weight, 1, 4);
   expect_answer(*parts, 1, 7);
 }
 
-TEST_F(OperatorDeskTest, RepeatedQuestionReplacesTheEarlierOne) {
+TEST_F(OperatorConsoleTest, RepeatedQuestionReplacesTheEarlierOne) {
   open();
   parts->ask(number("How many?", 5));
-  desk->look();
+  console->poll();
   weight->ask(number("How heavy?", 6));
   parts->ask(number("How many, really?", 7));
-  desk->look();
+  console->poll();
   EXPECT_EQ(shown.back(), "weight: How heavy? (a number from 0 to 9)");
   type("1\n2\n");
-  desk->look();
+  console->poll();
   expect_answer(*weight, 1, 1);
   expect_answer(*parts, 2, 2);
 }
 
-TEST_F(OperatorDeskTest, EventAnswersAnyOpenQuestionAndIsWaitedFor) {
+TEST_F(OperatorConsoleTest, EventAnswersAnyOpenQuestionAndIsWaitedFor) {
   const config::Event event{100, "answer", "parts", 6};
   open(config::ClockMode::lockstep, {event});
   parts->ask(number("How many?", 99));
-  desk->look();
-  EXPECT_FALSE(desk->waits_for_line());
+  console->poll();
+  EXPECT_FALSE(console->waits_for_line());
   EXPECT_EQ(shown, Lines{"parts: How many? (answered at tick 100)"});
-  desk->answer(event);
+  console->answer(event);
   expect_answer(*parts, 0, 6);
 }
 
-TEST_F(OperatorDeskTest, EventOfTheSameTickOrOfAnotherSensorAnswersNothing) {
+TEST_F(OperatorConsoleTest, EventOfTheSameTickOrOfAnotherSensorAnswersNothing) {
   open(config::ClockMode::lockstep, {{100, "answer", "parts", 6}, {200, "answer", "weight", 6}});
   type("3\n");  // what is typed would come at another tick on every run
   parts->ask(number("How many?", 100));
-  EXPECT_THROW(desk->look(), NonFatalError);
+  EXPECT_THROW(console->poll(), NonFatalError);
 }
 
-TEST_F(OperatorDeskTest, QuestionOpenAtTheEndOfInputIsAnError) {
+TEST_F(OperatorConsoleTest, QuestionOpenAtTheEndOfInputIsAnError) {
   open();
   parts->ask(number("How many?", 5));
-  desk->look();
+  console->poll();
   leave();
   try {
-    desk->look();
+    console->poll();
     FAIL() << "the question cannot be answered";
   } catch (const NonFatalError& error) {
     EXPECT_EQ(error.code(), ErrorCode::sensor_not_ready);
@@ -173,23 +174,23 @@ TEST_F(OperatorDeskTest, QuestionOpenAtTheEndOfInputIsAnError) {
   }
 }
 
-TEST_F(OperatorDeskTest, EmergencyStopWaitsForNoQuestionAndAnswersNone) {
+TEST_F(OperatorConsoleTest, EmergencyStopWaitsForNoQuestionAndAnswersNone) {
   open();
   const clock::EmergencyStop& stop = clock_.emergency_stop();
-  desk->look();
+  console->poll();
   EXPECT_EQ(stop.presses(), 0U);
   type("4\nestop\n");  // the first line is for a question to come
-  desk->look();
+  console->poll();
   EXPECT_EQ(stop.presses(), 1U);
   EXPECT_EQ(stop.resets(), 0U);
   EXPECT_EQ(shown, Lines{"emergency stop: every robot stops until the line 'reset'"});
   parts->ask(number("How many?", 5));
   type(" reset \r\nestop\n");
-  desk->look();
+  console->poll();
   EXPECT_EQ(stop.presses(), 2U);
   EXPECT_EQ(stop.resets(), 1U);
   expect_answer(*parts, 1, 4);
-  desk->emergency("reset");
+  console->emergency("reset");
   EXPECT_EQ(stop.resets(), 2U);
 }
 
@@ -220,7 +221,7 @@ TEST(SomebodyAnswers, ReplayedSensorsNeedNoOperator) {
   EXPECT_EQ(refusal(deployment, false), "");
 }
 
-TEST_F(OperatorDeskTest, ProgramAsksLikeASensor) {
+TEST_F(OperatorConsoleTest, ProgramAsksLikeASensor) {
   open();
   links::OperatorRequester mp(net_.domain, clock_, "t/mp");
   mp.connect(links::kPatience);
@@ -230,10 +231,10 @@ TEST_F(OperatorDeskTest, ProgramAsksLikeASensor) {
   question = number("Continue?", 4);
   question.kind = links::QuestionKind::yes_no;
   mp.ask(question);
-  desk->look();
+  console->poll();
   EXPECT_EQ(shown, (Lines{"mp: Three parts are done.", "mp: Continue? (yes or no)"}));
   type("no\n");
-  desk->look();
+  console->poll();
   expect_answer(mp, 2, 0);
 }
 

@@ -1,4 +1,4 @@
-#include "cli/run/beat.hpp"
+#include "cli/run/heartbeat.hpp"
 
 #include <openssl/crypto.h>
 #include <openssl/evp.h>
@@ -19,7 +19,7 @@ constexpr std::size_t kWords = 8;
 constexpr std::size_t kBody = kWords * 8;
 constexpr std::size_t kCode = 16;  // the first half of the hash's 32 bytes
 
-std::array<std::uint8_t, kCode> code_of(const std::uint8_t* body, const BeatKey& key) {
+std::array<std::uint8_t, kCode> code_of(const std::uint8_t* body, const HeartbeatKey& key) {
   std::array<std::uint8_t, 32> hash{};
   unsigned size = 0;
   if (HMAC(EVP_sha256(), key.data(), static_cast<int>(key.size()), body, kBody, hash.data(), &size) == nullptr)
@@ -31,14 +31,14 @@ std::array<std::uint8_t, kCode> code_of(const std::uint8_t* body, const BeatKey&
 
 }  // namespace
 
-BeatKey new_beat_key() {
-  BeatKey key{};
+HeartbeatKey new_beat_key() {
+  HeartbeatKey key{};
   if (getrandom(key.data(), key.size(), 0) != static_cast<ssize_t>(key.size()))
     throw std::runtime_error("no random numbers");
   return key;
 }
 
-std::vector<std::uint8_t> seal(const Beat& beat, const BeatKey& key) {
+std::vector<std::uint8_t> seal(const Heartbeat& beat, const HeartbeatKey& key) {
   const std::array<std::uint64_t, kWords> words{kMagic,
                                                 beat.from_runner ? 1U : 0U,
                                                 beat.sequence,
@@ -55,22 +55,22 @@ std::vector<std::uint8_t> seal(const Beat& beat, const BeatKey& key) {
   return datagram;
 }
 
-std::optional<Beat> open(const std::uint8_t* data, std::size_t size, const BeatKey& key) {
+std::optional<Heartbeat> open(const std::uint8_t* data, std::size_t size, const HeartbeatKey& key) {
   if (size != kBody + kCode) return std::nullopt;
   if (const auto code = code_of(data, key); CRYPTO_memcmp(code.data(), data + kBody, kCode) != 0) return std::nullopt;
   std::array<std::uint64_t, kWords> words{};
   for (std::size_t i = 0; i < kBody; ++i) words[i / 8] |= std::uint64_t{data[i]} << (8 * (i % 8));
   if (words[0] != kMagic || words[1] > 1 || words[6] > UINT32_MAX || words[7] > UINT32_MAX) return std::nullopt;
-  return Beat{words[1] == 1,
-              words[2],
-              static_cast<std::int64_t>(words[3]),
-              static_cast<std::int64_t>(words[4]),
-              static_cast<std::int64_t>(words[5]),
-              static_cast<std::uint32_t>(words[6]),
-              static_cast<std::uint32_t>(words[7])};
+  return Heartbeat{words[1] == 1,
+                   words[2],
+                   static_cast<std::int64_t>(words[3]),
+                   static_cast<std::int64_t>(words[4]),
+                   static_cast<std::int64_t>(words[5]),
+                   static_cast<std::uint32_t>(words[6]),
+                   static_cast<std::uint32_t>(words[7])};
 }
 
-std::string to_hex(const BeatKey& key) {
+std::string to_hex(const HeartbeatKey& key) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
   for (const std::uint8_t byte : key) {
@@ -80,8 +80,8 @@ std::string to_hex(const BeatKey& key) {
   return text;
 }
 
-std::optional<BeatKey> key_of_hex(const std::string& text) {
-  BeatKey key{};
+std::optional<HeartbeatKey> key_of_hex(const std::string& text) {
+  HeartbeatKey key{};
   if (text.size() != 2 * key.size()) return std::nullopt;
   for (std::size_t i = 0; i < key.size(); ++i) {
     const char* const digits = text.data() + 2 * i;

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-#include "cli/operator/typed_lines.hpp"
+#include "cli/operator/console_input.hpp"
 #include "clock/clock.hpp"
 #include "config/deployment.hpp"
 #include "links/exchange/operator_responder.hpp"
@@ -25,13 +25,13 @@ void check_somebody_answers(const config::Deployment& deployment, bool attended)
 /// those of the deployment's events at their ticks, typed ones at once. A sensor's question is answered by the first
 /// event for it at a later tick. A program's question, and a sensor's without an event, is shown, the oldest first, and
 /// repeated until the typed line is an answer. Messages are shown at once. Main thread, except `answer`.
-class OperatorDesk {
+class OperatorConsole {
  public:
   using Show = std::function<void(const std::string& line)>;
 
-  /// `clock`: the operator's; `input`: where answers are typed; `show`: displays a line. All outlive the desk.
-  OperatorDesk(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock, TypedLines& input,
-               Show show);
+  /// `clock`: the operator's; `input`: where answers are typed; `show`: displays a line. All outlive the console.
+  OperatorConsole(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock, ConsoleInput& input,
+                  Show show);
 
   /// Sends the answer of an event. The clock's thread, at the event's tick.
   void answer(const config::Event& event);
@@ -39,7 +39,7 @@ class OperatorDesk {
   void emergency(const std::string& word);
   /// Checks for questions and for typed lines: the words `estop` and `reset` at any time, before every answer. Throws
   /// NonFatalError(sensor_not_ready) for a question that no operator is left to answer.
-  void look();
+  void poll();
   /// Whether a question waits for a typed line.
   bool waits_for_line() const noexcept { return !open_.empty(); }
 
@@ -63,7 +63,7 @@ class OperatorDesk {
 
   const config::Deployment& deployment_;
   clock::EmergencyStop& emergency_stop_;
-  TypedLines& input_;
+  ConsoleInput& input_;
   Show show_;
   std::map<std::string, std::unique_ptr<links::OperatorResponder>> links_;  // by asker
   std::deque<Open> open_;                                                   // the first is the one shown

@@ -1,4 +1,4 @@
-#include "cli/can/can_frame_words.hpp"
+#include "cli/can/can_frame_formatter.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -36,17 +36,18 @@ void name_object(std::string& text, const can::Frame& frame, const EdsFile& eds)
 
 }  // namespace
 
-FrameWords::FrameWords(config::DriveTable table) : table_(std::move(table)), pdos_(edp::drive_pdos(table_->mode)) {
+CanFrameFormatter::CanFrameFormatter(config::DriveTable table)
+    : table_(std::move(table)), pdos_(edp::drive_pdos(table_->mode)) {
   for (const config::DriveEntry& entry : table_->drives) drives_.emplace(entry.node, Named{entry, table_->mode});
 }
 
-std::string FrameWords::whose(unsigned node) const {
+std::string CanFrameFormatter::whose(unsigned node) const {
   if (const auto found = drives_.find(node); found != drives_.end()) return found->second.entry.axis;
   if (table_ && node == table_->master) return "master";
   return "node " + std::to_string(node);
 }
 
-std::string FrameWords::line(const can::Frame& frame) {
+std::string CanFrameFormatter::line(const can::Frame& frame) {
   if (frame.error || frame.remote || frame.fd || !table_) return to_text(frame);
   const unsigned node = frame.id & kNode;
   const std::uint32_t function = frame.id & kFunction;
@@ -64,7 +65,7 @@ std::string FrameWords::line(const can::Frame& frame) {
 }
 
 /// Nothing when the frame is too short or is not one of the PDOs that an EDP and its drives exchange.
-std::optional<std::string> FrameWords::process_data(const can::Frame& frame, Named& drive) const {
+std::optional<std::string> CanFrameFormatter::process_data(const can::Frame& frame, Named& drive) const {
   const config::DriveEntry& entry = drive.entry;
   std::int64_t first = 0, second = 0, third = 0;
   switch (frame.id & kFunction) {
@@ -90,7 +91,7 @@ std::optional<std::string> FrameWords::process_data(const can::Frame& frame, Nam
   }
 }
 
-std::string FrameWords::command(const can::Frame& frame, Named& drive) const {
+std::string CanFrameFormatter::command(const can::Frame& frame, Named& drive) const {
   const config::DriveEntry& entry = drive.entry;
   std::int64_t controlword = 0, mode = 0, target = 0;
   pdos_.command.read(frame, kControlword, false, controlword);
@@ -106,7 +107,7 @@ std::string FrameWords::command(const can::Frame& frame, Named& drive) const {
   return text;
 }
 
-std::string FrameWords::kind(std::uint32_t id) const {
+std::string CanFrameFormatter::kind(std::uint32_t id) const {
   if (id == kNmt) return "NMT";
   if (id == kSync) return "SYNC";
   if (id == kTime) return "TIME";

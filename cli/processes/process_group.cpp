@@ -1,4 +1,4 @@
-#include "cli/processes/crew.hpp"
+#include "cli/processes/process_group.hpp"
 
 #include <poll.h>
 #include <signal.h>
@@ -7,18 +7,18 @@
 
 namespace mrroc::cli {
 
-void Crew::start(const PlannedProcess& process, const std::vector<std::string>& arguments,
-                 const std::vector<int>& handed) {
+void ProcessGroup::start(const PlannedProcess& process, const std::vector<std::string>& arguments,
+                         const std::vector<int>& handed) {
   members_.push_back({Child(process.name, process.program.string(), arguments, -1, handed), process.part});
 }
 
-const Child* Crew::find(const std::string& name) const noexcept {
+const Child* ProcessGroup::find(const std::string& name) const noexcept {
   for (const Member& member : members_)
     if (member.child.name() == name) return &member.child;
   return nullptr;
 }
 
-void Crew::wait(int milliseconds, int also) {
+void ProcessGroup::wait(int milliseconds, int also) {
   std::vector<pollfd> descriptors{{also, POLLIN, 0}};
   for (Member& member : members_) {
     // the pipe of a process that has ended stays readable: polling it would not wait
@@ -28,7 +28,7 @@ void Crew::wait(int milliseconds, int also) {
   for (Member& member : members_) listen(member.child);
 }
 
-Child* Crew::first_lost(const std::vector<std::string>& suspects) {
+Child* ProcessGroup::first_lost(const std::vector<std::string>& suspects) {
   if (std::none_of(members_.begin(), members_.end(), [](Member& member) { return member.child.lost(); }))
     return nullptr;
   // a process that leaves because another has died may be seen before that one, so all are checked again
@@ -44,11 +44,11 @@ Child* Crew::first_lost(const std::vector<std::string>& suspects) {
   return found;
 }
 
-bool Crew::all_ended() noexcept {
+bool ProcessGroup::all_ended() noexcept {
   return std::all_of(members_.begin(), members_.end(), [](Member& member) { return member.child.ended(); });
 }
 
-std::vector<Child*> Crew::failed(clock::Part part) {
+std::vector<Child*> ProcessGroup::failed(clock::Part part) {
   std::vector<Child*> found;
   for (Member& member : members_)
     if (member.part == part && member.child.lost() && member.child.exit_code().value_or(-1) != 0)
@@ -57,31 +57,31 @@ std::vector<Child*> Crew::failed(clock::Part part) {
   return found;
 }
 
-bool Crew::all_left(clock::Part part, const clock::ClockHost& clock) noexcept {
+bool ProcessGroup::all_left(clock::Part part, const clock::ClockHost& clock) noexcept {
   return std::all_of(members_.begin(), members_.end(), [part, &clock](Member& member) {
     return member.part != part || member.child.lost() || clock.has_left(member.child.name());
   });
 }
 
-void Crew::signal(int number) noexcept {
+void ProcessGroup::signal(int number) noexcept {
   for (Member& member : members_) member.child.signal(number);
 }
 
-void Crew::signal(int number, clock::Part part) noexcept {
+void ProcessGroup::signal(int number, clock::Part part) noexcept {
   for (Member& member : members_)
     if (member.part == part) member.child.signal(number);
 }
 
-std::vector<std::string> Crew::kill_stopped() noexcept {
+std::vector<std::string> ProcessGroup::kill_stopped() noexcept {
   return kill_those([](Child& child) { return child.lost(); });
 }
 
-std::vector<std::string> Crew::kill_rest() noexcept {
+std::vector<std::string> ProcessGroup::kill_rest() noexcept {
   return kill_those([](Child&) { return true; });
 }
 
 template <class Predicate>
-std::vector<std::string> Crew::kill_those(Predicate predicate) noexcept {
+std::vector<std::string> ProcessGroup::kill_those(Predicate predicate) noexcept {
   std::vector<std::string> names;
   for (Member& member : members_) {
     if (member.child.ended() || !predicate(member.child)) continue;
@@ -91,7 +91,7 @@ std::vector<std::string> Crew::kill_those(Predicate predicate) noexcept {
   return names;
 }
 
-void Crew::listen(Child& child) {
+void ProcessGroup::listen(Child& child) {
   for (const std::string& line : child.read_lines()) listener_(child.name(), line);
 }
 

@@ -13,10 +13,10 @@ namespace mrroc::cli {
 /// Formats frames of a CANopen network as text. With a table of drives, nodes are named by axis and PDOs are decoded as
 /// the robot's EDP maps them: states, rad of the shaft (as the drive counts) and A; objects have their names from the
 /// EDS file. It remembers each drive's mode, which is needed to decode a statusword. One thread.
-class FrameWords {
+class CanFrameFormatter {
  public:
-  FrameWords() = default;
-  explicit FrameWords(config::DriveTable table);
+  CanFrameFormatter() = default;
+  explicit CanFrameFormatter(config::DriveTable table);
 
   /// One line, for any frame. Throws nothing but std::bad_alloc.
   std::string line(const can::Frame& frame);

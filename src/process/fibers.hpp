@@ -10,22 +10,22 @@
 
 namespace mrroc::process {
 
-/// The clock of a process whose task may run several strands: lines of control that take turns in the task's thread of
-/// control. One strand runs at a time, each on a thread of its own; it yields when it waits on this clock, so that the
-/// others can continue. Turns follow the order of the strands, which makes lockstep deterministic; whenever something
-/// has arrived they are repeated until no strand has work. Outside of `run` it is the clock that it wraps.
-class StrandClock final : public clock::Clock {
+/// The clock of a process whose task may run several fibers: lines of control that take turns in the task's thread of
+/// control. One fiber runs at a time, each on a thread of its own; it yields when it waits on this clock, so that the
+/// others can continue. Turns follow the order of the fibers, which makes lockstep deterministic; whenever something
+/// has arrived they are repeated until no fiber has work. Outside of `run` it is the clock that it wraps.
+class FiberScheduler final : public clock::Clock {
  public:
-  explicit StrandClock(std::unique_ptr<clock::Clock> clock) : clock_(std::move(clock)) {}
-  ~StrandClock() override;
+  explicit FiberScheduler(std::unique_ptr<clock::Clock> clock) : clock_(std::move(clock)) {}
+  ~FiberScheduler() override;
 
-  /// Runs the strands until all have ended. When one throws, the others are instructed to stop (`cancelled`), and after
+  /// Runs the fibers until all have ended. When one throws, the others are instructed to stop (`cancelled`), and after
   /// their end the first error is thrown; `Stopped` only without another error. Throws NonFatalError(invalid_argument)
-  /// when called by a strand. Task's thread.
-  void run(const std::vector<std::function<void()>>& strands);
-  /// Whether the running strand should end because another has failed. The task's threads.
+  /// when called by a fiber. Task's thread.
+  void run(const std::vector<std::function<void()>>& fibers);
+  /// Whether the running fiber should end because another has failed. The task's threads.
   bool cancelled() const noexcept { return cancelled_; }
-  /// Call when the running strand begins to wait for something new, or need not wait any more: another strand may wait
+  /// Call when the running fiber begins to wait for something new, or need not wait any more: another fiber may wait
   /// for its results, so all get another turn. The task's threads.
   void note_progress() noexcept { progress_ = true; }
 
@@ -54,12 +54,12 @@ class StrandClock final : public clock::Clock {
   void arrived(int receiver) noexcept override { clock_->arrived(receiver); }
 
  private:
-  struct Strand;
-  void take_turns(std::vector<std::unique_ptr<Strand>>& strands);
-  void give_turn(Strand& strand, clock::Wake wake);
+  struct Fiber;
+  void take_turns(std::vector<std::unique_ptr<Fiber>>& fibers);
+  void give_turn(Fiber& fiber, clock::Wake wake);
 
   std::unique_ptr<clock::Clock> clock_;
-  Strand* running_ = nullptr;
+  Fiber* running_ = nullptr;
   std::exception_ptr error_;  // the first; errors take precedence over stops
   bool cancelled_ = false;
   std::atomic<bool> progress_ = false;  // since the round of turns began

@@ -9,10 +9,10 @@ namespace mrroc::cli {
 
 /// Lines that the operator types at a terminal or a process writes into a pipe: `mrroc run`'s standard input. Keeps the
 /// newest 64 KiB of the lines that were not taken; of a file, all. One thread.
-class TypedLines {
+class ConsoleInput {
  public:
   /// `fd`: not owned.
-  explicit TypedLines(int fd) noexcept : fd_(fd) {}
+  explicit ConsoleInput(int fd) noexcept : fd_(fd) {}
 
   /// Whether a line may come: the descriptor is a terminal, a pipe or a file (not /dev/null), and its end has not been
   /// reached.

@@ -17,18 +17,18 @@ namespace mrroc::sim {
 ///   actuator  <robot>/analog_output_<i>  its control is analogue output i
 ///
 /// Missing elements are not wired. The simulation's thread; allocates nothing, never throws.
-class Terminals {
+class ControllerWiring {
  public:
-  Terminals(const mjModel& model, const std::string& robot);
+  ControllerWiring(const mjModel& model, const std::string& robot);
 
-  Signals read(const mjData& data) const noexcept;
-  void write(const mjModel& model, mjData& data, const Signals& outputs) const noexcept;
+  ControllerIo read(const mjData& data) const noexcept;
+  void write(const mjModel& model, mjData& data, const ControllerIo& outputs) const noexcept;
 
  private:
-  std::array<int, Signals::kDigital> inputs_{};  ///< address in sensordata; -1: not wired
-  std::array<int, Signals::kAnalog> analog_inputs_{};
-  std::array<int, Signals::kDigital> outputs_{};  ///< actuator; -1: not wired
-  std::array<int, Signals::kAnalog> analog_outputs_{};
+  std::array<int, ControllerIo::kDigital> inputs_{};  ///< address in sensordata; -1: not wired
+  std::array<int, ControllerIo::kAnalog> analog_inputs_{};
+  std::array<int, ControllerIo::kDigital> outputs_{};  ///< actuator; -1: not wired
+  std::array<int, ControllerIo::kAnalog> analog_outputs_{};
 };
 
 }  // namespace mrroc::sim

@@ -1,4 +1,4 @@
-#include "cli/operator/operator_desk.hpp"
+#include "cli/operator/operator_console.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -26,8 +26,8 @@ void check_somebody_answers(const config::Deployment& deployment, bool attended)
   }
 }
 
-OperatorDesk::OperatorDesk(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock,
-                           TypedLines& input, Show show)
+OperatorConsole::OperatorConsole(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock,
+                                 ConsoleInput& input, Show show)
     : deployment_(deployment), emergency_stop_(clock.emergency_stop()), input_(input), show_(std::move(show)) {
   const auto open_link = [&](const std::string& asker) {
     links_[asker] = std::make_unique<links::OperatorResponder>(domain, clock, deployment.name + "/" + asker);
@@ -38,16 +38,16 @@ OperatorDesk::OperatorDesk(const config::Deployment& deployment, links::Domain& 
   for (const config::RobotEntry& robot : deployment.robots) open_link(robot.name);
 }
 
-void OperatorDesk::answer(const config::Event& event) { send(event.sensor, {0, event.value}); }
+void OperatorConsole::answer(const config::Event& event) { send(event.sensor, {0, event.value}); }
 
-void OperatorDesk::emergency(const std::string& word) {
+void OperatorConsole::emergency(const std::string& word) {
   if (word == "estop")
     emergency_stop_.press();
   else
     emergency_stop_.reset();
 }
 
-void OperatorDesk::look() {
+void OperatorConsole::poll() {
   while (const std::optional<std::string> word = input_.next_of({"estop", "reset"})) {
     emergency(*word);
     show_(*word == "estop" ? "emergency stop: every robot stops until the line 'reset'" : "emergency stop: reset");
@@ -57,7 +57,7 @@ void OperatorDesk::look() {
 }
 
 /// Takes new questions, in the order in which they were asked.
-void OperatorDesk::take_questions() {
+void OperatorConsole::take_questions() {
   std::vector<Open> taken;
   Open open;
   for (const auto& [name, link] : links_) {
@@ -69,7 +69,7 @@ void OperatorDesk::take_questions() {
   for (const Open& question : taken) take_question(question);
 }
 
-void OperatorDesk::take_question(const Open& open) {
+void OperatorConsole::take_question(const Open& open) {
   if (open.question.kind == links::QuestionKind::none) {
     show_(open.text());
     return;
@@ -86,28 +86,28 @@ void OperatorDesk::take_question(const Open& open) {
   open_.insert(std::upper_bound(waiting, open_.end(), open, later), open);
 }
 
-const config::Event* OperatorDesk::event_for(const std::string& asker, Tick asked) const noexcept {
+const config::Event* OperatorConsole::event_for(const std::string& asker, Tick asked) const noexcept {
   for (const config::Event& event : deployment_.events)
     if (event.sensor == asker && event.tick > asked) return &event;
   return nullptr;
 }
 
-bool OperatorDesk::somebody_types() const noexcept {
+bool OperatorConsole::somebody_types() const noexcept {
   return deployment_.clock != config::ClockMode::lockstep && input_.attended();
 }
 
-void OperatorDesk::refuse(const Open& question) const {
+void OperatorConsole::refuse(const Open& question) const {
   throw NonFatalError(ErrorCode::sensor_not_ready, question.text() + " No operator is left to answer",
                       {"", question.asker, 0, 0});
 }
 
-void OperatorDesk::ask_aloud() {
+void OperatorConsole::ask_aloud() {
   if (open_.front().same(shown_)) return;
   shown_ = open_.front();
   show_(shown_.text() + " (" + process::expected_answer(shown_.question) + ")");
 }
 
-void OperatorDesk::read_lines() {
+void OperatorConsole::read_lines() {
   while (!open_.empty()) {
     ask_aloud();
     const std::optional<std::string> line = input_.next();
@@ -124,7 +124,7 @@ void OperatorDesk::read_lines() {
   }
 }
 
-void OperatorDesk::send(const std::string& asker, const links::OperatorAnswer& answer) {
+void OperatorConsole::send(const std::string& asker, const links::OperatorAnswer& answer) {
   const std::lock_guard lock(sending_);
   links_.at(asker)->answer(answer);
 }

@@ -1,4 +1,4 @@
-#include "sim/scene/terminals.hpp"
+#include "sim/scene/controller_wiring.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -10,7 +10,7 @@ int sensor_address(const mjModel& model, const std::string& name) {
 
 }  // namespace
 
-Terminals::Terminals(const mjModel& model, const std::string& robot) {
+ControllerWiring::ControllerWiring(const mjModel& model, const std::string& robot) {
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     inputs_[i] = sensor_address(model, robot + "/input_" + std::to_string(i));
     outputs_[i] = mj_name2id(&model, mjOBJ_ACTUATOR, (robot + "/output_" + std::to_string(i)).c_str());
@@ -21,8 +21,8 @@ Terminals::Terminals(const mjModel& model, const std::string& robot) {
   }
 }
 
-Signals Terminals::read(const mjData& data) const noexcept {
-  Signals inputs;
+ControllerIo ControllerWiring::read(const mjData& data) const noexcept {
+  ControllerIo inputs;
   for (std::size_t i = 0; i < inputs_.size(); ++i)
     inputs.set(static_cast<int>(i), inputs_[i] >= 0 && data.sensordata[inputs_[i]] > 0);
   for (std::size_t i = 0; i < analog_inputs_.size(); ++i)
@@ -30,7 +30,7 @@ Signals Terminals::read(const mjData& data) const noexcept {
   return inputs;
 }
 
-void Terminals::write(const mjModel& model, mjData& data, const Signals& outputs) const noexcept {
+void ControllerWiring::write(const mjModel& model, mjData& data, const ControllerIo& outputs) const noexcept {
   for (std::size_t i = 0; i < outputs_.size(); ++i) {
     const int actuator = outputs_[i];
     if (actuator < 0) continue;

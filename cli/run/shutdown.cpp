@@ -1,4 +1,4 @@
-#include "cli/run/orderly_end.hpp"
+#include "cli/run/shutdown.hpp"
 
 #include <signal.h>
 
@@ -14,9 +14,9 @@ constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;  // within which ro
 constexpr std::int64_t kPatienceWithKilled = 3 * clock::kSecond;
 constexpr std::int64_t kPatienceWithHosts = 10 * clock::kSecond;  // longer than the timeout of their agents
 
-void look_for_failures(Crew& crew, clock::ClockHost& clock, const EndListener& listener) {
+void report_failures(ProcessGroup& group, clock::ClockHost& clock, const ShutdownListener& listener) {
   for (const clock::Part part : {clock::Part::drives, clock::Part::world}) {
-    for (Child* const child : crew.failed(part)) {
+    for (Child* const child : group.failed(part)) {
       clock.participant_died(child->name());
       const std::string& said = child->last_line();
       listener.failed("process " + child->name() + " failed at the end: " + child->how_it_ended() +
@@ -25,18 +25,18 @@ void look_for_failures(Crew& crew, clock::ClockHost& clock, const EndListener& l
   }
 }
 
-void stop_robots(Crew& crew, clock::ClockHost& clock, const EndListener& listener) {
-  crew.signal(SIGTERM, clock::Part::task);
+void stop_robots(ProcessGroup& group, clock::ClockHost& clock, const ShutdownListener& listener) {
+  group.signal(SIGTERM, clock::Part::task);
   clock.stop();
   const std::int64_t deadline = clock::monotonic_ns() + kPatienceToStop;
-  const auto all_stand = [&crew, &clock] {
-    return crew.all_left(clock::Part::drives, clock) && crew.all_left(clock::Part::world, clock);
+  const auto all_stand = [&group, &clock] {
+    return group.all_left(clock::Part::drives, clock) && group.all_left(clock::Part::world, clock);
   };
   while (!all_stand() && clock.state() == clock::State::running && clock::monotonic_ns() < deadline) {
-    look_for_failures(crew, clock, listener);
+    report_failures(group, clock, listener);
     listener.turn();
   }
-  look_for_failures(crew, clock, listener);
+  report_failures(group, clock, listener);
   if (clock.state() == clock::State::failed) listener.failed("clock lost: " + clock.error());
   if (!all_stand() && clock.state() == clock::State::running)
     listener.failed("not every robot has stopped within " + std::to_string(kPatienceToStop / clock::kSecond) +
@@ -45,26 +45,26 @@ void stop_robots(Crew& crew, clock::ClockHost& clock, const EndListener& listene
 
 }  // namespace
 
-void end_in_order(Crew& crew, clock::ClockHost& clock, bool started, const EndListener& listener) {
-  if (started) stop_robots(crew, clock, listener);
-  for (const std::string& name : crew.kill_stopped())
+void shut_down(ProcessGroup& group, clock::ClockHost& clock, bool started, const ShutdownListener& listener) {
+  if (started) stop_robots(group, clock, listener);
+  for (const std::string& name : group.kill_stopped())
     listener.message("process " + name + " does not continue, killing it");
   // first the signal: a process that is still being set up must receive the request before its clock refuses it
-  crew.signal(SIGTERM);
+  group.signal(SIGTERM);
   clock.end();
   const std::int64_t deadline =
       clock::monotonic_ns() + static_cast<std::int64_t>(listener.end_timeout * clock::kSecond);
-  while (!crew.all_ended() && clock::monotonic_ns() < deadline && !listener.hurried()) listener.turn();
-  for (const std::string& name : crew.kill_rest()) listener.message("process " + name + " does not end, killing it");
+  while (!group.all_ended() && clock::monotonic_ns() < deadline && !listener.hurried()) listener.turn();
+  for (const std::string& name : group.kill_rest()) listener.message("process " + name + " does not end, killing it");
   const std::int64_t last = clock::monotonic_ns() + kPatienceWithKilled;
-  while (!crew.all_ended() && clock::monotonic_ns() < last) listener.turn();
-  for (const std::string& name : crew.kill_rest())
+  while (!group.all_ended() && clock::monotonic_ns() < last) listener.turn();
+  for (const std::string& name : group.kill_rest())
     listener.message("process " + name + " is killed, but a debugger or the kernel holds it: not waiting for it");
   // a process that has left the clock may still fail or be killed: then its records are incomplete
-  if (started && clock.state() == clock::State::ended) look_for_failures(crew, clock, listener);
+  if (started && clock.state() == clock::State::ended) report_failures(group, clock, listener);
 }
 
-void end_in_order(RemoteHosts& hosts, const EndListener& listener) {
+void shut_down(RemoteHosts& hosts, const ShutdownListener& listener) {
   const std::int64_t begin = clock::monotonic_ns();
   // no timeout: the time to write a trace is not known
   const auto patient = [&] { return clock::monotonic_ns() < std::max(begin, hosts.traced_at()) + kPatienceWithHosts; };

@@ -1,4 +1,4 @@
-#include "process/strands.hpp"
+#include "process/fibers.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -42,7 +42,7 @@ class JumpingClock final : public clock::Clock {
   clock::EmergencyStop emergency_stop_;
 };
 
-class Strands : public testing::Test {
+class Fibers : public testing::Test {
  protected:
   void sleep_until(Tick tick) {
     while (clock.tick() < tick)
@@ -58,10 +58,10 @@ class Strands : public testing::Test {
   }
 
   JumpingClock* inner = new JumpingClock;
-  StrandClock clock{std::unique_ptr<clock::Clock>(inner)};
+  FiberScheduler clock{std::unique_ptr<clock::Clock>(inner)};
 };
 
-TEST_F(Strands, TakeTurnsInTheirOrderAtEachTick) {
+TEST_F(Fibers, TakeTurnsInTheirOrderAtEachTick) {
   std::vector<std::string> log;
   const auto body = [&](const std::string& name, Tick period) {
     return [&log, this, name, period] {
@@ -76,7 +76,7 @@ TEST_F(Strands, TakeTurnsInTheirOrderAtEachTick) {
   EXPECT_EQ(inner->waits, 6);
 }
 
-TEST_F(Strands, ChangesOfOneAreVisibleToTheOthersAtOnce) {
+TEST_F(Fibers, ChangesOfOneAreVisibleToTheOthersAtOnce) {
   EXPECT_TRUE(rc::check([this] {
     // fiber k waits for number p(k), a permutation: only the others can wake it
     const auto count = *rc::gen::inRange(1, 6);
@@ -96,7 +96,7 @@ TEST_F(Strands, ChangesOfOneAreVisibleToTheOthersAtOnce) {
   }));
 }
 
-TEST_F(Strands, FirstErrorStopsTheOthersAndIsThrown) {
+TEST_F(Fibers, FirstErrorStopsTheOthersAndIsThrown) {
   bool stopped = false;
   const auto run = [&] {
     clock.run({[&] {
@@ -121,7 +121,7 @@ TEST_F(Strands, FirstErrorStopsTheOthersAndIsThrown) {
   EXPECT_EQ(ran, 2);
 }
 
-TEST_F(Strands, InterruptedClockInterruptsEachOfThem) {
+TEST_F(Fibers, InterruptedClockInterruptsEachOfThem) {
   int stopped = 0;
   const auto body = [&] {
     try {
@@ -136,7 +136,7 @@ TEST_F(Strands, InterruptedClockInterruptsEachOfThem) {
   EXPECT_EQ(stopped, 3);
 }
 
-TEST_F(Strands, CannotBeNested) {
+TEST_F(Fibers, CannotBeNested) {
   EXPECT_THROW(clock.run({[&] { clock.run({[] {}}); }}), NonFatalError);
   clock.run({});
 }

@@ -1,3 +1,5 @@
+#include "cli/operator/console_input.hpp"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,7 +11,6 @@
 #include <charconv>
 #include <cstdlib>
 
-#include "cli/operator/typed_lines.hpp"
 #include "process/answer_text.hpp"
 
 namespace mrroc::cli {
@@ -42,9 +43,9 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-TEST(TypedLines, ComeWholeAndInOrder) {
+TEST(ConsoleInput, ComeWholeAndInOrder) {
   Pipe pipe;
-  TypedLines lines(pipe.fd());
+  ConsoleInput lines(pipe.fd());
   EXPECT_TRUE(lines.attended());
   EXPECT_FALSE(lines.next());
   pipe.write("thr");
@@ -60,9 +61,9 @@ TEST(TypedLines, ComeWholeAndInOrder) {
   EXPECT_FALSE(lines.attended());
 }
 
-TEST(TypedLines, WordIsTakenFromTheWaitingLines) {
+TEST(ConsoleInput, WordIsTakenFromTheWaitingLines) {
   Pipe pipe;
-  TypedLines lines(pipe.fd());
+  ConsoleInput lines(pipe.fd());
   EXPECT_FALSE(lines.next_of({"stop", "go"}));
   pipe.write("one\n  go\t\r\ntwo\nstop\nstopped\nsto");
   EXPECT_EQ(lines.next_of({"stop", "go"}), "go");
@@ -76,9 +77,9 @@ TEST(TypedLines, WordIsTakenFromTheWaitingLines) {
   EXPECT_FALSE(lines.next());
 }
 
-TEST(TypedLines, WordIsFoundInAnyCaseAndBehindUnreadLines) {
+TEST(ConsoleInput, WordIsFoundInAnyCaseAndBehindUnreadLines) {
   Pipe pipe;
-  TypedLines lines(pipe.fd());
+  ConsoleInput lines(pipe.fd());
   for (int i = 0; i < 8; ++i) {
     for (int j = 0; j < 400; ++j) pipe.write("a line that no question has asked for\n");
     EXPECT_FALSE(lines.next_of({"estop"}));
@@ -88,7 +89,7 @@ TEST(TypedLines, WordIsFoundInAnyCaseAndBehindUnreadLines) {
   EXPECT_EQ(lines.next(), "a line that no question has asked for") << "whole lines are kept";
 }
 
-TEST(TypedLines, EndOfALineAtATerminalIsNotTheEndOfInput) {
+TEST(ConsoleInput, EndOfALineAtATerminalIsNotTheEndOfInput) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   ASSERT_EQ(grantpt(terminal), 0);
   ASSERT_EQ(unlockpt(terminal), 0);
@@ -100,7 +101,7 @@ TEST(TypedLines, EndOfALineAtATerminalIsNotTheEndOfInput) {
     setsid();
     ioctl(slave, TIOCSCTTY, 0);
     tcsetpgrp(slave, getpgrp());
-    TypedLines lines(slave);
+    ConsoleInput lines(slave);
     constexpr char kControlD[] = "\x04";
     if (write(terminal, kControlD, 1) != 1) _exit(2);
     for (int i = 0; i < 50; ++i) {
@@ -119,11 +120,11 @@ TEST(TypedLines, EndOfALineAtATerminalIsNotTheEndOfInput) {
   close(terminal);
 }
 
-TEST(TypedLines, NullDeviceAndClosedDescriptorHaveNoInput) {
+TEST(ConsoleInput, NullDeviceAndClosedDescriptorHaveNoInput) {
   const int null = open("/dev/null", O_RDONLY | O_CLOEXEC);
-  EXPECT_FALSE(TypedLines(null).attended());
+  EXPECT_FALSE(ConsoleInput(null).attended());
   close(null);
-  EXPECT_FALSE(TypedLines(-1).attended());
+  EXPECT_FALSE(ConsoleInput(-1).attended());
 }
 
 TEST(TypedAnswer, EveryNumberInRangeIsTaken) {

@@ -9,11 +9,11 @@
 namespace mrroc::cli {
 
 /// The key shared by the two ends of a link between hosts; the far end receives it through its control channel.
-using BeatKey = std::array<std::uint8_t, 32>;
+using HeartbeatKey = std::array<std::uint8_t, 32>;
 
 /// The datagram that two hosts keep sending each other: a sign of life, and the times from which each estimates the
 /// other's clock.
-struct Beat {
+struct Heartbeat {
   bool from_runner = false;    ///< so that a reflected beat is rejected
   std::uint64_t sequence = 0;  ///< increases with every beat of a side
   std::int64_t sent = 0;       ///< CLOCK_MONOTONIC of its sender, ns
@@ -25,15 +25,15 @@ struct Beat {
 };
 
 /// Random bytes from the kernel. Throws std::runtime_error when the kernel returns none.
-BeatKey new_beat_key();
+HeartbeatKey new_beat_key();
 
 /// The datagram, with a code (HMAC-SHA-256) that only owners of the key can make.
-std::vector<std::uint8_t> seal(const Beat& beat, const BeatKey& key);
+std::vector<std::uint8_t> seal(const Heartbeat& beat, const HeartbeatKey& key);
 /// Nothing when the datagram is not a beat or was not sealed with this key, whatever its bytes.
-std::optional<Beat> open(const std::uint8_t* data, std::size_t size, const BeatKey& key);
+std::optional<Heartbeat> open(const std::uint8_t* data, std::size_t size, const HeartbeatKey& key);
 
-std::string to_hex(const BeatKey& key);
+std::string to_hex(const HeartbeatKey& key);
 /// Nothing when the text is not a key.
-std::optional<BeatKey> key_of_hex(const std::string& text);
+std::optional<HeartbeatKey> key_of_hex(const std::string& text);
 
 }  // namespace mrroc::cli

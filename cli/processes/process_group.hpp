@@ -12,11 +12,11 @@
 namespace mrroc::cli {
 
 /// The processes of a run. Main thread only.
-class Crew {
+class ProcessGroup {
  public:
   /// Called with each whole line that a process writes.
   using Listener = std::function<void(const std::string& name, const std::string& line)>;
-  explicit Crew(Listener listener) : listener_(std::move(listener)) {}
+  explicit ProcessGroup(Listener listener) : listener_(std::move(listener)) {}
 
   /// `handed`: descriptors for it (see Child). Throws std::runtime_error when it cannot be started.
   void start(const PlannedProcess& process, const std::vector<std::string>& arguments,
