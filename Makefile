@@ -1,5 +1,5 @@
 # The few commands that people need. Everything else is CMake: `cmake --preset release`, `cmake --build build`.
-.PHONY: help demo check test build package docs asan tsan format clean
+.PHONY: help demo check test build package docs lint asan tsan format clean
 
 # a test takes two slots, one that mostly waits takes one: docs/how-to/testing.md
 slots := $(shell expr 2 '*' $$(nproc))
@@ -35,6 +35,10 @@ docs: ## make the reference of the public headers: build/docs/html/index.html
 	@cmake --preset release
 	@cmake --build --preset release --target docs
 
+lint: ## compile every source by itself and check it with clang-tidy
+	@scripts/install_dependencies
+	@scripts/lint
+
 asan: ## build and test with the address and undefined-behaviour sanitizers
 	@scripts/install_dependencies
 	@cmake --preset asan
@@ -51,4 +55,4 @@ format: ## format every C++ file
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
 
 clean: ## remove what was built
-	@rm -rf build build-asan build-tsan build-fuzz
+	@rm -rf build build-lint build-asan build-tsan build-fuzz

@@ -60,9 +60,9 @@ void take_part(int fd, std::size_t process, bool messages, const Network& networ
 /// User and system time of this process and of those that it has waited for, ns.
 std::int64_t cpu_ns() {
   std::int64_t sum = 0;
-  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+  for (const int scope : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
     rusage usage{};
-    ::getrusage(who, &usage);
+    ::getrusage(scope, &usage);
     for (const timeval& time : {usage.ru_utime, usage.ru_stime})
       sum += time.tv_sec * clock::kSecond + time.tv_usec * 1000;
   }

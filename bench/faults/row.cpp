@@ -91,8 +91,8 @@ void Row::add(const task_test::RunResult& run, const std::string& injected) {
     if (motion.standstill() == kNever) ++moving_;
   }
   const auto struck = run.injected.find(injected);
-  const std::string said = said_of_the_error(run.output);
-  const std::string error = kind_of_error(said);
+  const std::string printed = said_of_the_error(run.output);
+  const std::string error = kind_of_error(printed);
   if (struck == run.injected.end() && run.exit_code != 0) {
     ++early_;
     std::fprintf(stderr, "%s: ended before it: %s\n", injected.c_str(), run.output.c_str());
@@ -105,11 +105,11 @@ void Row::add(const task_test::RunResult& run, const std::string& injected) {
   ++errors_[error];
   // a process that dies at the beginning of a tick is missed at once: the newest tick that all have seen is the one
   // before
-  const std::optional<Tick> told = tick_in(said, struck->second - 1);
-  if (!told) return;
-  const Tick detected = std::max(*told, struck->second);
+  const std::optional<Tick> reported = tick_in(printed, struck->second - 1);
+  if (!reported) return;
+  const Tick detected = std::max(*reported, struck->second);
   detected_.push_back(detected - struck->second);
-  ++places_[place_of_error(said, run, detected)];
+  ++places_[place_of_error(printed, run, detected)];
   Tick stands = detected;
   for (const auto& [robot, motion] : run.motion) stands = std::max(stands, motion.at_rest(detected));
   if (stands != kNever) standing_.push_back(stands - detected);

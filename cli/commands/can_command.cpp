@@ -17,6 +17,7 @@
 #include "command/number_option.hpp"
 #include "command/print.hpp"
 #include "command/printable.hpp"
+#include "config/robot_files.hpp"
 #include "config/robot_parameters_file.hpp"
 
 namespace mrroc::cli {

@@ -37,8 +37,8 @@ void draw(const std::string& dot, const std::filesystem::path& picture) {
   const process::TextMemory input(dot);
   Child child("dot", find_program("dot"),
               {format, "-o", picture.string(), "/proc/self/fd/" + std::to_string(input.fd())}, -1, {input.fd()});
-  const std::string said = child.wait_for_output();
-  if (child.exit_code() != 0) throw std::runtime_error("graph: " + picture.string() + " could not be drawn: " + said);
+  const std::string output = child.wait_for_output();
+  if (child.exit_code() != 0) throw std::runtime_error("graph: " + picture.string() + " could not be drawn: " + output);
 }
 
 int graph(const std::filesystem::path& file, const std::filesystem::path& picture) {

@@ -18,10 +18,10 @@ std::string count_of(std::uint64_t number, const std::string& what) {
 }
 
 int check(const std::filesystem::path& file, bool all) {
-  std::uint64_t told = 0;
+  std::uint64_t reported = 0;
   const trace::Verdict verdict = trace::check_trace(file, [&](const std::string& violation) {
-    if (all || told < kShown) command::print(violation + "\n");
-    ++told;
+    if (all || reported < kShown) command::print(violation + "\n");
+    ++reported;
   });
   for (const std::string& note : verdict.notes) command::print(note + "\n");
   const std::string looked_at =
@@ -33,7 +33,7 @@ int check(const std::filesystem::path& file, bool all) {
     return static_cast<int>(process::ExitCode::success);
   }
   const std::string more =
-      told > kShown && !all ? fmt::format(", the first {} are shown (--all: every one)", kShown) : "";
+      reported > kShown && !all ? fmt::format(", the first {} are shown (--all: every one)", kShown) : "";
   command::print(fmt::format("{}: {}{}\n", looked_at, count_of(verdict.violations, "violation"), more));
   return static_cast<int>(process::ExitCode::task_failed);
 }

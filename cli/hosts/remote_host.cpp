@@ -34,7 +34,7 @@ std::string found_on_path(const std::string& program) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "/usr/bin:/bin");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::string candidate = fs::path(folder) / program;
+    std::string candidate = fs::path(folder) / program;
     if (access(candidate.c_str(), X_OK) == 0 && fs::is_regular_file(candidate)) return candidate;
   }
   throw std::runtime_error("no program '" + program + "' in the folders of $PATH");

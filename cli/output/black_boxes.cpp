@@ -31,10 +31,10 @@ int BlackBoxes::fd_of(const std::string& process) const noexcept {
 
 void BlackBoxes::take(const std::string& process, const std::string& line) {
   for (Box& box : boxes_)
-    if (box.process == process) box.told.emplace_back() << line;
+    if (box.process == process) box.reported.emplace_back() << line;
 }
 
-std::string BlackBoxes::told() const {
+std::string BlackBoxes::reported() const {
   std::string text;
   for (const Box& box : boxes_)
     if (const auto file = written(box); !file.empty()) text += (text.empty() ? "; black box: " : ", ") + file.string();
@@ -44,7 +44,7 @@ std::string BlackBoxes::told() const {
 std::string BlackBoxes::save_rest() const try {
   std::string text;
   for (const Box& box : boxes_) {
-    const std::vector<process::TextLine> lines = box.last_steps ? box.last_steps->lines() : box.told;
+    const std::vector<process::TextLine> lines = box.last_steps ? box.last_steps->lines() : box.reported;
     if (lines.empty() || !written(box).empty()) continue;
     const bool simulated = deployment_.clock != config::ClockMode::real;
     const std::uint64_t number = process::write_black_box(folder_, lines, deployment_, box.process, simulated);

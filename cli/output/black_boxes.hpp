@@ -24,7 +24,7 @@ class BlackBoxes {
   /// A line of the last steps of a task on another host, the oldest first.
   void take(const std::string& process, const std::string& line);
   /// The written ones, as text that follows the failure: "; black box: FILE"; empty when there is none.
-  std::string told() const;
+  std::string reported() const;
   /// Call it when all processes have ended. Writes the black boxes of the tasks that made a step but have not written
   /// their own. Returns a line for the operator that names the files; empty when there is none.
   std::string save_rest() const;
@@ -33,7 +33,7 @@ class BlackBoxes {
   struct Box {
     std::string process;
     std::optional<process::SharedBlackBox> last_steps;  ///< none: it is on another host
-    std::vector<process::TextLine> told;                ///< received from that host
+    std::vector<process::TextLine> reported;            ///< received from that host
   };
   /// The file that the task itself has written; empty when there is none.
   std::filesystem::path written(const Box& box) const;

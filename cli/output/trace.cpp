@@ -1,9 +1,11 @@
 #include "cli/output/trace.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <stdexcept>
+
+#include "core/number_text.hpp"
+#include "mrroc/fnv.hpp"
 
 namespace mrroc::cli {
 

@@ -18,9 +18,9 @@ void report_failures(ProcessGroup& group, clock::ClockHost& clock, const Shutdow
   for (const clock::Part part : {clock::Part::drives, clock::Part::world}) {
     for (Child* const child : group.failed(part)) {
       clock.participant_died(child->name());
-      const std::string& said = child->last_line();
+      const std::string& output = child->last_line();
       listener.failed("process " + child->name() + " failed at the end: " + child->how_it_ended() +
-                      (child->exit_code() && !said.empty() ? ": " + said : ""));
+                      (child->exit_code() && !output.empty() ? ": " + output : ""));
     }
   }
 }

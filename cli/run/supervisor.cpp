@@ -144,7 +144,7 @@ void Supervisor::take(const links::TaskStatus& status) {
          error_text(
              status.error.error_class, status.error.code, std::string{status.error.detail.view()},
              {std::string{status.process.view()}, std::string{status.device.view()}, status.step, status.error_tick}) +
-             watched_.black_boxes.told());
+             watched_.black_boxes.reported());
   else if (status.state == TaskState::stopped)
     fail(process::ExitCode::stopped, "stopped by the operator");
   else

@@ -43,18 +43,18 @@ StepEnding ending_of(ErrorClass error) {
 }
 
 void error_decides(const Step& step, Findings& findings) {
-  ErrorClass gravest = ErrorClass::none;
-  std::string who;
+  ErrorClass most_severe = ErrorClass::none;
+  std::string device;
   const auto check = [&](ErrorClass error, const std::string& name) {
-    if (error <= gravest) return;
-    gravest = error;
-    who = name;
+    if (error <= most_severe) return;
+    most_severe = error;
+    device = name;
   };
   for (const RobotEntry& robot : step.line.robots) check(robot.error, robot.name);
   for (const SensorEntry& sensor : step.line.sensors) check(sensor.error, sensor.name);
   // an instruction that is broken off ends by an unexpected event
-  if (gravest != ErrorClass::none && !step.line.broken_off() && step.line.ending != ending_of(gravest))
-    findings.add(words("an error of ", who, ", and the instruction does not end by it"),
+  if (most_severe != ErrorClass::none && !step.line.broken_off() && step.line.ending != ending_of(most_severe))
+    findings.add(words("an error of ", device, ", and the instruction does not end by it"),
                  "end= with the class of the most severe error");
 }
 

@@ -134,7 +134,7 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
     if (nmt_ != NmtState::stopped) take_request(frame, now);
   } else if (operational() && command_ && frame.id == command_->identifier) {
     commanded_ = true;
-    if (owes_) send(feedback_);
+    if (owes_) send(last_feedback_);
     owes_ = false;
     if (command_->transmission > 240) return take_command(frame);
     pending_ = frame;
@@ -203,9 +203,9 @@ void DriveNode::send_feedback() {
   can::Frame frame{feedback_->identifier, {}};
   for (const MappedObject& mapped : feedback_->mapping.objects())
     feedback_->mapping.write(frame, mapped.object, store_.number(mapped.object));
-  if (!frozen_) feedback_ = frame;
+  if (!frozen_) last_feedback_ = frame;
   owes_ = lags_;
-  if (!lags_) send(feedback_);
+  if (!lags_) send(last_feedback_);
 }
 
 }  // namespace mrroc::sim

@@ -135,8 +135,8 @@ class DriveNode {
   std::minstd_rand noise_;
   bool strays_ = false;
   std::optional<canopen::DriveMode> stays_in_;
-  int deaf_for_ = 0;     ///< SDO requests
-  can::Frame feedback_;  ///< its last feedback
+  int deaf_for_ = 0;  ///< SDO requests
+  can::Frame last_feedback_;
 };
 
 }  // namespace mrroc::sim

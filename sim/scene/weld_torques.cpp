@@ -53,11 +53,11 @@ void WeldTorques::correct(const mjModel& model, mjData& data) const noexcept {
     const int body0 = model.eq_obj1id[sensed.weld], body1 = model.eq_obj2id[sensed.weld];
     const Eigen::Quaterniond error = quaternion(data.xquat + 4 * body1).conjugate() *
                                      quaternion(data.xquat + 4 * body0) * quaternion(numbers + kRelativePose);
-    const Vector3d told = Eigen::Map<const Vector3d>(data.efc_force + row + 3);
-    const Vector3d torque =
-        0.5 * numbers[kTorqueScale] * Matrix(data.xmat + 9 * body1) * (error.w() * told + error.vec().cross(told));
+    const Vector3d reported = Eigen::Map<const Vector3d>(data.efc_force + row + 3);
+    const Vector3d torque = 0.5 * numbers[kTorqueScale] * Matrix(data.xmat + 9 * body1) *
+                            (error.w() * reported + error.vec().cross(reported));
     Eigen::Map<Vector3d>(data.sensordata + sensed.address) +=
-        sensed.sign * Matrix(data.site_xmat + 9 * sensed.site).transpose() * (torque - told);
+        sensed.sign * Matrix(data.site_xmat + 9 * sensed.site).transpose() * (torque - reported);
   }
 }
 

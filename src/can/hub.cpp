@@ -21,7 +21,7 @@ Hub::Hub(std::filesystem::path path, Disturbance disturbance)
 
 Hub::~Hub() {
   const std::uint64_t one = 1;
-  [[maybe_unused]] const ssize_t told = ::write(stop_, &one, sizeof one);
+  [[maybe_unused]] const ssize_t reported = ::write(stop_, &one, sizeof one);
   thread_.join();
   for (const int client : clients_) ::close(client);
   ::close(stop_);

@@ -53,8 +53,8 @@ bool DeltaCycle::counts_agree() {
   return true;
 }
 
-bool DeltaCycle::open_delta(Who who) {
-  const bool physics = who == Who::physics;
+bool DeltaCycle::open_delta(Who caller) {
+  const bool physics = caller == Who::physics;
   const Tick tick = physics ? next_tick_ : memory_.tick.load();
   const Tick end = physics ? next_tick_ + 1 : next_tick_;  // wake ticks before it have come
   // messages sent in the new delta must not count as seen: read all counts before a process can stamp one
@@ -134,9 +134,9 @@ void DeltaCycle::begin_next_tick() {
 void DeltaCycle::fail_zero_time_loop() {
   const std::uint64_t window = std::min<std::uint64_t>(kMaxParticipants, delta_limit_ / 2);
   const std::uint64_t newest = memory_.delta.load();
-  const std::string who =
+  const std::string processes =
       names(memory_, [&](const ParticipantSlot&, std::uint32_t i) { return last_delta_[i] + window > newest; });
-  fail(memory_, "zero-time loop at tick " + std::to_string(memory_.tick.load()) + " between " + who + ": " +
+  fail(memory_, "zero-time loop at tick " + std::to_string(memory_.tick.load()) + " between " + processes + ": " +
                     std::to_string(delta_limit_) + " deltas");
 }
 

@@ -35,7 +35,7 @@ class DeltaCycle {
 
   bool await_quiescence();
   bool counts_agree();
-  bool open_delta(Who who);
+  bool open_delta(Who caller);
   bool wait_for_next_tick();
   bool dead_end();
   void begin_next_tick();

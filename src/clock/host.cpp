@@ -169,8 +169,8 @@ Tick ClockHost::tick() const noexcept {
 }
 
 std::unique_ptr<Clock> ClockHost::operator_clock() {
-  std::int32_t nobody = 0;
-  if (!memory_->participants[kOperator].pid.compare_exchange_strong(nobody, ::getpid()))
+  std::int32_t none = 0;
+  if (!memory_->participants[kOperator].pid.compare_exchange_strong(none, ::getpid()))
     throw SystemError(ErrorCode::configuration, "clock: the host has given out its operator clock already");
   MappedClock memory = MappedClock::attach(fd());
   if (memory->mode == Mode::real) return std::make_unique<RealClock>(std::move(memory), kOperator);

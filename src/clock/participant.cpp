@@ -20,10 +20,10 @@ std::uint32_t claim_slot(ClockMemory& memory, std::string_view name) {
     ParticipantSlot& slot = memory.participants[i];
     expected += (i == 0 ? "" : ", ") + std::string(slot.name.view());
     if (slot.name.view() != name) continue;
-    std::int32_t nobody = 0;
-    if (!slot.pid.compare_exchange_strong(nobody, ::getpid()))
+    std::int32_t none = 0;
+    if (!slot.pid.compare_exchange_strong(none, ::getpid()))
       throw SystemError(ErrorCode::configuration, "clock: participant '" + std::string(name) +
-                                                      "' is attached already, by process " + std::to_string(nobody));
+                                                      "' is attached already, by process " + std::to_string(none));
     return i;
   }
   throw SystemError(ErrorCode::configuration,

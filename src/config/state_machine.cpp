@@ -56,14 +56,14 @@ void Reader::transitions(const Table& table, State& state) const {
   if (table.has("on_error")) state.on_error = target(table, "on_error");
   const auto on = table.optional_table("on");
   if (!on) return;
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   for (const State::Start& start : state.starts) {
     const auto& tells = of(start.robot).tells;
-    told.insert(told.end(), tells.begin(), tells.end());
+    reported.insert(reported.end(), tells.begin(), tells.end());
   }
   for (const std::string& label : on->keys()) {
-    if (std::find(told.begin(), told.end(), label) == told.end())
-      on->fail(label, "no robot that this state starts sends it", alternatives(told));
+    if (std::find(reported.begin(), reported.end(), label) == reported.end())
+      on->fail(label, "no robot that this state starts sends it", alternatives(reported));
     state.on.emplace_back(label, target(*on, label));
   }
 }

@@ -9,22 +9,22 @@
 /// what was expected.
 namespace mrroc {
 
-inline void require(bool good, const char* who, const char* what, double value, const char* expected) {
+inline void require(bool good, const char* caller, const char* what, double value, const char* expected) {
   if (good) return;
   throw NonFatalError(ErrorCode::invalid_argument,
-                      std::string{who} + ": " + what + " " + std::to_string(value) + ", expected " + expected);
+                      std::string{caller} + ": " + what + " " + std::to_string(value) + ", expected " + expected);
 }
 
-inline void require_above_zero(const char* who, const char* what, double value) {
-  require(value > 0 && std::isfinite(value), who, what, value, "a finite number above 0");
+inline void require_above_zero(const char* caller, const char* what, double value) {
+  require(value > 0 && std::isfinite(value), caller, what, value, "a finite number above 0");
 }
 
-inline void require_finite(const char* who, const char* what, double value) {
-  require(std::isfinite(value), who, what, value, "a finite number");
+inline void require_finite(const char* caller, const char* what, double value) {
+  require(std::isfinite(value), caller, what, value, "a finite number");
 }
 
-inline void require_not_negative(const char* who, const char* what, double value) {
-  require(value >= 0 && std::isfinite(value), who, what, value, "a finite number of at least 0");
+inline void require_not_negative(const char* caller, const char* what, double value) {
+  require(value >= 0 && std::isfinite(value), caller, what, value, "a finite number of at least 0");
 }
 
 }  // namespace mrroc

@@ -110,19 +110,19 @@ void Instruction::obtain_initial_state() {
 }
 
 void Instruction::throw_reported_errors() const {
-  const ErrorReport* gravest = nullptr;
+  const ErrorReport* most_severe = nullptr;
   const std::string* device = nullptr;
   Tick tick = 0;
   const auto check = [&](const ErrorReport& error, const std::string& name, Tick when) {
-    if (error.error_class <= (gravest != nullptr ? gravest->error_class : ErrorClass::none)) return;
-    gravest = &error;
+    if (error.error_class <= (most_severe != nullptr ? most_severe->error_class : ErrorClass::none)) return;
+    most_severe = &error;
     device = &name;
     tick = when;
   };
   for (const Robot* robot : robots_) check(robot->state().error, robot->name(), robot->state().tick);
   for (const Sensor* sensor : sensors_) check(sensor->reading().error, sensor->name(), sensor->reading().tick);
-  if (gravest == nullptr) return;
-  throw_error(gravest->error_class, gravest->code, std::string{gravest->detail.view()},
+  if (most_severe == nullptr) return;
+  throw_error(most_severe->error_class, most_severe->code, std::string{most_severe->detail.view()},
               {task_->process_name(), *device, step_, tick});
 }
 

@@ -28,8 +28,8 @@ class PeerCase(unittest.TestCase):
         self.network.connect()
         nodes = [self.node_class(number, canopen.import_od(EDS, number)) for number in (NODE, OTHER)]
         self.node, self.other = (self.network.add_node(node) for node in nodes)
-        self.told = []  # every heartbeat's state; 0 is the boot-up message
-        self.node.nmt.add_heartbeat_callback(self.told.append)
+        self.reported = []  # every heartbeat's state; 0 is the boot-up message
+        self.node.nmt.add_heartbeat_callback(self.reported.append)
         command = [sys.executable, HERE / "peer_drive.py", "--bus", self.bus_name, "--eds", EDS, str(NODE), str(OTHER)]
         self.peer = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         self.assertEqual(self.peer.stdout.readline(), "ready\n")
@@ -94,8 +94,8 @@ class PeerCase(unittest.TestCase):
         return found()[-1]
 
     def wait_for_bootup(self):
-        self.wait(lambda: 0 in self.told, "no boot-up message")
-        self.told.clear()
+        self.wait(lambda: 0 in self.reported, "no boot-up message")
+        self.reported.clear()
 
     def wait(self, condition, problem):
         deadline = time.monotonic() + 5

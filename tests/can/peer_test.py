@@ -154,7 +154,7 @@ class DriveTest(PeerCase):
         with self.assertRaises(canopen.SdoCommunicationError):
             self.node.sdo.upload(0x1000, 0)
         self.node.sdo.RESPONSE_TIMEOUT = 1
-        self.told.clear()
+        self.reported.clear()
         self.network.nmt.send_command(129)
         self.wait_for_bootup()
         self.assertEqual(self.node.sdo[0x1A00][0].raw, 2)

@@ -39,27 +39,27 @@ TEST(RawFrame, RejectsEverythingElse) {
 }
 
 TEST(BusErrors, ReportsTheMostSevere) {
-  const auto told = [](std::uint32_t id, std::uint8_t controller) {
+  const auto reported = [](std::uint32_t id, std::uint8_t controller) {
     Frame frame{id, {0, controller, 0, 0, 0, 0, 0, 0}};
     frame.error = true;
     return bus_error_of(frame);
   };
-  EXPECT_EQ(told(CAN_ERR_BUSOFF | CAN_ERR_CRTL, CAN_ERR_CRTL_TX_PASSIVE), BusError::bus_off);
-  EXPECT_EQ(told(CAN_ERR_CRTL, CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_RX_WARNING), BusError::passive);
-  EXPECT_EQ(told(CAN_ERR_CRTL, CAN_ERR_CRTL_RX_OVERFLOW), BusError::overflow);
-  EXPECT_EQ(told(CAN_ERR_CRTL, CAN_ERR_CRTL_TX_WARNING), BusError::warning);
-  EXPECT_EQ(told(CAN_ERR_CRTL, CAN_ERR_CRTL_ACTIVE), BusError::recovered);
-  EXPECT_EQ(told(CAN_ERR_ACK, 0), BusError::no_acknowledge);
-  EXPECT_EQ(told(CAN_ERR_CRTL | CAN_ERR_ACK, CAN_ERR_CRTL_TX_WARNING), BusError::no_acknowledge);
-  EXPECT_EQ(told(CAN_ERR_CRTL | CAN_ERR_PROT | CAN_ERR_TRX, CAN_ERR_CRTL_TX_WARNING), BusError::transceiver);
-  EXPECT_EQ(told(CAN_ERR_CRTL | CAN_ERR_PROT, CAN_ERR_CRTL_ACTIVE), BusError::protocol);
-  EXPECT_EQ(told(CAN_ERR_PROT | CAN_ERR_BUSERROR, 0), BusError::protocol);
+  EXPECT_EQ(reported(CAN_ERR_BUSOFF | CAN_ERR_CRTL, CAN_ERR_CRTL_TX_PASSIVE), BusError::bus_off);
+  EXPECT_EQ(reported(CAN_ERR_CRTL, CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_RX_WARNING), BusError::passive);
+  EXPECT_EQ(reported(CAN_ERR_CRTL, CAN_ERR_CRTL_RX_OVERFLOW), BusError::overflow);
+  EXPECT_EQ(reported(CAN_ERR_CRTL, CAN_ERR_CRTL_TX_WARNING), BusError::warning);
+  EXPECT_EQ(reported(CAN_ERR_CRTL, CAN_ERR_CRTL_ACTIVE), BusError::recovered);
+  EXPECT_EQ(reported(CAN_ERR_ACK, 0), BusError::no_acknowledge);
+  EXPECT_EQ(reported(CAN_ERR_CRTL | CAN_ERR_ACK, CAN_ERR_CRTL_TX_WARNING), BusError::no_acknowledge);
+  EXPECT_EQ(reported(CAN_ERR_CRTL | CAN_ERR_PROT | CAN_ERR_TRX, CAN_ERR_CRTL_TX_WARNING), BusError::transceiver);
+  EXPECT_EQ(reported(CAN_ERR_CRTL | CAN_ERR_PROT, CAN_ERR_CRTL_ACTIVE), BusError::protocol);
+  EXPECT_EQ(reported(CAN_ERR_PROT | CAN_ERR_BUSERROR, 0), BusError::protocol);
   Frame at_acknowledge{CAN_ERR_PROT | CAN_ERR_BUSERROR, {0, 0, 0, CAN_ERR_PROT_LOC_ACK, 0, 0, 0, 0}};
   at_acknowledge.error = true;
   EXPECT_EQ(bus_error_of(at_acknowledge), BusError::no_acknowledge);
-  EXPECT_EQ(told(CAN_ERR_TRX, 0), BusError::transceiver);
-  EXPECT_EQ(told(CAN_ERR_RESTARTED, 0), BusError::recovered);
-  EXPECT_EQ(told(CAN_ERR_LOSTARB, 0), BusError::other);
+  EXPECT_EQ(reported(CAN_ERR_TRX, 0), BusError::transceiver);
+  EXPECT_EQ(reported(CAN_ERR_RESTARTED, 0), BusError::recovered);
+  EXPECT_EQ(reported(CAN_ERR_LOSTARB, 0), BusError::other);
   for (int i = 0; i <= static_cast<int>(BusError::other) + 1; ++i)
     EXPECT_NE(std::string(describe(static_cast<BusError>(i))), "");
 }

@@ -48,7 +48,7 @@ void live(Clock& clock, const ToyNetwork& network, std::uint32_t node, Result& r
     };
     const auto other = [&] { return (node + 1 + draw(kOthers)) % (kOthers + 1); };
     for (const ToyNetwork::Message& message : toy.receive()) {
-      log.add(message.from);
+      log.add(std::uint64_t{message.from});
       log.add(message.sequence);
       result.received.fetch_add(1);
       if (message.hops > 0) toy.send(other(), message.hops - 1);

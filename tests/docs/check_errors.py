@@ -54,7 +54,7 @@ def reporters(root):
 
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
-    known, who = codes(root), reporters(root)
+    known, reported_by = codes(root), reporters(root)
     rows = ROW.findall((root / PAGE).read_text(encoding="utf-8"))
     problems = []
     for number, name, text, kind, parts, remedy in rows:
@@ -64,9 +64,11 @@ def main():
         expected = (str(known[name][0]), known[name][1], class_of(known[name][0]))
         if (number, text, kind) != expected:
             problems.append(f"{name} is {number}, '{text}', {kind}; expected {', '.join(map(str, expected))}")
-        told = set(parts.split(", "))
-        if told != who.get(name, set()):
-            problems.append(f"{name} is listed as reported by {sorted(told)}; in the source: {sorted(who.get(name, set()))}")
+        reported = set(parts.split(", "))
+        if reported != reported_by.get(name, set()):
+            problems.append(
+                f"{name} is listed as reported by {sorted(reported)}; in the source: {sorted(reported_by.get(name, set()))}"
+            )
         if not remedy.strip():
             problems.append(f"{name}: what may a task do?")
     names = [row[1] for row in rows]

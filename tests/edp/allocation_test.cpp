@@ -135,13 +135,13 @@ TEST(Allocation, ForceMotionsAndTheirInterruptionsDoNotAllocate) {
   RobotCommand press = force_command(10);
   press.twist[1] = 0.05;
   const RobotCommand back = joint_command(JointVector::Zero(4), 500, 500);
-  int told = 0;
+  int reported = 0;
   {
     const Counting scope;
     for (int i = 0; i < 20; ++i) {
       rig.repeat(press, 30);
       rig.sensor.extra[2] = 200;  // beyond the limit
-      told += rig.repeat(press, 2).error.code == ErrorCode::force_limit;
+      reported += rig.repeat(press, 2).error.code == ErrorCode::force_limit;
       rig.sensor.extra[2] = 0;
       rig.run(200);
       rig.exchange(back);
@@ -149,7 +149,7 @@ TEST(Allocation, ForceMotionsAndTheirInterruptionsDoNotAllocate) {
   }
   EXPECT_EQ(Counting::counted(), 0u);
   EXPECT_EQ(rig.seen().interruptions, 20u);
-  EXPECT_EQ(told, 20);
+  EXPECT_EQ(reported, 20);
 }
 
 }  // namespace

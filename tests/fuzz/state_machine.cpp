@@ -26,8 +26,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const mrroc::config::Deployment deployment = two_robots();
   fuzz::Bytes input(data, size);
   mrroc::config::ProgramsByRobot programs;
-  const std::string said{input.take_section()};
-  if (fuzz::refuses<std::runtime_error>([&] { programs = mrroc::config::read_programs(said); })) return 0;
+  const std::string output{input.take_section()};
+  if (fuzz::refuses<std::runtime_error>([&] { programs = mrroc::config::read_programs(output); })) return 0;
   const std::string text = mrroc::config::to_text(programs);
   fuzz::require(mrroc::config::to_text(mrroc::config::read_programs(text)) == text, "behaviours round-trip as text");
   fuzz::refuses<mrroc::config::ConfigurationError>([&] {

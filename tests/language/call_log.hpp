@@ -30,7 +30,7 @@ enum class Action {
 /// One call: its receiver and the relevant arguments; the others keep their defaults.
 struct Call {
   Action action{};
-  std::string who;                        ///< robot, sensor or leaf; empty for task and generator
+  std::string device;                     ///< robot, sensor or leaf; empty for task and generator
   Tick tick = 0;                          ///< start tick, measure_at, tick slept until
   CommandKind kind = CommandKind::query;  ///< of a command
   int motion_steps = 0;
@@ -59,7 +59,7 @@ inline std::ostream& operator<<(std::ostream& out, const Call& call) {
                                         "next state"};
   static const char* const kinds[] = {"query", "hold", "joint", "pose"};
   out << actions[static_cast<int>(call.action)];
-  if (!call.who.empty()) out << " " << call.who;
+  if (!call.device.empty()) out << " " << call.device;
   if (call.action == Action::send) {
     out << " " << kinds[static_cast<int>(call.kind)] << " N" << call.motion_steps << " v" << call.reply_step << " ["
         << call.value << "]";

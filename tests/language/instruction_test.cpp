@@ -27,7 +27,8 @@ ErrorCode code_of(Act&& act) {
 std::vector<Tick> start_ticks(const FakeTask& task, const std::string& robot) {
   std::vector<Tick> ticks;
   for (const Call& call : task.log.calls) {
-    if (call.action == Action::send && call.who == robot && call.kind != CommandKind::query) ticks.push_back(call.tick);
+    if (call.action == Action::send && call.device == robot && call.kind != CommandKind::query)
+      ticks.push_back(call.tick);
   }
   return ticks;
 }
@@ -37,7 +38,7 @@ TEST(Instruction, RefusesInvalidLists) {
   FakeTask other;
   const auto arm = task.robot("arm");
   const auto again = task.robot("arm");
-  const auto stranger = other.robot("arm2");
+  const auto unknown = other.robot("arm2");
   const auto gate = task.sensor("gate");
   const auto gate_again = task.sensor("gate");
   const auto strange_gate = other.sensor("gate2");
@@ -50,7 +51,7 @@ TEST(Instruction, RefusesInvalidLists) {
   EXPECT_TRUE(refused({*arm, *again}, {}));
   EXPECT_TRUE(refused({*arm}, {*gate, *gate}));
   EXPECT_TRUE(refused({*arm}, {*gate, *gate_again}));
-  EXPECT_TRUE(refused({*arm, *stranger}, {}));
+  EXPECT_TRUE(refused({*arm, *unknown}, {}));
   EXPECT_TRUE(refused({*arm}, {*strange_gate}));
   EXPECT_TRUE(refused(RobotList{std::vector<Robot*>{nullptr}}, {}));
   EXPECT_TRUE(refused({*arm}, SensorList{std::vector<Sensor*>{gate.get(), nullptr}}));
@@ -126,9 +127,9 @@ TEST(Instruction, RobotsThatAreNotCommandedAtAStepStayInTheList) {
     std::map<std::string, std::vector<bool>> commanded;
     std::map<std::string, int> answered;
     for (const Call& call : task.log.calls) {
-      if (call.action == Action::receive) ++answered[call.who];
+      if (call.action == Action::receive) ++answered[call.device];
       if (call.action != Action::send || call.kind == CommandKind::query) continue;
-      commanded[call.who].push_back(call.kind == CommandKind::joint);
+      commanded[call.device].push_back(call.kind == CommandKind::joint);
       EXPECT_TRUE(call.kind == CommandKind::joint || call.kind == CommandKind::hold);
     }
     EXPECT_EQ(commanded["left"], (std::vector<bool>{0, 1, 0, 1, 0, 1, 0, 1}));

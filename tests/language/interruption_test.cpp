@@ -169,7 +169,7 @@ TEST(Interruption, AfterALateCommandAllRobotsComeToRestAndTheGeneratorGoesOnFrom
   EXPECT_EQ(end.steps, 6u) << "holding is not a step";
   std::vector<CommandKind> kinds;
   for (const Call& call : task.log.calls)
-    if (call.action == Action::send && call.who == "right") kinds.push_back(call.kind);
+    if (call.action == Action::send && call.device == "right") kinds.push_back(call.kind);
   const std::vector<CommandKind> expected{CommandKind::query, CommandKind::joint, CommandKind::joint,
                                           CommandKind::joint, CommandKind::hold,  CommandKind::joint,
                                           CommandKind::joint, CommandKind::joint};
@@ -187,7 +187,7 @@ TEST(Interruption, LateRobotAtRestDoesNotDelayAMovingOne) {
   EXPECT_GT(end.skew, 0u) << "it was late";
   Tick expected = 0;
   for (const Call& call : task.log.calls) {
-    if (call.action != Action::send || call.who != "moving" || call.kind != CommandKind::joint) continue;
+    if (call.action != Action::send || call.device != "moving" || call.kind != CommandKind::joint) continue;
     if (expected != 0) {
       EXPECT_EQ(call.tick, expected);
     }
@@ -220,7 +220,7 @@ TEST(Interruption, RobotsGetMoreTimeForACommonStartUntilTheyStartTogether) {
   EXPECT_EQ(Wait({*left, *right}, {}, ElapsedSteps{6}).skew, 7u) << "of the first start, 9 ticks after 2";
   std::vector<Tick> starts;
   for (const Call& call : task.log.calls)
-    if (call.action == Action::send && call.who == "left" && call.kind == CommandKind::hold)
+    if (call.action == Action::send && call.device == "left" && call.kind == CommandKind::hold)
       starts.push_back(call.tick);
   // with margins of 2, 4, 8 and 16 ticks; from there on both start at the commanded tick
   EXPECT_EQ(starts, (std::vector<Tick>{1002, 1024, 1048, 1076, 1103, 1130}));

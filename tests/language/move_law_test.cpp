@@ -46,7 +46,7 @@ std::vector<Exchange> exchanges(const RunRecord& run) {
   bool evaluated = false;
   std::uint64_t step = 0;
   for (const Call& call : run.calls) {
-    if (call.action == Action::observe && call.who == "last") break;  // then moving robots hold until they rest
+    if (call.action == Action::observe && call.device == "last") break;  // then moving robots hold until they rest
     if (call.action == Action::observe) continue;
     if (!is_exchange(call.action)) {
       open = false;
@@ -165,7 +165,7 @@ TEST(MoveLaw, ReadingsAreTakenAtTheStartAndEveryPeriod) {
         const SensorScript& sensor = script.sensors[i];
         std::map<Action, int> taken;
         for (const Call& call : exchange.calls) {
-          if (call.who == "sensor" + std::to_string(i)) ++taken[call.action];
+          if (call.device == "sensor" + std::to_string(i)) ++taken[call.action];
         }
         const int due = exchange.is_get || exchange.is_pause || exchange.step % sensor.period == 0 ? 1 : 0;
         RC_ASSERT(taken[Action::request] == (sensor.interactive ? due : 0));
@@ -191,7 +191,7 @@ TEST(MoveLaw, ErrorIsThrownAtTheStepThatReportsIt) {
       for (const Call& call : exchange.calls) {
         const bool reception =
             call.action == Action::receive || call.action == Action::collect || call.action == Action::latest;
-        if (call.who == device && reception && received++ == fault.reception) reached = true;
+        if (call.device == device && reception && received++ == fault.reception) reached = true;
       }
       step = exchange.step;
     }
@@ -242,9 +242,9 @@ TEST(MoveLaw, EveryPartOfAConditionIsEvaluatedOnceAStep) {
     std::map<std::string, int> seen;
     const auto run = execute(script);
     for (const Call& call : run.calls) {
-      if (call.action == Action::evaluate) ++seen[call.who];
+      if (call.action == Action::evaluate) ++seen[call.device];
       if (call.action != Action::observe) continue;  // one a step, after the evaluation
-      const bool evaluated = call.who.empty() || (run.result && run.result->ending != Ending::end_motion);
+      const bool evaluated = call.device.empty() || (run.result && run.result->ending != Ending::end_motion);
       RC_ASSERT(seen == (evaluated ? leaves : std::map<std::string, int>{}));
       seen.clear();
     }

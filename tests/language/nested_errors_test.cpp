@@ -47,14 +47,14 @@ struct Program {
   }
 
   void caught(const Error& error) {
-    told = error.what();
+    reported = error.what();
     box = error.black_box();
     sent_before = sent(task);
   }
 
   FakeTask task;
   std::unique_ptr<Robot> left = task.robot("left"), right = task.robot("right");
-  std::string told;
+  std::string reported;
   std::shared_ptr<const BlackBox> box;
   std::size_t sent_before = 0;
 };
@@ -73,10 +73,10 @@ TEST(NestedErrors, AreTheSameWhereverTheyAreCaught) {
     } catch (const Error& error) {
       outer.caught(error);
     }
-    EXPECT_EQ(inner.told, std::string(describe(error_class)) +
-                              ": a drive reports a fault: axis 2 [process test, device right, step 4, tick 1040]");
+    EXPECT_EQ(inner.reported, std::string(describe(error_class)) +
+                                  ": a drive reports a fault: axis 2 [process test, device right, step 4, tick 1040]");
     for (const Program* program : {&middle, &outer}) {
-      EXPECT_EQ(program->told, inner.told);
+      EXPECT_EQ(program->reported, inner.reported);
       EXPECT_EQ(program->box->size(), inner.box->size());
       EXPECT_EQ(program->box->newest().tick, inner.box->newest().tick);
       EXPECT_EQ(program->box->newest().states.at(1).error.code, ErrorCode::drive_fault);

@@ -110,7 +110,7 @@ TEST(Observer, IsCalledBetweenTheTwoEndsOfTheExchange) {
   class Marker : public StepObserver {
    public:
     explicit Marker(fakes::CallLog& log) : log_(log) {}
-    void on_step(const StepRecord&) noexcept override { log_.add({.action = Action::observe, .who = ""}); }
+    void on_step(const StepRecord&) noexcept override { log_.add({.action = Action::observe, .device = ""}); }
 
    private:
     fakes::CallLog& log_;

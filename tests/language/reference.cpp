@@ -106,10 +106,10 @@ class Model {
   std::size_t root() const { return script_.nodes.size() - 1; }
   std::string robot_name(std::size_t i) const { return "robot" + std::to_string(i); }
   std::string sensor_name(std::size_t i) const { return "sensor" + std::to_string(i); }
-  void call(Action action, const std::string& who = "", Tick tick = 0) {
+  void call(Action action, const std::string& device = "", Tick tick = 0) {
     Call it;
     it.action = action;
-    it.who = who;
+    it.device = device;
     it.tick = tick;
     run_.calls.push_back(it);
   }
@@ -132,7 +132,7 @@ class Model {
   void send(std::size_t i, CommandKind kind, Tick start, double value) {
     Call it;
     it.action = Action::send;
-    it.who = robot_name(i);
+    it.device = robot_name(i);
     it.tick = start;
     it.kind = kind;
     it.motion_steps = script_.robots[i].motion_steps;

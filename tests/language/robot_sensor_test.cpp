@@ -136,8 +136,8 @@ TEST(Sensor, BiasesWhenInteractive) {
   const auto wrist = task.sensor("wrist");
   const auto gate = task.sensor("gate", false);
   wrist->bias();
-  EXPECT_EQ(task.log.calls, (std::vector<fakes::Call>{{.action = fakes::Action::bias, .who = "wrist"},
-                                                      {.action = fakes::Action::collect, .who = "wrist"}}));
+  EXPECT_EQ(task.log.calls, (std::vector<fakes::Call>{{.action = fakes::Action::bias, .device = "wrist"},
+                                                      {.action = fakes::Action::collect, .device = "wrist"}}));
   EXPECT_EQ(wrist->reading().sequence, 1u);
   EXPECT_THROW(gate->bias(), NonFatalError);
   task.sensor_fake("wrist").errors[1] = {ErrorClass::hardware, ErrorCode::sensor_hardware, {}};

@@ -73,7 +73,7 @@ class Observer : public StepObserver {
   explicit Observer(CallLog& log) : log_(log) {}
   void on_step(const StepRecord& record) noexcept override {
     log_.add({.action = Action::observe,
-              .who = record.last() ? "last" : "",
+              .device = record.last() ? "last" : "",
               .tick = record.tick,
               .value = static_cast<double>(record.step)});
   }

@@ -38,7 +38,7 @@ class Stepping : public Generator {
 std::vector<CommandKind> sent_to(const FakeTask& task, const std::string& robot) {
   std::vector<CommandKind> kinds;
   for (const fakes::Call& call : task.log.calls) {
-    if (call.action == fakes::Action::send && call.who == robot && call.kind != CommandKind::query)
+    if (call.action == fakes::Action::send && call.device == robot && call.kind != CommandKind::query)
       kinds.push_back(call.kind);
   }
   return kinds;

@@ -25,8 +25,8 @@ class BlackBoxOfADeath : public testing::Test {
 
 TEST_F(BlackBoxOfADeath, HasTheStepsOfAKilledTaskUpToItsDeath) {
   const std::filesystem::path box = boxes() / "press-arm.trace", whole = folder_.path() / "press.trace";
-  const std::string told = run("tasks/press/press.toml", "kill ecp:arm at step 120");
-  EXPECT_NE(told.find("black box: " + box.string() + "\n"), std::string::npos) << told;
+  const std::string reported = run("tasks/press/press.toml", "kill ecp:arm at step 120");
+  EXPECT_NE(reported.find("black box: " + box.string() + "\n"), std::string::npos) << reported;
   expect_laws(box);
   run_mrroc({"run", "tasks/press/press.toml", "--trace", whole.string()}, 0);
   const auto kept = lines_with(box, " process=arm "), all = lines_with(whole, " process=arm ");
@@ -43,13 +43,13 @@ TEST_F(BlackBoxOfADeath, HasTheStepsOfTasksThatEndBecauseOfIt) {
       folder_.write("nested.toml", "[deployment]\nname = \"nested\"\n[mp]\nprogram = \"" MRROC_BINARY_DIR
                                    "/tests/nested_mp\"\n[robots.left]\n" +
                                        belt + "[robots.right]\n" + belt);
-  const std::string told = run(deployment.string(), "kill edp:right at tick 3800");
-  EXPECT_NE(told.find("process right_edp died: signal 9 (Killed)"), std::string::npos) << told;
-  EXPECT_NE(told.find((boxes() / "nested-mp.trace").string()), std::string::npos) << told;
+  const std::string reported = run(deployment.string(), "kill edp:right at tick 3800");
+  EXPECT_NE(reported.find("process right_edp died: signal 9 (Killed)"), std::string::npos) << reported;
+  EXPECT_NE(reported.find((boxes() / "nested-mp.trace").string()), std::string::npos) << reported;
   for (const std::string process : {"left", "mp"}) {
     const auto box = boxes() / ("nested-" + process + ".trace");
     expect_laws(box);
-    EXPECT_FALSE(lines_with(box, " process=" + process + " ").empty()) << told;
+    EXPECT_FALSE(lines_with(box, " process=" + process + " ").empty()) << reported;
   }
   EXPECT_FALSE(std::filesystem::exists(boxes() / "nested-right.trace")) << "that task has no steps";
 }
@@ -62,9 +62,9 @@ TEST_F(BlackBoxOfADeath, IsNotWrittenWhenDisabled) {
 
 TEST_F(BlackBoxOfADeath, ReportsAWriteError) {
   const auto blocked = folder_.write("boxes", "a file");
-  const std::string told = run("tasks/press/press.toml", "kill ecp:arm at step 120");
-  EXPECT_NE(told.find("cannot write the black box " + (blocked / "press-arm.trace").string()), std::string::npos)
-      << told;
+  const std::string reported = run("tasks/press/press.toml", "kill ecp:arm at step 120");
+  EXPECT_NE(reported.find("cannot write the black box " + (blocked / "press-arm.trace").string()), std::string::npos)
+      << reported;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace mrroc::test {
 
 EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& folder, int timeout) {
-  const int runs = tries(3, 10);
+  const int runs = tries(2, 10);
   const auto trace = [&folder](int run) { return folder.path() / ("trace_" + std::to_string(run)); };
   EqualRuns left{{}, trace(0), folder.path() / "states"};
   std::filesystem::create_directory(left.states);

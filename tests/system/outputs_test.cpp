@@ -44,7 +44,7 @@ class Outputs : public testing::Test {
                                 "/bin/mrroc' && timeout --kill-after=5 60 bash '" +
                                 file + "' > said 2>&1 < /dev/null";
     const int status = std::system(command.c_str());
-    said = text_of(at("said"));
+    output = text_of(at("said"));
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
   void expect_refused(const std::vector<std::string>& arguments, const std::string& reason) {
@@ -56,7 +56,7 @@ class Outputs : public testing::Test {
 
   ScratchFolder folder_;
   const std::filesystem::path hold, brief;
-  std::string said;
+  std::string output;
 };
 
 TEST_F(Outputs, RunIsRefusedAFileThatAnotherOneWrites) {
@@ -109,7 +109,7 @@ TEST_F(Outputs, TwoSimultaneousRunsAreCompleteOrRefused) {
       good=0; for i in 1 2 3; do wait ${pid[$i]}; rc=$?; test $rc = 0 -o $rc = 2 || exit 9; test $rc = 0 && good=$((good + 1)); done
       test $good -ge 1 && $MRROC trace check same && grep -c ^tick= same && ! ls same.*part)"),
         0)
-        << said;
+        << output;
   }
 }
 
@@ -126,28 +126,30 @@ TEST_F(Outputs, SameFileTwiceIsRefused) {
 }
 
 TEST_F(Outputs, StreamGetsTheWholeTrace) {
-  ASSERT_EQ(bash(R"($MRROC run $SHORT --quiet --trace t)"), 0) << said;
+  ASSERT_EQ(bash(R"($MRROC run $SHORT --quiet --trace t)"), 0) << output;
   const std::string trace = text_of(at("t"));
-  EXPECT_EQ(bash(R"(mkfifo f; cat f > got & $MRROC run $SHORT --quiet --trace f || exit; wait; cmp t got)"), 0) << said;
+  EXPECT_EQ(bash(R"(mkfifo f; cat f > got & $MRROC run $SHORT --quiet --trace f || exit; wait; cmp t got)"), 0)
+      << output;
   EXPECT_EQ(bash(R"((sleep 2; cat f > got) & $MRROC run $SHORT --quiet --trace f || exit; wait; cmp t got)"), 0)
-      << "a late reader: " << said;
+      << "a late reader: " << output;
   EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace >(gzip > got.gz) || exit; sleep 0.5; zcat got.gz | cmp t -)"), 0)
-      << said;
+      << output;
   EXPECT_EQ(
       bash(R"($MRROC run $SHORT --trace /dev/stdout > got 2> progress || exit; cmp t got && grep -q ready progress)"),
       0)
-      << said;
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace /dev/stdout 2> progress | cmp t -)"), 0) << said;
+      << output;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace /dev/stdout 2> progress | cmp t -)"), 0) << output;
   EXPECT_EQ(bash(R"(echo first > got; exec 3>> got; $MRROC run $SHORT --quiet --trace /dev/fd/3 || exit; exec 3>&-
       tail -n +2 got | cmp t - && head -1 got | grep -q first)"),
             0)
-      << said;
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace /dev/null)"), 0) << said;
+      << output;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace /dev/null)"), 0) << output;
 }
 
 TEST_F(Outputs, TextOfTheRunBetweenTheLinesOfItsTraceIsRefused) {
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace /dev/stdout > got 2>&1; test $? = 2 && ! grep -q tick= got)"), 0) << said;
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace log > out 2> log; test $? = 2)"), 0) << said;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace /dev/stdout > got 2>&1; test $? = 2 && ! grep -q tick= got)"), 0)
+      << output;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace log > out 2> log; test $? = 2)"), 0) << output;
 }
 
 TEST_F(Outputs, SignalsEndARunWhoseTraceHasNoReader) {
@@ -157,14 +159,14 @@ TEST_F(Outputs, SignalsEndARunWhoseTraceHasNoReader) {
                  R"(mkfifo f 2> /dev/null; set -m; $MRROC run $SHORT --quiet --trace f & pid=$!; sleep 1; kill -)"} +
              signal + R"( $pid; wait $pid; test $? = 5)"),
         0)
-        << signal << said;
+        << signal << output;
   }
   EXPECT_EQ(
       bash(
           R"(sed '/^name/a start_timeout = 1' $SHORT > soon.toml; mkfifo g; $MRROC run soon.toml --trace g; test $? = 2)"),
       0)
-      << said;
-  EXPECT_TRUE(has(said, "no process reads the FIFO")) << said;
+      << output;
+  EXPECT_TRUE(has(output, "no process reads the FIFO")) << output;
 }
 
 TEST_F(Outputs, SignalsEndARunWhoseReaderHasStopped) {
@@ -173,7 +175,7 @@ TEST_F(Outputs, SignalsEndARunWhoseReaderHasStopped) {
         test "$started" && ! pgrep -P $pid > /dev/null && break; sleep 0.1; done
       sleep 0.5; kill -0 $pid || exit 8; kill -INT $pid; wait $pid; rc=$?; kill $reader; cat log; test $rc = 5)"),
             0)
-      << said;
+      << output;
 }
 
 TEST_F(Outputs, OneSignalDuringTheTaskEndsARunWhoseReaderHasStopped) {
@@ -182,33 +184,33 @@ TEST_F(Outputs, OneSignalDuringTheTaskEndsARunWhoseReaderHasStopped) {
       for i in $(seq 100); do grep -q "arm .*step" log && break; sleep 0.1; done
       kill -TERM $pid; wait $pid; rc=$?; kill $reader; cat log; test $rc = 5)"),
       0)
-      << said;
+      << output;
 }
 
 TEST_F(Outputs, ReaderThatLeavesIsAnError) {
-  EXPECT_EQ(bash(R"(mkfifo f; head -c 10 f > got & $MRROC run $SHORT --quiet --trace f; test $? = 4)"), 0) << said;
-  EXPECT_TRUE(has(said, "cannot write the trace f: Broken pipe")) << said;
+  EXPECT_EQ(bash(R"(mkfifo f; head -c 10 f > got & $MRROC run $SHORT --quiet --trace f; test $? = 4)"), 0) << output;
+  EXPECT_TRUE(has(output, "cannot write the trace f: Broken pipe")) << output;
 }
 
 TEST_F(Outputs, FullDiskAndFileSizeLimitEndTheRun) {
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace /dev/full)"), kSystem) << said;
-  EXPECT_TRUE(has(said, "mrroc: short: cannot write the trace /dev/full: No space left on device")) << said;
-  EXPECT_EQ(bash(R"(ulimit -f 1; $MRROC run $SHORT --quiet --trace t)"), kSystem) << said;
-  EXPECT_TRUE(has(said, "file size limit")) << said;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace /dev/full)"), kSystem) << output;
+  EXPECT_TRUE(has(output, "mrroc: short: cannot write the trace /dev/full: No space left on device")) << output;
+  EXPECT_EQ(bash(R"(ulimit -f 1; $MRROC run $SHORT --quiet --trace t)"), kSystem) << output;
+  EXPECT_TRUE(has(output, "file size limit")) << output;
   // enough for the memory that the processes share and for a part of the trace, not for the whole
   folder_.write("pair.toml", short_deployment() +
                                  "[robots.other]\ntype = \"irb6\"\nprogram = \"irb6_demo\"\nhardware = "
                                  "\"loopback\"\n");
   EXPECT_EQ(bash(R"(ulimit -f 900; $MRROC run pair.toml --quiet --trace t; rc=$?; ls t.*.part; exit $rc)"), kSystem)
-      << said;
-  EXPECT_TRUE(has(said, "mrroc: short: cannot write the trace t: File too large")) << said;
-  EXPECT_TRUE(has(said, "t.other.part")) << said;
+      << output;
+  EXPECT_TRUE(has(output, "mrroc: short: cannot write the trace t: File too large")) << output;
+  EXPECT_TRUE(has(output, "t.other.part")) << output;
   // not even for a part: the process reports it
   EXPECT_EQ(bash("ulimit -f 900; cd " MRROC_SOURCE_DIR
                  "; $MRROC run tasks/draw/draw.toml --quiet --black-box none --trace $OLDPWD/t"),
             kSystem)
-      << said;
-  EXPECT_TRUE(has(said, "mrroc: draw: cannot write the trace " + at("t").string() + ": File too large")) << said;
+      << output;
+  EXPECT_TRUE(has(output, "mrroc: draw: cannot write the trace " + at("t").string() + ": File too large")) << output;
   EXPECT_FALSE(std::filesystem::exists(at("mrroc-black-box"))) << "no task has failed";
 }
 
@@ -216,8 +218,8 @@ TEST_F(Outputs, IncompleteMotionFileIsAnError) {
   EXPECT_EQ(
       bash("cd " MRROC_SOURCE_DIR "; $MRROC run tasks/draw/draw.toml --quiet --black-box \"\" --motion /dev/full"),
       kSystem)
-      << said;
-  EXPECT_TRUE(has(said, "cannot write the motion file /dev/full: No space left on device")) << said;
+      << output;
+  EXPECT_TRUE(has(output, "cannot write the motion file /dev/full: No space left on device")) << output;
 }
 
 TEST_F(Outputs, BlackBoxIsNeverOverwritten) {
@@ -226,10 +228,10 @@ TEST_F(Outputs, BlackBoxIsNeverOverwritten) {
       bash(
           R"(for i in 1 2 3; do $MRROC run fail.toml --quiet & done; wait; $MRROC run fail.toml --quiet; ls mrroc-black-box)"),
       0)
-      << said;
+      << output;
   for (const char* name : {"exception-arm", "exception-arm-2", "exception-arm-3", "exception-arm-4"})
-    EXPECT_TRUE(std::filesystem::exists(at("mrroc-black-box") / (std::string{name} + ".trace"))) << name << said;
-  EXPECT_TRUE(has(said, "black box: mrroc-black-box/exception-arm-4.trace")) << said;
+    EXPECT_TRUE(std::filesystem::exists(at("mrroc-black-box") / (std::string{name} + ".trace"))) << name << output;
+  EXPECT_TRUE(has(output, "black box: mrroc-black-box/exception-arm-4.trace")) << output;
 }
 
 TEST_F(Outputs, DeploymentMayComeFromAStream) {
@@ -237,11 +239,11 @@ TEST_F(Outputs, DeploymentMayComeFromAStream) {
        {"$MRROC run /dev/stdin --quiet < $SHORT", "cat $SHORT | $MRROC run - --quiet",
         "$MRROC run <(cat $SHORT) --quiet", "exec 4< $SHORT; $MRROC run /dev/fd/4 --quiet",
         "mkfifo p; cat $SHORT > p & $MRROC run p --quiet", "$MRROC run --check - < $SHORT | grep -q irb6"})
-    EXPECT_EQ(bash(command), 0) << command << said;
-  EXPECT_EQ(bash("echo 'name = ' | $MRROC run - --quiet"), kUsage) << said;
-  EXPECT_TRUE(has(said, "/stdin:1")) << said;
-  EXPECT_EQ(bash("$MRROC run - --quiet < /dev/zero"), kUsage) << said;
-  EXPECT_EQ(bash("$MRROC run . --quiet"), kUsage) << said;
+    EXPECT_EQ(bash(command), 0) << command << output;
+  EXPECT_EQ(bash("echo 'name = ' | $MRROC run - --quiet"), kUsage) << output;
+  EXPECT_TRUE(has(output, "/stdin:1")) << output;
+  EXPECT_EQ(bash("$MRROC run - --quiet < /dev/zero"), kUsage) << output;
+  EXPECT_EQ(bash("$MRROC run . --quiet"), kUsage) << output;
 }
 
 TEST_F(Outputs, EveryProcessReadsTheDeploymentThatTheRunnerHasRead) {
@@ -252,36 +254,36 @@ TEST_F(Outputs, EveryProcessReadsTheDeploymentThatTheRunnerHasRead) {
 }
 
 TEST_F(Outputs, OutputToAFullDiskFails) {
-  ASSERT_EQ(bash("$MRROC run $SHORT --quiet --trace t"), 0) << said;
+  ASSERT_EQ(bash("$MRROC run $SHORT --quiet --trace t"), 0) << output;
   for (const char* words : {"run --check $SHORT", "trace hash t", "trace check t", "trace check --rules", "--help",
                             "run --help", "--version", "keys k"})
-    EXPECT_EQ(bash(std::string{"$MRROC "} + words + " > /dev/full"), kSystem) << words << said;
+    EXPECT_EQ(bash(std::string{"$MRROC "} + words + " > /dev/full"), kSystem) << words << output;
 }
 
 TEST_F(Outputs, OptionsAreUsedAsTheyAreWritten) {
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --black-box= --trace t && test -s t)"), 0) << said;
-  EXPECT_EQ(bash(R"($MRROC run --trace= --black-box= $SHORT --quiet)"), 0) << said;
-  EXPECT_EQ(bash("$MRROC --version | grep -qx 'mrroc " MRROC_VERSION "'"), 0) << said;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --black-box= --trace t && test -s t)"), 0) << output;
+  EXPECT_EQ(bash(R"($MRROC run --trace= --black-box= $SHORT --quiet)"), 0) << output;
+  EXPECT_EQ(bash("$MRROC --version | grep -qx 'mrroc " MRROC_VERSION "'"), 0) << output;
   for (const char* program : {"mrroc_sim", "mrroc_mp", "mrroc_ecp", "irb6_edp", "irb6_drives", "irb6_demo",
                               "mrroc_render", "press_ecp", "force_torque_vsp", "camera_marker"})
     EXPECT_EQ(bash(std::string{MRROC_BINARY_DIR "/bin/"} + program + " --version | grep -q '" + program +
                    " (MRROC++) " MRROC_VERSION "'"),
               0)
-        << program << said;
+        << program << output;
   for (const char* words :
        {"--shuffle-start -1", "--shuffle-start 1.5", "--shuffle-start 18446744073709551616",
         "--shuffle-start=", "--quiet=no", "--trace a --trace b", "--unknown", "--clock fast", "--clock="})
-    EXPECT_EQ(bash(std::string{"$MRROC run $SHORT --check "} + words), kUsage) << words << said;
-  EXPECT_EQ(bash("$MRROC can scan can0 --patience nan"), kUsage) << said;
-  EXPECT_EQ(bash("$MRROC can monitor can0 --count -5"), kUsage) << said;
+    EXPECT_EQ(bash(std::string{"$MRROC run $SHORT --check "} + words), kUsage) << words << output;
+  EXPECT_EQ(bash("$MRROC can scan can0 --patience nan"), kUsage) << output;
+  EXPECT_EQ(bash("$MRROC can monitor can0 --count -5"), kUsage) << output;
 }
 
 TEST_F(Outputs, TooFewOpenFilesAreNamed) {
   for (const int limit : {8, 12, 16, 22, 30, 40, 50, 60, 80}) {
     const int code = bash("ulimit -n " + std::to_string(limit) + "; $MRROC run $SHORT --quiet --trace t");
-    EXPECT_TRUE(code == 0 || code == kUsage || code == kSystem) << limit << ": " << code << said;
-    EXPECT_TRUE(code == 0 || has(said, "open files")) << limit << said;
-    EXPECT_FALSE(has(said, "died")) << limit << said;
+    EXPECT_TRUE(code == 0 || code == kUsage || code == kSystem) << limit << ": " << code << output;
+    EXPECT_TRUE(code == 0 || has(output, "open files")) << limit << output;
+    EXPECT_FALSE(has(output, "died")) << limit << output;
   }
 }
 
@@ -289,8 +291,8 @@ TEST_F(Outputs, ControlCharactersAreEscaped) {
   EXPECT_EQ(bash(R"($MRROC run $'no\e[31m.toml' || $MRROC $'\e[31m' || $MRROC run $SHORT --trace $'/no/\e[31m/t' ||
       $MRROC trace hash $'\e[31m' || printf 'name = "\033[31m"\n' | $MRROC run -)"),
             kUsage);
-  EXPECT_FALSE(has(said, "\x1b")) << said;
-  EXPECT_TRUE(has(said, "\\x1b[31m")) << said;
+  EXPECT_FALSE(has(output, "\x1b")) << output;
+  EXPECT_TRUE(has(output, "\\x1b[31m")) << output;
 }
 
 }  // namespace

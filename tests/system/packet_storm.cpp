@@ -122,10 +122,10 @@ std::string PacketStorm::of_stranger(std::string packet) {
   constexpr std::size_t kHeader = 8, kPrefix = 12;
   if (packet.size() < kHeader + kPrefix) return packet;
   const std::string sender = packet.substr(kHeader, kPrefix);
-  std::string stranger = sender;
-  stranger.back() = static_cast<char>(random_() % kStrangers);
+  std::string unknown = sender;
+  unknown.back() = static_cast<char>(random_() % kStrangers);
   for (auto at = packet.find(sender); at != std::string::npos; at = packet.find(sender, at + kPrefix))
-    packet.replace(at, kPrefix, stranger);
+    packet.replace(at, kPrefix, unknown);
   return packet;
 }
 

@@ -158,9 +158,9 @@ class Storm : public task_test::DeploymentTest, public testing::WithParamInterfa
   /// An unused domain; the runner locks it by its number.
   static int free_domain() { return links::FreeDomain{}.id(); }
 
-  static void expect_no_crash(const std::string& said) {
-    EXPECT_EQ(said.find("signal "), std::string::npos) << said;
-    EXPECT_LT(said.size(), 4096U) << "a flood must not cause a flood of messages";
+  static void expect_no_crash(const std::string& printed) {
+    EXPECT_EQ(printed.find("signal "), std::string::npos) << printed;
+    EXPECT_LT(printed.size(), 4096U) << "a flood must not cause a flood of messages";
   }
 
   std::string network() const { return GetParam() ? "[network]\nkeys = \"keys\"\n" : ""; }

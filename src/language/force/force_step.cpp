@@ -37,10 +37,10 @@ double approach_speed(double remaining, double speed, double acceleration, doubl
   return std::min(speed, std::sqrt(2 * acceleration * (remaining - 0.5 * knee)));
 }
 
-void check_load(const char* who, const Load& load, const Eigen::Vector3d& gravity) {
-  require_not_negative(who, "mass of the load", load.mass);
-  require(load.centre.allFinite(), who, "centre of the load", load.centre.sum(), "finite numbers");
-  require(gravity.allFinite(), who, "gravity", gravity.sum(), "finite numbers");
+void check_load(const char* caller, const Load& load, const Eigen::Vector3d& gravity) {
+  require_not_negative(caller, "mass of the load", load.mass);
+  require(load.centre.allFinite(), caller, "centre of the load", load.centre.sum(), "finite numbers");
+  require(gravity.allFinite(), caller, "gravity", gravity.sum(), "finite numbers");
 }
 
 }  // namespace mrroc

@@ -27,6 +27,6 @@ Eigen::Vector3d stepped(const Eigen::Vector3d& now, const Eigen::Vector3d& wante
 double approach_speed(double remaining, double speed, double acceleration, double gain);
 
 /// Throws NonFatalError(invalid_argument) unless the mass is finite and not negative, centre and gravity finite.
-void check_load(const char* who, const Load& load, const Eigen::Vector3d& gravity);
+void check_load(const char* caller, const Load& load, const Eigen::Vector3d& gravity);
 
 }  // namespace mrroc

@@ -14,8 +14,8 @@ namespace mrroc::links {
 template <class Request, class Reply>
 class Requester;
 
-/// The answering side of a link; it answers the requester's hand-shake automatically. The participant's thread calls it.
-/// <Request, Reply> as for `Requester`.
+/// The answering side of a link; it answers the requester's hand-shake automatically. The participant's thread calls
+/// it. <Request, Reply> as for `Requester`.
 template <class Request, class Reply>
 class Responder {
  public:

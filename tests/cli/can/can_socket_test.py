@@ -48,12 +48,12 @@ class CanTest(unittest.TestCase):
         with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as monitor:
             while monitor.poll() is None:  # one scan sends fewer frames
                 run("scan", "can0", "--patience", "0.3")
-            said = monitor.stdout.read()
-        self.assertEqual((monitor.returncode, len(said.splitlines())), (0, 400))
+            output = monitor.stdout.read()
+        self.assertEqual((monitor.returncode, len(output.splitlines())), (0, 400))
         for words in ("upper_arm SDO read 1000h:0 (Device type)", "node 100 SDO read 1000h:0 (Device type)",
                       "upper_arm SDO value 1000h:0 (Device type) = 92 01 02 00",
                       "upper_arm SDO value 1008h:0 (Manufacturer device name), 19 bytes"):
-            self.assertIn("  " + words + "\n", said)
+            self.assertIn("  " + words + "\n", output)
 
 
 if __name__ == "__main__":

@@ -37,18 +37,17 @@ class RunningAgent {
       ended = agent_.ended();
       pollfd entry{channel_.fd(), POLLIN, 0};
       poll(&entry, 1, 20);
-      for (std::string& line : channel_.read()) feedback_.push_back(std::move(line));
+      for (std::string& line : channel_.read()) lines_.push_back(std::move(line));
     }
   }
   bool has_said(const std::string& begin) const {
-    return std::any_of(feedback_.begin(), feedback_.end(),
-                       [&](const std::string& line) { return line.starts_with(begin); });
+    return std::any_of(lines_.begin(), lines_.end(), [&](const std::string& line) { return line.starts_with(begin); });
   }
   /// Reads its output to the end; returns all of it.
   const Lines& hear_out() {
     while (!agent_.ended()) hear("\n");
     hear("\n");
-    return feedback_;
+    return lines_;
   }
 
  private:
@@ -61,7 +60,7 @@ class RunningAgent {
   std::vector<int> ends_;
   Child agent_;
   LineChannel channel_;
-  Lines feedback_;
+  Lines lines_;
 };
 
 TEST(Agent, EndsBySignalBeforeItHasAnOrder) {
@@ -107,12 +106,12 @@ TEST(Agent, TimesOutWithoutAStart) {
   RunningAgent agent;
   for (const std::string& line : to_lines(order)) agent.channel().write(line);
   agent.channel().write("go");
-  const Lines& said = agent.hear_out();
+  const Lines& output = agent.hear_out();
   const auto failed =
-      std::find_if(said.begin(), said.end(), [](const std::string& line) { return line.starts_with("failed"); });
-  ASSERT_NE(failed, said.end()) << testing::PrintToString(said);
+      std::find_if(output.begin(), output.end(), [](const std::string& line) { return line.starts_with("failed"); });
+  ASSERT_NE(failed, output.end()) << testing::PrintToString(output);
   EXPECT_TRUE(failed->starts_with("failed 4 not started in time")) << *failed;
-  EXPECT_EQ(said.back(), "ended");
+  EXPECT_EQ(output.back(), "ended");
   EXPECT_EQ(agent.process().exit_code(), 4);
 }
 

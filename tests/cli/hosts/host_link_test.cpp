@@ -97,9 +97,9 @@ TEST(HostLink, IsNotKeptAliveByAnotherKey) {
   const in_addr here = ipv4_of("127.0.0.1");
   clock::EmergencyStop nobodys;
   HostLink a(here, kDomain, new_beat_key(), true, 0.2, nobodys);
-  HostLink stranger(here, kDomain, new_beat_key(), false, 0.2, nobodys);
-  a.start(here, stranger.port());
-  stranger.start(here, a.port());
+  HostLink unknown(here, kDomain, new_beat_key(), false, 0.2, nobodys);
+  a.start(here, unknown.port());
+  unknown.start(here, a.port());
   a.watch();
   ASSERT_TRUE(readable(a.event_fd(), kPatience));
   EXPECT_EQ(a.figures().heard, 0U);

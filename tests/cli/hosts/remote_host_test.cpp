@@ -38,7 +38,7 @@ class HostWithAClock {
   }
 
   void poll() {
-    poll(nullptr, 0, 1);
+    ::poll(nullptr, 0, 1);
     host_->poll();
   }
   const std::vector<std::string>& failures() const { return failures_; }

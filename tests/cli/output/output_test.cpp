@@ -58,12 +58,13 @@ TEST_F(OutputTest, UnreadPipeDoesNotBlock) {
   }
   text += read_all(ends_[0]);
   EXPECT_EQ(text.find("line 0."), 0U) << "the lines accepted before";
-  const std::size_t told = text.find(" lines are lost");
-  ASSERT_NE(told, std::string::npos);
-  EXPECT_EQ(told, text.rfind(" lines are lost")) << "printed once";
+  const std::size_t reported = text.find(" lines are lost");
+  ASSERT_NE(reported, std::string::npos);
+  EXPECT_EQ(reported, text.rfind(" lines are lost")) << "printed once";
   const auto shown = std::count(text.begin(), text.end(), '\n') - 1;
   EXPECT_LT(shown, 2000);
-  EXPECT_EQ(text.substr(text.rfind('(', told) + 1, told - text.rfind('(', told) - 1), std::to_string(kLines - shown));
+  EXPECT_EQ(text.substr(text.rfind('(', reported) + 1, reported - text.rfind('(', reported) - 1),
+            std::to_string(kLines - shown));
   // the newest thousand, in order
   std::size_t at = 0;
   for (int i = kLines - 999; i < kLines; ++i) {

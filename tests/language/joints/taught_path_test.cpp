@@ -111,7 +111,7 @@ TEST(TaughtPath, AcceptsAdditionsOfEditorsAndSpreadsheets) {
 TEST(TaughtPath, RefusesTimesInMilliseconds) {
   FreeFlyer task(Pose::Identity());
   const File file;
-  const auto told = [&](double scale, double way, double duration) -> std::string {
+  const auto reported = [&](double scale, double way, double duration) -> std::string {
     std::string text = "time,axis0,axis1,axis2,axis3,axis4,axis5\n";
     for (int i = 0; i <= 10; ++i)
       text += std::to_string(scale * duration * i / 10) + ",0," + std::to_string(way * i / 10) + ",0,0,0,0\n";
@@ -124,18 +124,18 @@ TEST(TaughtPath, RefusesTimesInMilliseconds) {
     }
   };
   for (const double way : {0.01, 0.1, -1.0, 1.5, 2.0}) {
-    EXPECT_EQ(told(1, way, 50), "") << way;
-    EXPECT_NE(told(1000, way, 50).find("expected seconds, not milliseconds"), std::string::npos) << way;
+    EXPECT_EQ(reported(1, way, 50), "") << way;
+    EXPECT_NE(reported(1000, way, 50).find("expected seconds, not milliseconds"), std::string::npos) << way;
   }
-  EXPECT_NE(told(1000, 1, 50.4).find(":12: time: '50400': makes a path of 14 h"), std::string::npos);
-  EXPECT_EQ(told(1000, 0, 50), "") << "a robot at rest";
-  EXPECT_EQ(told(1000, 0.0001, 0.5), "") << "less than ten minutes";
+  EXPECT_NE(reported(1000, 1, 50.4).find(":12: time: '50400': makes a path of 14 h"), std::string::npos);
+  EXPECT_EQ(reported(1000, 0, 50), "") << "a robot at rest";
+  EXPECT_EQ(reported(1000, 0.0001, 0.5), "") << "less than ten minutes";
 }
 
 TEST(TaughtPath, ErrorNamesFileLineColumnValueAndExpectation) {
   FreeFlyer task(Pose::Identity());
   const File file;
-  const auto told = [&](const std::string& text) -> std::string {
+  const auto reported = [&](const std::string& text) -> std::string {
     file.write(text);
     try {
       load_taught_path(file.name, *task.arm);
@@ -148,43 +148,45 @@ TEST(TaughtPath, ErrorNamesFileLineColumnValueAndExpectation) {
     return "nothing wrong";
   };
   const std::string head = "# a comment\ntime,axis0,axis1,axis2,axis3,axis4,axis5\n";
-  EXPECT_EQ(told(head + "0,0,0,0,0,0,0\n"), "nothing wrong");
-  EXPECT_EQ(told(head + "0,0,0,fast,0,0,0\n"),
+  EXPECT_EQ(reported(head + "0,0,0,0,0,0,0\n"), "nothing wrong");
+  EXPECT_EQ(reported(head + "0,0,0,fast,0,0,0\n"),
             ":3: axis2: 'fast': is not a number, expected a finite number such as -0.25");
-  EXPECT_EQ(told(head + "0,0,0,,0,0,0\n"), ":3: axis2: '': is empty, expected a finite number such as -0.25");
-  EXPECT_EQ(told(head + "0,0,0,nan,0,0,0\n"),
+  EXPECT_EQ(reported(head + "0,0,0,,0,0,0\n"), ":3: axis2: '': is empty, expected a finite number such as -0.25");
+  EXPECT_EQ(reported(head + "0,0,0,nan,0,0,0\n"),
             ":3: axis2: 'nan': is not a number, expected a finite number such as -0.25");
-  EXPECT_EQ(told(head + "0,0,0,1e999,0,0,0\n"),
+  EXPECT_EQ(reported(head + "0,0,0,1e999,0,0,0\n"),
             ":3: axis2: '1e999': is not a number, expected a finite number such as -0.25");
-  EXPECT_EQ(told(head + "0,0,0,1 2,0,0,0\n"),
+  EXPECT_EQ(reported(head + "0,0,0,1 2,0,0,0\n"),
             ":3: axis2: '1 2': is not a number, expected a finite number such as -0.25");
-  EXPECT_EQ(told(head + "0,0,0,1\xC2\xA0,0,0,0\n"),
+  EXPECT_EQ(reported(head + "0,0,0,1\xC2\xA0,0,0,0\n"),
             ":3: axis2: '1U+00A0': has U+00A0 at character 2, expected a finite number such as -0.25");
-  EXPECT_EQ(told(head + "0,0,0,0,0,0,\n"), ":3: axis5: '': is empty, expected a finite number such as -0.25");
-  EXPECT_EQ(told(head + "0,1,0,1,0,1,0,1\n"),
+  EXPECT_EQ(reported(head + "0,0,0,0,0,0,\n"), ":3: axis5: '': is empty, expected a finite number such as -0.25");
+  EXPECT_EQ(reported(head + "0,1,0,1,0,1,0,1\n"),
             ":3: 8 values, expected 7, one for each of 'time,axis0,axis1,axis2,axis3,axis4,axis5'; numbers have a "
             "point, not a comma");
-  EXPECT_EQ(told("time;axis0;axis1;axis2;axis3;axis4;axis5\n"),
+  EXPECT_EQ(reported("time;axis0;axis1;axis2;axis3;axis4;axis5\n"),
             ":1: columns with semicolons between, expected commas between the columns, and points in numbers");
-  EXPECT_EQ(told("time\taxis0\taxis1\n"),
+  EXPECT_EQ(reported("time\taxis0\taxis1\n"),
             ":1: columns with tabs between, expected commas between the columns, and points in numbers");
-  EXPECT_EQ(told("\xFE\xFF"), ":1: the file is in UTF-16, expected UTF-8 (choose it when the file is saved)");
-  EXPECT_EQ(told("# a\rtime\r"), ":1: a carriage return (\\x0D) at column 4, expected lines that end with LF or CRLF");
-  EXPECT_EQ(told(head + "0,0,0,0,0,0,2.5\n"), ":3: axis5: '2.5': is beyond the robot's limits, expected -2 to 2");
-  EXPECT_EQ(told(head + "0,0,0,0,0,0,0\n0,0,0,0,0,0,0\n"),
+  EXPECT_EQ(reported("\xFE\xFF"), ":1: the file is in UTF-16, expected UTF-8 (choose it when the file is saved)");
+  EXPECT_EQ(reported("# a\rtime\r"),
+            ":1: a carriage return (\\x0D) at column 4, expected lines that end with LF or CRLF");
+  EXPECT_EQ(reported(head + "0,0,0,0,0,0,2.5\n"), ":3: axis5: '2.5': is beyond the robot's limits, expected -2 to 2");
+  EXPECT_EQ(reported(head + "0,0,0,0,0,0,0\n0,0,0,0,0,0,0\n"),
             ":4: time: '0': does not come after the point before, expected more than 0");
-  EXPECT_EQ(told(head + "-1,0,0,0,0,0,0\n"),
+  EXPECT_EQ(reported(head + "-1,0,0,0,0,0,0\n"),
             ":3: time: '-1': does not come after the point before, expected at least 0");
-  EXPECT_EQ(told(head + "0,0,0,0,0,0\n"),
+  EXPECT_EQ(reported(head + "0,0,0,0,0,0\n"),
             ":3: 6 values, expected 7, one for each of 'time,axis0,axis1,axis2,axis3,axis4,axis5'");
-  EXPECT_EQ(told(head), ":2: no point, expected at least one line of values");
-  EXPECT_EQ(told(""), ": no line of column names, expected 'time,axis0,axis1,axis2,axis3,axis4,axis5'");
-  EXPECT_EQ(told("time,axis0,axis1\n"),
+  EXPECT_EQ(reported(head), ":2: no point, expected at least one line of values");
+  EXPECT_EQ(reported(""), ": no line of column names, expected 'time,axis0,axis1,axis2,axis3,axis4,axis5'");
+  EXPECT_EQ(reported("time,axis0,axis1\n"),
             ":1: columns 'time,axis0,axis1' are not those of a path of robot fake, expected "
             "'time,axis0,axis1,axis2,axis3,axis4,axis5' or "
             "'time,x,y,z,qw,qx,qy,qz', each also without time");
-  EXPECT_EQ(told("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0.2\n").find(":2: qw,qx,qy,qz: a quaternion of length 1.0198"), 0u);
-  EXPECT_EQ(told("x,y,z,qw,qx,qy,qz\n0,0,inf,1,0,0,0\n"),
+  EXPECT_EQ(reported("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0.2\n").find(":2: qw,qx,qy,qz: a quaternion of length 1.0198"),
+            0u);
+  EXPECT_EQ(reported("x,y,z,qw,qx,qy,qz\n0,0,inf,1,0,0,0\n"),
             ":2: z: 'inf': is not a number, expected a finite number such as -0.25");
   std::filesystem::remove(file.name);
   try {

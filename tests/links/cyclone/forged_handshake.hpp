@@ -92,9 +92,9 @@ inline std::string forged_identity(const Guid& participant) {
 
 /// "Let us prove our keys": a handshake request without a preceding one (DDS Security 1.1, 7.4.3 and 8.3.2.9.1).
 inline std::string forged_handshake(const Guid& participant, const Guid& victim) {
-  const Guid nobody{};
+  const Guid none{};
   Representation message;
-  message.guid(participant).word(0).word(1).guid(nobody).word(0).word(0).guid(victim).guid(nobody).guid(nobody);
+  message.guid(participant).word(0).word(1).guid(none).word(0).word(0).guid(victim).guid(none).guid(none);
   message.text("dds.sec.auth").word(1).text("DDS:Auth:PKI-DH:1.0+Req").word(0).word(0);
   return forged_data(entity_of(participant, 0x000201c3), entity_of(victim, 0x000201c4), kPlain, message.bytes());
 }

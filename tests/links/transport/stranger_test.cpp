@@ -36,7 +36,7 @@ ErrorCode fate(const fs::path& keys, const std::function<std::string(const Guid&
   FreeDomain number;
   const auto before = open_descriptors();
   Domain domain({.id = number.id(), .lease = 20, .keys = keys});
-  const LoopbackSender stranger(ports_since(before));
+  const LoopbackSender unknown(ports_since(before));
   TestClock clock;
   PeerProcess peer("respond", number.id(), "cell/arm", 20, keys);
   RobotRequester link(domain, clock, "cell/arm", "peer", kSilence);
@@ -47,7 +47,7 @@ ErrorCode fate(const fs::path& keys, const std::function<std::string(const Guid&
   return code_of(
       [&] {
         for (std::uint32_t i = 0; i < (keys.empty() ? 50 * kExchanges : kExchanges); ++i) {
-          if (i % 10 == 0) stranger.send(forge(*writer, i));
+          if (i % 10 == 0) unknown.send(forge(*writer, i));
           RobotState state;
           link.send({});
           link.receive(state);
@@ -82,17 +82,17 @@ TEST(Stranger, ForgedHandshakeEndsNoProcess) {
   FreeDomain number;
   const auto before = open_descriptors();
   Domain domain({.id = number.id(), .lease = 20, .keys = keys.folder()});
-  const LoopbackSender stranger(ports_since(before));
+  const LoopbackSender unknown(ports_since(before));
   dds_guid_t own{};
   ASSERT_EQ(dds_get_guid(domain.participant(), &own), DDS_RETCODE_OK);
   Guid victim{};
   std::copy_n(own.v, victim.size(), victim.begin());
   for (int i = 0; i < 20; ++i) {
     const Guid participant{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, static_cast<std::uint8_t>(i), 0, 0, 1, 0xc1};
-    stranger.send(forged_identity(participant));
+    unknown.send(forged_identity(participant));
     // Cyclone lets a new participant be first for 10 ms
     for (int milliseconds = 0; milliseconds < 10; ++milliseconds) {
-      stranger.send(forged_handshake(participant, victim));
+      unknown.send(forged_handshake(participant, victim));
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
@@ -113,13 +113,13 @@ void bears(const std::function<std::vector<std::string>(const Guid& writer, cons
   FreeDomain number;
   const auto before = open_descriptors();
   Domain domain({.id = number.id(), .lease = 20, .keys = keys.folder()});
-  const LoopbackSender stranger(ports_since(before));
+  const LoopbackSender unknown(ports_since(before));
   for (int i = 0; i < 20; ++i) {
     const Guid participant{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, static_cast<std::uint8_t>(i), 0, 0, 1, 0xc1};
-    stranger.send(forged_identity(participant));
+    unknown.send(forged_identity(participant));
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     for (const std::string& packet : packets(entity_of(participant, 0x000201c3), entity_of({}, 0x000201c4)))
-      stranger.send(packet);
+      unknown.send(packet);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   TestClock clock;
@@ -165,13 +165,13 @@ void bears_types(const fs::path& keys) {
   FreeDomain number;
   const auto before = open_descriptors();
   Domain domain({.id = number.id(), .lease = 20, .keys = keys});
-  const LoopbackSender stranger(ports_since(before));
+  const LoopbackSender unknown(ports_since(before));
   constexpr std::uint8_t kMinimal = 0xf1, kComplete = 0xf2;
   for (const std::uint8_t number_kind : {kMinimal, kComplete})
     for (int kind = 0; kind <= 0xff; kind += 3) {
       const auto forged_kind = static_cast<std::uint8_t>(kind);
       const Guid participant{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, number_kind, forged_kind, 0, 0, 1, 0xc1};
-      stranger.send(
+      unknown.send(
           forged_announcement(participant, kPlainEndpoints, kTypeInformation, forged_type(number_kind, forged_kind)));
     }
   TestClock clock;

@@ -10,10 +10,10 @@ constexpr double kSpeed = 0.15;  // m/s
 
 class FastConveyorCarries : public ConveyorCarries {
  protected:
-  /// Moves for `seconds` at `speed`, reached from the previous speed as fast as the limits allow; calls `look` after
+  /// Moves for `seconds` at `speed`, reached from the previous speed as fast as the limits allow; calls `check` after
   /// every tick.
-  template <class Look>
-  void ride(double speed, int seconds, Look look) {
+  template <class Check>
+  void ride(double speed, int seconds, Check check) {
     for (int second = 0; second < seconds; ++second) {
       edp_.keep(speed, 500);
       for (int i = 0; i < 500; ++i) {
@@ -51,10 +51,10 @@ TEST_F(FastConveyorCarries, BeltFollowsItsPathWithinTheServosErrorAndCurrent) {
     worst = std::max(worst, std::abs(edp_.snapshot().desired.position[0] - travel()));
     peak = std::max(peak, std::abs(edp_.snapshot().current[0]));
   };
-  ride(kSpeed, 3, look);
+  ride(kSpeed, 3, check);
   std::printf("from rest: worst error %.2f mm, peak %.1f A\n", 1000 * worst, peak);
-  ride(-kSpeed, 3, look);
-  ride(0, 1, look);
+  ride(-kSpeed, 3, check);
+  ride(0, 1, check);
   std::printf("and reversed: worst error %.2f mm, peak %.1f A\n", 1000 * worst, peak);
   EXPECT_LT(750 * worst, 0.7 * belt().following_error_max) << "rad of the motor";
   EXPECT_LT(peak, belt().current_max);

@@ -56,17 +56,17 @@ TEST_P(NestedErrors, AreCaughtAtAMoveInABehaviourInTheTaskAndInTheShellAndRobots
   const std::vector<std::string> places{"caught at the Move", "caught in the behaviour", "caught in a wait of the MP",
                                         "caught in a Move of the MP"};
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::string told = line_of(output, places[i]);
-    EXPECT_EQ(after(told, "step "), "20") << told;
-    EXPECT_EQ(after(told, "tick "), after(of_left[i], "tick=")) << told << "\n" << of_left[i];
+    const std::string reported = line_of(output, places[i]);
+    EXPECT_EQ(after(reported, "step "), "20") << reported;
+    EXPECT_EQ(after(reported, "tick "), after(of_left[i], "tick=")) << reported << "\n" << of_left[i];
     EXPECT_EQ(after(of_left[i], " step="), "20");
     if (i < 2) {
-      EXPECT_EQ(after(told, "moved "), "0.000000") << told;
+      EXPECT_EQ(after(reported, "moved "), "0.000000") << reported;
       continue;
     }
-    EXPECT_EQ(after(told, "class "), "1") << "non-fatal";
-    EXPECT_EQ(after(told, "code "), "15") << "force_limit";
-    EXPECT_EQ(after(told, "process "), "left");
+    EXPECT_EQ(after(reported, "class "), "1") << "non-fatal";
+    EXPECT_EQ(after(reported, "code "), "15") << "force_limit";
+    EXPECT_EQ(after(reported, "process "), "left");
   }
   EXPECT_NE(output.find("left rests, moved 0.000000 m"), std::string::npos) << output;
   EXPECT_NE(output.find("right rests, moved 0.000000 m"), std::string::npos) << output;
@@ -110,10 +110,10 @@ TEST(BlackBoxOption, EmptyFolderDisablesItAndAnInvalidFolderIsReported) {
   const std::string none = run_mrroc({"run", file.string(), "--quiet", "--black-box", ""}, 1);
   EXPECT_EQ(none.find("black box"), std::string::npos) << none;
   const auto blocked = folder.write("blocked", "a file");
-  const std::string told = run_mrroc({"run", file.string(), "--quiet", "--black-box", blocked.string()}, 1);
-  EXPECT_NE(told.find("cannot write the black box " + (blocked / "nested-mp.trace").string()), std::string::npos)
-      << told;
-  EXPECT_EQ(told.find("; black box: "), std::string::npos) << told;
+  const std::string reported = run_mrroc({"run", file.string(), "--quiet", "--black-box", blocked.string()}, 1);
+  EXPECT_NE(reported.find("cannot write the black box " + (blocked / "nested-mp.trace").string()), std::string::npos)
+      << reported;
+  EXPECT_EQ(reported.find("; black box: "), std::string::npos) << reported;
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ MrrocRun& TwoHosts::start(const std::filesystem::path& deployment, const std::ve
 
 void TwoHosts::expect_end(int code, const std::vector<std::string>& causes, const std::vector<pid_t>& pids) {
   EXPECT_EQ(run_->wait(), code) << output();
-  const auto told = [this](const std::string& cause) { return run_->err().find(cause) != std::string::npos; };
-  EXPECT_TRUE(std::any_of(causes.begin(), causes.end(), told)) << output();
+  const auto reported = [this](const std::string& cause) { return run_->err().find(cause) != std::string::npos; };
+  EXPECT_TRUE(std::any_of(causes.begin(), causes.end(), reported)) << output();
   EXPECT_TRUE(all_end(pids)) << output();
 }
 

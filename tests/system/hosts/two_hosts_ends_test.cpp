@@ -93,9 +93,9 @@ TEST_F(TwoHosts, StopForTheOperator) {
 
 /// The tick at which a robot's program reported the pressed emergency stop; 0: it has not reported it.
 Tick emergency_at(const std::string& output, const std::string& robot) {
-  const std::string said = robot + " | stopped: hardware error: the emergency stop is pressed or not reset: at tick ";
-  const std::size_t place = output.find(said);
-  return place == std::string::npos ? 0 : std::stoull(output.substr(place + said.size()));
+  const std::string text = robot + " | stopped: hardware error: the emergency stop is pressed or not reset: at tick ";
+  const std::size_t place = output.find(text);
+  return place == std::string::npos ? 0 : std::stoull(output.substr(place + text.size()));
 }
 
 /// An arm on either host, each moved by its own program there, which checks that no joint moves before the reset and

@@ -57,7 +57,7 @@ class Recover : public ecp::Task {
       desired = arm.state().desired_joints;
       return false;
     };
-    Move({arm}, {}, JointLine{arm, home}.until(When{"never", look}));
+    Move({arm}, {}, JointLine{arm, home}.until(When{"never", check}));
     Wait({arm}, {}, ElapsedSteps{50});
     std::printf("fastest %.3f of the limit\n", fastest);
     require(fastest > 0.05 && fastest < 1.1, "a joint has jumped");

@@ -51,7 +51,7 @@ inline void babble(Rig& rig, int count, const std::function<std::uint32_t(std::m
 
 /// In every tick another node sends frames that only the master may send.
 inline void command(Rig& rig, const std::function<can::Frame(Rig&)>& frame) {
-  rig.before_tick = [&rig, frame, stranger = std::shared_ptr<can::Bus>(rig.bus.open())] { stranger->send(frame(rig)); };
+  rig.before_tick = [&rig, frame, unknown = std::shared_ptr<can::Bus>(rig.bus.open())] { unknown->send(frame(rig)); };
 }
 
 /// A set-point that keeps the axis at its position.

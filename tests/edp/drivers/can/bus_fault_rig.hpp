@@ -256,7 +256,7 @@ inline void disturb(const Rig& rig, const std::string& netem) {
 
 inline void leave_in_peace(const Rig& rig) { interface(rig, "tc qdisc del dev DEV root"); }
 
-/// Number of random moments for each fault: MRROC_TEST_SEEDS, else 20.
+/// Number of random moments for each fault: MRROC_TEST_SEEDS; without it 6, with MRROC_TEST_THOROUGH 20.
 inline unsigned seeds() {
   const char* const given = std::getenv("MRROC_TEST_SEEDS");
   return static_cast<unsigned>(given != nullptr ? std::atoi(given) : test::tries(6, 20));

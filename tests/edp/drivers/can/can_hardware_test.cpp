@@ -197,8 +197,8 @@ TEST(CanHardware, DrivesWithoutAModeDisplayAreAccepted) {
   const config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   config::DriveTable there = table;
   there.eds = changed_eds("[6061]", "[6f61]");
-  for (const config::DriveTable& told : {table, there}) {
-    HeldGantry rig(told, there);
+  for (const config::DriveTable& reported : {table, there}) {
+    HeldGantry rig(reported, there);
     rig.hardware->open();
     rig.hardware->enable(true);
     rig.run(50);

@@ -39,17 +39,17 @@ TEST_P(PeerTest, FailureOfOneDriveQuickStopsTheOther) {
   for (int i = 0; i < 200 && seen().fault.code == ErrorCode::none; ++i) tick();
   const double where = seen().joints[0];
   run(80);
-  bool told = false;
+  bool reported = false;
   std::vector<canopen::DriveState> states;
   can::Frame frame;
   while (listener->receive(frame, 0)) {
     const auto word = static_cast<std::uint16_t>(can::get(frame.bytes(), 0, 2));
-    if (frame.id == 0x201 && word == canopen::kQuickStop) told = true;
+    if (frame.id == 0x201 && word == canopen::kQuickStop) reported = true;
     if (frame.id != 0x181) continue;
     const canopen::DriveState state = canopen::drive_state(word);
     if (states.empty() || states.back() != state) states.push_back(state);
   }
-  EXPECT_TRUE(told) << "its controlword";
+  EXPECT_TRUE(reported) << "its controlword";
   using enum canopen::DriveState;
   EXPECT_EQ(states, (std::vector{operation_enabled, quick_stop_active, switch_on_disabled}));
   EXPECT_GT(seen().joints[0], where) << "on its own ramp";

@@ -1,3 +1,5 @@
+#include "cli/run/shutdown.hpp"
+
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -5,7 +7,6 @@
 #include <thread>
 #include <vector>
 
-#include "cli/run/shutdown.hpp"
 #include "clock/participant.hpp"
 
 namespace mrroc::cli {
@@ -47,7 +48,7 @@ class OrderlyEnd : public testing::Test {
 };
 
 TEST_F(OrderlyEnd, ReportsAClockThatFailsMeanwhile) {
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   shut_down(group_, clock_, true,
             {.turn =
                  [this] {
@@ -55,8 +56,8 @@ TEST_F(OrderlyEnd, ReportsAClockThatFailsMeanwhile) {
                    group_.wait(20, -1);
                  },
              .message = [](const std::string&) {},
-             .failed = [&told](const std::string& reason) { told.push_back(reason); }});
-  EXPECT_EQ(told, (std::vector<std::string>{"clock lost: the pendulum is stuck"}));
+             .failed = [&reported](const std::string& reason) { reported.push_back(reason); }});
+  EXPECT_EQ(reported, (std::vector<std::string>{"clock lost: the pendulum is stuck"}));
   EXPECT_TRUE(group_.all_ended());
 }
 
