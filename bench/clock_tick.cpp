@@ -86,9 +86,9 @@ Cost measure(Tick ticks, bool messages) {
     if (::fork() == 0) take_part(host.fd(), i, messages, network);
   if (!host.wait_ready(30).empty()) std::abort();
   std::int64_t begin = 0;
-  host.at_tick(1, [&begin] { begin = clock::monotonic_ns(); });
+  host.at_tick(1, [&begin](Tick) { begin = clock::monotonic_ns(); });
   std::int64_t end = 0;
-  host.at_tick(ticks, [&] {
+  host.at_tick(ticks, [&](Tick) {
     end = clock::monotonic_ns();
     host.end();
   });

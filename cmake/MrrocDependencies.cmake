@@ -13,6 +13,7 @@ endif()
 find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto) # of `mrroc keys`; Cyclone's security plug-ins stand on it too
 find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(tinyxml2 REQUIRED)
 

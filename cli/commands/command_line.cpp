@@ -6,6 +6,7 @@
 #include "cli/commands/can_command.hpp"
 #include "cli/commands/graph_command.hpp"
 #include "cli/commands/keys_command.hpp"
+#include "cli/commands/operator_commands.hpp"
 #include "cli/commands/run_command.hpp"
 #include "cli/commands/trace_command.hpp"
 #include "command/version.hpp"
@@ -18,6 +19,7 @@ void describe_command(CLI::App& app, int& exit_code) {
   app.set_version_flag("--version", command::version_text("mrroc"), "Print the version and exit");
   app.require_subcommand(1);
   add_run_command(app, exit_code);
+  add_operator_commands(app, exit_code);
   add_trace_command(app, exit_code);
   add_graph_command(app, exit_code);
   add_keys_command(app, exit_code);

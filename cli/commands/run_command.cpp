@@ -8,6 +8,7 @@
 #include "command/number_option.hpp"
 #include "command/print.hpp"
 #include "config/description.hpp"
+#include "config/entries/events.hpp"
 #include "config/state_machine.hpp"
 #include "config/table.hpp"
 #include "config/text/deployment_text.hpp"
@@ -19,6 +20,7 @@ namespace {
 struct RunArguments {
   std::filesystem::path file;
   std::string clock;
+  std::filesystem::path events;
   RunOptions options;
   bool check = false;
 };
@@ -62,6 +64,7 @@ int run(const RunArguments& arguments) {
   options.text = source.text;
   options.attended = !source.from_stdin;
   if (!arguments.clock.empty()) deployment.clock = clock_mode(arguments.clock);
+  if (!arguments.events.empty()) deployment.events = config::load_events(arguments.events, deployment);
   check_hosts(deployment, arguments, source);
   check_drives(deployment, arguments);
   if (!deployment.mp.states.empty()) {
@@ -104,6 +107,11 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command::add_number<std::uint64_t>(*command, "--shuffle-start", arguments->options.shuffle_seed, 0,
                                      std::numeric_limits<std::uint64_t>::max(),
                                      "Start the processes in a random order with random delays, from this seed");
+  command->add_flag("--hold", arguments->options.hold, "The task waits for the operator's 'start'");
+  command->add_option("--events", arguments->events,
+                      "Operator commands at given ticks, [[events]], instead of the deployment's");
+  command->add_option("--note-events", arguments->options.note_events,
+                      "Write the operator's commands, each with its tick, to this file for --events");
   command->add_flag("--quiet", arguments->options.quiet, "No progress and no report");
   command->add_flag("--check", arguments->check, "Validate the deployment and show its processes; start nothing");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -125,7 +125,7 @@ void Agent::prepare() {
   records_ = std::make_unique<TaskRecords>(order_, plan_);
   const bool simulates = deployment_.sim && deployment_.sim->host == order_.host;
   if (!order_.motion.empty() && simulates) {
-    motion_.emplace(claim_motion(order_.motion));
+    motion_.emplace(claim_live(order_.motion, "--motion", "the motion file"));
     if (motion_->is_own_regular_file() && ftruncate(motion_->fd(), 0) != 0)
       throw std::runtime_error("cannot write the motion file " + order_.motion.string());
   }

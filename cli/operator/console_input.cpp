@@ -1,7 +1,6 @@
 #include "cli/operator/console_input.hpp"
 
 #include <poll.h>
-#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,11 +14,11 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r";
 constexpr std::size_t kTyped = 65536;  // more than an operator types; a pipe may hold more
 
-bool same_word(std::string_view typed, std::string_view word) {
-  return typed.size() == word.size() && strncasecmp(typed.data(), word.data(), word.size()) == 0;
-}
-
 }  // namespace
+
+ConsoleInput::ConsoleInput(int fd, bool keys) : fd_(fd) {
+  if (keys) mode_.emplace(fd);
+}
 
 bool ConsoleInput::attended() const noexcept {
   if (!unread_.empty()) return true;
@@ -38,7 +37,7 @@ std::optional<std::string> ConsoleInput::next() {
   return line;
 }
 
-std::optional<std::string> ConsoleInput::next_of(std::initializer_list<std::string_view> words) {
+std::optional<std::string> ConsoleInput::next_if(const std::function<bool(std::string_view line)>& wanted) {
   read_more();
   std::size_t begin = 0;
   for (std::size_t end = 0; begin < unread_.size(); begin = end + 1) {
@@ -46,12 +45,14 @@ std::optional<std::string> ConsoleInput::next_of(std::initializer_list<std::stri
     if (end == std::string::npos && !ended_) break;  // the line is being typed
     end = std::min(end, unread_.size());
     std::string_view line = std::string_view{unread_}.substr(begin, end - begin);
-    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
-    line = line.substr(0, line.find_last_not_of(kBlanks) + 1);
-    const auto word = std::find_if(words.begin(), words.end(), [line](auto each) { return same_word(line, each); });
-    if (word == words.end()) continue;
+    if (line != " ") {  // the space key
+      line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+      line = line.substr(0, line.find_last_not_of(kBlanks) + 1);
+    }
+    if (!wanted(line)) continue;
+    std::string taken{line};
     unread_.erase(begin, end + 1 - begin);
-    return std::string{*word};
+    return taken;
   }
   return std::nullopt;
 }
@@ -76,7 +77,11 @@ void ConsoleInput::read_more() {
     if (count == 0 && isatty(fd_) != 0) break;  // Ctrl-D ends a line there, not the typing
     ended_ = count <= 0;
     if (count <= 0) break;
-    unread_.append(buffer.data(), static_cast<std::size_t>(count));
+    const std::string_view text(buffer.data(), static_cast<std::size_t>(count));
+    if (takes_keys())
+      unread_ += editor_.feed(text);
+    else
+      unread_ += text;
     taken += static_cast<std::size_t>(count);
   }
   if (unread_.size() > kTyped) forget_oldest();

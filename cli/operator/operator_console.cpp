@@ -1,132 +1,121 @@
 #include "cli/operator/operator_console.hpp"
 
-#include <algorithm>
-#include <vector>
+#include <spdlog/fmt/fmt.h>
 
-#include "config/entries/operator_answer.hpp"
-#include "config/table.hpp"
-#include "mrroc/errors.hpp"
+#include <algorithm>
+#include <cctype>
+
+#include "cli/operator/operator_state.hpp"
 #include "process/answer_text.hpp"
 
 namespace mrroc::cli {
 
-void check_somebody_answers(const config::Deployment& deployment, bool attended) {
-  const bool lockstep = deployment.clock == config::ClockMode::lockstep;
-  if (attended && !lockstep) return;
-  for (const config::SensorEntry& sensor : deployment.sensors) {
-    const auto answers = [&](const config::Event& event) { return event.sensor == sensor.name; };
-    if (!config::asks_operator(sensor) || std::any_of(deployment.events.begin(), deployment.events.end(), answers)) {
-      continue;
-    }
-    throw config::ConfigurationError(
-        deployment.file, 0, "sensors." + sensor.name,
-        std::string{"asks the operator, and no answer can be typed under "} +
-            (lockstep ? "the clock 'lockstep'" : "a standard input that is not a terminal"),
-        "an event that answers: [[events]] with tick, command = 'answer', sensor and value");
-  }
+namespace {
+
+const OperatorClient kTerminal{0, "the terminal"};
+
+std::string first_word(std::string_view line) {
+  std::string word{line.substr(0, line.find_first_of(" \t\r"))};
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+  return word;
 }
 
-OperatorConsole::OperatorConsole(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock,
-                                 ConsoleInput& input, Show show)
-    : deployment_(deployment), emergency_stop_(clock.emergency_stop()), input_(input), show_(std::move(show)) {
-  const auto open_link = [&](const std::string& asker) {
-    links_[asker] = std::make_unique<links::OperatorResponder>(domain, clock, deployment.name + "/" + asker);
+bool is_help(std::string_view line) { return line == "help" || line == "?"; }
+
+}  // namespace
+
+OperatorConsole::OperatorConsole(OperatorService& service, Questions& questions, ConsoleInput& input, Show show)
+    : service_(service), questions_(questions), input_(input), show_(std::move(show)) {}
+
+void OperatorConsole::poll(bool others_answer) {
+  questions_.poll();
+  const auto is_emergency = [](std::string_view line) {
+    const std::string word = first_word(line);
+    return word == "estop" || word == "reset";
   };
-  for (const config::SensorEntry& sensor : deployment.sensors)
-    if (config::asks_operator(sensor)) open_link(sensor.name);
-  open_link("mp");
-  for (const config::RobotEntry& robot : deployment.robots) open_link(robot.name);
+  while (const std::optional<std::string> line = input_.next_if(is_emergency)) execute(*line);
+  show_question();
+  while (const auto line = input_.next_if([this](std::string_view typed) { return is_command(typed); })) execute(*line);
+  read_answers();
+  if (!others_answer && !(service_.may_answer() && input_.attended())) questions_.refuse_open();
 }
 
-void OperatorConsole::answer(const config::Event& event) { send(event.sensor, {0, event.value}); }
+bool OperatorConsole::is_answer(std::string_view line) const {
+  const OpenQuestion* const question = questions_.find("");
+  std::string ignored;
+  return question != nullptr && service_.may_answer() &&
+         process::read_answer(question->question, std::string{line}, ignored).has_value();
+}
 
-void OperatorConsole::emergency(const std::string& word) {
-  if (word == "estop")
-    emergency_stop_.press();
+bool OperatorConsole::is_command(std::string_view line) const {
+  if (line == " " || is_help(line)) return true;
+  if (is_answer(line)) return false;
+  if (find_verb(first_word(line)) != nullptr) return true;
+  // a terminal gets an answer to every line; lines of a pipe wait for the question that they answer
+  return input_.takes_keys() && questions_.open().empty();
+}
+
+void OperatorConsole::execute(const std::string& line) {
+  if (line == " ") return toggle_pause();
+  if (line.empty()) return;
+  if (is_help(line)) return help();
+  const std::string word = first_word(line);
+  VerbReply refusal;
+  const auto typed = parse_typed(word + line.substr(word.size()), refusal);
+  if (typed)
+    request(*typed);
   else
-    emergency_stop_.reset();
+    show_(to_text(refusal));
 }
 
-void OperatorConsole::poll() {
-  while (const std::optional<std::string> word = input_.next_of({"estop", "reset"})) {
-    emergency(*word);
-    show_(*word == "estop" ? "emergency stop: every robot stops until the line 'reset'" : "emergency stop: reset");
-  }
-  take_questions();
-  read_lines();
+void OperatorConsole::toggle_pause() {
+  VerbRequest toggled;
+  toggled.verb = find_verb(service_.phase() == TaskPhase::paused ? "resume" : "pause");
+  request(toggled);
 }
 
-/// Takes new questions, in the order in which they were asked.
-void OperatorConsole::take_questions() {
-  std::vector<Open> taken;
-  Open open;
-  for (const auto& [name, link] : links_) {
-    open.asker = name;
-    while (link->take(open.question, open.number)) taken.push_back(open);
-  }
-  const auto earlier = [](const Open& a, const Open& b) { return a.question.tick < b.question.tick; };
-  std::stable_sort(taken.begin(), taken.end(), earlier);
-  for (const Open& question : taken) take_question(question);
+void OperatorConsole::request(const VerbRequest& request) {
+  const std::string name{request.verb->name};
+  service_.request(kTerminal, request, [this, name](const VerbReply& reply) {
+    if (name == "status" && reply.ok())
+      show_(state_text(reply.data));
+    else
+      show_(name + ": " + to_text(reply) + (reply.tick ? " [tick " + std::to_string(*reply.tick) + "]" : ""));
+  });
 }
 
-void OperatorConsole::take_question(const Open& open) {
-  if (open.question.kind == links::QuestionKind::none) {
-    show_(open.text());
-    return;
-  }
-  std::erase_if(open_, [&](const Open& other) { return other.asker == open.asker; });  // asked again
-  if (const config::Event* event = event_for(open.asker, open.question.tick)) {
-    show_(open.text() + " (answered at tick " + std::to_string(event->tick) + ")");
-    return;
-  }
-  if (!somebody_types()) refuse(open);
-  // the oldest first, except the one that the operator is answering
-  const auto waiting = open_.begin() + (!open_.empty() && open_.front().same(shown_) ? 1 : 0);
-  const auto later = [](const Open& a, const Open& b) { return a.question.tick < b.question.tick; };
-  open_.insert(std::upper_bound(waiting, open_.end(), open, later), open);
-}
-
-const config::Event* OperatorConsole::event_for(const std::string& asker, Tick asked) const noexcept {
-  for (const config::Event& event : deployment_.events)
-    if (event.sensor == asker && event.tick > asked) return &event;
-  return nullptr;
-}
-
-bool OperatorConsole::somebody_types() const noexcept {
-  return deployment_.clock != config::ClockMode::lockstep && input_.attended();
-}
-
-void OperatorConsole::refuse(const Open& question) const {
-  throw NonFatalError(ErrorCode::sensor_not_ready, question.text() + " No operator is left to answer",
-                      {"", question.asker, 0, 0});
-}
-
-void OperatorConsole::ask_aloud() {
-  if (open_.front().same(shown_)) return;
-  shown_ = open_.front();
+void OperatorConsole::show_question() {
+  if (questions_.open().empty() || questions_.open().front().same(shown_)) return;
+  shown_ = questions_.open().front();
+  questions_.mark_shown();
   show_(shown_.text() + " (" + process::expected_answer(shown_.question) + ")");
 }
 
-void OperatorConsole::read_lines() {
-  while (!open_.empty()) {
-    ask_aloud();
+void OperatorConsole::read_answers() {
+  while (!questions_.open().empty() && service_.may_answer()) {
+    show_question();
     const std::optional<std::string> line = input_.next();
-    if (!line && !input_.attended()) refuse(open_.front());
     if (!line) return;
-    const Open& open = open_.front();
-    std::string refusal;
-    if (const auto value = process::read_answer(open.question, *line, refusal)) {
-      send(open.asker, {open.number, *value});
-      open_.pop_front();
-    } else {
-      show_(open.asker + ": " + refusal);
-    }
+    VerbRequest answer;
+    answer.verb = find_verb("answer");
+    answer.arguments["value"] = *line;
+    const std::string asker = questions_.open().front().asker;
+    service_.request(kTerminal, answer, [this, asker](const VerbReply& reply) {
+      if (!reply.ok()) show_(asker + ": " + to_text(reply));
+    });
   }
 }
 
-void OperatorConsole::send(const std::string& asker, const links::OperatorAnswer& answer) {
-  const std::lock_guard lock(sending_);
-  links_.at(asker)->answer(answer);
+std::string OperatorConsole::prompt() const {
+  if (waits_for_line()) return "answer> " + input_.typed();
+  if (!input_.typed().empty()) return "> " + input_.typed();
+  return service_.phase() == TaskPhase::held ? "> (start: begins the task; help)" : "> (space: pause and resume; help)";
+}
+
+void OperatorConsole::help() const {
+  std::string text;
+  for (const OperatorVerb& verb : operator_verbs()) text += fmt::format("{:<26} {}\n", usage_of(verb), verb.summary);
+  show_(text + "space                      pause, and resume");
 }
 
 }  // namespace mrroc::cli

@@ -11,12 +11,12 @@
 
 namespace mrroc::cli {
 
-process::ClaimedFile claim_motion(const std::filesystem::path& path) {
+process::ClaimedFile claim_live(const std::filesystem::path& path, const std::string& option, const std::string& what) {
   struct stat status {};
-  // the simulator writes it between two steps of the world: a stopped reader would stop the world
+  // it is written between two steps of the world: a stopped reader would stop the world
   if (::stat(path.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)))
-    throw std::runtime_error("--motion " + path.string() + ": is a pipe, expected a file");
-  return {path, "the motion file"};
+    throw std::runtime_error(option + " " + path.string() + ": is a pipe, expected a file");
+  return {path, what};
 }
 
 Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment,
@@ -25,7 +25,13 @@ Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment
   const bool remote = deployment.sim && !deployment.sim->host.empty();
   if (!options.motion.empty() && !remote) {
     check_apart("--motion", options.motion);
-    known_.emplace_back("--motion", motion_.emplace(claim_motion(options.motion)).identity());
+    known_.emplace_back("--motion",
+                        motion_.emplace(claim_live(options.motion, "--motion", "the motion file")).identity());
+  }
+  if (!options.note_events.empty()) {
+    check_apart("--note-events", options.note_events);
+    notes_.emplace(claim_live(options.note_events, "--note-events", "the noted events"));
+    known_.emplace_back("--note-events", notes_->identity());
   }
   if (!options.trace.empty()) {
     check_apart("--trace", options.trace);
@@ -62,6 +68,8 @@ void Outputs::begin() {
   if (trace_) trace_->clear();
   if (motion_ && motion_->is_own_regular_file() && ftruncate(motion_->fd(), 0) != 0)
     throw std::runtime_error("cannot write the motion file " + motion_->path().string() + ": " + std::strerror(errno));
+  if (notes_ && notes_->is_own_regular_file() && ftruncate(notes_->fd(), 0) != 0)
+    throw std::runtime_error("cannot write the noted events " + notes_->path().string() + ": " + std::strerror(errno));
 }
 
 void Outputs::join_trace(config::ClockMode clock, const TraceOutput::Continue& go_on) {

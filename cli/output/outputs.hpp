@@ -30,9 +30,11 @@ class Outputs {
   /// Removes the content of an earlier run: from now on the outputs belong to this run.
   void begin();
 
-  /// The open part of the trace of a process, the open motion file; -1 when there is none.
+  /// The open part of the trace of a process, the open motion file, the open file of noted events; -1 when there is
+  /// none.
   int trace_of(const std::string& process) const noexcept { return parts_ ? parts_->fd_of(process) : -1; }
   int motion() const noexcept { return motion_ ? motion_->fd() : -1; }
+  int notes() const noexcept { return notes_ ? notes_->fd() : -1; }
   /// Null: no trace is written.
   TraceParts* parts() noexcept { return parts_ ? &*parts_ : nullptr; }
   /// At the end of the run. Throws as TraceParts::join.
@@ -44,12 +46,14 @@ class Outputs {
   std::vector<std::pair<std::string, process::FileIdentity>> known_;  // files that no further output may be
   std::optional<TraceOutput> trace_;
   std::optional<process::ClaimedFile> motion_;
+  std::optional<process::ClaimedFile> notes_;
   std::optional<process::ClaimedFile> snapshots_;
   std::optional<TraceParts> parts_;
   bool begun_ = false;
 };
 
-/// A motion file: a regular file or a device. Throws std::runtime_error for another, or as ClaimedFile.
-process::ClaimedFile claim_motion(const std::filesystem::path& path);
+/// A file that is written during the run, without waiting for a reader: a regular file or a device. `option`: as typed;
+/// `what`: its name in messages. Throws std::runtime_error for another, or as ClaimedFile.
+process::ClaimedFile claim_live(const std::filesystem::path& path, const std::string& option, const std::string& what);
 
 }  // namespace mrroc::cli

@@ -18,8 +18,9 @@ const Child* ProcessGroup::find(const std::string& name) const noexcept {
   return nullptr;
 }
 
-void ProcessGroup::wait(int milliseconds, int also) {
-  std::vector<pollfd> descriptors{{also, POLLIN, 0}};
+void ProcessGroup::wait(int milliseconds, std::initializer_list<int> also) {
+  std::vector<pollfd> descriptors;
+  for (const int fd : also) descriptors.push_back({fd, POLLIN, 0});
   for (Member& member : members_) {
     // the pipe of a process that has ended stays readable: polling it would not wait
     descriptors.push_back({member.child.ended() ? -1 : member.child.output_fd(), POLLIN, 0});

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,9 @@ class ProcessGroup {
              const std::vector<int>& handed = {});
   /// Null when no process has that name. Any thread, once all have been started.
   const Child* find(const std::string& name) const noexcept;
-  /// Waits until a process writes or ends, `also` becomes readable, or the time is over; forwards the lines.
-  void wait(int milliseconds, int also);
+  /// Waits until a process writes or ends, one of `also` becomes readable, or the time is over; forwards the lines.
+  void wait(int milliseconds, std::initializer_list<int> also);
+  void wait(int milliseconds, int also) { wait(milliseconds, {also}); }
   /// A process that has ended or been stopped, with all its output forwarded; null when all are running. Prefers one of
   /// `suspects`.
   Child* first_lost(const std::vector<std::string>& suspects = {});

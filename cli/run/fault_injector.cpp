@@ -55,14 +55,14 @@ void FaultInjector::schedule() {
     const faults::InjectedFault& fault = plan_.all()[i];
     if (!fault.at_step) clock_.set_off_fault(i, fault.when);
     const Tick first = fault.at_step ? 1 : fault.when;
-    clock_.at_tick(first, [this, i, first] { update(i, first); });
+    clock_.at_tick(first, [this, i, first](Tick) { update(i, first); });
   }
 }
 
 /// An event of tick `tick`: injects the fault when it is in force, else checks again at the next tick.
 void FaultInjector::update(std::size_t index, Tick tick) {
   if (clock_.fault_tick(index) > tick) {
-    clock_.at_tick(tick + 1, [this, index, tick] { update(index, tick + 1); });
+    clock_.at_tick(tick + 1, [this, index, tick](Tick) { update(index, tick + 1); });
     return;
   }
   const faults::InjectedFault& fault = plan_.all()[index];

@@ -12,6 +12,7 @@ namespace mrroc::cli {
 
 namespace {
 
+constexpr std::size_t kLongestPrompt = 76;                        // bytes
 constexpr std::int64_t kPatienceWithReader = 2 * clock::kSecond;  // at the end
 
 const char* text_of(links::ProcessState state) {
@@ -71,11 +72,17 @@ void Progress::print_change(const links::ProcessStatus& before, const links::Pro
 }
 
 void Progress::message(const std::string& text) {
+  listener_(text);
+  notice(text);
+}
+
+void Progress::notice(const std::string& text) {
   out_.write(erasure() + command::printable_lines(text) + "\n");
   draw();
 }
 
 void Progress::error(const std::string& text) {
+  listener_(text);
   out_.write(erasure());
   err_.write(command::printable_lines(text) + "\n");
   draw();
@@ -98,12 +105,21 @@ void Progress::draw() {
     }
   }
   drawn_lines_ = names_.size();
-  out_.write(lines);
+  prompt_drawn_ = !prompt_.empty();
+  out_.write(lines + prompt_);
 }
 
 std::string Progress::erasure() {
-  if (drawn_lines_ == 0) return "";
-  return fmt::format("\x1b[{}A\x1b[J", std::exchange(drawn_lines_, 0));
+  const std::string line_begin = std::exchange(prompt_drawn_, false) ? "\r\x1b[J" : "";
+  if (drawn_lines_ == 0) return line_begin;
+  return line_begin + fmt::format("\x1b[{}A\x1b[J", std::exchange(drawn_lines_, 0));
+}
+
+void Progress::prompt(const std::string& text) {
+  // of a long line the end, which is being typed
+  std::size_t begin = text.size() > kLongestPrompt ? text.size() - kLongestPrompt : 0;
+  while (begin < text.size() && (static_cast<unsigned char>(text[begin]) & 0xc0) == 0x80) ++begin;
+  prompt_ = command::printable(text.substr(begin));
 }
 
 void Progress::pause(bool paused) {
@@ -112,6 +128,7 @@ void Progress::pause(bool paused) {
 }
 
 void Progress::finish() {
+  if (std::exchange(prompt_drawn_, false)) out_.write("\r\x1b[J");
   drawn_lines_ = 0;
   live_ = false;
 }

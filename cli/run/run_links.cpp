@@ -4,12 +4,14 @@
 
 namespace mrroc::cli {
 
-RunLinks::RunLinks(const config::Deployment& deployment, const links::DomainOptions& options, clock::Clock& clock,
-                   ConsoleInput& input, std::function<void(const std::string& line)> show)
+RunLinks::RunLinks(const config::Deployment& deployment, const links::DomainOptions& options, clock::ClockHost& host,
+                   clock::Clock& clock, std::function<void(const std::string& line)> show)
     : domain(options),
       processes(domain, deployment.name),
       mp(domain, clock, deployment.name + "/mp", "mp"),
-      commands(mp),
-      console(deployment, domain, clock, input, std::move(show)) {}
+      questions(deployment, domain, clock, std::move(show)),
+      events({[&host](Tick tick, clock::TickEvents::Callback callback) { host.at_tick(tick, std::move(callback)); },
+              [&host] { return host.tick(); }},
+             clock.emergency_stop(), mp, questions.links(), deployment.clock == config::ClockMode::real) {}
 
 }  // namespace mrroc::cli

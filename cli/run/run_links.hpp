@@ -3,10 +3,10 @@
 #include <functional>
 #include <string>
 
-#include "cli/operator/console_input.hpp"
-#include "cli/operator/operator_console.hpp"
-#include "cli/operator/task_commands.hpp"
+#include "cli/operator/operator_events.hpp"
+#include "cli/operator/questions.hpp"
 #include "clock/clock.hpp"
+#include "clock/host.hpp"
 #include "config/deployment.hpp"
 #include "links/exchange/task_superior.hpp"
 #include "links/telemetry/status_collector.hpp"
@@ -15,18 +15,18 @@
 namespace mrroc::cli {
 
 /// The runner's own links of a deployment: the statuses of its processes, the task in the MP, the operator. Main
-/// thread, except the commands.
+/// thread, except the events.
 struct RunLinks {
-  /// Construct it when all processes have been started: they would inherit the domain's sockets. Deployment, clock
-  /// and input outlive it; `show`: displays a line to the operator.
-  RunLinks(const config::Deployment& deployment, const links::DomainOptions& options, clock::Clock& clock,
-           ConsoleInput& input, std::function<void(const std::string& line)> show);
+  /// Construct it when all processes have been started: they would inherit the domain's sockets. Deployment and clocks
+  /// outlive it; `show`: displays a line to the operator.
+  RunLinks(const config::Deployment& deployment, const links::DomainOptions& options, clock::ClockHost& host,
+           clock::Clock& clock, std::function<void(const std::string& line)> show);
 
   links::Domain domain;
   links::StatusCollector processes;
   links::TaskSuperior mp;
-  TaskCommands commands;
-  OperatorConsole console;
+  Questions questions;
+  OperatorEvents events;
 };
 
 }  // namespace mrroc::cli

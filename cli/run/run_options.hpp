@@ -10,15 +10,17 @@ namespace mrroc::cli {
 
 /// Options of a run in addition to its deployment.
 struct RunOptions {
-  std::filesystem::path trace;      ///< empty: none
-  std::filesystem::path black_box;  ///< folder for the black boxes of tasks that fail; empty: none
-  std::filesystem::path snapshots;  ///< folder for world snapshots; empty: none
-  std::filesystem::path motion;     ///< file for the motion of the simulated world's robots; empty: none
-  std::vector<std::string> faults;  ///< to be injected: faults::parse_fault
-  std::string behaviours;           ///< behaviours of the ECP programs, for a state machine (config::ProgramsByRobot)
-  std::string text;                 ///< of the deployment, as it was read
-  bool attended = true;             ///< false: the standard input was the deployment, so no line is typed there
+  std::filesystem::path trace;        ///< empty: none
+  std::filesystem::path black_box;    ///< folder for the black boxes of tasks that fail; empty: none
+  std::filesystem::path snapshots;    ///< folder for world snapshots; empty: none
+  std::filesystem::path motion;       ///< file for the motion of the simulated world's robots; empty: none
+  std::filesystem::path note_events;  ///< file for the operator's commands, as [[events]]; empty: none
+  std::vector<std::string> faults;    ///< to be injected: faults::parse_fault
+  std::string behaviours;             ///< behaviours of the ECP programs, for a state machine (config::ProgramsByRobot)
+  std::string text;                   ///< of the deployment, as it was read
+  bool attended = true;               ///< false: the standard input was the deployment, so no line is typed there
   bool quiet = false;
+  bool hold = false;  ///< the task waits for `start`
   /// Starts the processes in a random order with random delays (0 to 0.3 s) drawn from this seed: a test of the
   /// barrier.
   std::optional<std::uint64_t> shuffle_seed;

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kHandShake = 0.1;              // s of one attempt to reach the MP
 constexpr double kEndTimeoutAfterSuccess = 10;  // s: on a busy machine the kernel takes seconds to end a process
-constexpr double kPatienceWithReader = 2;       // s without progress of the trace's reader while the operator waits
+constexpr double kTraceReaderTimeout = 2;       // s without progress of the trace's reader while the operator waits
 
 /// The processes of one host; "": of this machine.
 std::vector<PlannedProcess> processes_on(const std::string& host, const std::vector<PlannedProcess>& plan) {
@@ -58,8 +58,9 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       group_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
       faults_(options_.faults, plan_, clock_, group_, deployment_.clock != config::ClockMode::real,
               [this](const std::string& line) { progress_.message(line); }),
-      supervisor_({deployment_, plan_, clock_, *operator_clock_, group_, faults_, black_boxes_, progress_}),
-      input_(options_.attended ? STDIN_FILENO : -1) {
+      service_(deployment_),
+      supervisor_({deployment_, plan_, clock_, *operator_clock_, group_, faults_, black_boxes_, progress_, service_}),
+      input_(options_.attended ? STDIN_FILENO : -1, progress_.live()) {
   if (deployment_.sim && deployment_.sim->host.empty())
     world_ = std::make_unique<world::MappedWorld>(world::MappedWorld::create());
 }
@@ -79,6 +80,7 @@ process::ExitCode Runner::run() {
     return supervisor_.turn(milliseconds);
   });
   if (!supervisor_.ending()) outputs.begin();
+  open_operator(outputs);
   // lockstep is serial by nature: one CPU for all is several times faster than two
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
   supervisor_.guard([&] {
@@ -94,7 +96,27 @@ process::ExitCode Runner::run() {
   RunResult result = supervisor_.result();
   if (hosts_) result.hosts = hosts_->summaries();
   if (!options_.quiet) progress_.message(report_of(deployment_, result));
+  service_.end(static_cast<int>(result.code), result.reason);
   return result.code;
+}
+
+/// Without its socket a run can still be operated at its own terminal.
+void Runner::open_operator(const Outputs& outputs) {
+  if (outputs.notes() >= 0) {
+    notes_.emplace(outputs.notes(), options_.note_events, deployment_);
+    service_.note_to([this](const config::Event& event) { notes_->note(event); });
+  }
+  service_.end_with([this] { supervisor_.fail(process::ExitCode::stopped, "ended by the operator"); });
+  progress_.listen([this](const std::string& text) { service_.message(text); });
+  try {
+    supervisor_.watch(socket_.emplace(service_, deployment_.name));
+  } catch (const std::runtime_error& error) {
+    progress_.error(std::string{"mrroc: other terminals cannot operate this run: "} + error.what());
+  }
+  service_.publish_to([this](const std::string& json, const std::string& text) {
+    if (socket_) socket_->publish(json);
+    if (!text.empty()) progress_.notice("operator: " + text);
+  });
 }
 
 /// A success without its trace is a failure.
@@ -109,7 +131,7 @@ void Runner::join_trace(Outputs& outputs) {
   try {
     outputs.join_trace(deployment_.clock, [this](double stalled) {
       supervisor_.watch_operator(0);
-      return !supervisor_.hurried() && !(supervisor_.interrupted() && stalled > kPatienceWithReader);
+      return !supervisor_.hurried() && !(supervisor_.interrupted() && stalled > kTraceReaderTimeout);
     });
   } catch (const std::exception& error) {
     if (supervisor_.result().code == process::ExitCode::success)
@@ -144,9 +166,10 @@ void Runner::start_processes(Outputs& outputs) {
     const process::Arguments arguments = arguments_for(process, surroundings);
     group_.start(process, process::to_command_line(arguments), arguments.descriptors());
   }
-  links_ = std::make_unique<RunLinks>(deployment_, domain_options(surroundings), *operator_clock_, input_,
-                                      [this](const std::string& line) { progress_.message(line); });
-  supervisor_.watch(*links_);
+  const auto show = [this](const std::string& line) { progress_.message(line); };
+  links_ = std::make_unique<RunLinks>(deployment_, domain_options(surroundings), clock_, *operator_clock_, show);
+  console_.emplace(service_, links_->questions, input_, show);
+  supervisor_.watch(*links_, *console_);
 }
 
 void Runner::pass_barrier() {
@@ -161,7 +184,8 @@ void Runner::pass_barrier() {
     }
   }
   if (!connect_to_mp(deadline)) return;
-  links_->commands.schedule(clock_, deployment_, links_->console);
+  links_->events.schedule(deployment_, options_.hold);
+  service_.connect(links_->events, links_->questions);
   faults_.schedule();
   supervisor_.task_starts();
   clock_.start(hosts_->start());

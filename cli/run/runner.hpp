@@ -2,11 +2,16 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/hosts/remote_hosts.hpp"
 #include "cli/operator/console_input.hpp"
+#include "cli/operator/event_notes.hpp"
+#include "cli/operator/operator_console.hpp"
+#include "cli/operator/operator_service.hpp"
+#include "cli/operator/operator_socket.hpp"
 #include "cli/output/black_boxes.hpp"
 #include "cli/output/outputs.hpp"
 #include "cli/processes/process_group.hpp"
@@ -36,6 +41,7 @@ class Runner {
   process::ExitCode run();
 
  private:
+  void open_operator(const Outputs& outputs);
   void start_processes(Outputs& outputs);
   void pass_barrier();
   /// Connects to the MP, and watches processes and the operator meanwhile; returns false when the run must end.
@@ -62,10 +68,14 @@ class Runner {
   std::unique_ptr<world::MappedWorld> world_;
   ProcessGroup group_;
   FaultInjector faults_;
+  OperatorService service_;
   Supervisor supervisor_;
   std::unique_ptr<RemoteHosts> hosts_;
   ConsoleInput input_;
+  std::optional<EventNotes> notes_;
+  std::optional<OperatorSocket> socket_;
   std::unique_ptr<RunLinks> links_;
+  std::optional<OperatorConsole> console_;
 };
 
 }  // namespace mrroc::cli

@@ -65,7 +65,7 @@ void Supervisor::supervise() {
 }
 
 bool Supervisor::turn(int milliseconds) {
-  watched_.group.wait(milliseconds, descriptor());
+  wait(milliseconds);
   read_signals();
   if (links_ != nullptr) read_statuses();
   watched_.faults.tell();
@@ -74,7 +74,7 @@ bool Supervisor::turn(int milliseconds) {
   check_children();
   if (hosts_ != nullptr) hosts_->poll();
   check_clock();
-  if (task_started_ && !ending_) poll_console();  // messages from before the end are shown before it
+  poll_operator();  // messages from before the end are shown before it
   if (task_started_) read_task_status();
   watched_.progress.draw();
   return !ending_;
@@ -100,13 +100,18 @@ void Supervisor::interrupt_by_operator() {
     return;
   }
   watched_.progress.message("stopping (once more to end at once)");
-  links_->commands.send(links::TaskCommandKind::stop);
+  VerbRequest stop;
+  stop.verb = find_verb("stop");
+  watched_.service.request({0, "Ctrl-C"}, stop, {});
 }
 
 void Supervisor::read_statuses() {
   links_->processes.poll();
   for (const auto& [name, process] : links_->processes.processes())
-    if (heartbeats_.take(process.status, watched_.wall.wall_seconds())) watched_.progress.update(process.status);
+    if (heartbeats_.take(process.status, watched_.wall.wall_seconds())) {
+      watched_.progress.update(process.status);
+      watched_.service.update(process.status);
+    }
 }
 
 void Supervisor::await_cause() {
@@ -114,11 +119,11 @@ void Supervisor::await_cause() {
   const double silence = watched_.deployment.hosts_used().empty() ? 0 : watched_.deployment.link_timeout;
   const double deadline = watched_.wall.wall_seconds() + kPatienceWithCause + silence;
   while (!ending_ && watched_.wall.wall_seconds() < deadline) {
-    watched_.group.wait(kTurn, descriptor());
+    wait(kTurn);
     read_signals();
     check_children();
     if (hosts_ != nullptr) hosts_->poll();
-    if (task_started_ && !ending_) poll_console();  // an emergency stop must not wait for it
+    poll_operator();  // an emergency stop must not wait for it
   }
 }
 
@@ -130,7 +135,7 @@ void Supervisor::read_task_status() {
     if (watched_.faults.ends_run()) continue;
     if (!ending_ && status.state == links::TaskState::failed && tells_of_a_loss(status.error.code)) await_cause();
     // the request came from elsewhere, with a signal to the MP alone: its end is the end of a process
-    if (!ending_ && status.state == links::TaskState::stopped && !links_->commands.stop_sent()) await_cause();
+    if (!ending_ && status.state == links::TaskState::stopped && !links_->events.stop_performed()) await_cause();
     if (!ending_) take(status);
   }
 }
@@ -151,9 +156,23 @@ void Supervisor::take(const links::TaskStatus& status) {
     ending_ = true;
 }
 
-void Supervisor::poll_console() {
-  links_->console.poll();
-  watched_.progress.pause(links_->console.waits_for_line());
+void Supervisor::wait(int milliseconds) {
+  const int socket = socket_ != nullptr ? socket_->descriptor() : -1;
+  watched_.group.wait(milliseconds, {descriptor(), socket});
+}
+
+void Supervisor::poll_operator() {
+  if (socket_ != nullptr) socket_->poll();
+  if (task_started_ && !ending_) {
+    console_->poll(watched_.service.may_answer() && socket_ != nullptr && socket_->watched());
+    if (console_->takes_keys())
+      watched_.progress.prompt(console_->prompt());
+    else
+      watched_.progress.pause(console_->waits_for_line());
+  }
+  watched_.service.poll();
+  if (!ending_ && links_ != nullptr && links_->events.stopped_before_start())
+    fail(process::ExitCode::stopped, "stopped by the operator before the task's start");
 }
 
 void Supervisor::check_stop() {

@@ -5,6 +5,9 @@
 #include <vector>
 
 #include "cli/hosts/remote_hosts.hpp"
+#include "cli/operator/operator_console.hpp"
+#include "cli/operator/operator_service.hpp"
+#include "cli/operator/operator_socket.hpp"
 #include "cli/output/black_boxes.hpp"
 #include "cli/processes/process_group.hpp"
 #include "cli/processes/process_plan.hpp"
@@ -31,6 +34,7 @@ struct Watched {
   FaultInjector& faults;
   BlackBoxes& black_boxes;
   Progress& progress;
+  OperatorService& service;
 };
 
 /// Finds the one reason why a run ends. It receives the operator's signals, the deaths and silences of processes, here
@@ -44,7 +48,11 @@ class Supervisor {
 
   /// From now on these are watched, too; they outlive the supervisor's last turn.
   void watch(RemoteHosts& hosts) { hosts_ = &hosts; }
-  void watch(RunLinks& links) { links_ = &links; }
+  void watch(RunLinks& links, OperatorConsole& console) {
+    links_ = &links;
+    console_ = &console;
+  }
+  void watch(OperatorSocket& socket) { socket_ = &socket; }
   /// The processes that have not reported any status yet.
   std::vector<std::string> without_status() const { return heartbeats_.missing(names_of(watched_.plan)); }
   /// All processes are ready and the clock starts: from now on each must send heartbeats.
@@ -90,7 +98,9 @@ class Supervisor {
   void check_children();
   void check_heartbeats();
   void check_clock();
-  void poll_console();
+  void wait(int milliseconds);
+  /// The operator's typed lines and requests of the socket.
+  void poll_operator();
   process::ExitCode code_of_death(int exit_code) const;
   int descriptor() { return hosts_ ? hosts_->descriptor(signals_.descriptor()) : signals_.descriptor(); }
 
@@ -100,6 +110,8 @@ class Supervisor {
   StallWatch stall_;
   RemoteHosts* hosts_ = nullptr;
   RunLinks* links_ = nullptr;
+  OperatorConsole* console_ = nullptr;
+  OperatorSocket* socket_ = nullptr;
   int interrupts_ = 0;
   bool ending_ = false;
   bool hurried_ = false;

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <exception>
 
 #include "clock/operator_clock.hpp"
@@ -104,7 +105,7 @@ void ClockHost::run_events_in_real_time() {
     const Tick next = events_.next();
     if (memory_->host.sleep(seen, begin_of(*memory_, next))) continue;
     try {
-      events_.run(next);
+      events_.run(std::max(next, tick()));
     } catch (const std::exception& error) {
       fail("event at tick " + std::to_string(next) + ": " + error.what());
     }

@@ -45,7 +45,7 @@ class ClockHost {
   std::vector<std::string> wait_ready(double timeout);
   /// Runs `callback` in the host's thread before tick `tick` is visible, while every participant is blocked (real mode:
   /// when the tick begins). Its messages through the operator clock are visible at that tick. An exception fails the
-  /// clock. For a tick that has passed: before the next one.
+  /// clock. For a tick that has passed: before the next one; the callback receives the tick that it really precedes.
   void at_tick(Tick tick, TickEvents::Callback callback);
   /// Opens tick 0 and continues in its own thread. `epoch_ns`: in real mode, the CLOCK_MONOTONIC time of tick 0 that
   /// all hosts of the deployment have agreed upon; 0: a few periods from now. Throws SystemError when a participant is

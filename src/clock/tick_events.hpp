@@ -12,7 +12,8 @@ namespace mrroc::clock {
 /// Events at given ticks: the operator's commands and injected faults of a script. Any thread.
 class TickEvents {
  public:
-  using Callback = std::function<void()>;
+  /// `tick`: the one that begins, from which the callback's effects are visible.
+  using Callback = std::function<void(Tick tick)>;
 
   void add(Tick tick, Callback callback) {
     const std::scoped_lock lock(mutex_);
@@ -32,7 +33,7 @@ class TickEvents {
       for (auto event = events_.begin(); event != end; ++event) due.push_back(std::move(event->second));
       events_.erase(events_.begin(), end);
     }
-    for (const Callback& callback : due) callback();
+    for (const Callback& callback : due) callback(tick);
   }
 
  private:

@@ -8,6 +8,7 @@
 #include "command/print.hpp"
 #include "command/printable.hpp"
 #include "command/version.hpp"
+#include "core/nearest_word.hpp"
 
 namespace mrroc::command {
 
@@ -27,6 +28,19 @@ const CLI::App* verb_of(const CLI::App& app, const std::string& name) {
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     if (verb->get_name() == name) return verb;
   return nullptr;
+}
+
+/// CLI11 reports an unknown command as a missing one.
+void check_command(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty() || words.front().starts_with('-')) return;
+  std::vector<std::string> known;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App* each) { return !each->get_group().empty(); }))
+    known.push_back(verb->get_name());
+  if (known.empty() || verb_of(app, words.front()) != nullptr) return;
+  const std::string nearest = core::nearest_word(words.front(), known);
+  throw CLI::ExtrasError(
+      "unknown command '" + words.front() + "'" + (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"),
+      CLI::ExitCodes::ExtrasError);
 }
 
 }  // namespace
@@ -62,6 +76,7 @@ std::optional<int> parse_command(CLI::App& app, int argc, char** argv) {
     app.set_version_flag("--version", version_text(app.get_name()), "Print the version and exit");
   try {
     std::vector<std::string> words = words_of(app, {argv + std::min(argc, 1), argv + argc});
+    check_command(app, words);
     std::reverse(words.begin(), words.end());  // as CLI11 expects them
     app.parse(std::move(words));
     return std::nullopt;

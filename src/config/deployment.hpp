@@ -120,12 +120,14 @@ struct NetworkEntry {
   std::filesystem::path keys;  ///< folder of the keys, absolute; empty only without security
 };
 
-/// An operator command at a given tick: presses a button under lockstep.
+/// A command of the operator at a given tick: written in advance for runs without an operator, or noted in a live run.
 struct Event {
   Tick tick = 0;
-  std::string command;  ///< pause | resume | trigger | stop | estop | reset | answer
-  std::string sensor;   ///< target of an answer; empty for the other commands
-  double value = 0;     ///< the answer
+  std::string command;  ///< start | pause | resume | trigger | stop | estop | reset | answer
+  std::string asker;    ///< of an answer: the sensor or process that asks; else empty
+  double value = 0;     ///< the answer: the number, 1 or 0 for yes or no, the index of a choice
+  /// Of an answer: the number of the asker's question, from 1; 0: the one that is open then.
+  std::uint64_t question = 0;
 };
 
 /// A prepared answer to a question of a task program, for runs without an operator: the text that the operator would

@@ -19,6 +19,7 @@
 
 #include "config/text/file_text.hpp"
 #include "config/text/message_text.hpp"
+#include "core/nearest_word.hpp"
 #include "core/text_lines.hpp"
 
 namespace mrroc::config {
@@ -66,7 +67,7 @@ std::string found(const toml::node& node) {
 /// Whether `word` is `key` with one letter dropped or doubled or two letters swapped: a typing error. (A replaced
 /// letter is not: `regulator_b0` and `regulator_b1` are two keys.)
 bool is_slip(std::string word, std::string key) {
-  if (edit_distance(word, key) != 1) return false;
+  if (core::edit_distance(word, key) != 1) return false;
   if (word.size() != key.size()) return true;
   std::sort(word.begin(), word.end());
   std::sort(key.begin(), key.end());
@@ -287,7 +288,7 @@ void Table::finish() const {
   for (const auto& name : keys()) {
     if (node_->asked.contains(name)) continue;
     const std::vector<std::string> known(node_->asked.begin(), node_->asked.end());
-    node_->refuse_unknown(node_->table->find(name)->first, nearest(name, known));
+    node_->refuse_unknown(node_->table->find(name)->first, core::nearest_word(name, known));
   }
 }
 

@@ -50,6 +50,12 @@ std::string expected_answer(const links::OperatorQuestion& question) {
   return config::expected_number({.min = question.minimum, .max = question.maximum});
 }
 
+bool is_answer(const links::OperatorQuestion& question, double value) {
+  if (question.kind == links::QuestionKind::number) return value >= question.minimum && value <= question.maximum;
+  const int choices = question.kind == links::QuestionKind::yes_no ? 2 : question.choice_count;
+  return value >= 0 && value < choices && value == std::floor(value);
+}
+
 std::optional<double> read_answer(const links::OperatorQuestion& question, const std::string& line,
                                   std::string& refusal) {
   const std::string text = trimmed(line);

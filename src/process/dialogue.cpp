@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "config/text/message_text.hpp"
 #include "mrroc/errors.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/answer_text.hpp"
@@ -41,16 +42,18 @@ double Dialogue::ask(links::OperatorQuestion question, const std::string& text, 
   question.tick = process_.clock().tick();
   std::optional<double> value;
   std::uint64_t number = 0;
-  if (const config::Answer* answer = next_answer(text)) {
-    value = read(*answer, question);
-    tell((text + " " + answer->answer).substr(0, kLongestText));
+  links::OperatorAnswer answer;
+  while (link_.take(answer)) {  // to an earlier question
+  }
+  if (const config::Answer* prepared = next_answer(text)) {
+    value = read(*prepared, question);
+    tell((text + " " + prepared->answer).substr(0, kLongestText));
   } else {
     number = link_.ask(question);
   }
   for (;;) {
-    links::OperatorAnswer answer;
     while (link_.take(answer))
-      if (answer.question == number) value = answer.value;
+      if (number != 0 && (answer.question == number || answer.question == 0)) value = checked(answer, question);
     if (go_on() && value) return *value;
     if (process_.clock().wait(kNever) == clock::Wake::interrupted) throw Stopped{};
   }
@@ -63,6 +66,15 @@ const config::Answer* Dialogue::next_answer(const std::string& text) {
       answers.push_back(&answer);
   if (answers.empty()) return nullptr;
   return answers[std::min(asked_[text]++, answers.size() - 1)];
+}
+
+/// An answer of an event has not been compared with the question before.
+double Dialogue::checked(const links::OperatorAnswer& answer, const links::OperatorQuestion& question) const {
+  if (is_answer(question, answer.value)) return answer.value;
+  throw NonFatalError(ErrorCode::invalid_argument,
+                      "the answer " + config::number_text(answer.value) + " of an event to '" +
+                          std::string{question.text.view()} + "', expected " + expected_answer(question),
+                      {process_.name(), "", 0, process_.clock().tick()});
 }
 
 double Dialogue::read(const config::Answer& answer, const links::OperatorQuestion& question) const {

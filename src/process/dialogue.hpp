@@ -26,11 +26,12 @@ class Dialogue {
   /// whenever something has arrived: false keeps the dialogue waiting even after the answer (the task is paused); it
   /// throws to end it. Throws NonFatalError(invalid_argument) for a text of more than 127 characters, no choice or more
   /// than 8, or choices of more than 31; for an answer of the deployment that does not fit this question: with its file
-  /// and line.
+  /// and line; for an answer of an event that does not fit it.
   double ask(links::OperatorQuestion question, const std::string& text, const std::function<bool()>& go_on);
 
  private:
   const config::Answer* next_answer(const std::string& text);
+  double checked(const links::OperatorAnswer& answer, const links::OperatorQuestion& question) const;
   double read(const config::Answer& answer, const links::OperatorQuestion& question) const;
 
   Process& process_;

@@ -93,7 +93,7 @@ TEST(ClockFailure, FailEndsEveryWaitAndTheFirstCauseStays) {
 TEST(ClockFailure, EventThatThrowsFailsTheClock) {
   ThreadDeployment deployment({"a"});
   deployment.add("a", [](Clock& clock) { EXPECT_EQ(clock.wait(kNever), Wake::interrupted); });
-  deployment.host.at_tick(3, [] { throw std::runtime_error("no such button"); });
+  deployment.host.at_tick(3, [](Tick) { throw std::runtime_error("no such button"); });
   deployment.start();
   deployment.join();
   EXPECT_EQ(deployment.host.error(), "event at tick 3: no such button");

@@ -54,7 +54,7 @@ class Owned {
       (void)!::write(pipe_.ends[1], "y", 1);
     });
     if (!host.wait_ready(60).empty()) ::_exit(1);
-    host.at_tick(kNever - 1, [] {});  // so that waiting for mail is not a dead end
+    host.at_tick(kNever - 1, [](Tick) {});  // so that waiting for mail is not a dead end
     host.run();
   }
 

@@ -123,8 +123,8 @@ TEST(Lockstep, EventsRunBeforeTheirTickAndTheirMessagesAreVisibleAtIt) {
     }
   });
   receiver = a.register_receiver("panel/a");
-  for (const Tick tick : {4, 0, 7})
-    deployment.host.at_tick(tick, [&, tick] {
+  for (const Tick event_tick : {4, 0, 7})
+    deployment.host.at_tick(event_tick, [&](Tick tick) {
       events.emplace_back(tick, deployment.host.tick());
       stamp.store(panel->delta());
       if (tick == 0) return;

@@ -33,7 +33,7 @@ TEST(ClockStop, TasksAreInterruptedAndTimeGoesOnForDrivesAndWorld) {
         world_ended = clock.tick();
       },
       Part::world);
-  deployment.host.at_tick(100, [&deployment] { deployment.host.stop(); });
+  deployment.host.at_tick(100, [&deployment](Tick) { deployment.host.stop(); });
   deployment.start();
   deployment.join();
   EXPECT_EQ(deployment.host.stop_tick(), 99U) << "the tick of the participants when the event of tick 100 ran";

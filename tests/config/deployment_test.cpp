@@ -146,7 +146,7 @@ value = 2.5
   ASSERT_EQ(deployment.events.size(), 1u);
   EXPECT_EQ(deployment.events[0].tick, 300u);
   EXPECT_EQ(deployment.events[0].command, "answer");
-  EXPECT_EQ(deployment.events[0].sensor, "parts");
+  EXPECT_EQ(deployment.events[0].asker, "parts");
   EXPECT_EQ(deployment.events[0].value, 2.5);
   const SensorEntry& parts = deployment.sensor("parts");
   EXPECT_TRUE(asks_operator(parts));

@@ -8,6 +8,7 @@
 
 #include "cli/operator/console_input.hpp"
 #include "config/text/message_text.hpp"
+#include "core/nearest_word.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
 #include "process/answer_text.hpp"
@@ -47,10 +48,10 @@ void check_answer(const OperatorQuestion& question, const std::string& line) {
 
 void check_words(std::string_view a, std::string_view b) {
   a = a.substr(0, kLongWord), b = b.substr(0, kLongWord);
-  const std::size_t distance = mrroc::config::edit_distance(a, b);
-  fuzz::require(distance == mrroc::config::edit_distance(b, a), "a distance is symmetric");
+  const std::size_t distance = mrroc::core::edit_distance(a, b);
+  fuzz::require(distance == mrroc::core::edit_distance(b, a), "a distance is symmetric");
   fuzz::require((distance == 0) == (a == b) && distance <= std::max(a.size(), b.size()), "a distance is a metric");
-  const std::string best = mrroc::config::nearest(a, {std::string{b}, "a", ""});
+  const std::string best = mrroc::core::nearest_word(a, {std::string{b}, "a", ""});
   fuzz::require(best.empty() || best == b || best == "a", "the nearest is one of them");
 }
 

@@ -10,27 +10,41 @@ namespace mrroc::config {
 
 namespace {
 
-const SensorEntry& asked_sensor(const Table& table, const Deployment& deployment) {
+void read_answer_of_sensor(const Table& table, const Deployment& deployment, Event& event) {
   std::vector<std::string> known;
   for (const SensorEntry& sensor : deployment.sensors)
     if (asks_operator(sensor)) known.push_back(sensor.name);
   if (known.empty())
-    table.fail("command", "'answer' where nothing asks the operator", "a sensor of type 'operator_input'");
-  return deployment.sensor(table.choice("sensor", known));
+    table.fail("command", "'answer' where no sensor asks the operator",
+               "a sensor of type 'operator_input', or the key 'process' of a task program that asks");
+  const SensorEntry& sensor = deployment.sensor(table.choice("sensor", known));
+  event.asker = sensor.name;
+  event.value = table.number("value", answers_of(sensor));
+}
+
+/// The process compares the value with its question when the answer arrives.
+void read_answer_of_process(const Table& table, const Deployment& deployment, Event& event) {
+  if (table.has("sensor")) table.fail("sensor", "is given beside 'process'", "one of the two");
+  std::vector<std::string> known{"mp"};
+  for (const RobotEntry& robot : deployment.robots) known.push_back(robot.name);
+  event.asker = table.choice("process", known);
+  event.value = table.number("value");
 }
 
 Event read_event(const Table& table, const Deployment& deployment) {
-  table.only({"tick", "command", "sensor", "value"});
+  table.only({"tick", "command", "sensor", "process", "value", "question"});
   Event event;
   event.tick = static_cast<Tick>(table.integer("tick", 0, std::numeric_limits<std::int64_t>::max()));
-  event.command = table.choice("command", {"pause", "resume", "trigger", "stop", "estop", "reset", "answer"});
+  event.command = table.choice("command", {"start", "pause", "resume", "trigger", "stop", "estop", "reset", "answer"});
   if (event.command == "answer") {
-    const SensorEntry& sensor = asked_sensor(table, deployment);
-    event.sensor = sensor.name;
-    event.value = table.number("value", answers_of(sensor));
+    if (table.has("process"))
+      read_answer_of_process(table, deployment, event);
+    else
+      read_answer_of_sensor(table, deployment, event);
+    event.question = static_cast<std::uint64_t>(table.integer_or("question", 0, 0, std::numeric_limits<int>::max()));
     return event;
   }
-  for (const char* key : {"sensor", "value"})
+  for (const char* key : {"sensor", "process", "value", "question"})
     if (table.has(key)) table.fail(key, in_quotes(event.command) + " answers nothing", "command = 'answer' beside it");
   return event;
 }
@@ -42,6 +56,12 @@ std::vector<Event> read_events(const Table& root, const Deployment& deployment) 
   for (const Table& table : root.tables("events")) events.push_back(read_event(table, deployment));
   std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.tick < b.tick; });
   return events;
+}
+
+std::vector<Event> load_events(const std::filesystem::path& file, const Deployment& deployment) {
+  const Table root = Table::load(file);
+  root.only({"events"});
+  return read_events(root, deployment);
 }
 
 }  // namespace mrroc::config

@@ -25,12 +25,4 @@ std::string expected_number(Range range);
 /// "an integer from 0 to 230", with the open ends of `expected_number`.
 std::string expected_integer(std::int64_t min, std::int64_t max);
 
-/// Number of letters to insert, delete, replace or swap with their neighbour to turn one word into the other (optimal
-/// string alignment distance).
-std::size_t edit_distance(std::string_view a, std::string_view b);
-
-/// The word of `words` nearest to `word`, the first of equals, if at most a third of its letters (at least one, fewer
-/// than all) differ; else empty.
-std::string nearest(std::string_view word, const std::vector<std::string>& words);
-
 }  // namespace mrroc::config

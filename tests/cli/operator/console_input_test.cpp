@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdlib>
@@ -23,6 +24,10 @@ links::OperatorQuestion parts() {
   question.minimum = -5;
   question.maximum = 10;
   return question;
+}
+
+std::function<bool(std::string_view)> is(std::vector<std::string> words) {
+  return [words](std::string_view line) { return std::find(words.begin(), words.end(), line) != words.end(); };
 }
 
 class Pipe {
@@ -64,28 +69,28 @@ TEST(ConsoleInput, ComeWholeAndInOrder) {
 TEST(ConsoleInput, WordIsTakenFromTheWaitingLines) {
   Pipe pipe;
   ConsoleInput lines(pipe.fd());
-  EXPECT_FALSE(lines.next_of({"stop", "go"}));
+  EXPECT_FALSE(lines.next_if(is({"stop", "go"})));
   pipe.write("one\n  go\t\r\ntwo\nstop\nstopped\nsto");
-  EXPECT_EQ(lines.next_of({"stop", "go"}), "go");
-  EXPECT_EQ(lines.next_of({"stop", "go"}), "stop");
-  EXPECT_FALSE(lines.next_of({"stop", "go"}));
+  EXPECT_EQ(lines.next_if(is({"stop", "go"})), "go");
+  EXPECT_EQ(lines.next_if(is({"stop", "go"})), "stop");
+  EXPECT_FALSE(lines.next_if(is({"stop", "go"})));
   pipe.write("p\n");
   EXPECT_EQ(lines.next(), "one");
-  EXPECT_EQ(lines.next_of({"stop"}), "stop");
+  EXPECT_EQ(lines.next_if(is({"stop"})), "stop");
   EXPECT_EQ(lines.next(), "two");
   EXPECT_EQ(lines.next(), "stopped");
   EXPECT_FALSE(lines.next());
 }
 
-TEST(ConsoleInput, WordIsFoundInAnyCaseAndBehindUnreadLines) {
+TEST(ConsoleInput, WordIsFoundBehindUnreadLines) {
   Pipe pipe;
   ConsoleInput lines(pipe.fd());
   for (int i = 0; i < 8; ++i) {
     for (int j = 0; j < 400; ++j) pipe.write("a line that no question has asked for\n");
-    EXPECT_FALSE(lines.next_of({"estop"}));
+    EXPECT_FALSE(lines.next_if(is({"estop"})));
   }
-  pipe.write("EStop\n");
-  EXPECT_EQ(lines.next_of({"estop"}), "estop");
+  pipe.write("estop\n");
+  EXPECT_EQ(lines.next_if(is({"estop"})), "estop");
   EXPECT_EQ(lines.next(), "a line that no question has asked for") << "whole lines are kept";
 }
 
@@ -110,8 +115,42 @@ TEST(ConsoleInput, EndOfALineAtATerminalIsNotTheEndOfInput) {
     }
     if (write(terminal, "estop\n", 6) != 6) _exit(4);
     for (int i = 0; i < 5000; ++i, usleep(1000))
-      if (lines.next_of({"estop"})) _exit(0);
+      if (lines.next_if(is({"estop"}))) _exit(0);
     _exit(5);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(typist, &status, 0), typist);
+  EXPECT_EQ(status, 0);
+  close(slave);
+  close(terminal);
+}
+
+TEST(ConsoleInput, KeysOfATerminalAreTakenAtOnce) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_EQ(grantpt(terminal), 0);
+  ASSERT_EQ(unlockpt(terminal), 0);
+  const int slave = open(ptsname(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(slave, 0);
+  const pid_t typist = fork();
+  if (typist == 0) {
+    setsid();
+    ioctl(slave, TIOCSCTTY, 0);
+    tcsetpgrp(slave, getpgrp());
+    termios before{}, after{};
+    tcgetattr(slave, &before);
+    {
+      ConsoleInput lines(slave, true);
+      if (!lines.takes_keys()) _exit(2);
+      if (write(terminal, " pau", 4) != 4) _exit(3);
+      std::optional<std::string> line;
+      for (int i = 0; i < 5000 && !(line = lines.next()); ++i) usleep(1000);
+      if (line != " ") _exit(4);
+      for (int i = 0; i < 5000 && lines.typed() != "pau"; ++i, usleep(1000))
+        if (lines.next()) _exit(5);
+      if (lines.typed() != "pau") _exit(6);
+    }
+    tcgetattr(slave, &after);
+    _exit(before.c_lflag == after.c_lflag ? 0 : 7);
   }
   int status = 0;
   ASSERT_EQ(waitpid(typist, &status, 0), typist);

@@ -24,7 +24,8 @@ TEST(Paced, NoTickBeginsBeforeItsTime) {
     while (clock.wait(clock.tick() + 1) == Wake::tick && clock.tick() < 40) {
     }
   });
-  for (Tick tick = 0; tick < 40; ++tick) deployment.host.at_tick(tick, [&begun] { begun.push_back(monotonic_ns()); });
+  for (Tick tick = 0; tick < 40; ++tick)
+    deployment.host.at_tick(tick, [&begun](Tick) { begun.push_back(monotonic_ns()); });
   deployment.start();
   deployment.join();
   ASSERT_EQ(begun.size(), 40U);
@@ -127,7 +128,7 @@ TEST(Real, EventsRunInOrderAndNotBeforeTheirTime) {
   std::vector<Tick> scheduled;
   deployment.add("a", [](Clock& clock) { EXPECT_EQ(clock.wait(kNever), Wake::interrupted); });
   for (const Tick tick : {9, 3, 6})
-    deployment.host.at_tick(tick, [&, tick] {
+    deployment.host.at_tick(tick, [&, tick](Tick) {
       EXPECT_GE(deployment.host.tick(), tick);
       scheduled.push_back(tick);
       if (tick == 9) deployment.host.fail("enough");

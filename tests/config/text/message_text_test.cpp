@@ -27,20 +27,5 @@ TEST(MessageText, AlternativesReadAsASentence) {
   EXPECT_EQ(alternatives({"a", "b", "c"}), "'a', 'b' or 'c'");
 }
 
-TEST(MessageText, EditDistanceCountsTypingErrors) {
-  EXPECT_EQ(edit_distance("", "abc"), 3u);
-  EXPECT_EQ(edit_distance("abc", "abc"), 0u);
-  EXPECT_EQ(edit_distance("hardware", "hardwear"), 2u);
-  EXPECT_EQ(edit_distance("tpye", "type"), 1u);
-  EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
-}
-
-TEST(MessageText, NearestIsSilentWhenNothingIsNear) {
-  EXPECT_EQ(nearest("hardwear", {"host", "hardware"}), "hardware");
-  EXPECT_EQ(nearest("xyz", {"host", "hardware"}), "");
-  EXPECT_EQ(nearest("b", {"a"}), "");  // one letter replaced is another key
-  EXPECT_EQ(nearest("a", {}), "");
-}
-
 }  // namespace
 }  // namespace mrroc::config

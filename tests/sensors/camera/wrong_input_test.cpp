@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"no_such_frame", kEye, "frame = 'table'",
                 "sensors.eye.frame: \"table\", expected one of world, camera, arm, gripper"},
         Mistake{"frame_of_a_carried_robot", kEye, "frame = 'gripper'",
-                "sensors.eye.frame: robot gripper is carried by arm: its base moves, expected a robot that stands in "
+                "sensors.eye.frame: robot gripper is carried by arm: its base moves, expected a robot that is fixed in "
                 "the world, or the camera's own"},
         Mistake{"plane_through_the_camera", kEye, "plane = [0.0, 0.0, 0.9]",
                 "sensors.eye.plane: the camera lies in the plane and sees it edge on, expected a plane that the camera "

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cli/operator/command_holder.hpp"
+#include "cli/operator/operator_events.hpp"
+#include "cli/operator/questions.hpp"
+#include "cli/operator/verb_reply.hpp"
+#include "cli/operator/verb_request.hpp"
+#include "config/deployment.hpp"
+#include "links/wire/process_status.hpp"
+
+namespace mrroc::cli {
+
+/// Executes the operator's verbs for all clients, one commander at a time, and replies when a command has taken effect
+/// or why it did not. The verbs act through OperatorEvents: they reach the processes at tick boundaries. Main thread.
+class OperatorService {
+ public:
+  using Reply = std::function<void(const VerbReply& reply)>;
+  /// Receives what every watching client sees, one line of JSON, and its text for the run's own terminal; the text is
+  /// empty for what the terminal shows in another way.
+  using Publish = std::function<void(const std::string& json, const std::string& text)>;
+  using Note = std::function<void(const config::Event& event)>;
+
+  /// `deployment` outlives it.
+  explicit OperatorService(const config::Deployment& deployment);
+
+  /// Before this call, while the processes are being started, `status`, `echo`, `command` and `release` work, and
+  /// `stop` and `estop` end the run. All outlive the service's last call.
+  void connect(OperatorEvents& events, Questions& questions);
+  void publish_to(Publish publish) { publish_ = std::move(publish); }
+  /// Receives every command that has taken effect, in order; it may throw, out of `poll`.
+  void note_to(Note note) { note_ = std::move(note); }
+  /// The effect of `stop` while the processes are being started.
+  void end_with(std::function<void()> end) { end_ = std::move(end); }
+
+  /// Executes a request; calls `reply`, which may be empty, at once or from a later `poll`.
+  void request(const OperatorClient& client, const VerbRequest& request, Reply reply);
+  /// The client has disconnected: it gives command back and gets no more replies.
+  void leave(const OperatorClient& client);
+  /// Replies to the commands that have taken effect, notes them, and publishes new questions.
+  void poll();
+  /// The run has ended: refuses all commands that wait for their tick, and publishes the end.
+  void end(int exit_code, const std::string& reason);
+
+  /// The last status of a process; a message or a line of a process: for the watchers and for `status`.
+  void update(const links::ProcessStatus& status);
+  void message(const std::string& line);
+
+  /// Whether live answers are possible under the deployment's clock.
+  bool may_answer() const noexcept { return deployment_.clock != config::ClockMode::lockstep; }
+  TaskPhase phase() const noexcept { return events_ == nullptr ? TaskPhase::starting : events_->phase(); }
+
+ private:
+  struct Pending {
+    OperatorClient client;
+    Reply reply;
+    std::optional<std::int64_t> id;
+  };
+
+  /// The reply, or the command to be given, in `event`.
+  VerbReply execute(const OperatorClient& client, const VerbRequest& request, std::optional<config::Event>& event);
+  VerbReply take_command(const OperatorClient& client);
+  VerbReply give_answer(const VerbRequest& request, std::optional<config::Event>& event);
+  VerbReply report() const;
+  /// Why the verb has no effect in the present phase; ok when it has one.
+  VerbReply check_phase(std::string_view verb) const;
+  void reply_to(const OperatorEvents::Performed& performed);
+  void publish_holder();
+
+  const config::Deployment& deployment_;
+  OperatorEvents* events_ = nullptr;
+  Questions* questions_ = nullptr;
+  Publish publish_ = [](const std::string&, const std::string&) {};
+  Note note_;
+  std::function<void()> end_ = [] {};
+  CommandHolder holder_;
+  std::map<std::uint64_t, Pending> pending_;  // by ticket
+  std::map<std::string, links::ProcessStatus> statuses_;
+  std::string published_question_;
+};
+
+}  // namespace mrroc::cli

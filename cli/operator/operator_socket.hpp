@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "cli/operator/operator_service.hpp"
+
+namespace mrroc::cli {
+
+/// The operator's socket of a run, `<folder>/<deployment>-<pid>.sock`: lines of JSON,
+/// docs/reference/operator-protocol.md. Only processes of the same user, and root, are served. A client that sends too
+/// much is read more slowly, one that does not read its lines is disconnected; no client delays the run or another
+/// client, and memory is bounded. Main thread.
+class OperatorSocket {
+ public:
+  static constexpr int kProtocol = 1;
+  static constexpr std::size_t kMaxClients = 64;
+  static constexpr std::size_t kMaxLine = 16384;      ///< bytes of a request
+  static constexpr std::size_t kMaxWaiting = 262144;  ///< bytes that a client has not read
+  static constexpr std::size_t kLinesPerTurn = 16;    ///< requests of one client between two turns
+
+  /// Creates the socket. Throws std::runtime_error with the path and the reason. `service` outlives it.
+  OperatorSocket(OperatorService& service, const std::string& deployment);
+  /// Sends what the clients take at once, disconnects them and removes the socket.
+  ~OperatorSocket();
+  OperatorSocket(const OperatorSocket&) = delete;
+  OperatorSocket& operator=(const OperatorSocket&) = delete;
+
+  /// Becomes readable when a client connects or sends something that may be read now.
+  int descriptor() const noexcept { return wake_; }
+  /// Accepts clients, executes their requests, sends what was not taken before. Never waits.
+  void poll();
+  /// Sends a line to every watching client.
+  void publish(const std::string& json);
+  /// Whether a client watches: it can answer questions.
+  bool watched() const noexcept;
+  const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  struct Client;
+
+  void accept_clients();
+  void serve(Client& client);
+  void execute(Client& client, const std::string& line);
+  void write(Client& client, const std::string& line);
+  void flush(Client& client);
+  /// Whether the client's next lines are waited for, or read in a later turn.
+  void listen_to(Client& client, bool listen);
+
+  OperatorService& service_;
+  std::filesystem::path path_;
+  std::string deployment_;
+  int listener_ = -1;
+  int wake_ = -1;
+  std::uint64_t accepted_ = 0;
+  std::map<std::uint64_t, std::unique_ptr<Client>> clients_;
+};
+
+}  // namespace mrroc::cli

@@ -1,0 +1,74 @@
+#include "cli/operator/operator_verbs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+#include "core/nearest_word.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr std::array kAnswerArguments{
+    VerbArgument{"value", "The answer as it would be typed: a number, yes or no, a choice or its number from 1", true},
+    VerbArgument{"from", "The sensor or process that asks; default: the question that is shown", false}};
+
+constexpr std::array kVerbs{
+    OperatorVerb{
+        "status", "Show the state of the task, the processes, the open questions and the commander", "", {}, false},
+    OperatorVerb{"echo", "Show messages, questions and changes of state from now on, as they happen", "", {}, false},
+    OperatorVerb{"command", "Take command and keep it until 'release' or the end of the connection", "", {}, true},
+    OperatorVerb{"release", "Give command back", "", {}, false},
+    OperatorVerb{"start", "Start the task of a run that waits for it (--hold)", "the task has started", {}, true},
+    OperatorVerb{
+        "pause", "Bring the robots to rest on their path and hold them", "the robots come to rest and hold", {}, true},
+    OperatorVerb{"resume", "Continue a paused task", "the task continues", {}, true},
+    OperatorVerb{"trigger",
+                 "Give the task one trigger; it waits for it in a condition",
+                 "the task has received a trigger",
+                 {},
+                 true},
+    OperatorVerb{"answer", "Answer a question of the task or of a sensor", "the answer is given", kAnswerArguments,
+                 true},
+    OperatorVerb{
+        "stop", "Bring the robots to rest and end the run", "the robots come to rest, then the run ends", {}, false},
+    OperatorVerb{"estop",
+                 "Emergency stop: every robot brakes at once and stays stopped until 'reset'",
+                 "every robot brakes and stays stopped until 'reset'",
+                 {},
+                 false},
+    OperatorVerb{"reset",
+                 "Release the emergency stop; no robot moves because of it",
+                 "the emergency stop is released",
+                 {},
+                 true}};
+
+}  // namespace
+
+std::span<const OperatorVerb> operator_verbs() noexcept { return kVerbs; }
+
+const OperatorVerb* find_verb(std::string_view name) noexcept {
+  const auto named = [name](const OperatorVerb& verb) { return verb.name == name; };
+  const auto found = std::find_if(kVerbs.begin(), kVerbs.end(), named);
+  return found == kVerbs.end() ? nullptr : &*found;
+}
+
+std::string nearest_verb(std::string_view name) {
+  std::vector<std::string> names;
+  for (const OperatorVerb& verb : kVerbs) names.emplace_back(verb.name);
+  return core::nearest_word(name, names);
+}
+
+std::string usage_of(const OperatorVerb& verb) {
+  std::string usage{verb.name};
+  for (const VerbArgument& argument : verb.arguments) {
+    std::string word{argument.name};
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::toupper(c); });
+    usage += argument.required ? " " + word : " [" + std::string{argument.name} + "=" + word + "]";
+  }
+  return usage;
+}
+
+}  // namespace mrroc::cli

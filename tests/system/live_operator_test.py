@@ -1,0 +1,274 @@
+"""A run that is operated while it runs: from other terminals, at its own terminal, through its socket.
+
+live_operator_test.py BUILD_FOLDER SOURCE_FOLDER
+"""
+
+import contextlib
+import json
+import os
+import pathlib
+import pty
+import random
+import select
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+BUILD, SOURCE = (pathlib.Path(folder).resolve() for folder in sys.argv[1:3])
+MRROC = str(BUILD / "bin/mrroc")
+PRESS = str(SOURCE / "tasks/press/press.toml")
+TIMEOUT = 240
+STOPPED = 5
+SEEDS = 20 if os.environ.get("MRROC_TEST_THOROUGH") else 6
+
+
+def output_of(*arguments, code=0):
+    done = subprocess.run([MRROC, *arguments], capture_output=True, text=True, timeout=TIMEOUT, check=False)
+    assert done.returncode == code, (arguments, done.returncode, done.stdout, done.stderr)
+    return done.stdout + done.stderr
+
+
+class LiveRun:
+    """`mrroc run` with a runtime folder of its own."""
+
+    def __init__(self, folder, *arguments, file=PRESS, **options):
+        self.folder = pathlib.Path(folder)
+        self.out = open(self.folder / "out", "w+", encoding="utf-8")
+        self.command = subprocess.Popen([MRROC, "run", file, *arguments], stdin=subprocess.DEVNULL, stdout=self.out,
+                                        stderr=self.out, **options)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.command.poll() is None:
+            self.command.send_signal(signal.SIGINT)
+            self.command.send_signal(signal.SIGINT)
+        self.command.wait(TIMEOUT)
+        self.out.close()
+
+    def text(self):
+        return (self.folder / "out").read_text(encoding="utf-8")
+
+    def end(self):
+        return self.command.wait(TIMEOUT)
+
+    def state(self):
+        return json.loads(output_of("status", "--json"))
+
+    def await_state(self, holds, what):
+        deadline = time.monotonic() + TIMEOUT
+        while time.monotonic() < deadline:
+            assert self.command.poll() is None, self.text()
+            with contextlib.suppress(AssertionError):
+                state = self.state()
+                if holds(state):
+                    return state
+            time.sleep(0.02)
+        raise AssertionError(f"never {what}: {self.text()}")
+
+    def await_task(self, task):
+        return self.await_state(lambda state: state["task"] == task, task)
+
+
+class Client:
+    """A connection to the operator socket of the only run."""
+
+    def __init__(self, folder):
+        path, = (pathlib.Path(folder) / "mrroc").glob("*.sock")
+        self.socket = socket.socket(socket.AF_UNIX)
+        self.socket.connect(str(path))
+        self.lines = self.socket.makefile("r", encoding="utf-8")
+        self.greeting = json.loads(self.lines.readline())
+
+    def request(self, **request):
+        self.socket.sendall((json.dumps(request) + "\n").encode())
+        while True:
+            line = self.lines.readline()
+            if not line:
+                return None
+            reply = json.loads(line)
+            if "ok" in reply:
+                return reply
+
+    def close(self):
+        self.lines.close()
+        self.socket.close()
+
+
+class LiveOperator(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        os.environ["XDG_RUNTIME_DIR"] = self.folder
+        self.trace, self.noted = f"{self.folder}/live.trace", f"{self.folder}/noted.toml"
+
+    def tearDown(self):
+        shutil.rmtree(self.folder)
+
+    def expect_same_run_in_lockstep(self, exit_code):
+        again = f"{self.folder}/again.trace"
+        output_of("run", PRESS, "--hold", "--clock", "lockstep", "--events", self.noted, "--trace", again, "--quiet",
+                  "--black-box=", code=exit_code)
+        self.assertEqual(output_of("trace", "hash", self.trace), output_of("trace", "hash", again))
+        output_of("trace", "check", self.trace)
+
+    def noting(self):
+        return ["--clock", "paced", "--note-events", self.noted, "--trace", self.trace, "--black-box="]
+
+    def test_run_is_held_started_paused_resumed_and_stopped_from_another_terminal(self):
+        with LiveRun(self.folder, "--hold", *self.noting()) as run:
+            run.await_task("held")
+            self.assertIn("'start' before", output_of("pause", code=1))
+            self.assertIn("press", output_of("list"))
+            output_of("start", "press")
+            run.await_state(lambda state: any(p["instruction"] == 2 for p in state["processes"]), "in its second motion")
+            output_of("pause")
+            self.assertEqual(run.state()["task"], "paused")
+            self.assertIn("did you mean 'resume'?", output_of("resum", code=2))
+            output_of("resume", "press")
+            output_of("stop")
+            self.assertEqual(run.end(), STOPPED)
+        self.assertIn("no deployment", output_of("list"))
+        self.expect_same_run_in_lockstep(STOPPED)
+
+    def test_run_that_is_held_can_be_stopped(self):
+        with LiveRun(self.folder, "--hold", *self.noting()) as run:
+            run.await_task("held")
+            output_of("stop")
+            self.assertEqual(run.end(), STOPPED)
+        self.expect_same_run_in_lockstep(STOPPED)
+
+    def test_emergency_stop_of_another_terminal_ends_the_task_with_its_error(self):
+        with LiveRun(self.folder, *self.noting()) as run:
+            run.await_state(lambda state: any(p["instruction"] == 2 for p in state["processes"]), "in motion")
+            output_of("estop")
+            code = run.end()
+        self.assertEqual(code, 3)
+        self.expect_same_run_in_lockstep(code)
+
+    def test_echo_shows_changes_until_the_end(self):
+        with LiveRun(self.folder, "--hold", "--clock", "lockstep") as run:
+            run.await_task("held")
+            echo = subprocess.Popen([MRROC, "echo", "--json"], stdout=subprocess.PIPE, text=True)
+            self.addCleanup(echo.stdout.close)
+            run.await_state(lambda state: True, "answering")
+            time.sleep(0.2)
+            output_of("start")
+            events = [json.loads(line) for line in echo.stdout]
+            self.assertEqual(echo.wait(TIMEOUT), 0)
+            self.assertEqual(run.end(), 0)
+        kinds = [event["event"] for event in events]
+        self.assertEqual(kinds[-1], "end")
+        self.assertEqual(events[-1]["exit_code"], 0)
+        self.assertIn("command", kinds)
+        self.assertTrue(any(event["event"] == "process" and event["activity"] == "ToolVelocity" for event in events))
+
+    def test_keys_and_typed_verbs_at_the_terminal(self):
+        terminal, slave = pty.openpty()
+        run = subprocess.Popen([MRROC, "run", PRESS, *self.noting()], stdin=slave, stdout=slave, stderr=slave,
+                               start_new_session=True, preexec_fn=lambda: __import__("fcntl").ioctl(0, 0x540E, 0))
+        os.close(slave)
+        shown = ""
+
+        def await_shown(text):
+            nonlocal shown
+            deadline = time.monotonic() + TIMEOUT
+            while text not in shown and time.monotonic() < deadline:
+                if select.select([terminal], [], [], 0.1)[0]:
+                    shown += os.read(terminal, 65536).decode(errors="replace")
+            self.assertIn(text, shown)
+            shown = shown[shown.index(text) + len(text):]
+
+        await_shown("JointLine")
+        os.write(terminal, b" ")
+        await_shown("pause: the robots come to rest and hold")
+        os.write(terminal, b"statsu\r")
+        await_shown("did you mean 'status'?")
+        os.write(terminal, b"sta")
+        await_shown("> sta")
+        os.write(terminal, b"\x15help\r")
+        await_shown("Bring the robots to rest and end the run")
+        os.write(terminal, b" ")
+        await_shown("resume: the task continues")
+        os.write(terminal, b"stop\r")
+        await_shown("stop: the robots come to rest")
+        with contextlib.suppress(OSError):  # the end of the terminal
+            while os.read(terminal, 65536):
+                pass
+        self.assertEqual(run.wait(TIMEOUT), STOPPED)
+        os.close(terminal)
+        self.expect_same_run_in_lockstep(STOPPED)
+
+    def test_flood_of_messages_and_a_client_that_never_reads_change_nothing(self):
+        plain, flooded = f"{self.folder}/plain.trace", f"{self.folder}/flooded.trace"
+        output_of("run", PRESS, "--clock", "lockstep", "--quiet", "--trace", plain)
+        with LiveRun(self.folder, "--clock", "lockstep", "--trace", flooded) as run:
+            while not list((pathlib.Path(self.folder) / "mrroc").glob("*.sock")):
+                self.assertIsNone(run.command.poll())
+                time.sleep(0.001)
+            deaf = Client(self.folder)
+            deaf.socket.sendall(b'{"verb":"echo"}\n')
+            flood = socket.socket(socket.AF_UNIX)
+            flood.connect(str(next((pathlib.Path(self.folder) / "mrroc").glob("*.sock"))))
+            flood.setblocking(False)
+            sent = 0
+            line = b'{"verb":"frobnicate"}\n' * 1000
+            while run.command.poll() is None and sent < 1_000_000:
+                with contextlib.suppress(BlockingIOError):
+                    try:
+                        sent += flood.send(line) // 22
+                    except ConnectionError:
+                        break
+                with contextlib.suppress(BlockingIOError):
+                    flood.recv(1 << 16)
+            self.assertEqual(run.end(), 0)
+            deaf.close()
+            flood.close()
+        self.assertEqual(output_of("trace", "hash", plain), output_of("trace", "hash", flooded))
+        self.assertGreater(sent, 1000)
+
+    def test_random_operators_keep_every_law(self):
+        """Verbs at random moments by clients that come and die: every run ends as its verbs say, and is the same run in lockstep."""
+        for seed in range(SEEDS):
+            with self.subTest(seed=seed):
+                self.operate_at_random(random.Random(seed))
+
+    def operate_at_random(self, chance):
+        stopped = False
+        with LiveRun(self.folder, "--hold", *self.noting()) as run:
+            run.await_task("held")
+            client = Client(self.folder)
+            self.assertEqual(client.request(verb="command")["ok"], True)
+            self.assertTrue(client.request(verb="start")["ok"])
+            verbs = ["pause", "resume", "trigger", "pause", "resume", "status", "die", "wait", "wait"]
+            for _ in range(chance.randrange(6, 14)):
+                verb = chance.choice(verbs)
+                time.sleep(chance.random() * 0.3)
+                if verb == "die":
+                    client.close()  # the holder of command disappears
+                    with contextlib.suppress(FileNotFoundError, ValueError, ConnectionError):
+                        client = Client(self.folder)
+                elif verb != "wait":
+                    with contextlib.suppress(OSError, ValueError):
+                        client.request(verb=verb)
+            if chance.random() < 0.5:
+                with contextlib.suppress(OSError, ValueError):
+                    reply = client.request(verb="stop")
+                    stopped = reply is not None and reply["ok"]
+            else:
+                with contextlib.suppress(OSError, ValueError):
+                    client.request(verb="resume")
+            code = run.end()
+            with contextlib.suppress(OSError):
+                client.close()
+        self.assertEqual(code, STOPPED if stopped else 0, run.folder)
+        self.expect_same_run_in_lockstep(code)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
