@@ -10,6 +10,7 @@
 #include "config/robot_place.hpp"
 #include "edp/check/robot_check.hpp"
 #include "edp/command/effector.hpp"
+#include "edp/command/operator_motion.hpp"
 #include "edp/describe.hpp"
 #include "edp/drivers/can/can_hardware.hpp"
 #include "edp/drivers/injected_hardware.hpp"
@@ -56,8 +57,11 @@ class Shell {
         force_sensor_(open_force_sensor()),
         servo_(model_set_, *hardware_, process.clock().period(), channel_),
         effector_(model_set_, process.clock().period(), channel_),
+        operator_motion_(effector_, model_set_, process.clock().period()),
         responder_(process.domain(), process.clock(), process.topic(place_.entry.name),
-                   process.deployment().heartbeat_timeout) {
+                   process.deployment().heartbeat_timeout),
+        operator_(process.domain(), process.clock(), process.topic(place_.entry.name + "/operator"),
+                  OperatorMotion::kJogValidity) {
     for (const config::SensorEntry& sensor : process.deployment().sensors)
       if (sensor.robot == place_.entry.name && sensor.wants_effector_state)
         feeds_.emplace_back(process.domain(), process.clock(), process.topic(place_.entry.name), sensor.name);
@@ -184,10 +188,20 @@ class Shell {
 
   /// Sends due replies, then takes received commands.
   void exchange() {
-    while (effector_.poll(reply_)) responder_.reply(reply_.state, reply_.command);
+    while (effector_.poll(reply_)) {
+      if (!OperatorMotion::is_own(reply_.command))
+        responder_.reply(reply_.state, reply_.command);
+      else if (operator_motion_.take(reply_))
+        operator_.reply(reply_.state, reply_.command);
+    }
     std::uint64_t sequence = 0;
     while (responder_.take(command_, sequence)) {
+      if (command_.kind != CommandKind::query) operator_motion_.yield(process_.clock().tick());
       if (effector_.accept(command_, sequence, reply_)) responder_.reply(reply_.state, sequence);
+    }
+    while (operator_.take(command_, sequence)) {
+      if (operator_motion_.accept(command_, sequence, process_.clock().tick(), reply_))
+        operator_.reply(reply_.state, reply_.command);
     }
   }
 
@@ -220,7 +234,9 @@ class Shell {
   ServoChannel channel_;
   Servo servo_;
   Effector effector_;
+  OperatorMotion operator_motion_;
   links::RobotResponder responder_;
+  links::RobotResponder operator_;  ///< of orders without a task
   std::deque<links::StateFeed> feeds_;
   RobotState fed_;
   RobotCommand command_;

@@ -9,9 +9,26 @@
 #include <string_view>
 #include <utility>
 
+#include "config/entries/robot_orders.hpp"
 #include "config/text/message_text.hpp"
 
 namespace mrroc::cli {
+
+namespace {
+
+/// The keys of an order, as config::read_robot_order reads them.
+std::string text_of(const std::string& command, const config::RobotOrder& order) {
+  const std::string amount = config::number_text(order.amount) + "\n";
+  std::string text = "robot = \"" + order.robot + "\"\n";
+  if (command == "jog" || command == "step")
+    text += "axis = \"" + order.axis + "\"\nin = \"" + order.frame + "\"\n" +
+            (command == "jog" ? "velocity = " : "distance = ") + amount;
+  if (command == "go") text += "posture = \"" + order.posture + "\"\n";
+  if (command == "output") text += "output = \"" + order.axis + "\"\nvalue = " + amount;
+  return text;
+}
+
+}  // namespace
 
 EventNotes::EventNotes(int fd, std::filesystem::path path, const config::Deployment& deployment)
     : fd_(fd), path_(std::move(path)), deployment_(deployment) {}
@@ -37,6 +54,7 @@ std::string text_of(const config::Event& event, const config::Deployment& deploy
     text += "value = " + config::number_text(event.value) + "\n";
     if (event.question != 0) text += "question = " + std::to_string(event.question) + "\n";
   }
+  if (config::is_robot_order(event.command)) text += text_of(event.command, event.order);
   return text + "\n";
 }
 

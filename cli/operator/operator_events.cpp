@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/entries/robot_orders.hpp"
+
 namespace mrroc::cli {
 
 const char* name_of(TaskPhase phase) noexcept {
@@ -22,8 +24,13 @@ const char* name_of(TaskPhase phase) noexcept {
 }
 
 OperatorEvents::OperatorEvents(Schedule schedule, clock::EmergencyStop& emergency_stop, links::TaskSuperior& mp,
-                               AnswerLinks& answers, bool real)
-    : schedule_(std::move(schedule)), emergency_stop_(emergency_stop), mp_(mp), answers_(answers), real_(real) {}
+                               AnswerLinks& answers, RobotOrders& robots, bool real)
+    : schedule_(std::move(schedule)),
+      emergency_stop_(emergency_stop),
+      mp_(mp),
+      answers_(answers),
+      robots_(robots),
+      real_(real) {}
 
 void OperatorEvents::schedule(const config::Deployment& deployment, bool hold) {
   const auto at = [this](const config::Event& event) {
@@ -31,7 +38,7 @@ void OperatorEvents::schedule(const config::Deployment& deployment, bool hold) {
   };
   const auto starts = [](const config::Event& event) { return event.command == "start"; };
   phase_ = TaskPhase::held;
-  if (!hold && std::none_of(deployment.events.begin(), deployment.events.end(), starts)) at({0, "start", "", 0, 0});
+  if (!hold && std::none_of(deployment.events.begin(), deployment.events.end(), starts)) at({.command = "start"});
   for (const config::Event& event : deployment.events) at(event);
 }
 
@@ -52,7 +59,10 @@ std::vector<OperatorEvents::Performed> OperatorEvents::take_performed() {
 void OperatorEvents::perform(config::Event event, Tick tick, std::uint64_t ticket) {
   const std::lock_guard lock(mutex_);
   event.tick = tick;
-  if (event.command == "answer") {
+  std::uint64_t number = 0;
+  if (config::is_robot_order(event.command)) {
+    number = robots_.send(event.command, event.order);
+  } else if (event.command == "answer") {
     answers_.at(event.asker)->answer({event.question, event.value});
   } else if (event.command == "estop" || event.command == "reset") {
     const bool press = event.command == "estop";
@@ -61,7 +71,7 @@ void OperatorEvents::perform(config::Event event, Tick tick, std::uint64_t ticke
   } else {
     command_task(event.command);
   }
-  performed_.push_back({std::move(event), ticket});
+  performed_.push_back({std::move(event), ticket, number});
 }
 
 void OperatorEvents::command_task(const std::string& command) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/operator/robot_orders.hpp"
 #include "clock/emergency_stop.hpp"
 #include "clock/tick_events.hpp"
 #include "config/deployment.hpp"
@@ -40,6 +41,7 @@ class OperatorEvents {
   struct Performed {
     config::Event event;       ///< with the tick at which it took effect
     std::uint64_t ticket = 0;  ///< of `give`; 0: an event of the deployment
+    std::uint64_t number = 0;  ///< of an order to a robot, by RobotOrders
   };
 
   /// The deployment's clock as far as it is needed here.
@@ -50,7 +52,7 @@ class OperatorEvents {
 
   /// All must outlive the last tick. `real`: the deployment's clock is the real one.
   OperatorEvents(Schedule schedule, clock::EmergencyStop& emergency_stop, links::TaskSuperior& mp, AnswerLinks& answers,
-                 bool real);
+                 RobotOrders& robots, bool real);
 
   /// Schedules the start at tick 0, unless `hold` or one of the events is a start, and the deployment's events. Call it
   /// before the clock starts. Main thread.
@@ -79,6 +81,7 @@ class OperatorEvents {
   clock::EmergencyStop& emergency_stop_;
   links::TaskSuperior& mp_;
   AnswerLinks& answers_;
+  RobotOrders& robots_;
   const bool real_;
   std::mutex mutex_;
   std::vector<Performed> performed_;

@@ -1,9 +1,15 @@
 #include "cli/operator/operator_service.hpp"
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "cli/operator/operator_state.hpp"
+#include "config/entries/robot_orders.hpp"
+#include "config/text/message_text.hpp"
+#include "core/number_text.hpp"
+#include "mrroc/errors.hpp"
 #include "process/answer_text.hpp"
 
 namespace mrroc::cli {
@@ -36,9 +42,10 @@ std::string line_of(const nlohmann::ordered_json& json) {
 
 OperatorService::OperatorService(const config::Deployment& deployment) : deployment_(deployment) {}
 
-void OperatorService::connect(OperatorEvents& events, Questions& questions) {
+void OperatorService::connect(OperatorEvents& events, Questions& questions, RobotOrders& robots) {
   events_ = &events;
   questions_ = &questions;
+  robots_ = &robots;
 }
 
 void OperatorService::request(const OperatorClient& client, const VerbRequest& request, Reply reply) {
@@ -72,7 +79,8 @@ VerbReply OperatorService::execute(const OperatorClient& client, const VerbReque
     return done("no robot has moved, the run ends");
   }
   if (verb == "answer") return give_answer(request, event);
-  event = config::Event{0, std::string{verb}, "", 0, 0};
+  if (config::is_robot_order(verb)) return give_order(request, event);
+  event = config::Event{.command = std::string{verb}};
   return {};
 }
 
@@ -119,9 +127,69 @@ VerbReply OperatorService::give_answer(const VerbRequest& request, std::optional
   std::string refusal;
   const auto value = process::read_answer(question->question, std::string{request.argument("value")}, refusal);
   if (!value) return refuse(Refusal::invalid_argument, refusal);
-  event = config::Event{0, "answer", question->asker, *value, question->number};
+  event = config::Event{.command = "answer", .asker = question->asker, .value = *value, .question = question->number};
   questions_->close(question->asker);
   return {};
+}
+
+VerbReply OperatorService::give_order(const VerbRequest& request, std::optional<config::Event>& event) const {
+  config::Event given{.command = std::string{request.verb->name}};
+  config::RobotOrder& order = given.order;
+  order.robot = request.argument("robot");
+  order.axis = request.argument(request.verb->name == "output" ? "output" : "axis");
+  order.posture = request.argument("posture");
+  order.frame = request.argument("in").empty() ? "axes" : request.argument("in");
+  for (const char* name : {"velocity", "distance", "value"}) {
+    const std::string text{request.argument(name)};
+    if (text.empty()) continue;
+    const std::optional<double> amount = core::to_finite(text);
+    if (!amount)
+      return refuse(Refusal::invalid_argument,
+                    std::string{name} + ": " + config::in_quotes(text) + " " + core::number_problem(text), "a number");
+    order.amount = *amount;
+  }
+  try {
+    robots_->check(given.command, order);
+  } catch (const std::invalid_argument& error) {
+    return refuse(Refusal::invalid_argument, error.what());
+  }
+  const VerbReply answered = check_answered(given);
+  if (answered.ok()) event = given;
+  return answered;
+}
+
+VerbReply OperatorService::check_answered(const config::Event& event) const {
+  const auto ordered = ordered_.find(event.order.robot);
+  if (ordered == ordered_.end() || event.command == "hold" || ordered->second.command == "jog") return {};
+  return not_now(event.order.robot + " has not finished '" + ordered->second.command + "'",
+                 "its end, or 'hold' before");
+}
+
+/// The robot answers the newest order only.
+void OperatorService::order_given(const OperatorEvents::Performed& performed, Pending pending) {
+  const std::string& robot = performed.event.order.robot;
+  if (const auto earlier = ordered_.find(robot); earlier != ordered_.end()) {
+    VerbReply reply = not_now("ended by '" + performed.event.command + "'", "");
+    if (earlier->second.command == "jog") reply = done(std::string{find_verb("jog")->effect});
+    reply.id = earlier->second.pending.id;
+    if (earlier->second.pending.reply) earlier->second.pending.reply(reply);
+  }
+  ordered_[robot] = {performed.number, performed.event.command, std::move(pending)};
+}
+
+void OperatorService::take_answer(const RobotOrders::Answer& answer) {
+  const auto ordered = ordered_.find(answer.robot);
+  if (ordered == ordered_.end() || ordered->second.number != answer.number) return;
+  const ErrorReport& error = answer.state.error;
+  VerbReply reply = error.error_class == ErrorClass::none
+                        ? done(std::string{find_verb(ordered->second.command)->effect})
+                        : not_now(answer.robot + ": " + std::string{describe(error.code)} +
+                                      (error.detail.empty() ? "" : ": " + std::string{error.detail.view()}),
+                                  "");
+  reply.tick = answer.state.tick;
+  reply.id = ordered->second.pending.id;
+  if (ordered->second.pending.reply) ordered->second.pending.reply(reply);
+  ordered_.erase(ordered);
 }
 
 VerbReply OperatorService::report() const {
@@ -139,15 +207,21 @@ VerbReply OperatorService::report() const {
 void OperatorService::leave(const OperatorClient& client) {
   for (auto& [ticket, pending] : pending_)
     if (pending.client.number == client.number) pending.reply = nullptr;
+  for (auto& [robot, ordered] : ordered_)
+    if (ordered.pending.client.number == client.number) ordered.pending.reply = nullptr;
   if (holder_.release(client)) publish_holder();
 }
 
 void OperatorService::poll() {
   if (events_ == nullptr) return;
+  // first the answers: the orders that they belong to have then been performed
+  std::vector<RobotOrders::Answer> answers;
+  for (RobotOrders::Answer answer; robots_->take(answer);) answers.push_back(answer);
   for (const OperatorEvents::Performed& performed : events_->take_performed()) {
     reply_to(performed);
     if (note_) note_(performed.event);
   }
+  for (const RobotOrders::Answer& answer : answers) take_answer(answer);
   const OpenQuestion* const first = questions_->find("");
   const std::string key = first == nullptr ? "" : first->asker + " " + std::to_string(first->number);
   if (key != published_question_ && first != nullptr) publish_(question_event(*first), "");
@@ -157,7 +231,8 @@ void OperatorService::poll() {
 void OperatorService::reply_to(const OperatorEvents::Performed& performed) {
   const auto pending = pending_.find(performed.ticket);
   const std::string by = pending == pending_.end() ? "an event of the deployment" : pending->second.client.name;
-  const bool shown = pending == pending_.end() || pending->second.client.number == 0;
+  const bool repeated = performed.event.command == "jog";  // many times a second
+  const bool shown = repeated || pending == pending_.end() || pending->second.client.number == 0;
   publish_(line_of({{"event", "command"},
                     {"command", performed.event.command},
                     {"by", by},
@@ -165,6 +240,11 @@ void OperatorService::reply_to(const OperatorEvents::Performed& performed) {
                     {"task", name_of(phase())}}),
            shown ? "" : performed.event.command + " by " + by + " at tick " + std::to_string(performed.event.tick));
   if (pending == pending_.end()) return;
+  if (performed.number != 0) {
+    order_given(performed, std::move(pending->second));
+    pending_.erase(pending);
+    return;
+  }
   VerbReply reply = done(std::string{find_verb(performed.event.command)->effect});
   reply.tick = performed.event.tick;
   reply.id = pending->second.id;
@@ -173,11 +253,13 @@ void OperatorService::reply_to(const OperatorEvents::Performed& performed) {
 }
 
 void OperatorService::end(int exit_code, const std::string& reason) {
-  for (auto& [ticket, pending] : std::exchange(pending_, {})) {
-    VerbReply reply = refuse(Refusal::ended, "the run has ended before the next tick");
+  const auto refuse_pending = [](const Pending& pending) {
+    VerbReply reply = refuse(Refusal::ended, "the run has ended before the command");
     reply.id = pending.id;
     if (pending.reply) pending.reply(reply);
-  }
+  };
+  for (const auto& [ticket, pending] : std::exchange(pending_, {})) refuse_pending(pending);
+  for (const auto& [robot, ordered] : std::exchange(ordered_, {})) refuse_pending(ordered.pending);
   publish_(line_of({{"event", "end"}, {"exit_code", exit_code}, {"reason", reason}}), "");
 }
 

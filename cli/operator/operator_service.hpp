@@ -10,6 +10,7 @@
 #include "cli/operator/command_holder.hpp"
 #include "cli/operator/operator_events.hpp"
 #include "cli/operator/questions.hpp"
+#include "cli/operator/robot_orders.hpp"
 #include "cli/operator/verb_reply.hpp"
 #include "cli/operator/verb_request.hpp"
 #include "config/deployment.hpp"
@@ -32,7 +33,7 @@ class OperatorService {
 
   /// Before this call, while the processes are being started, `status`, `echo`, `command` and `release` work, and
   /// `stop` and `estop` end the run. All outlive the service's last call.
-  void connect(OperatorEvents& events, Questions& questions);
+  void connect(OperatorEvents& events, Questions& questions, RobotOrders& robots);
   void publish_to(Publish publish) { publish_ = std::move(publish); }
   /// Receives every command that has taken effect, in order; it may throw, out of `poll`.
   void note_to(Note note) { note_ = std::move(note); }
@@ -63,10 +64,21 @@ class OperatorService {
     std::optional<std::int64_t> id;
   };
 
+  struct Ordered {
+    std::uint64_t number = 0;
+    std::string command;
+    Pending pending;
+  };
+
   /// The reply, or the command to be given, in `event`.
   VerbReply execute(const OperatorClient& client, const VerbRequest& request, std::optional<config::Event>& event);
   VerbReply take_command(const OperatorClient& client);
   VerbReply give_answer(const VerbRequest& request, std::optional<config::Event>& event);
+  VerbReply give_order(const VerbRequest& request, std::optional<config::Event>& event) const;
+  /// Why another order is refused while the robot has not answered the last one; ok when it may be given.
+  VerbReply check_answered(const config::Event& event) const;
+  void order_given(const OperatorEvents::Performed& performed, Pending pending);
+  void take_answer(const RobotOrders::Answer& answer);
   VerbReply report() const;
   /// Why the verb has no effect in the present phase; ok when it has one.
   VerbReply check_phase(std::string_view verb) const;
@@ -76,11 +88,13 @@ class OperatorService {
   const config::Deployment& deployment_;
   OperatorEvents* events_ = nullptr;
   Questions* questions_ = nullptr;
+  RobotOrders* robots_ = nullptr;
   Publish publish_ = [](const std::string&, const std::string&) {};
   Note note_;
   std::function<void()> end_ = [] {};
   CommandHolder holder_;
   std::map<std::uint64_t, Pending> pending_;  // by ticket
+  std::map<std::string, Ordered> ordered_;    // by robot: the order without an answer so far
   std::map<std::string, links::ProcessStatus> statuses_;
   std::string published_question_;
 };

@@ -15,6 +15,20 @@ constexpr std::array kAnswerArguments{
     VerbArgument{"value", "The answer as it would be typed: a number, yes or no, a choice or its number from 1", true},
     VerbArgument{"from", "The sensor or process that asks; default: the question that is shown", false}};
 
+constexpr VerbArgument kRobot{"robot", "Name of the robot in the deployment", true};
+constexpr VerbArgument kAxis{"axis", "Name or number from 1 of an axis or motor; x, y, z, rx, ry, rz of the tool",
+                             true};
+constexpr VerbArgument kFrame{"in", "axes (default), motors, or the axes in which the tool moves: base, tool", false};
+constexpr std::array kJogArguments{
+    kRobot, kAxis, VerbArgument{"velocity", "rad/s or m/s, with sign; of a motor rad/s of its shaft", true}, kFrame};
+constexpr std::array kStepArguments{kRobot, kAxis, VerbArgument{"distance", "rad or m, with sign", true}, kFrame};
+constexpr std::array kGoArguments{
+    kRobot, VerbArgument{"posture", "A posture of the robot's parameter file: home, or one of [postures]", true}};
+constexpr std::array kRobotArguments{kRobot};
+constexpr std::array kOutputArguments{
+    kRobot, VerbArgument{"output", "0 to 15: a digital output; a0 to a7: an analogue one", true},
+    VerbArgument{"value", "0 or 1 of a digital output; a number of an analogue one", true}};
+
 constexpr std::array kVerbs{
     OperatorVerb{
         "status", "Show the state of the task, the processes, the open questions and the commander", "", {}, false},
@@ -32,6 +46,21 @@ constexpr std::array kVerbs{
                  true},
     OperatorVerb{"answer", "Answer a question of the task or of a sensor", "the answer is given", kAnswerArguments,
                  true},
+    OperatorVerb{"jog", "Move a robot that no task commands, for 0.2 s; again in time, it continues", "the robot jogs",
+                 kJogArguments, true},
+    OperatorVerb{"step", "Move a robot that no task commands by a distance", "the robot has arrived", kStepArguments,
+                 true},
+    OperatorVerb{"go", "Move a robot that no task commands to a named posture", "the robot has arrived", kGoArguments,
+                 true},
+    OperatorVerb{"hold", "End a jog, a step or a go: the robot comes to rest", "the robot comes to rest",
+                 kRobotArguments, true},
+    OperatorVerb{"synchronise", "Find the absolute positions of a robot's motors", "the robot is synchronised",
+                 kRobotArguments, true},
+    OperatorVerb{"recover", "Clear a robot's fault and switch its drives on", "the drives are on", kRobotArguments,
+                 true},
+    OperatorVerb{"bias", "Take the present reading of a robot's force sensor as zero", "the force sensor is zeroed",
+                 kRobotArguments, true},
+    OperatorVerb{"output", "Set one output of a robot's controller", "the output is set", kOutputArguments, true},
     OperatorVerb{
         "stop", "Bring the robots to rest and end the run", "the robots come to rest, then the run ends", {}, false},
     OperatorVerb{"estop",

@@ -92,6 +92,16 @@ bool take_optional(std::string_view& text, VerbRequest& request) {
   return false;
 }
 
+/// The same of the last word.
+bool take_last_optional(std::string_view& text, VerbRequest& request) {
+  const std::size_t blank = text.find_last_of(kBlanks);
+  if (blank == std::string_view::npos) return false;
+  std::string_view last = text.substr(blank + 1);
+  if (!take_optional(last, request)) return false;
+  text = trimmed(text.substr(0, blank));
+  return true;
+}
+
 /// A member of the request as the text that would be typed.
 std::optional<std::string> text_of(const nlohmann::json& value) {
   if (value.is_string()) return value.get<std::string>();
@@ -116,7 +126,7 @@ std::optional<VerbRequest> parse_typed(std::string_view line, VerbReply& refusal
     refusal = refuse_verb(name);
     return std::nullopt;
   }
-  while (take_optional(rest, request)) {
+  while (take_optional(rest, request) || take_last_optional(rest, request)) {
   }
   const VerbArgument* last = nullptr;
   for (const VerbArgument& argument : request.verb->arguments)

@@ -22,8 +22,9 @@ struct VerbRequest {
   std::string_view argument(std::string_view name) const;
 };
 
-/// The request of a typed line: the verb, then its arguments in the order of the table, separated by blanks; the
-/// last argument may contain blanks. Otherwise the reply that refuses it. Any thread; does not throw.
+/// The request of a typed line: the verb, then its required arguments in the order of the table, separated by blanks;
+/// the last one may contain blanks. Words "name=value" before and after them are optional arguments. Otherwise the
+/// reply that refuses it. Any thread; does not throw.
 std::optional<VerbRequest> parse_typed(std::string_view line, VerbReply& refusal);
 
 /// The request of a line of the socket: a JSON object with "verb", the arguments as texts or numbers, and an optional

@@ -5,6 +5,7 @@
 
 #include "cli/operator/operator_events.hpp"
 #include "cli/operator/questions.hpp"
+#include "cli/operator/robot_orders.hpp"
 #include "clock/clock.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
@@ -26,6 +27,7 @@ struct RunLinks {
   links::StatusCollector processes;
   links::TaskSuperior mp;
   Questions questions;
+  RobotOrders robots;
   OperatorEvents events;
 };
 

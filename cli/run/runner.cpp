@@ -185,7 +185,7 @@ void Runner::pass_barrier() {
   }
   if (!connect_to_mp(deadline)) return;
   links_->events.schedule(deployment_, options_.hold);
-  service_.connect(links_->events, links_->questions);
+  service_.connect(links_->events, links_->questions, links_->robots);
   faults_.schedule();
   supervisor_.task_starts();
   clock_.start(hosts_->start());
@@ -227,6 +227,7 @@ bool Runner::connect_to_mp(double deadline) {
   for (;;) {
     try {
       links_->mp.connect(kHandShake);
+      links_->robots.connect(kHandShake);
       return true;
     } catch (const SystemError& error) {
       if (error.code() != ErrorCode::link_lost || operator_clock_->wall_seconds() > deadline) throw;

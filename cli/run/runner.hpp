@@ -44,7 +44,8 @@ class Runner {
   void open_operator(const Outputs& outputs);
   void start_processes(Outputs& outputs);
   void pass_barrier();
-  /// Connects to the MP, and watches processes and the operator meanwhile; returns false when the run must end.
+  /// Connects to the MP and the EDPs, and watches processes and the operator meanwhile; returns false when the run must
+  /// end.
   bool connect_to_mp(double deadline);
   void end_processes();
   /// Callbacks for reports of other hosts.

@@ -38,8 +38,8 @@ struct Reply {
 /// command is, because its sender computed it without that error.
 ///
 /// After a fault or `enable(false)` motions are refused, and every reply carries a latched fault as a hardware error,
-/// until `enable(true)` or a `recover` command. A robot that is not synchronised takes relative motor motion, hold and
-/// `synchronise`; its joints are then the shafts.
+/// until `enable(true)` or a `recover` command. A robot that is not synchronised takes relative motor motion,
+/// `joint_velocity` with the interpolation `motors`, hold and `synchronise`; its joints are then the shafts.
 ///
 /// `set_tool` is answered at once, `use_model` when the servo has changed, `synchronise` when it is done, `recover`
 /// when the drives are on or the fault has come back. The first three require a motion that ends at rest, and follow

@@ -24,8 +24,10 @@ ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
   if (command.kind == CommandKind::force && !mount_)
     return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
                        "a force motion of a robot without force_sensor in the deployment");
-  if (!snapshot_->synchronised && command.kind != CommandKind::hold &&
-      !(command.kind == CommandKind::motor && command.relative && command.interpolation != Interpolation::task))
+  const bool of_motors =
+      (command.kind == CommandKind::motor && command.relative && command.interpolation != Interpolation::task) ||
+      (command.kind == CommandKind::joint_velocity && command.interpolation == Interpolation::motors);
+  if (!snapshot_->synchronised && command.kind != CommandKind::hold && !of_motors)
     return make_report(ErrorClass::non_fatal, ErrorCode::not_synchronised,
                        "only relative motor motion, hold and synchronise");
   return {};

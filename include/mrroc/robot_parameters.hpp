@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -56,9 +57,10 @@ struct RegulatorSet {
 struct RobotParameters {
   std::string type;
   std::vector<AxisParameters> axes;
-  std::vector<RegulatorSet> regulators;  ///< the first is "standard": the axes as they are
-  JointVector home;                      ///< joint position in which the simulated robot starts
-  std::vector<int> synchro_order;        ///< the axes in the order of their synchronisation; empty: ascending
+  std::vector<RegulatorSet> regulators;         ///< the first is "standard": the axes as they are
+  JointVector home;                             ///< joint position in which the simulated robot starts
+  std::map<std::string, JointVector> postures;  ///< named joint positions for the operator; "home" is always there
+  std::vector<int> synchro_order;               ///< the axes in the order of their synchronisation; empty: ascending
 };
 
 }  // namespace mrroc

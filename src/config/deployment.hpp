@@ -120,14 +120,26 @@ struct NetworkEntry {
   std::filesystem::path keys;  ///< folder of the keys, absolute; empty only without security
 };
 
+/// An order of the operator to one robot, while no task commands it.
+struct RobotOrder {
+  std::string robot;
+  std::string axis;     ///< of jog and step: a name or a number from 1 of an axis, or x, y, z, rx, ry, rz
+  std::string frame;    ///< of jog and step: axes | base | tool | motors
+  std::string posture;  ///< of go: in the robot's parameter file
+  double amount = 0;    ///< of jog: rad/s or m/s; of step: rad or m; of output: its value
+};
+
 /// A command of the operator at a given tick: written in advance for runs without an operator, or noted in a live run.
 struct Event {
   Tick tick = 0;
-  std::string command;  ///< start | pause | resume | trigger | stop | estop | reset | answer
-  std::string asker;    ///< of an answer: the sensor or process that asks; else empty
+  /// start | pause | resume | trigger | stop | estop | reset | answer, or one of `order`: jog | step | go | hold |
+  /// synchronise | recover | bias | output
+  std::string command{};
+  std::string asker{};  ///< of an answer: the sensor or process that asks; else empty
   double value = 0;     ///< the answer: the number, 1 or 0 for yes or no, the index of a choice
   /// Of an answer: the number of the asker's question, from 1; 0: the one that is open then.
   std::uint64_t question = 0;
+  RobotOrder order{};  ///< of commands to a robot; else empty
 };
 
 /// A prepared answer to a question of a task program, for runs without an operator: the text that the operator would

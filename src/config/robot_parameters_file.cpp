@@ -138,6 +138,19 @@ std::vector<RegulatorSet> read_regulator_sets(const Table& file, const std::vect
   return sets;
 }
 
+/// Joint positions within the limits of the axes.
+JointVector read_posture(const Table& table, const std::string& key, const std::vector<AxisParameters>& axes) {
+  const auto values = table.numbers(key, axes.size());
+  JointVector posture(static_cast<Eigen::Index>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] < axes[i].position_min || values[i] > axes[i].position_max)
+      table.fail(key, number_text(values[i]) + " is outside the limits of axis " + in_quotes(axes[i].name),
+                 expected_number({axes[i].position_min, axes[i].position_max}));
+    posture[static_cast<Eigen::Index>(i)] = values[i];
+  }
+  return posture;
+}
+
 }  // namespace
 
 RobotParameters read_robot_parameters(const Table& file) {
@@ -153,16 +166,13 @@ RobotParameters read_robot_parameters(const Table& file) {
   }
   parameters.regulators = read_regulator_sets(file, parameters.axes);
   parameters.synchro_order = read_synchro_order(file, parameters.axes);
-  const auto home = file.numbers("home", tables.size());
-  parameters.home.resize(static_cast<Eigen::Index>(home.size()));
-  for (std::size_t i = 0; i < home.size(); ++i) {
-    const auto& axis = parameters.axes[i];
-    if (home[i] < axis.position_min || home[i] > axis.position_max) {
-      file.fail("home", number_text(home[i]) + " is outside the limits of axis " + in_quotes(axis.name),
-                expected_number({axis.position_min, axis.position_max}));
+  parameters.home = read_posture(file, "home", parameters.axes);
+  parameters.postures["home"] = parameters.home;
+  if (const auto postures = file.optional_table("postures"))
+    for (const std::string& name : postures->keys()) {
+      if (name == "home") postures->fail(name, "is the name of the key 'home'", "another name");
+      parameters.postures[name] = read_posture(*postures, name, parameters.axes);
     }
-    parameters.home[static_cast<Eigen::Index>(i)] = home[i];
-  }
   return parameters;
 }
 

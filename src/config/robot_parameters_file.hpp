@@ -6,10 +6,11 @@
 
 namespace mrroc::config {
 
-/// Reads the general part of robots/TYPE/TYPE.toml: `type`, `home`, and `[[axes]]` with the keys of AxisParameters
-/// (same names; `[regulators.SET.AXIS]` holds the values that differ in another regulator set: a, b0, b1, eps,
-/// output_max, current_gain; only `encoder_increments` and `regulator_output_max` may be left out). Position and motor
-/// limits may be infinite (`-inf`, `inf`, given explicitly): an axis that rotates endlessly. The `[geometry]` table
+/// Reads the general part of robots/TYPE/TYPE.toml: `type`, `home`, optionally `[postures]` (named joint positions for
+/// the operator, `front = [...]`), and `[[axes]]` with the keys of AxisParameters (same names;
+/// `[regulators.SET.AXIS]` holds the values that differ in another regulator set: a, b0, b1, eps, output_max,
+/// current_gain; only `encoder_increments` and `regulator_output_max` may be left out). Position and motor limits may
+/// be infinite (`-inf`, `inf`, given explicitly): an axis that rotates endlessly. The `[geometry]` table
 /// depends on the type: the robot's model reads it from the same Table and then calls `finish()`. Throws
 /// ConfigurationError.
 RobotParameters read_robot_parameters(const Table& file);

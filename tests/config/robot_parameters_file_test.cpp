@@ -179,11 +179,25 @@ TEST_F(RobotParametersFileTest, ChecksTheAxesTogether) {
   EXPECT_EQ(message(nine), "r.toml:3: axes: 9 axes, expected 1 to 8 axes");
 }
 
+TEST_F(RobotParametersFileTest, PosturesAreWithinTheLimitsAndHomeIsOne) {
+  const RobotParameters robot = read(robot_text() + "[postures]\nfront = [1.5]\n");
+  ASSERT_EQ(robot.postures.size(), 2u);
+  EXPECT_EQ(robot.postures.at("front")[0], 1.5);
+  EXPECT_EQ(robot.postures.at("home"), robot.home);
+  EXPECT_EQ(message(robot_text() + "[postures]\nfront = [3]\n"),
+            "r.toml:26: postures.front: 3 is outside the limits of axis 'column', expected a number from -2.5 to 2.75");
+  EXPECT_EQ(message(robot_text() + "[postures]\nfront = [1, 1]\n"),
+            "r.toml:26: postures.front: has 2 values, expected an array of 1 numbers");
+  EXPECT_EQ(message(robot_text() + "[postures]\nhome = [1]\n"),
+            "r.toml:26: postures.home: is the name of the key 'home', expected another name");
+}
+
 TEST_F(RobotParametersFileTest, DoesNotReadTheGeometry) {
   const Table file = Table::load(scratch_.write("r.toml", robot_text() + "[geometry]\na2 = 0.455\n"));
   read_robot_parameters(file);
-  EXPECT_EQ(message_of(scratch_.path(), [&] { file.finish(); }),
-            "r.toml:25: geometry: unknown key, expected 'axes', 'home', 'regulators', 'synchro_order' or 'type'");
+  EXPECT_EQ(
+      message_of(scratch_.path(), [&] { file.finish(); }),
+      "r.toml:25: geometry: unknown key, expected 'axes', 'home', 'postures', 'regulators', 'synchro_order' or 'type'");
   file.table("geometry");
   EXPECT_NO_THROW(file.finish());
 }

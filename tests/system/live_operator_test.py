@@ -232,6 +232,68 @@ class LiveOperator(unittest.TestCase):
         self.assertEqual(output_of("trace", "hash", plain), output_of("trace", "hash", flooded))
         self.assertGreater(sent, 1000)
 
+    def test_robot_is_jogged_sent_to_a_posture_and_held_before_the_task_starts(self):
+        with LiveRun(self.folder, "--hold", *self.noting()) as run:
+            run.await_task("held")
+            output_of("jog", "arm", "column", "0.2")
+            time.sleep(0.5)
+            self.assertIn("did you mean 'column'?", output_of("jog", "arm", "colum", "0.2", code=2))
+            self.assertIn("out of range", output_of("jog", "arm", "column", "9", code=2))
+            output_of("step", "arm", "z", "0.02", "--in", "base")
+            output_of("step", "arm", "rz", "-0.1", "--in", "tool")
+            output_of("jog", "arm", "lower_arm", "3", "--in", "motors")
+            time.sleep(0.5)
+            going = subprocess.Popen([MRROC, "go", "arm", "raised"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            time.sleep(0.6)
+            output_of("hold", "arm")
+            self.assertIn("ended by 'hold'", going.communicate(timeout=TIMEOUT)[0])
+            time.sleep(0.3)
+            output_of("go", "arm", "raised")
+            output_of("go", "arm", "home")
+            output_of("output", "arm", "3", "1")
+            output_of("start")
+            self.assertIn("the task commands the robot", output_of("jog", "arm", "column", "0.2", code=1))
+            self.assertEqual(run.end(), 0)
+        self.expect_same_run_in_lockstep(0)
+
+    def test_jog_ends_when_its_sender_is_killed(self):
+        """The dead-man counts ticks in the EDP: no message says that the sender is gone."""
+        motion = f"{self.folder}/motion"
+        with LiveRun(self.folder, "--hold", "--motion", motion, *self.noting()) as run:
+            run.await_task("held")
+            for end in (signal.SIGKILL, signal.SIGSTOP):
+                sender = subprocess.Popen(["sh", "-c", f"while :; do {MRROC} jog arm column 0.3 >{self.folder}/jog 2>&1; done"],
+                                          start_new_session=True)
+                time.sleep(1.0)
+                os.killpg(sender.pid, end)
+                stopped = run.state()["tick"]
+                run.await_state(lambda state: state["tick"] > stopped + 600, "a second later")
+                os.killpg(sender.pid, signal.SIGKILL)
+                sender.wait(TIMEOUT)
+                run.await_state(lambda state: state["tick"] > stopped + 900, "at rest")
+            output_of("stop")
+            self.assertEqual(run.end(), STOPPED)
+        self.expect_same_run_in_lockstep(STOPPED)
+        jogs = [int(text.split("tick = ")[1].split()[0]) for text in pathlib.Path(self.noted).read_text().split("[[events]]")
+                if '"jog"' in text]
+        self.assertGreater(len(jogs), 4)
+        self.expect_rest_after(jogs, motion)
+
+    def expect_rest_after(self, jogs, motion):
+        """The column moves at most the validity and its braking time after the last jog of a series: 0.3 rad/s at 1 rad/s^2."""
+        sys.path.insert(0, str(SOURCE / "scripts"))
+        last = [jog for jog, following in zip(jogs, jogs[1:] + [1 << 60]) if following - jog > 300]
+        self.assertEqual(len(last), 2)
+        speed = {}  # of the column, by tick
+        for line in pathlib.Path(motion).read_text(encoding="utf-8").splitlines():
+            fields = line.split()
+            if fields[1] == "arm":
+                speed[int(fields[0])] = abs(float(fields[9]))
+        for jog in last:
+            self.assertGreater(speed[jog], 0.05)
+            for tick in range(jog + 100 + 200, jog + 600):
+                self.assertLess(speed.get(tick, 0), 0.01, tick - jog)
+
     def test_random_operators_keep_every_law(self):
         """Verbs at random moments by clients that come and die: every run ends as its verbs say, and is the same run in lockstep."""
         for seed in range(SEEDS):

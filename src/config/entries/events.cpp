@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "config/entries/operator_answer.hpp"
+#include "config/entries/robot_orders.hpp"
 #include "config/text/message_text.hpp"
 
 namespace mrroc::config {
@@ -31,11 +32,26 @@ void read_answer_of_process(const Table& table, const Deployment& deployment, Ev
   event.value = table.number("value");
 }
 
+/// Keys of other commands.
+void refuse_keys(const Table& table, const std::string& command, std::initializer_list<const char*> keys) {
+  for (const char* key : keys)
+    if (table.has(key))
+      table.fail(key, "is not a key of the command " + in_quotes(command), "another command beside it");
+}
+
 Event read_event(const Table& table, const Deployment& deployment) {
-  table.only({"tick", "command", "sensor", "process", "value", "question"});
+  table.only({"tick", "command", "sensor", "process", "value", "question", "robot", "axis", "in", "velocity",
+              "distance", "posture", "output"});
   Event event;
   event.tick = static_cast<Tick>(table.integer("tick", 0, std::numeric_limits<std::int64_t>::max()));
-  event.command = table.choice("command", {"start", "pause", "resume", "trigger", "stop", "estop", "reset", "answer"});
+  event.command = table.choice("command", {"start", "pause", "resume", "trigger", "stop", "estop", "reset", "answer",
+                                           "jog", "step", "go", "hold", "synchronise", "recover", "bias", "output"});
+  if (is_robot_order(event.command)) {
+    refuse_keys(table, event.command, {"sensor", "process", "question"});
+    event.order = read_robot_order(table, event.command, deployment);
+    return event;
+  }
+  refuse_keys(table, event.command, {"robot", "axis", "in", "velocity", "distance", "posture", "output"});
   if (event.command == "answer") {
     if (table.has("process"))
       read_answer_of_process(table, deployment, event);
@@ -44,8 +60,7 @@ Event read_event(const Table& table, const Deployment& deployment) {
     event.question = static_cast<std::uint64_t>(table.integer_or("question", 0, 0, std::numeric_limits<int>::max()));
     return event;
   }
-  for (const char* key : {"sensor", "process", "value", "question"})
-    if (table.has(key)) table.fail(key, in_quotes(event.command) + " answers nothing", "command = 'answer' beside it");
+  refuse_keys(table, event.command, {"sensor", "process", "value", "question"});
   return event;
 }
 

@@ -14,13 +14,23 @@ namespace {
 TEST(EventNotes, NotedEventsAreReadAgain) {
   const task_test::ScratchFolder folder;
   const auto path = folder.path() / "noted.toml";
-  const config::Deployment deployment = asking_deployment(config::ClockMode::paced);
-  const std::vector<config::Event> events{{0, "start", "", 0, 0},
-                                          {5, "pause", "", 0, 0},
-                                          {5, "estop", "", 0, 0},
-                                          {6, "answer", "parts", 3, 1},
-                                          {7, "answer", "mp", 0.1 + 0.2, 2},
-                                          {1'000'000'000'000, "stop", "", 0, 0}};
+  config::Deployment deployment = asking_deployment(config::ClockMode::paced);
+  config::RobotEntry arm;
+  arm.name = "arm";
+  arm.type = "irb6";
+  deployment.robots.push_back(arm);
+  const std::vector<config::Event> events{
+      {.tick = 0, .command = "start"},
+      {.tick = 5, .command = "pause"},
+      {.tick = 5, .command = "estop"},
+      {.tick = 6, .command = "answer", .asker = "parts", .value = 3, .question = 1},
+      {.tick = 7, .command = "answer", .asker = "mp", .value = 0.1 + 0.2, .question = 2},
+      {.tick = 8, .command = "jog", .order = {"arm", "column", "axes", "", -0.1}},
+      {.tick = 9, .command = "step", .order = {"arm", "rz", "tool", "", 1e-9}},
+      {.tick = 9, .command = "go", .order = {"arm", "", "", "home", 0}},
+      {.tick = 9, .command = "hold", .order = {"arm", "", "", "", 0}},
+      {.tick = 9, .command = "output", .order = {"arm", "a3", "", "", 2.5}},
+      {.tick = 1'000'000'000'000, .command = "stop"}};
   const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
   EventNotes notes(fd, path, deployment);
   for (const config::Event& event : events) notes.note(event);
@@ -33,6 +43,13 @@ TEST(EventNotes, NotedEventsAreReadAgain) {
     EXPECT_EQ(read[i].asker, events[i].asker);
     EXPECT_EQ(read[i].value, events[i].value);
     EXPECT_EQ(read[i].question, events[i].question);
+    EXPECT_EQ(read[i].order.robot, events[i].order.robot);
+    EXPECT_EQ(read[i].order.axis, events[i].order.axis);
+    EXPECT_EQ(read[i].order.posture, events[i].order.posture);
+    EXPECT_EQ(read[i].order.amount, events[i].order.amount);
+    if (!events[i].order.frame.empty()) {
+      EXPECT_EQ(read[i].order.frame, events[i].order.frame);
+    }
   }
 }
 
@@ -40,7 +57,7 @@ TEST(EventNotes, FullDiskIsAnError) {
   const config::Deployment deployment = asking_deployment(config::ClockMode::paced);
   const int fd = open("/dev/full", O_WRONLY | O_CLOEXEC);
   EventNotes notes(fd, "/dev/full", deployment);
-  EXPECT_THROW(notes.note({5, "pause", "", 0, 0}), std::runtime_error);
+  EXPECT_THROW(notes.note({.tick = 5, .command = "pause"}), std::runtime_error);
   close(fd);
 }
 

@@ -121,7 +121,7 @@ TEST_F(OperatorConsoleTest, RepeatedQuestionReplacesTheEarlierOne) {
 }
 
 TEST_F(OperatorConsoleTest, EventAnswersAnyOpenQuestionAndIsWaitedFor) {
-  const config::Event event{100, "answer", "parts", 6, 0};
+  const config::Event event{.tick = 100, .command = "answer", .asker = "parts", .value = 6};
   open(config::ClockMode::lockstep, {event});
   parts->ask(number_question("How many?", 99));
   poll();
@@ -132,7 +132,8 @@ TEST_F(OperatorConsoleTest, EventAnswersAnyOpenQuestionAndIsWaitedFor) {
 }
 
 TEST_F(OperatorConsoleTest, EventOfTheSameTickOrOfAnotherSensorAnswersNothing) {
-  open(config::ClockMode::lockstep, {{100, "answer", "parts", 6, 0}, {200, "answer", "weight", 6, 0}});
+  open(config::ClockMode::lockstep, {{.tick = 100, .command = "answer", .asker = "parts", .value = 6},
+                                     {.tick = 200, .command = "answer", .asker = "weight", .value = 6}});
   type("3\n");  // what is typed would come at another tick on every run
   parts->ask(number_question("How many?", 100));
   EXPECT_THROW(poll(), NonFatalError);
@@ -234,10 +235,10 @@ TEST(SomebodyAnswers, TerminalOrEventForEverySensorIsAccepted) {
   for (const auto clock : {config::ClockMode::lockstep, config::ClockMode::paced, config::ClockMode::real}) {
     config::Deployment deployment = asking_deployment(clock);
     EXPECT_EQ(refusal(deployment, true).empty(), clock != config::ClockMode::lockstep);
-    deployment.events = {{100, "answer", "parts", 6, 0}};
+    deployment.events = {{.tick = 100, .command = "answer", .asker = "parts", .value = 6}};
     EXPECT_NE(refusal(deployment, false).find("sensors.weight: asks the operator, and no answer can be typed"),
               std::string::npos);
-    deployment.events.push_back({100, "answer", "weight", 6, 0});
+    deployment.events.push_back({.tick = 100, .command = "answer", .asker = "weight", .value = 6});
     EXPECT_EQ(refusal(deployment, false), "");
   }
 }

@@ -53,9 +53,10 @@ class OperatorRig {
         task(net.domain, clock, "t/mp"),
         mp(net.domain, clock, "t/mp", "mp"),
         questions(deployment, net.domain, clock, [this](const std::string& line) { shown.push_back(line); }),
+        robots(deployment, net.domain, clock),
         events({[this](Tick at, clock::TickEvents::Callback callback) { schedule.add(at, std::move(callback)); },
                 [this] { return tick; }},
-               clock.emergency_stop(), mp, questions.links(), deployment.clock == config::ClockMode::real),
+               clock.emergency_stop(), mp, questions.links(), robots, deployment.clock == config::ClockMode::real),
         service(deployment) {
     mp.connect(links::kPatience);
     service.publish_to([this](const std::string& json, const std::string& text) {
@@ -64,7 +65,7 @@ class OperatorRig {
     });
     service.note_to([this](const config::Event& event) { noted.push_back(event); });
     events.schedule(deployment, hold);
-    service.connect(events, questions);
+    service.connect(events, questions, robots);
   }
 
   /// Begins the next tick.
@@ -101,6 +102,7 @@ class OperatorRig {
   links::TaskSubordinate task;
   links::TaskSuperior mp;
   Questions questions;
+  RobotOrders robots;
   OperatorEvents events;
   OperatorService service;
 };

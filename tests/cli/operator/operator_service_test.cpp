@@ -80,7 +80,7 @@ TEST(OperatorService, TaskStoppedBeforeItsStartGetsNoCommand) {
 
 TEST(OperatorService, StartEventOfTheDeploymentReplacesTheStartAtTickZero) {
   config::Deployment deployment = asking_deployment(config::ClockMode::lockstep);
-  deployment.events = {{2, "start", "", 0, 0}};
+  deployment.events = {{.tick = 2, .command = "start"}};
   OperatorRig rig(deployment);
   rig.next_tick();
   rig.next_tick();

@@ -24,6 +24,11 @@ TEST(VerbRequest, TypedLineIsAVerbAndItsArguments) {
   EXPECT_EQ(answer->argument("from"), "mp");
   EXPECT_EQ(answer->argument("value"), "left side");
   EXPECT_EQ(parse_typed("answer from mp", refusal)->argument("value"), "from mp");
+  const auto jog = parse_typed("jog arm rz -0.1 in=tool", refusal);
+  ASSERT_TRUE(jog);
+  EXPECT_EQ(jog->argument("axis"), "rz");
+  EXPECT_EQ(jog->argument("velocity"), "-0.1");
+  EXPECT_EQ(jog->argument("in"), "tool");
   for (const char* line : {"answer", "pause now", "answer from=mp", "answer from= 3"})
     EXPECT_EQ(typed(line), Refusal::invalid_argument) << line;
   for (const char* line : {"", " ", "Pause!", "x", "pausee resume"})

@@ -28,7 +28,7 @@ void expect_nothing_started(const std::string& output) {
 
 TEST(WrongInput, CommandLineIsRefused) {
   expect_text(run_mrroc({}, kUsage), "subcommand");
-  expect_text(run_mrroc({"rum", "tasks/press/press.toml"}, kUsage), "subcommand");
+  expect_text(run_mrroc({"rum", "tasks/press/press.toml"}, kUsage), "did you mean 'run'?");
   expect_text(run_mrroc({"run"}, kUsage), "FILE is required");
   expect_text(run_mrroc({"run", "tasks/press/press.toml", "--clocks", "real"}, kUsage), "--clocks");
   expect_text(run_mrroc({"run", "tasks/press/press.toml", "--clock", "fast"}, kUsage), "fast");

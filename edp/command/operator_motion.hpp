@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+
+#include "edp/check/model_set.hpp"
+#include "edp/command/effector.hpp"
+#include "edp/command/planner.hpp"
+#include "mrroc/robot_command.hpp"
+
+namespace mrroc::edp {
+
+/// Motions and changes that the operator commands directly, while no task commands the robot.
+///
+/// Jog: `joint_velocity`, `twist`, or `motor` with the shafts' velocities and without positions. The robot changes to
+/// the velocity within its limits. A jog is valid for kJogValidity; when no other one comes within that time, the robot
+/// brakes within its limits (dead-man). Near a limit the jog becomes slower, then it ends.
+///
+/// Travel: `joint`, `motor` or `pose`, absolute or relative, from rest to rest. A relative `pose` with a `twist` is a
+/// displacement in base axes: p + v, exp(w) R. The whole path is planned and checked before it begins; it takes as long
+/// as the limits demand, and `hold` ends it at any time. The reply comes at its end.
+///
+/// `set_outputs` changes the one output `choice`: a digital one, or behind those an analogue one. All other kinds are
+/// passed to the effector, one at a time. A command of a task ends the operator's motion.
+///
+/// The macrosteps are commands of the effector with numbers of their own (`is_own`). One thread, the effector's; it
+/// allocates in the constructor only, never throws, never waits.
+class OperatorMotion {
+ public:
+  static constexpr double kJogValidity = 0.2;  ///< s
+  static constexpr double kTaskIdle = 0.1;     ///< s after a task's last command in which the robot is the task's
+  static constexpr std::uint16_t kSteps = 10;  ///< ticks of a macrostep
+
+  /// All outlive it. `period` in s.
+  OperatorMotion(Effector& effector, const ModelSet& models, double period);
+
+  /// Whether a number is of a command of this object.
+  static bool is_own(std::uint64_t number) noexcept { return (number & kOwn) != 0; }
+
+  /// A task's command has been received at tick `now`.
+  void yield(Tick now) noexcept;
+  /// Takes command number `number` of the operator. True: `reply` is the answer; false: `take` will give it.
+  bool accept(const RobotCommand& command, std::uint64_t number, Tick now, Reply& reply) noexcept;
+  /// Takes a reply of the effector to an own number. True: `reply` is now the answer to a command of the operator.
+  bool take(Reply& reply) noexcept;
+
+ private:
+  static constexpr std::uint64_t kOwn = std::uint64_t{1} << 63;
+
+  enum class Phase { idle, jog, travel, stop, yielded, change };
+
+  ErrorReport refusal(const RobotCommand& command, Tick now) const noexcept;
+  ErrorReport jog(const RobotCommand& command, Tick now) noexcept;
+  ErrorReport plan_travel(const RobotCommand& command) noexcept;
+  ErrorReport next_jog_step(Tick begin) noexcept;
+  RobotCommand with_one_output(const RobotCommand& command) noexcept;
+  ErrorReport next_travel_step() noexcept;
+  void stop() noexcept;
+  /// Passes a macrostep to the effector.
+  ErrorReport send(const RobotCommand& command) noexcept;
+  void answer(std::uint64_t number, const ErrorReport& error, Reply& reply) noexcept;
+  Tick ticks(double seconds) const noexcept;
+
+  Effector& effector_;
+  const ModelSet& models_;
+  const double period_;
+  Planner planner_;
+  Phase phase_ = Phase::idle;
+  std::uint64_t sent_ = 0;  // own number of the last command to the effector
+  std::optional<Tick> last_task_command_;
+  RobotCommand velocity_;  // of the jog
+  Tick valid_until_ = 0;
+  std::optional<std::uint64_t> awaited_;        // the operator's number of the travel or change under way
+  Macrostep travel_;                            // the whole path; too large for a small stack
+  double slowness_ = 1;                         // of the travel: by how much it is slower than planned
+  std::uint32_t travelled_ = 0, duration_ = 0;  // ticks of it
+  RobotCommand step_;
+  Reply ignored_;
+};
+
+}  // namespace mrroc::edp
