@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <deque>
 #include <optional>
 
@@ -21,6 +22,7 @@
 #include "edp/servo/servo_thread.hpp"
 #include "links/exchange/robot_responder.hpp"
 #include "links/telemetry/state_feed.hpp"
+#include "links/telemetry/telemetry_publisher.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "process/standard_files.hpp"
@@ -30,6 +32,7 @@ namespace mrroc::edp {
 
 namespace {
 
+constexpr double kTelemetryPeriod = 0.02;  // s between two states for watchers
 constexpr std::int64_t kPatienceWithBus = 10 * clock::kSecond;
 
 /// The simulated drives may not have made the hub's socket yet.
@@ -61,7 +64,10 @@ class Shell {
         responder_(process.domain(), process.clock(), process.topic(place_.entry.name),
                    process.deployment().heartbeat_timeout),
         operator_(process.domain(), process.clock(), process.topic(place_.entry.name + "/operator"),
-                  OperatorMotion::kJogValidity) {
+                  OperatorMotion::kJogValidity),
+        telemetry_(process.domain(), process.topic(place_.entry.name + "/telemetry")),
+        telemetry_period_(static_cast<Tick>(std::ceil(kTelemetryPeriod / process.clock().period()))) {
+    process.status().also([this] { telemetry_.publish(); });
     for (const config::SensorEntry& sensor : process.deployment().sensors)
       if (sensor.robot == place_.entry.name && sensor.wants_effector_state)
         feeds_.emplace_back(process.domain(), process.clock(), process.topic(place_.entry.name), sensor.name);
@@ -71,6 +77,10 @@ class Shell {
     servo_.use_force_sensor(*force_sensor_, place_.entry.force_limits);
     effector_.use_force_sensor(force_sensor_->mount());
   }
+
+  ~Shell() { process_.status().also({}); }
+  Shell(const Shell&) = delete;
+  Shell& operator=(const Shell&) = delete;
 
   void serve() {
     process_.start();
@@ -156,6 +166,7 @@ class Shell {
       }
       ready = ready || switched_on();
       if (ready) exchange();
+      store_telemetry();
       process_.status().counters(counters(nullptr));
       if (clock.stopping() && !servo_.drives_on()) return;
     }
@@ -163,12 +174,13 @@ class Shell {
 
   void serve_real() {
     clock::Clock& clock = process_.clock();
-    ServoThread thread(servo_, clock, !feeds_.empty());
+    ServoThread thread(servo_, clock, feeds_.empty() ? telemetry_period_ : 1);
     while (!switched_on() && clock.wait(clock.tick() + 1) != clock::Wake::interrupted) {
     }
     do {
       feed();
       exchange();
+      store_telemetry();
       process_.status().counters(counters(&thread.ticker()));
     } while (clock.wait(kNever) != clock::Wake::interrupted && !clock.stopping());
     // the thread's destructor stops the robot and switches the drives off
@@ -186,6 +198,14 @@ class Shell {
     for (links::StateFeed& each : feeds_) each.send(fed_);
   }
 
+  /// The state of the newest tick, for watchers.
+  void store_telemetry() {
+    const Tick now = process_.clock().tick();
+    if (now < next_telemetry_ || !telemetry_.wanted() || !effector_.peek(fed_)) return;
+    next_telemetry_ = now + telemetry_period_;
+    telemetry_.store(fed_);
+  }
+
   /// Sends due replies, then takes received commands.
   void exchange() {
     while (effector_.poll(reply_)) {
@@ -196,9 +216,11 @@ class Shell {
     }
     std::uint64_t sequence = 0;
     while (responder_.take(command_, sequence)) {
-      if (command_.kind != CommandKind::query) operator_motion_.yield(process_.clock().tick());
+      if (operator_motion_.accept_of_task(command_, sequence, process_.clock().tick())) continue;
       if (effector_.accept(command_, sequence, reply_)) responder_.reply(reply_.state, sequence);
     }
+    if (operator_motion_.update(process_.clock().tick(), reply_)) operator_.reply(reply_.state, reply_.command);
+    if (operator_motion_.poll_hold(process_.clock().tick(), reply_)) responder_.reply(reply_.state, reply_.command);
     while (operator_.take(command_, sequence)) {
       if (operator_motion_.accept(command_, sequence, process_.clock().tick(), reply_))
         operator_.reply(reply_.state, reply_.command);
@@ -237,6 +259,9 @@ class Shell {
   OperatorMotion operator_motion_;
   links::RobotResponder responder_;
   links::RobotResponder operator_;  ///< of orders without a task
+  links::TelemetryPublisher<RobotState> telemetry_;
+  const Tick telemetry_period_;
+  Tick next_telemetry_ = 0;
   std::deque<links::StateFeed> feeds_;
   RobotState fed_;
   RobotCommand command_;

@@ -4,6 +4,7 @@
 
 #include "links/exchange/sensor_responder.hpp"
 #include "links/telemetry/state_follower.hpp"
+#include "links/telemetry/telemetry_publisher.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "process/standard_files.hpp"
@@ -40,7 +41,13 @@ class Shell : private ReadingSink {
         source_(open_source()),
         sampler_(*sensor_, *source_, publication_period(entry_, process.clock().period()), follows()),
         responder_(process.domain(), process.clock(), process.topic(entry_.name),
-                   possible_clients(process.deployment()), !entry_.interactive) {}
+                   possible_clients(process.deployment()), !entry_.interactive),
+        telemetry_(process.domain(), process.topic(entry_.name + "/telemetry")) {
+    process.status().also([this] { telemetry_.publish(); });
+  }
+  ~Shell() { process_.status().also({}); }
+  Shell(const Shell&) = delete;
+  Shell& operator=(const Shell&) = delete;
 
   void serve() {
     sampler_.watch(RawWatch(entry_, sensor_->raw_channels(), process_.clock().period()));
@@ -83,8 +90,14 @@ class Shell : private ReadingSink {
     while (responder_.take(request, caller)) sampler_.on_request(caller, request, process_.clock().tick(), *this);
   }
 
-  void reply(const Caller& caller, const SensorReading& reading) override { responder_.reply(reading, caller); }
-  void publish(const SensorReading& reading) override { responder_.publish(reading); }
+  void reply(const Caller& caller, const SensorReading& reading) override {
+    responder_.reply(reading, caller);
+    if (telemetry_.wanted()) telemetry_.store(reading);
+  }
+  void publish(const SensorReading& reading) override {
+    responder_.publish(reading);
+    if (telemetry_.wanted()) telemetry_.store(reading);
+  }
 
   process::Process& process_;
   std::size_t slot_;
@@ -94,6 +107,7 @@ class Shell : private ReadingSink {
   std::unique_ptr<Source> source_;
   Sampler sampler_;
   links::SensorResponder responder_;
+  links::TelemetryPublisher<SensorReading> telemetry_;
   std::optional<links::StateFollower> effector_;
   RobotState state_;
 };

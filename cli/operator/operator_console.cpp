@@ -12,7 +12,7 @@ namespace mrroc::cli {
 
 namespace {
 
-const OperatorClient kTerminal{0, "the terminal"};
+OperatorClient terminal() { return {0, "the terminal"}; }
 
 std::string first_word(std::string_view line) {
   std::string word{line.substr(0, line.find_first_of(" \t\r"))};
@@ -76,7 +76,7 @@ void OperatorConsole::toggle_pause() {
 
 void OperatorConsole::request(const VerbRequest& request) {
   const std::string name{request.verb->name};
-  service_.request(kTerminal, request, [this, name](const VerbReply& reply) {
+  service_.request(terminal(), request, [this, name](const VerbReply& reply) {
     if (name == "status" && reply.ok())
       show_(state_text(reply.data));
     else
@@ -100,7 +100,7 @@ void OperatorConsole::read_answers() {
     answer.verb = find_verb("answer");
     answer.arguments["value"] = *line;
     const std::string asker = questions_.open().front().asker;
-    service_.request(kTerminal, answer, [this, asker](const VerbReply& reply) {
+    service_.request(terminal(), answer, [this, asker](const VerbReply& reply) {
       if (!reply.ok()) show_(asker + ": " + to_text(reply));
     });
   }

@@ -61,7 +61,7 @@ void OperatorEvents::perform(config::Event event, Tick tick, std::uint64_t ticke
   event.tick = tick;
   std::uint64_t number = 0;
   if (config::is_robot_order(event.command)) {
-    number = robots_.send(event.command, event.order);
+    number = robots_.send(event.command, event.order, phase_ == TaskPhase::paused);
   } else if (event.command == "answer") {
     answers_.at(event.asker)->answer({event.question, event.value});
   } else if (event.command == "estop" || event.command == "reset") {

@@ -40,6 +40,14 @@ std::string line_of(const nlohmann::ordered_json& json) {
 
 }  // namespace
 
+std::optional<WatchedStates> watched_of(std::string_view argument) noexcept {
+  if (argument.empty() || argument == "changes") return WatchedStates{};
+  if (argument == "robots") return WatchedStates{true, false};
+  if (argument == "readings") return WatchedStates{false, true};
+  if (argument == "all") return WatchedStates{true, true};
+  return std::nullopt;
+}
+
 OperatorService::OperatorService(const config::Deployment& deployment) : deployment_(deployment) {}
 
 void OperatorService::connect(OperatorEvents& events, Questions& questions, RobotOrders& robots) {
@@ -62,7 +70,12 @@ VerbReply OperatorService::execute(const OperatorClient& client, const VerbReque
                                    std::optional<config::Event>& event) {
   const std::string_view verb = request.verb->name;
   if (verb == "status") return report();
-  if (verb == "echo") return done("messages, questions and changes follow");
+  if (verb == "echo") {
+    if (!watched_of(request.argument("of")))
+      return refuse(Refusal::invalid_argument, "of: " + config::in_quotes(request.argument("of")) + " is unknown",
+                    "changes, robots, readings or all");
+    return done("messages, questions and changes follow");
+  }
   if (verb == "command") return take_command(client);
   if (verb == "release") {
     if (!holder_.release(client))

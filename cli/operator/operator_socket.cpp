@@ -24,6 +24,7 @@ struct OperatorSocket::Client {
   OperatorClient identity;
   std::string incoming, outgoing;
   bool watching = false;
+  WatchedStates states;
   bool listened_to = true;
   bool ended = false;       // it sends nothing more, but may still read
   std::size_t awaited = 0;  // replies that it has not been given yet
@@ -157,12 +158,29 @@ void OperatorSocket::execute(Client& client, const std::string& line) {
     --found->second->awaited;
     write(*found->second, to_json(reply));
   });
-  if (request->verb->name == "echo") client.watching = true;
+  if (request->verb->name != "echo") return;
+  const auto states = watched_of(request->argument("of"));
+  client.watching = client.watching || states.has_value();
+  if (states) client.states = *states;
 }
 
 void OperatorSocket::publish(const std::string& json) {
   for (auto& [number, client] : clients_)
     if (client->watching) write(*client, json);
+}
+
+WatchedStates OperatorSocket::watched_states() const noexcept {
+  WatchedStates all;
+  for (const auto& [number, client] : clients_) {
+    all.robots = all.robots || client->states.robots;
+    all.readings = all.readings || client->states.readings;
+  }
+  return all;
+}
+
+void OperatorSocket::publish_state(const std::string& json, bool WatchedStates::*kind) {
+  for (auto& [number, client] : clients_)
+    if (client->states.*kind && client->outgoing.empty()) write(*client, json);
 }
 
 void OperatorSocket::write(Client& client, const std::string& line) {

@@ -35,6 +35,11 @@ class OperatorSocket {
   void poll();
   /// Sends a line to every watching client.
   void publish(const std::string& json);
+  /// The states that clients watch; and a line about one of them for those clients. A client that has not read the
+  /// last lines misses this one.
+  WatchedStates watched_states() const noexcept;
+  void publish_robot(const std::string& json) { publish_state(json, &WatchedStates::robots); }
+  void publish_reading(const std::string& json) { publish_state(json, &WatchedStates::readings); }
   /// Whether a client watches: it can answer questions.
   bool watched() const noexcept;
   const std::filesystem::path& path() const noexcept { return path_; }
@@ -42,6 +47,7 @@ class OperatorSocket {
  private:
   struct Client;
 
+  void publish_state(const std::string& json, bool WatchedStates::*kind);
   void accept_clients();
   void serve(Client& client);
   void execute(Client& client, const std::string& line);

@@ -78,6 +78,17 @@ std::string event(const char* name, Json data) {
   return dump(json);
 }
 
+/// " 0.1 -0.2", or " name=0.1" of an object.
+std::string list_of(const Json& values) {
+  std::string list;
+  for (const auto& [name, value] : values.items()) {
+    list += ' ';
+    if (values.is_object()) list.append(name).append("=");
+    list += value.is_number() ? fmt::format("{:.5g}", value.get<double>()) : "-";
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string to_json(const OperatorState& state) {
@@ -152,6 +163,11 @@ std::string event_text(const std::string& line) try {
   if (event == "question") shown = text("from") + " asks: " + text("text") + " (" + text("expected") + ")";
   if (event == "command")
     shown = fmt::format("{} by {} at tick {}", text("command"), text("by"), json.at("tick").get<Tick>());
+  if (event == "robot")
+    shown =
+        fmt::format("{:<12} tick {} joints{}", text("name"), json.at("tick").get<Tick>(), list_of(json.at("joints")));
+  if (event == "reading")
+    shown = fmt::format("{:<12} tick {}{}", text("name"), json.at("tick").get<Tick>(), list_of(json.at("values")));
   if (event == "command_wanted") shown = text("by") + " asks for command, " + text("commander") + " holds it";
   if (event == "commander")
     shown = json.at("commander").is_null() ? "command is free" : text("commander") + " holds command";

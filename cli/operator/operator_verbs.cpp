@@ -1,8 +1,8 @@
 #include "cli/operator/operator_verbs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <iterator>
 #include <vector>
 
 #include "core/nearest_word.hpp"
@@ -11,28 +11,31 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr std::array kAnswerArguments{
+constexpr VerbArgument kAnswerArguments[]{
     VerbArgument{"value", "The answer as it would be typed: a number, yes or no, a choice or its number from 1", true},
     VerbArgument{"from", "The sensor or process that asks; default: the question that is shown", false}};
 
+constexpr VerbArgument kEchoArguments[]{
+    VerbArgument{"of", "changes (default), robots, readings: their states at most 50 times a second, or all", false}};
 constexpr VerbArgument kRobot{"robot", "Name of the robot in the deployment", true};
 constexpr VerbArgument kAxis{"axis", "Name or number from 1 of an axis or motor; x, y, z, rx, ry, rz of the tool",
                              true};
 constexpr VerbArgument kFrame{"in", "axes (default), motors, or the axes in which the tool moves: base, tool", false};
-constexpr std::array kJogArguments{
+constexpr VerbArgument kJogArguments[]{
     kRobot, kAxis, VerbArgument{"velocity", "rad/s or m/s, with sign; of a motor rad/s of its shaft", true}, kFrame};
-constexpr std::array kStepArguments{kRobot, kAxis, VerbArgument{"distance", "rad or m, with sign", true}, kFrame};
-constexpr std::array kGoArguments{
+constexpr VerbArgument kStepArguments[]{kRobot, kAxis, VerbArgument{"distance", "rad or m, with sign", true}, kFrame};
+constexpr VerbArgument kGoArguments[]{
     kRobot, VerbArgument{"posture", "A posture of the robot's parameter file: home, or one of [postures]", true}};
-constexpr std::array kRobotArguments{kRobot};
-constexpr std::array kOutputArguments{
+constexpr VerbArgument kRobotArguments[]{kRobot};
+constexpr VerbArgument kOutputArguments[]{
     kRobot, VerbArgument{"output", "0 to 15: a digital output; a0 to a7: an analogue one", true},
     VerbArgument{"value", "0 or 1 of a digital output; a number of an analogue one", true}};
 
-constexpr std::array kVerbs{
+constexpr OperatorVerb kVerbs[]{
     OperatorVerb{
         "status", "Show the state of the task, the processes, the open questions and the commander", "", {}, false},
-    OperatorVerb{"echo", "Show messages, questions and changes of state from now on, as they happen", "", {}, false},
+    OperatorVerb{"echo", "Show messages, questions and changes of state from now on, as they happen", "",
+                 kEchoArguments, false},
     OperatorVerb{"command", "Take command and keep it until 'release' or the end of the connection", "", {}, true},
     OperatorVerb{"release", "Give command back", "", {}, false},
     OperatorVerb{"start", "Start the task of a run that waits for it (--hold)", "the task has started", {}, true},
@@ -80,8 +83,8 @@ std::span<const OperatorVerb> operator_verbs() noexcept { return kVerbs; }
 
 const OperatorVerb* find_verb(std::string_view name) noexcept {
   const auto named = [name](const OperatorVerb& verb) { return verb.name == name; };
-  const auto found = std::find_if(kVerbs.begin(), kVerbs.end(), named);
-  return found == kVerbs.end() ? nullptr : &*found;
+  const auto found = std::find_if(std::begin(kVerbs), std::end(kVerbs), named);
+  return found == std::end(kVerbs) ? nullptr : &*found;
 }
 
 std::string nearest_verb(std::string_view name) {

@@ -8,6 +8,12 @@
 
 namespace mrroc::cli {
 
+namespace {
+
+constexpr std::uint8_t kTaskPaused = 1;  // edp::OperatorMotion::kTaskPaused
+
+}  // namespace
+
 RobotOrders::RobotOrders(const config::Deployment& deployment, links::Domain& domain, clock::Clock& clock) {
   for (const config::RobotEntry& entry : deployment.robots) {
     Robot& robot = robots_[entry.name];
@@ -38,8 +44,10 @@ void RobotOrders::check(const std::string& command, const config::RobotOrder& or
   config::command_of(command, order, robot(order.robot).parameters);
 }
 
-std::uint64_t RobotOrders::send(const std::string& command, const config::RobotOrder& order) {
-  return robots_.at(order.robot).link->send(config::command_of(command, order, robot(order.robot).parameters));
+std::uint64_t RobotOrders::send(const std::string& command, const config::RobotOrder& order, bool paused) {
+  RobotCommand sent = config::command_of(command, order, robot(order.robot).parameters);
+  if (paused && (command == "jog" || command == "step" || command == "go")) sent.choice = kTaskPaused;
+  return robots_.at(order.robot).link->send(sent);
 }
 
 bool RobotOrders::take(Answer& answer) {

@@ -33,8 +33,9 @@ class RobotOrders {
 
   /// Throws std::invalid_argument when the order is wrong. Any thread.
   void check(const std::string& command, const config::RobotOrder& order) const;
-  /// Sends an order that `check` has accepted, and returns its number. One thread at a time.
-  std::uint64_t send(const std::string& command, const config::RobotOrder& order);
+  /// Sends an order that `check` has accepted, and returns its number. `paused`: the task is paused. One thread at a
+  /// time.
+  std::uint64_t send(const std::string& command, const config::RobotOrder& order, bool paused);
   /// The next reply; false when none has arrived. Main thread.
   bool take(Answer& answer);
 

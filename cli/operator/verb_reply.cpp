@@ -1,14 +1,13 @@
 #include "cli/operator/verb_reply.hpp"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
 namespace mrroc::cli {
 
 namespace {
 
-constexpr std::array kRefusals{Refusal::malformed,   Refusal::unknown_verb,  Refusal::invalid_argument,
-                               Refusal::not_allowed, Refusal::not_commander, Refusal::ended};
+constexpr Refusal kRefusals[]{Refusal::malformed,   Refusal::unknown_verb,  Refusal::invalid_argument,
+                              Refusal::not_allowed, Refusal::not_commander, Refusal::ended};
 
 }  // namespace
 

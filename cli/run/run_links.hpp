@@ -6,6 +6,7 @@
 #include "cli/operator/operator_events.hpp"
 #include "cli/operator/questions.hpp"
 #include "cli/operator/robot_orders.hpp"
+#include "cli/operator/telemetry_feed.hpp"
 #include "clock/clock.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
@@ -28,6 +29,7 @@ struct RunLinks {
   links::TaskSuperior mp;
   Questions questions;
   RobotOrders robots;
+  TelemetryFeed telemetry;
   OperatorEvents events;
 };
 

@@ -171,8 +171,19 @@ void Supervisor::poll_operator() {
       watched_.progress.pause(console_->waits_for_line());
   }
   watched_.service.poll();
+  if (socket_ != nullptr && links_ != nullptr) publish_telemetry();
   if (!ending_ && links_ != nullptr && links_->events.stopped_before_start())
     fail(process::ExitCode::stopped, "stopped by the operator before the task's start");
+}
+
+void Supervisor::publish_telemetry() {
+  const double now = watched_.wall.wall_seconds();
+  if (now < next_telemetry_) return;
+  next_telemetry_ = now + kTurn * 1e-3;
+  const WatchedStates states = socket_->watched_states();
+  links_->telemetry.watch(states.robots, states.readings);
+  for (const std::string& line : links_->telemetry.take_robots()) socket_->publish_robot(line);
+  for (const std::string& line : links_->telemetry.take_readings()) socket_->publish_reading(line);
 }
 
 void Supervisor::check_stop() {

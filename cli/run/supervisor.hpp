@@ -101,6 +101,7 @@ class Supervisor {
   void wait(int milliseconds);
   /// The operator's typed lines and requests of the socket.
   void poll_operator();
+  void publish_telemetry();
   process::ExitCode code_of_death(int exit_code) const;
   int descriptor() { return hosts_ ? hosts_->descriptor(signals_.descriptor()) : signals_.descriptor(); }
 
@@ -117,6 +118,7 @@ class Supervisor {
   bool hurried_ = false;
   bool task_started_ = false;
   double started_at_ = 0;  // s of wall time
+  double next_telemetry_ = 0;
   RunResult result_;
 };
 

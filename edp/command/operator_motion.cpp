@@ -32,10 +32,45 @@ OperatorMotion::OperatorMotion(Effector& effector, const ModelSet& models, doubl
 
 Tick OperatorMotion::ticks(double seconds) const noexcept { return static_cast<Tick>(std::lround(seconds / period_)); }
 
-void OperatorMotion::yield(Tick now) noexcept {
+bool OperatorMotion::accept_of_task(const RobotCommand& command, std::uint64_t number, Tick now) noexcept {
+  if (command.kind == CommandKind::query) return false;
+  if (command.kind == CommandKind::hold && phase_ != Phase::yielded) {
+    RobotState state;
+    const bool moved_here = phase_ != Phase::idle;
+    if (moved_here) task_hold_ = TaskHold{number, now + command.reply_step};
+    if (moved_here || (effector_.peek(state) && state.at_rest())) {
+      last_task_hold_ = now;
+      return moved_here;
+    }
+  }
   last_task_command_ = now;
   // the reply to the last macrostep ends it; the task's command follows, or the robot brakes
   if (phase_ == Phase::jog || phase_ == Phase::travel || phase_ == Phase::stop) phase_ = Phase::yielded;
+  return false;
+}
+
+/// A hold of the task may run and another one wait: then the motion begins after the first.
+ErrorReport OperatorMotion::begin(const ErrorReport& error) noexcept {
+  begins_ = error.code == ErrorCode::busy;
+  return begins_ ? ErrorReport{} : error;
+}
+
+bool OperatorMotion::update(Tick now, Reply& reply) noexcept {
+  if (!begins_ || (phase_ != Phase::jog && phase_ != Phase::travel)) return false;
+  const ErrorReport error = begin(phase_ == Phase::jog ? next_jog_step(now) : next_travel_step());
+  if (!bad(error)) return false;
+  phase_ = Phase::idle;
+  if (!awaited_) return false;
+  answer(*awaited_, error, reply);
+  awaited_.reset();
+  return true;
+}
+
+bool OperatorMotion::poll_hold(Tick now, Reply& reply) noexcept {
+  if (!task_hold_ || now < task_hold_->due) return false;
+  answer(task_hold_->number, {}, reply);
+  task_hold_.reset();
+  return true;
 }
 
 bool OperatorMotion::accept(const RobotCommand& command, std::uint64_t number, Tick now, Reply& reply) noexcept {
@@ -50,7 +85,7 @@ bool OperatorMotion::accept(const RobotCommand& command, std::uint64_t number, T
     error = jog(command, now);
   } else if (is_travel(command)) {
     error = plan_travel(command);
-    if (!bad(error)) error = next_travel_step();
+    if (!bad(error)) error = begin(next_travel_step());
     if (!bad(error)) phase_ = Phase::travel;
     if (!bad(error)) awaited_ = number;
   } else {
@@ -68,7 +103,11 @@ bool OperatorMotion::accept(const RobotCommand& command, std::uint64_t number, T
 }
 
 ErrorReport OperatorMotion::refusal(const RobotCommand& command, Tick now) const noexcept {
-  if (last_task_command_ && now < *last_task_command_ + ticks(kTaskIdle)) return busy("the task commands the robot");
+  const auto recent = [&](const std::optional<Tick>& tick) { return tick && now < *tick + ticks(kTaskIdle); };
+  const bool paused = command.choice == kTaskPaused && (is_velocity(command) || is_travel(command));
+  if (recent(last_task_command_)) return busy("the task commands the robot");
+  if (recent(last_task_hold_) && !paused && command.kind != CommandKind::hold)
+    return busy("the task holds the robot; it may be moved while the task is paused");
   if (command.kind == CommandKind::hold || command.kind == CommandKind::set_outputs) return {};
   if (phase_ == Phase::change) return busy("a change of the robot is under way");
   if (phase_ == Phase::travel) return busy("the robot travels to its goal");
@@ -99,7 +138,7 @@ ErrorReport OperatorMotion::jog(const RobotCommand& command, Tick now) noexcept 
   const RobotCommand before = std::exchange(velocity_, wanted);
   valid_until_ = now + ticks(kJogValidity);
   if (phase_ == Phase::jog) return {};  // its next macrostep takes the new velocity
-  const ErrorReport error = next_jog_step(now);
+  const ErrorReport error = begin(next_jog_step(now));
   if (bad(error))
     velocity_ = before;
   else

@@ -22,6 +22,9 @@ namespace mrroc::edp {
 /// `set_outputs` changes the one output `choice`: a digital one, or behind those an analogue one. All other kinds are
 /// passed to the effector, one at a time. A command of a task ends the operator's motion.
 ///
+/// A paused task holds its robots with `hold` commands. An order with `choice` kTaskPaused (jog and travel) is
+/// executed nevertheless; while the robot moves by it, the task's `hold` commands are answered here, at their tick v.
+///
 /// The macrosteps are commands of the effector with numbers of their own (`is_own`). One thread, the effector's; it
 /// allocates in the constructor only, never throws, never waits.
 class OperatorMotion {
@@ -29,6 +32,7 @@ class OperatorMotion {
   static constexpr double kJogValidity = 0.2;  ///< s
   static constexpr double kTaskIdle = 0.1;     ///< s after a task's last command in which the robot is the task's
   static constexpr std::uint16_t kSteps = 10;  ///< ticks of a macrostep
+  static constexpr std::uint8_t kTaskPaused = 1;
 
   /// All outlive it. `period` in s.
   OperatorMotion(Effector& effector, const ModelSet& models, double period);
@@ -36,8 +40,14 @@ class OperatorMotion {
   /// Whether a number is of a command of this object.
   static bool is_own(std::uint64_t number) noexcept { return (number & kOwn) != 0; }
 
-  /// A task's command has been received at tick `now`.
-  void yield(Tick now) noexcept;
+  /// Begins a motion that had to wait for the end of a macrostep of the task. Call it after every wake-up. True: it is
+  /// refused, and `reply` is the answer to its order.
+  bool update(Tick now, Reply& reply) noexcept;
+  /// A task's command number `number` has been received at tick `now`. True: it holds the robot while the operator
+  /// moves it, and `poll_hold` will give the answer; false: it is for the effector.
+  bool accept_of_task(const RobotCommand& command, std::uint64_t number, Tick now) noexcept;
+  /// The answer to such a command when it is due.
+  bool poll_hold(Tick now, Reply& reply) noexcept;
   /// Takes command number `number` of the operator. True: `reply` is the answer; false: `take` will give it.
   bool accept(const RobotCommand& command, std::uint64_t number, Tick now, Reply& reply) noexcept;
   /// Takes a reply of the effector to an own number. True: `reply` is now the answer to a command of the operator.
@@ -50,6 +60,7 @@ class OperatorMotion {
 
   ErrorReport refusal(const RobotCommand& command, Tick now) const noexcept;
   ErrorReport jog(const RobotCommand& command, Tick now) noexcept;
+  ErrorReport begin(const ErrorReport& error) noexcept;
   ErrorReport plan_travel(const RobotCommand& command) noexcept;
   ErrorReport next_jog_step(Tick begin) noexcept;
   RobotCommand with_one_output(const RobotCommand& command) noexcept;
@@ -66,8 +77,14 @@ class OperatorMotion {
   Planner planner_;
   Phase phase_ = Phase::idle;
   std::uint64_t sent_ = 0;  // own number of the last command to the effector
-  std::optional<Tick> last_task_command_;
-  RobotCommand velocity_;  // of the jog
+  std::optional<Tick> last_task_command_, last_task_hold_;
+  struct TaskHold {
+    std::uint64_t number = 0;
+    Tick due = 0;
+  };
+  bool begins_ = false;                // the effector had two macrosteps already
+  std::optional<TaskHold> task_hold_;  // without an answer so far
+  RobotCommand velocity_;              // of the jog
   Tick valid_until_ = 0;
   std::optional<std::uint64_t> awaited_;        // the operator's number of the travel or change under way
   Macrostep travel_;                            // the whole path; too large for a small stack

@@ -18,10 +18,10 @@ void raise_priority() noexcept {
 
 }  // namespace
 
-ServoThread::ServoThread(Servo& servo, clock::Clock& clock, bool notify_always)
+ServoThread::ServoThread(Servo& servo, clock::Clock& clock, Tick notify_every)
     : servo_(servo),
       clock_(clock),
-      notify_always_(notify_always),
+      notify_every_(notify_every),
       ticker_(clock.epoch_ns(), std::llround(clock.period() * 1e9)),
       thread_([this] { run(); }) {}
 
@@ -39,7 +39,8 @@ void ServoThread::run() noexcept {
     for (; next <= present; ++next) {
       const bool ending = end_.load(std::memory_order_acquire);
       if (ending) servo_.leave();
-      if (servo_.tick(next) || notify_always_) clock_.notify();
+      const bool forward = notify_every_ != 0 && next % notify_every_ == 0;
+      if (servo_.tick(next) || forward) clock_.notify();
       if (ending && !servo_.drives_on()) return;
     }
   }

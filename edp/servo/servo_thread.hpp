@@ -18,9 +18,9 @@ namespace mrroc::edp {
 /// The destructor stops the robot, switches the drives off, and returns when that is done (a stop's duration).
 class ServoThread {
  public:
-  /// After `clock.start()`. `servo` and `clock` must outlive it; no other thread may tick `servo`. `notify_always`:
-  /// every tick wakes the comms thread, which forwards the state of every tick.
-  ServoThread(Servo& servo, clock::Clock& clock, bool notify_always = false);
+  /// After `clock.start()`. `servo` and `clock` must outlive it; no other thread may tick `servo`. `notify_every`:
+  /// ticks after which the comms thread is woken in any case, to forward the state; 0: never.
+  ServoThread(Servo& servo, clock::Clock& clock, Tick notify_every = 0);
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
@@ -33,7 +33,7 @@ class ServoThread {
 
   Servo& servo_;
   clock::Clock& clock_;
-  bool notify_always_;
+  const Tick notify_every_;
   clock::Ticker ticker_;
   std::atomic<bool> end_{false};
   std::thread thread_;

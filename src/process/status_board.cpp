@@ -8,7 +8,8 @@ namespace mrroc::process {
 
 namespace {
 constexpr std::chrono::milliseconds kHeartbeat{100};
-}
+constexpr int kTurnsPerHeartbeat = 5;  // with telemetry
+}  // namespace
 
 StatusBoard::StatusBoard(links::StatusPublisher& publisher, links::ProcessStatus first, const clock::Clock& clock)
     : publisher_(publisher), clock_(clock), status_(std::move(first)), thread_([this] { run(); }) {}
@@ -31,6 +32,11 @@ void StatusBoard::step(std::uint64_t instruction, std::string_view activity, std
 }
 
 void StatusBoard::counters(const links::Counters& counters) noexcept { counters_.store(counters); }
+
+void StatusBoard::also(std::function<void()> publish) {
+  const std::lock_guard lock(mutex_);
+  also_ = std::move(publish);
+}
 
 void StatusBoard::state(links::ProcessState state) {
   const std::lock_guard lock(mutex_);
@@ -62,9 +68,10 @@ void StatusBoard::publish() noexcept try {
 
 void StatusBoard::run() {
   std::unique_lock lock(mutex_);
-  while (!ended_) {
-    publish();
-    wake_.wait_for(lock, kHeartbeat);
+  for (int turn = 0; !ended_; ++turn) {
+    if (!also_ || turn % kTurnsPerHeartbeat == 0) publish();
+    if (also_) also_();
+    wake_.wait_for(lock, also_ ? kHeartbeat / kTurnsPerHeartbeat : kHeartbeat);
   }
 }
 

@@ -26,6 +26,9 @@ class StatusBoard {
   void step(std::uint64_t instruction, std::string_view activity, std::uint64_t step) noexcept;
   /// The participant's thread: new counters. Does not allocate, lock or publish.
   void counters(const links::Counters& counters) noexcept;
+  /// From now on `publish` is also called every 20 ms of wall time, by the board's thread; an empty one ends this. When
+  /// this function returns, no call of an earlier one is under way.
+  void also(std::function<void()> publish);
   /// A new state of the process, published at once.
   void state(links::ProcessState state);
   /// The error that ends the process; published at once.
@@ -47,6 +50,7 @@ class StatusBoard {
   std::mutex mutex_;  // of status_ and the thread's end; never taken by a real-time thread
   std::condition_variable wake_;
   links::ProcessStatus status_;
+  std::function<void()> also_;
   bool ended_ = false;
   std::thread thread_;
 };

@@ -168,6 +168,48 @@ class LiveOperator(unittest.TestCase):
         self.assertIn("command", kinds)
         self.assertTrue(any(event["event"] == "process" and event["activity"] == "ToolVelocity" for event in events))
 
+    def test_robot_of_a_paused_task_is_moved_aside_and_the_task_continues(self):
+        with LiveRun(self.folder, *self.noting()) as run:
+            run.await_state(lambda state: any(p["instruction"] == 2 for p in state["processes"]), "in motion")
+            self.assertIn("the task commands the robot", output_of("step", "arm", "column", "0.1", code=1))
+            output_of("pause")
+            time.sleep(0.5)
+            output_of("step", "arm", "column", "-0.2")
+            for _ in range(5):
+                output_of("jog", "arm", "z", "0.02", "--in", "base")
+            output_of("resume")
+            self.assertEqual(run.end(), 0)
+        self.expect_same_run_in_lockstep(0)
+
+    def test_watchers_see_robots_and_readings_and_change_nothing(self):
+        plain, watched = f"{self.folder}/plain.trace", f"{self.folder}/watched.trace"
+        output_of("run", PRESS, "--hold", "--events", self.write_start(), "--clock", "lockstep", "--quiet", "--trace", plain)
+        with LiveRun(self.folder, "--hold", "--events", self.write_start(), "--clock", "lockstep", "--trace", watched) as run:
+            while not list((pathlib.Path(self.folder) / "mrroc").glob("*.sock")):
+                time.sleep(0.001)
+            watchers = [subprocess.Popen([MRROC, "echo", "--of", of, "--json"], stdout=subprocess.PIPE, text=True)
+                        for of in ("all", "robots", "readings", "changes")]
+            events = [[json.loads(line) for line in watcher.stdout] for watcher in watchers]
+            for watcher in watchers:
+                watcher.stdout.close()
+                self.assertEqual(watcher.wait(TIMEOUT), 0)
+            self.assertEqual(run.end(), 0)
+        self.assertEqual(output_of("trace", "hash", plain), output_of("trace", "hash", watched))
+        kinds = [{event["event"] for event in seen} for seen in events]
+        for seen, robots, readings in zip(kinds, (True, True, False, False), (True, False, True, False)):
+            self.assertEqual("robot" in seen, robots)
+            self.assertEqual("reading" in seen, readings)
+        robot = next(event for event in events[0] if event["event"] == "robot")
+        self.assertEqual((robot["name"], len(robot["joints"]), len(robot["pose"])), ("arm", 6, 7))
+        reading = next(event for event in events[0] if event["event"] == "reading" and event["name"] == "gate")
+        self.assertEqual(list(reading["values"]), ["distance", "detected"])
+
+    def write_start(self):
+        """The task starts after 80 s of simulated time: watchers have joined."""
+        file = pathlib.Path(self.folder) / "start.toml"
+        file.write_text('[[events]]\ntick = 40000\ncommand = "start"\n', encoding="utf-8")
+        return str(file)
+
     def test_keys_and_typed_verbs_at_the_terminal(self):
         terminal, slave = pty.openpty()
         run = subprocess.Popen([MRROC, "run", PRESS, *self.noting()], stdin=slave, stdout=slave, stderr=slave,

@@ -1,9 +1,10 @@
 #include "config/entries/robot_orders.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
+#include <string_view>
 
 #include "config/robot_parameters_file.hpp"
 #include "config/text/message_text.hpp"
@@ -14,8 +15,8 @@ namespace mrroc::config {
 
 namespace {
 
-constexpr std::array kOrders{"jog", "step", "go", "hold", "synchronise", "recover", "bias", "output"};
-constexpr std::array kDirections{"x", "y", "z", "rx", "ry", "rz"};
+constexpr std::string_view kOrders[]{"jog", "step", "go", "hold", "synchronise", "recover", "bias", "output"};
+constexpr std::string_view kDirections[]{"x", "y", "z", "rx", "ry", "rz"};
 constexpr double kFastest = 1.0;  // m/s or rad/s of the tool
 constexpr double kLongest = 1.0;  // m or rad of a step of the tool
 
@@ -49,9 +50,9 @@ std::size_t axis_of(const RobotOrder& order, const RobotParameters& parameters) 
 }
 
 std::size_t direction_of(const RobotOrder& order) {
-  const auto found = std::find(kDirections.begin(), kDirections.end(), order.axis);
-  if (found == kDirections.end()) refuse_word("axis", order.axis, {kDirections.begin(), kDirections.end()});
-  return static_cast<std::size_t>(found - kDirections.begin());
+  const auto found = std::find(std::begin(kDirections), std::end(kDirections), order.axis);
+  if (found == std::end(kDirections)) refuse_word("axis", order.axis, {std::begin(kDirections), std::end(kDirections)});
+  return static_cast<std::size_t>(found - std::begin(kDirections));
 }
 
 JointVector one_axis(const RobotParameters& parameters, std::size_t axis, double value) {
@@ -131,13 +132,10 @@ void fill_output(const RobotOrder& order, RobotCommand& command) {
 }  // namespace
 
 bool is_robot_order(std::string_view command) noexcept {
-  return std::find(kOrders.begin(), kOrders.end(), command) != kOrders.end();
+  return std::find(std::begin(kOrders), std::end(kOrders), command) != std::end(kOrders);
 }
 
-const std::vector<std::string>& order_frames() {
-  static const std::vector<std::string> frames{"axes", "base", "tool", "motors"};
-  return frames;
-}
+std::vector<std::string> order_frames() { return {"axes", "base", "tool", "motors"}; }
 
 RobotParameters parameters_of(const RobotEntry& robot) {
   return read_robot_parameters(Table::load(robot.files().parameters));
@@ -147,7 +145,7 @@ RobotCommand command_of(const std::string& command, const RobotOrder& order, con
   if (!std::isfinite(order.amount)) refuse("value", number_text(order.amount), "a finite number");
   RobotCommand result;
   if (command == "jog" || command == "step") {
-    const auto& frames = order_frames();
+    const std::vector<std::string> frames = order_frames();
     if (std::find(frames.begin(), frames.end(), order.frame) == frames.end()) refuse_word("in", order.frame, frames);
     command == "jog" ? fill_jog(order, parameters, result) : fill_step(order, parameters, result);
   } else if (command == "go") {

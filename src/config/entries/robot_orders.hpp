@@ -14,7 +14,7 @@ namespace mrroc::config {
 /// The commands to one robot: jog, step, go, hold, synchronise, recover, bias, output.
 bool is_robot_order(std::string_view command) noexcept;
 /// The frames of jog and step: axes, base, tool, motors.
-const std::vector<std::string>& order_frames();
+std::vector<std::string> order_frames();
 
 /// The parameters of a robot of the deployment. Throws ConfigurationError.
 RobotParameters parameters_of(const RobotEntry& robot);

@@ -51,6 +51,14 @@ Qos link_reader_qos() { return link_qos(DDS_INFINITY); }
 Qos status_writer_qos(const Domain& domain) { return status_qos(nanoseconds(domain.lease())); }
 Qos status_reader_qos() { return status_qos(DDS_INFINITY); }
 
+Qos telemetry_qos() {
+  Qos qos{dds_create_qos()};
+  dds_qset_reliability(qos.get(), DDS_RELIABILITY_BEST_EFFORT, 0);
+  dds_qset_durability(qos.get(), DDS_DURABILITY_VOLATILE);
+  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, 1);
+  return qos;
+}
+
 Entity create_topic(const Domain& domain, const dds_topic_descriptor_t& type, const std::string& topic) {
   check_topic_name(topic);
   return Entity{dds_create_topic(domain.participant(), &type, topic.c_str(), nullptr, nullptr), "topic", topic};

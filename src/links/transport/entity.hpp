@@ -54,6 +54,9 @@ Qos link_reader_qos();
 Qos status_writer_qos(const Domain& domain);
 Qos status_reader_qos();
 
+/// Of states for watchers: best effort, the newest only.
+Qos telemetry_qos();
+
 Entity create_topic(const Domain& domain, const dds_topic_descriptor_t& type, const std::string& topic);
 
 }  // namespace mrroc::links

@@ -66,8 +66,8 @@ void encode(const T& message, Wire<T>& wire) noexcept {
 
 template <class T>
 bool valid(const Wire<T>& wire) noexcept {
-  static const T kTypes{};  // the check looks at the types of the fields only
-  return visit_fields(kTypes, wire, Valid{});
+  const T types{};  // the check looks at the types of the fields only
+  return visit_fields(types, wire, Valid{});
 }
 
 template <class T>

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "edp/rig.hpp"
@@ -32,6 +33,8 @@ class Operated : public Rig<Gantry> {
       else if (motion.take(reply))
         answers.push_back(reply);
     }
+    if (motion.update(seen().tick, reply)) answers.push_back(reply);
+    if (motion.poll_hold(seen().tick, reply)) replies.push_back(reply);
     ++now;
     check_limits();
   }
@@ -45,8 +48,10 @@ class Operated : public Rig<Gantry> {
     return orders;
   }
   void task_command(const RobotCommand& command) {
-    motion.yield(seen().tick);
-    if (send(command)) replies.push_back(answer);
+    if (motion.accept_of_task(command, number + 1, seen().tick))
+      ++number;
+    else if (send(command))
+      replies.push_back(answer);
   }
   ErrorCode last_error() const { return answers.empty() ? ErrorCode::none : answers.back().state.error.code; }
   const JointVector& position() const { return seen().desired.position; }
@@ -248,6 +253,47 @@ TEST(OperatorMotion, TaskTakesTheRobotAndHasItUntilItIsIdle) {
   EXPECT_EQ(robot.position()[0], 0.3);
   robot.give(jog(0, -0.3));
   EXPECT_EQ(robot.last_error(), ErrorCode::none);
+}
+
+/// The task of a pause: holds, one after the other.
+void hold_for(
+    Operated& robot, int macrosteps, const std::function<void()>& each = [] {}) {
+  for (int i = 0; i < macrosteps; ++i) {
+    RobotCommand hold = order(CommandKind::hold);
+    hold.motion_steps = 10;
+    hold.reply_step = 8;
+    const std::size_t before = robot.replies.size();
+    robot.task_command(hold);
+    each();
+    for (int tick = 0; tick < 40 && robot.replies.size() == before; ++tick) robot.tick();
+    ASSERT_EQ(robot.replies.size(), before + 1) << "every hold is answered";
+    EXPECT_EQ(robot.replies.back().state.error.code, ErrorCode::none);
+  }
+}
+
+TEST(OperatorMotion, RobotOfAPausedTaskJogsAndItsHoldsAreAnswered) {
+  Operated robot;
+  hold_for(robot, 5);
+  robot.give(jog(0, 0.3));
+  EXPECT_EQ(robot.last_error(), ErrorCode::busy) << "the task is not paused";
+  RobotCommand paused = jog(0, 0.3);
+  paused.choice = OperatorMotion::kTaskPaused;
+  hold_for(robot, 40, [&] { robot.give(paused); });
+  EXPECT_EQ(robot.last_error(), ErrorCode::none);
+  EXPECT_NEAR(robot.velocity()[0], 0.3, 1e-9);
+  EXPECT_FALSE(robot.replies.back().state.at_rest()) << "the task sees that the robot moves";
+  hold_for(robot, 40);
+  EXPECT_TRUE(robot.replies.back().state.at_rest());
+  paused = go(axis(0, 0.1));
+  paused.choice = OperatorMotion::kTaskPaused;
+  robot.give(paused);
+  hold_for(robot, 100);
+  EXPECT_EQ(robot.position()[0], 0.1);
+  EXPECT_EQ(robot.effector.counters().late, 0U);
+  robot.task_command(joint_command(axis(0, 0.3), 500, 500));
+  robot.run(1500);
+  EXPECT_EQ(robot.replies.back().state.error.code, ErrorCode::none);
+  EXPECT_EQ(robot.position()[0], 0.3);
 }
 
 RobotCommand motor_jog(int index, double velocity) {
