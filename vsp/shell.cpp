@@ -45,7 +45,7 @@ class Shell : private ReadingSink {
         telemetry_(process.domain(), process.topic(entry_.name + "/telemetry")) {
     process.status().also([this] { telemetry_.publish(); });
   }
-  ~Shell() { process_.status().also({}); }
+  ~Shell() override { process_.status().also({}); }
   Shell(const Shell&) = delete;
   Shell& operator=(const Shell&) = delete;
 

@@ -35,7 +35,7 @@ void write_choices(std::ostream& out, const Verb& verb) {
 }  // namespace
 
 std::string bash_completion(const CLI::App& app) {
-  const std::string command = app.get_name();
+  const std::string& command = app.get_name();
   const std::vector<Verb> verbs = verbs_of(app);
   std::ostringstream out;
   out << "# bash completion of " << command << ", made from its own description\n_" << command << "() {\n"

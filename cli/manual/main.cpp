@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <exception>
 #include <string>
 
 #include "cli/commands/command_line.hpp"
@@ -8,7 +9,7 @@
 
 /// Prints the text made from the description of the command `mrroc`: `mrroc_manual man` or `mrroc_manual bash`; the
 /// table of the operator's verbs: `mrroc_manual verbs`.
-int main(int count, char** arguments) {
+int main(int count, char** arguments) try {
   const std::string kind = count == 2 ? arguments[1] : "";
   CLI::App app;
   mrroc::cli::describe_command(app);
@@ -23,4 +24,7 @@ int main(int count, char** arguments) {
     return 2;
   }
   return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "mrroc_manual: %s\n", error.what());
+  return 2;
 }

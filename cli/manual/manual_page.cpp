@@ -53,7 +53,7 @@ std::string synopsis(const std::string& command, const Verb& verb) {
 }  // namespace
 
 std::string manual_page(const CLI::App& app, const std::string& version) {
-  const std::string command = app.get_name();
+  const std::string& command = app.get_name();
   const std::vector<Verb> verbs = verbs_of(app);
   std::ostringstream out;
   out << ".TH MRROC 1 \"\" \"MRROC++ " << troff(version) << "\" \"User Commands\"\n";

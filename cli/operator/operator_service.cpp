@@ -86,7 +86,7 @@ VerbReply OperatorService::execute(const OperatorClient& client, const VerbReque
   if (request.verb->commands && !holder_.allows(client))
     return refuse(Refusal::not_commander, holder_.name() + " holds command",
                   "'release' there, or the end of its connection");
-  if (const VerbReply refusal = check_phase(verb); !refusal.ok()) return refusal;
+  if (VerbReply refusal = check_phase(verb); !refusal.ok()) return refusal;
   if (phase() == TaskPhase::starting) {  // of the remaining verbs only `stop` and `estop` pass the check
     end_();
     return done("no robot has moved, the run ends");
@@ -166,7 +166,7 @@ VerbReply OperatorService::give_order(const VerbRequest& request, std::optional<
   } catch (const std::invalid_argument& error) {
     return refuse(Refusal::invalid_argument, error.what());
   }
-  const VerbReply answered = check_answered(given);
+  VerbReply answered = check_answered(given);
   if (answered.ok()) event = given;
   return answered;
 }

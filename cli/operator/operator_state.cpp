@@ -72,7 +72,7 @@ Json json_of(const OpenQuestion& question) {
   return json;
 }
 
-std::string event(const char* name, Json data) {
+std::string event(const char* name, const Json& data) {
   Json json{{"event", name}};
   json.update(data);
   return dump(json);

@@ -82,7 +82,7 @@ void add_sockets(const std::filesystem::path& folder, std::vector<std::filesyste
 }  // namespace
 
 std::filesystem::path make_socket_folder() {
-  const std::filesystem::path folder = runtime_folder().value_or(temporary_folder());
+  std::filesystem::path folder = runtime_folder().value_or(temporary_folder());
   if (mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST)
     throw std::runtime_error("cannot create " + folder.string() + ": " + std::strerror(errno));
   if (const std::string fault = fault_of(folder); !fault.empty())

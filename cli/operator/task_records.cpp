@@ -44,9 +44,10 @@ void TaskRecords::send(LineChannel& runner) const {
     for (const process::TextLine& line : steps.lines())
       runner.write("last_step " + task + " " + std::string{line.view()});
   for (const auto& [task, trace] : traces_) {
+    const std::string begin = "trace " + task + " ";
     std::ifstream file(trace.path());
     // the last line of a killed process may be incomplete
-    for (std::string line; std::getline(file, line) && !file.eof();) runner.write("trace " + task + " " + line);
+    for (std::string line; std::getline(file, line) && !file.eof();) runner.write(begin + line);
   }
 }
 

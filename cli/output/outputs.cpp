@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -53,10 +54,12 @@ Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment
 void Outputs::check_apart(const std::string& option, const std::filesystem::path& path) const {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0 || S_ISCHR(status.st_mode)) return;
-  for (const auto& [name, identity] : known_)
-    if (identity == process::identity_of(path))
-      throw std::runtime_error(option + " " + path.string() + ": is also the file of " + name +
-                               ", expected another file");
+  const process::FileIdentity own = process::identity_of(path);
+  const auto same = [&own](const auto& entry) { return entry.second == own; };
+  const auto other = std::find_if(known_.begin(), known_.end(), same);
+  if (other == known_.end()) return;
+  throw std::runtime_error(option + " " + path.string() + ": is also the file of " + other->first +
+                           ", expected another file");
 }
 
 Outputs::~Outputs() {

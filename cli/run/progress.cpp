@@ -110,7 +110,7 @@ void Progress::draw() {
 }
 
 std::string Progress::erasure() {
-  const std::string line_begin = std::exchange(prompt_drawn_, false) ? "\r\x1b[J" : "";
+  std::string line_begin = std::exchange(prompt_drawn_, false) ? "\r\x1b[J" : "";
   if (drawn_lines_ == 0) return line_begin;
   return line_begin + fmt::format("\x1b[{}A\x1b[J", std::exchange(drawn_lines_, 0));
 }

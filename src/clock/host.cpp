@@ -26,7 +26,7 @@ std::uint64_t checked_limit(std::uint64_t limit) {
 
 }  // namespace
 
-ClockHost::ClockHost(HostOptions options)
+ClockHost::ClockHost(const HostOptions& options)
     : memory_(MappedClock::create(options.mode, options.period, options.participants)),
       cycle_(*memory_, events_, checked_limit(options.delta_limit), options.live_operator) {}
 

@@ -32,7 +32,7 @@ struct HostOptions {
 class ClockHost {
  public:
   /// Throws SystemError when an option is wrong or there is no memory.
-  explicit ClockHost(HostOptions options);
+  explicit ClockHost(const HostOptions& options);
   /// Ends the clock and joins its thread.
   ~ClockHost();
 

@@ -11,8 +11,9 @@ constexpr std::chrono::milliseconds kHeartbeat{100};
 constexpr int kTurnsPerHeartbeat = 5;  // with telemetry
 }  // namespace
 
-StatusBoard::StatusBoard(links::StatusPublisher& publisher, links::ProcessStatus first, const clock::Clock& clock)
-    : publisher_(publisher), clock_(clock), status_(std::move(first)), thread_([this] { run(); }) {}
+StatusBoard::StatusBoard(links::StatusPublisher& publisher, const links::ProcessStatus& first,
+                         const clock::Clock& clock)
+    : publisher_(publisher), clock_(clock), status_(first), thread_([this] { run(); }) {}
 
 StatusBoard::~StatusBoard() {
   {

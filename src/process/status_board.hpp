@@ -17,7 +17,7 @@ namespace mrroc::process {
 class StatusBoard {
  public:
   /// `publisher` must outlive the board.
-  StatusBoard(links::StatusPublisher& publisher, links::ProcessStatus first, const clock::Clock& clock);
+  StatusBoard(links::StatusPublisher& publisher, const links::ProcessStatus& first, const clock::Clock& clock);
   ~StatusBoard();
   StatusBoard(const StatusBoard&) = delete;
   StatusBoard& operator=(const StatusBoard&) = delete;
