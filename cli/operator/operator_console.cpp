@@ -114,8 +114,8 @@ std::string OperatorConsole::prompt() const {
 
 void OperatorConsole::help() const {
   std::string text;
-  for (const OperatorVerb& verb : operator_verbs()) text += fmt::format("{:<26} {}\n", usage_of(verb), verb.summary);
-  show_(text + "space                      pause, and resume");
+  for (const OperatorVerb& verb : operator_verbs()) text += fmt::format("{:<33} {}\n", usage_of(verb), verb.summary);
+  show_(text + "space                             pause, and resume");
 }
 
 }  // namespace mrroc::cli

@@ -29,6 +29,13 @@ std::optional<std::filesystem::path> runtime_folder() {
   return std::filesystem::path(folder) / "mrroc";
 }
 
+/// The folder that the user names, instead of the others.
+std::optional<std::filesystem::path> named_folder() {
+  const char* const folder = std::getenv("MRROC_RUNTIME_DIR");
+  if (folder == nullptr || folder[0] == '\0') return std::nullopt;
+  return std::filesystem::absolute(folder);
+}
+
 std::filesystem::path temporary_folder() { return "/tmp/mrroc-" + std::to_string(geteuid()); }
 
 /// Empty when only this user may enter the folder.
@@ -82,7 +89,7 @@ void add_sockets(const std::filesystem::path& folder, std::vector<std::filesyste
 }  // namespace
 
 std::filesystem::path make_socket_folder() {
-  std::filesystem::path folder = runtime_folder().value_or(temporary_folder());
+  std::filesystem::path folder = named_folder().value_or(runtime_folder().value_or(temporary_folder()));
   if (mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST)
     throw std::runtime_error("cannot create " + folder.string() + ": " + std::strerror(errno));
   if (const std::string fault = fault_of(folder); !fault.empty())
@@ -92,8 +99,12 @@ std::filesystem::path make_socket_folder() {
 
 std::vector<std::filesystem::path> operator_sockets() {
   std::vector<std::filesystem::path> found;
-  if (const auto folder = runtime_folder()) add_sockets(*folder, found);
-  add_sockets(temporary_folder(), found);
+  if (const auto folder = named_folder()) {
+    add_sockets(*folder, found);
+  } else {
+    if (const auto runtime = runtime_folder()) add_sockets(*runtime, found);
+    add_sockets(temporary_folder(), found);
+  }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.filename() < b.filename(); });
   return found;
 }

@@ -8,12 +8,13 @@
 
 namespace mrroc::cli {
 
-/// The folder of the operator sockets of this user: `$XDG_RUNTIME_DIR/mrroc`, or `/tmp/mrroc-UID` where that variable
-/// is not set. Created with mode 0700 when it is missing. Throws std::runtime_error when it cannot be created, belongs
-/// to another user, or other users may enter it.
+/// The folder of the operator sockets of this user: `$MRROC_RUNTIME_DIR`, else `$XDG_RUNTIME_DIR/mrroc`, or
+/// `/tmp/mrroc-UID` where neither variable is set. Created with mode 0700 when it is missing. Throws std::runtime_error
+/// when it cannot be created, belongs to another user, or other users may enter it.
 std::filesystem::path make_socket_folder();
 
-/// The sockets of this user's runs, by name; those in both folders. A socket that no process listens on is removed.
+/// The sockets of this user's runs, by name: in the first of these folders alone, or in both others. A socket that no
+/// process listens on is removed.
 std::vector<std::filesystem::path> operator_sockets();
 
 /// A new socket `<name>.sock` in the folder, mode 0600, that listens and does not block. Paths may be longer than a

@@ -104,7 +104,7 @@ class Client:
 class LiveOperator(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.mkdtemp()
-        os.environ["XDG_RUNTIME_DIR"] = self.folder
+        os.environ["MRROC_RUNTIME_DIR"] = f"{self.folder}/mrroc"
         self.trace, self.noted = f"{self.folder}/live.trace", f"{self.folder}/noted.toml"
 
     def tearDown(self):

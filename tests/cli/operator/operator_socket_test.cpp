@@ -27,14 +27,14 @@ class OperatorSocketTest : public testing::Test {
  protected:
   OperatorSocketTest() {
     chmod(runtime.path().c_str(), 0700);
-    setenv("XDG_RUNTIME_DIR", runtime.path().c_str(), 1);
+    setenv("MRROC_RUNTIME_DIR", (runtime.path() / "mrroc").c_str(), 1);
     rig.next_tick();
     socket.emplace(rig.service, "t");
     rig.service.publish_to([this](const std::string& json, const std::string&) { socket->publish(json); });
   }
   ~OperatorSocketTest() override {
     for (const int fd : fds) close(fd);
-    unsetenv("XDG_RUNTIME_DIR");
+    unsetenv("MRROC_RUNTIME_DIR");
   }
 
   int join() {
