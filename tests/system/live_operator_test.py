@@ -72,6 +72,11 @@ class LiveRun:
             time.sleep(0.02)
         raise AssertionError(f"never {what}: {self.text()}")
 
+    def pass_ticks(self, ticks):
+        """Waits by the run's clock: on a busy machine it is slower than the wall's."""
+        begin = self.state()["tick"]
+        self.await_state(lambda state: state["tick"] >= begin + ticks, f"{ticks} ticks later")
+
     def await_task(self, task):
         return self.await_state(lambda state: state["task"] == task, task)
 
@@ -99,6 +104,19 @@ class Client:
     def close(self):
         self.lines.close()
         self.socket.close()
+
+
+# a client that jogs twenty times a second over one connection, as a panel does
+JOGGER = """
+import pathlib, socket, sys, time
+path, = (pathlib.Path(sys.argv[1]) / "mrroc").glob("*.sock")
+client = socket.socket(socket.AF_UNIX)
+client.connect(str(path))
+while True:
+    client.sendall(b'{"verb":"jog","robot":"arm","axis":"column","velocity":0.3}\\n')
+    client.recv(65536)
+    time.sleep(0.05)
+"""
 
 
 class LiveOperator(unittest.TestCase):
@@ -173,7 +191,7 @@ class LiveOperator(unittest.TestCase):
             run.await_state(lambda state: any(p["instruction"] == 2 for p in state["processes"]), "in motion")
             self.assertIn("the task commands the robot", output_of("step", "arm", "column", "0.1", code=1))
             output_of("pause")
-            time.sleep(0.5)
+            run.pass_ticks(300)
             output_of("step", "arm", "column", "-0.2")
             for _ in range(5):
                 output_of("jog", "arm", "z", "0.02", "--in", "base")
@@ -261,13 +279,13 @@ class LiveOperator(unittest.TestCase):
             sent = 0
             line = b'{"verb":"frobnicate"}\n' * 1000
             while run.command.poll() is None and sent < 1_000_000:
-                with contextlib.suppress(BlockingIOError):
-                    try:
+                try:
+                    with contextlib.suppress(BlockingIOError):
                         sent += flood.send(line) // 22
-                    except ConnectionError:
-                        break
-                with contextlib.suppress(BlockingIOError):
-                    flood.recv(1 << 16)
+                    with contextlib.suppress(BlockingIOError):
+                        flood.recv(1 << 16)
+                except ConnectionError:
+                    break
             self.assertEqual(run.end(), 0)
             deaf.close()
             flood.close()
@@ -278,18 +296,18 @@ class LiveOperator(unittest.TestCase):
         with LiveRun(self.folder, "--hold", *self.noting()) as run:
             run.await_task("held")
             output_of("jog", "arm", "column", "0.2")
-            time.sleep(0.5)
+            run.pass_ticks(300)
             self.assertIn("did you mean 'column'?", output_of("jog", "arm", "colum", "0.2", code=2))
             self.assertIn("out of range", output_of("jog", "arm", "column", "9", code=2))
             output_of("step", "arm", "z", "0.02", "--in", "base")
             output_of("step", "arm", "rz", "-0.1", "--in", "tool")
             output_of("jog", "arm", "lower_arm", "3", "--in", "motors")
-            time.sleep(0.5)
+            run.pass_ticks(300)
             going = subprocess.Popen([MRROC, "go", "arm", "raised"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-            time.sleep(0.6)
+            run.pass_ticks(150)
             output_of("hold", "arm")
             self.assertIn("ended by 'hold'", going.communicate(timeout=TIMEOUT)[0])
-            time.sleep(0.3)
+            run.pass_ticks(300)
             output_of("go", "arm", "raised")
             output_of("go", "arm", "home")
             output_of("output", "arm", "3", "1")
@@ -304,13 +322,12 @@ class LiveOperator(unittest.TestCase):
         with LiveRun(self.folder, "--hold", "--motion", motion, *self.noting()) as run:
             run.await_task("held")
             for end in (signal.SIGKILL, signal.SIGSTOP):
-                sender = subprocess.Popen(["sh", "-c", f"while :; do {MRROC} jog arm column 0.3 >{self.folder}/jog 2>&1; done"],
-                                          start_new_session=True)
-                time.sleep(1.0)
-                os.killpg(sender.pid, end)
+                sender = subprocess.Popen([sys.executable, "-c", JOGGER, self.folder])
+                run.pass_ticks(700)
+                sender.send_signal(end)
                 stopped = run.state()["tick"]
                 run.await_state(lambda state: state["tick"] > stopped + 600, "a second later")
-                os.killpg(sender.pid, signal.SIGKILL)
+                sender.kill()
                 sender.wait(TIMEOUT)
                 run.await_state(lambda state: state["tick"] > stopped + 900, "at rest")
             output_of("stop")
