@@ -109,7 +109,7 @@ RobotCommand go(const JointVector& joints, bool relative = false) {
 
 /// Ticks from 0.5 m/s to rest under the limits of the axes.
 Tick braking_ticks(double velocity) {
-  const AxisParameters& axis = Gantry().parameters().axes[0];
+  const AxisParameters axis = Gantry().parameters().axes[0];
   AxisStop stop;
   stop.plan(0, velocity, 0, axis.acceleration_max, axis.jerk_max);
   return static_cast<Tick>(std::ceil(stop.duration() / kPeriod)) + 1;
