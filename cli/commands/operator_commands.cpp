@@ -8,8 +8,8 @@
 
 #include "cli/operator/operator_state.hpp"
 #include "cli/operator/operator_verbs.hpp"
-#include "cli/operator/run_connection.hpp"
-#include "cli/operator/socket_folder.hpp"
+#include "cli/operator/socket/run_connection.hpp"
+#include "cli/operator/socket/socket_folder.hpp"
 #include "command/print.hpp"
 #include "command/printable.hpp"
 #include "process/exit_code.hpp"

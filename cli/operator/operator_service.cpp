@@ -22,14 +22,6 @@ VerbReply done(std::string text) {
   return reply;
 }
 
-VerbReply refuse(Refusal refusal, std::string text, std::string expected = "") {
-  VerbReply reply;
-  reply.refusal = refusal;
-  reply.text = std::move(text);
-  reply.expected = std::move(expected);
-  return reply;
-}
-
 VerbReply not_now(std::string text, std::string expected) {
   return refuse(Refusal::not_allowed, std::move(text), std::move(expected));
 }

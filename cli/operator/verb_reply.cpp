@@ -1,6 +1,7 @@
 #include "cli/operator/verb_reply.hpp"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace mrroc::cli {
 
@@ -29,6 +30,14 @@ const char* name_of(Refusal refusal) noexcept {
       return "ended";
   }
   return "?";
+}
+
+VerbReply refuse(Refusal refusal, std::string text, std::string expected) {
+  VerbReply reply;
+  reply.refusal = refusal;
+  reply.text = std::move(text);
+  reply.expected = std::move(expected);
+  return reply;
 }
 
 std::string to_json(const VerbReply& reply) {

@@ -34,6 +34,9 @@ struct VerbReply {
   bool ok() const noexcept { return refusal == Refusal::none; }
 };
 
+/// A reply that refuses a request. Any thread.
+VerbReply refuse(Refusal refusal, std::string text, std::string expected = "");
+
 /// One line of JSON without its end: {"id", "ok", "tick", "text", "data"} or {"id", "ok", "reason", "text",
 /// "expected"}; bytes that are not UTF-8 are replaced. Any thread.
 std::string to_json(const VerbReply& reply);

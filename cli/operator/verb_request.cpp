@@ -30,14 +30,6 @@ std::string_view take_word(std::string_view& text) {
 
 std::string shown_word(std::string_view text) { return config::in_quotes(std::string{text.substr(0, 64)}); }
 
-VerbReply refuse(Refusal refusal, std::string text, std::string expected = "") {
-  VerbReply reply;
-  reply.refusal = refusal;
-  reply.text = std::move(text);
-  reply.expected = std::move(expected);
-  return reply;
-}
-
 VerbReply refuse_verb(std::string_view name) {
   const std::string nearest = nearest_verb(name);
   std::vector<std::string> names;

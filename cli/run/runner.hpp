@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "cli/hosts/remote_hosts.hpp"
-#include "cli/operator/console_input.hpp"
 #include "cli/operator/event_notes.hpp"
-#include "cli/operator/operator_console.hpp"
 #include "cli/operator/operator_service.hpp"
-#include "cli/operator/operator_socket.hpp"
+#include "cli/operator/socket/operator_socket.hpp"
+#include "cli/operator/terminal/console_input.hpp"
+#include "cli/operator/terminal/operator_console.hpp"
 #include "cli/output/black_boxes.hpp"
 #include "cli/output/outputs.hpp"
 #include "cli/processes/process_group.hpp"

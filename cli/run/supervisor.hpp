@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cli/hosts/remote_hosts.hpp"
-#include "cli/operator/operator_console.hpp"
 #include "cli/operator/operator_service.hpp"
-#include "cli/operator/operator_socket.hpp"
+#include "cli/operator/socket/operator_socket.hpp"
+#include "cli/operator/terminal/operator_console.hpp"
 #include "cli/output/black_boxes.hpp"
 #include "cli/processes/process_group.hpp"
 #include "cli/processes/process_plan.hpp"

@@ -2,8 +2,8 @@
 // them.
 #include <algorithm>
 
-#include "cli/operator/line_editor.hpp"
 #include "cli/operator/operator_state.hpp"
+#include "cli/operator/terminal/line_editor.hpp"
 #include "cli/operator/verb_reply.hpp"
 #include "cli/operator/verb_request.hpp"
 #include "fuzz/fuzz.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/operator/console_input.hpp"
+#include "cli/operator/terminal/console_input.hpp"
 #include "config/text/message_text.hpp"
 #include "core/nearest_word.hpp"
 #include "fuzz/fuzz.hpp"

@@ -1,4 +1,4 @@
-#include "cli/operator/run_connection.hpp"
+#include "cli/operator/socket/run_connection.hpp"
 
 #include <poll.h>
 #include <sys/socket.h>
@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/operator/operator_socket.hpp"
-#include "cli/operator/socket_folder.hpp"
+#include "cli/operator/socket/operator_socket.hpp"
+#include "cli/operator/socket/socket_folder.hpp"
 #include "clock/wall/monotonic.hpp"
 
 namespace mrroc::cli {

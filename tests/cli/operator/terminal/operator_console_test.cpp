@@ -1,4 +1,4 @@
-#include "cli/operator/operator_console.hpp"
+#include "cli/operator/terminal/operator_console.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "cli/operator/console_input.hpp"
+#include "cli/operator/terminal/console_input.hpp"
 
 #include <poll.h>
 #include <sys/stat.h>

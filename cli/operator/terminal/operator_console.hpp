@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "cli/operator/console_input.hpp"
 #include "cli/operator/operator_service.hpp"
 #include "cli/operator/questions.hpp"
+#include "cli/operator/terminal/console_input.hpp"
 
 namespace mrroc::cli {
 

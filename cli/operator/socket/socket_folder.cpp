@@ -1,4 +1,4 @@
-#include "cli/operator/socket_folder.hpp"
+#include "cli/operator/socket/socket_folder.hpp"
 
 #include <fcntl.h>
 #include <sys/socket.h>

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "cli/operator/line_editor.hpp"
-#include "cli/operator/terminal_mode.hpp"
+#include "cli/operator/terminal/line_editor.hpp"
+#include "cli/operator/terminal/terminal_mode.hpp"
 
 namespace mrroc::cli {
 

@@ -1,4 +1,4 @@
-#include "cli/operator/operator_socket.hpp"
+#include "cli/operator/socket/operator_socket.hpp"
 
 #include <poll.h>
 #include <sys/epoll.h>
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/operator/socket_folder.hpp"
+#include "cli/operator/socket/socket_folder.hpp"
 #include "command/printable.hpp"
 
 namespace mrroc::cli {

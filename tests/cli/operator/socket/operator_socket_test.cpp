@@ -1,4 +1,4 @@
-#include "cli/operator/operator_socket.hpp"
+#include "cli/operator/socket/operator_socket.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/operator/operator_rig.hpp"
-#include "cli/operator/run_connection.hpp"
-#include "cli/operator/socket_folder.hpp"
+#include "cli/operator/socket/run_connection.hpp"
+#include "cli/operator/socket/socket_folder.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli {

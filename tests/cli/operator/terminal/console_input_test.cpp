@@ -1,4 +1,4 @@
-#include "cli/operator/console_input.hpp"
+#include "cli/operator/terminal/console_input.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "cli/operator/line_editor.hpp"
+#include "cli/operator/terminal/line_editor.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "cli/operator/terminal_mode.hpp"
+#include "cli/operator/terminal/terminal_mode.hpp"
 
 #include <unistd.h>
 
