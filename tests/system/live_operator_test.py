@@ -316,6 +316,23 @@ class LiveOperator(unittest.TestCase):
             self.assertEqual(run.end(), 0)
         self.expect_same_run_in_lockstep(0)
 
+    def test_robot_that_is_not_synchronised_takes_motor_jogs_until_it_is(self):
+        text = pathlib.Path(PRESS).read_text(encoding="utf-8")
+        text = text.replace('"press.xml"', f'"{SOURCE}/tasks/press/press.xml"')
+        text = text.replace("[robots.arm]", "[robots.arm]\nsynchronised = false")
+        file = pathlib.Path(self.folder) / "unsynchronised.toml"
+        file.write_text(text, encoding="utf-8")
+        with LiveRun(self.folder, "--hold", "--clock", "lockstep", "--black-box=", file=str(file)) as run:
+            run.await_task("held")
+            for order in (["go", "arm", "home"], ["jog", "arm", "column", "0.1"], ["step", "arm", "z", "0.01", "--in", "tool"]):
+                self.assertIn("not synchronised", output_of(*order, code=1))
+            output_of("jog", "arm", "column", "3", "--in", "motors")
+            run.pass_ticks(1000)
+            output_of("synchronise", "arm")
+            output_of("go", "arm", "home")
+            output_of("start")
+            self.assertEqual(run.end(), 0)
+
     def test_jog_ends_when_its_sender_is_killed(self):
         """The dead-man counts ticks in the EDP: no message says that the sender is gone."""
         motion = f"{self.folder}/motion"
