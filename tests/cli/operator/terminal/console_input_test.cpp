@@ -11,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <functional>
 
 #include "process/answer_text.hpp"
 
@@ -47,6 +48,27 @@ class Pipe {
  private:
   std::array<int, 2> ends_{};
 };
+
+/// Runs `typist` with both ends of a new terminal and expects 0: in another process, in the foreground of the terminal.
+void expect_zero_in_foreground(const std::function<int(int terminal, int slave)>& typist) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_EQ(grantpt(terminal), 0);
+  ASSERT_EQ(unlockpt(terminal), 0);
+  const int slave = open(ptsname(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(slave, 0);
+  const pid_t process = fork();
+  if (process == 0) {
+    setsid();
+    ioctl(slave, TIOCSCTTY, 0);
+    tcsetpgrp(slave, getpgrp());
+    _exit(typist(terminal, slave));
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(process, &status, 0), process);
+  EXPECT_EQ(status, 0);
+  close(slave);
+  close(terminal);
+}
 
 TEST(ConsoleInput, ComeWholeAndInOrder) {
   Pipe pipe;
@@ -95,68 +117,39 @@ TEST(ConsoleInput, WordIsFoundBehindUnreadLines) {
 }
 
 TEST(ConsoleInput, EndOfALineAtATerminalIsNotTheEndOfInput) {
-  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-  ASSERT_EQ(grantpt(terminal), 0);
-  ASSERT_EQ(unlockpt(terminal), 0);
-  const int slave = open(ptsname(terminal), O_RDONLY | O_NOCTTY | O_CLOEXEC);
-  ASSERT_GE(slave, 0);
-  // in another process: a terminal is read only from its foreground
-  const pid_t typist = fork();
-  if (typist == 0) {
-    setsid();
-    ioctl(slave, TIOCSCTTY, 0);
-    tcsetpgrp(slave, getpgrp());
+  expect_zero_in_foreground([](int terminal, int slave) {
     ConsoleInput lines(slave);
     constexpr char kControlD[] = "\x04";
-    if (write(terminal, kControlD, 1) != 1) _exit(2);
+    if (write(terminal, kControlD, 1) != 1) return 2;
     for (int i = 0; i < 50; ++i) {
-      if (lines.next() || !lines.attended()) _exit(3);
+      if (lines.next() || !lines.attended()) return 3;
       usleep(1000);
     }
-    if (write(terminal, "estop\n", 6) != 6) _exit(4);
+    if (write(terminal, "estop\n", 6) != 6) return 4;
     for (int i = 0; i < 5000; ++i, usleep(1000))
-      if (lines.next_if(is({"estop"}))) _exit(0);
-    _exit(5);
-  }
-  int status = 0;
-  ASSERT_EQ(waitpid(typist, &status, 0), typist);
-  EXPECT_EQ(status, 0);
-  close(slave);
-  close(terminal);
+      if (lines.next_if(is({"estop"}))) return 0;
+    return 5;
+  });
 }
 
 TEST(ConsoleInput, KeysOfATerminalAreTakenAtOnce) {
-  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-  ASSERT_EQ(grantpt(terminal), 0);
-  ASSERT_EQ(unlockpt(terminal), 0);
-  const int slave = open(ptsname(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC);
-  ASSERT_GE(slave, 0);
-  const pid_t typist = fork();
-  if (typist == 0) {
-    setsid();
-    ioctl(slave, TIOCSCTTY, 0);
-    tcsetpgrp(slave, getpgrp());
+  expect_zero_in_foreground([](int terminal, int slave) {
     termios before{}, after{};
     tcgetattr(slave, &before);
     {
       ConsoleInput lines(slave, true);
-      if (!lines.takes_keys()) _exit(2);
-      if (write(terminal, " pau", 4) != 4) _exit(3);
+      if (!lines.takes_keys()) return 2;
+      if (write(terminal, " pau", 4) != 4) return 3;
       std::optional<std::string> line;
       for (int i = 0; i < 5000 && !(line = lines.next()); ++i) usleep(1000);
-      if (line != " ") _exit(4);
+      if (line != " ") return 4;
       for (int i = 0; i < 5000 && lines.typed() != "pau"; ++i, usleep(1000))
-        if (lines.next()) _exit(5);
-      if (lines.typed() != "pau") _exit(6);
+        if (lines.next()) return 5;
+      if (lines.typed() != "pau") return 6;
     }
     tcgetattr(slave, &after);
-    _exit(before.c_lflag == after.c_lflag ? 0 : 7);
-  }
-  int status = 0;
-  ASSERT_EQ(waitpid(typist, &status, 0), typist);
-  EXPECT_EQ(status, 0);
-  close(slave);
-  close(terminal);
+    return before.c_lflag == after.c_lflag ? 0 : 7;
+  });
 }
 
 TEST(ConsoleInput, NullDeviceAndClosedDescriptorHaveNoInput) {
