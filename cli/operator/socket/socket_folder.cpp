@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
 
@@ -36,7 +38,16 @@ std::optional<std::filesystem::path> named_folder() {
   return std::filesystem::absolute(folder);
 }
 
-std::filesystem::path temporary_folder() { return "/tmp/mrroc-" + std::to_string(geteuid()); }
+/// This user's number outside a user namespace: inside one, many users are 0, and all share /tmp.
+std::uint64_t user_outside() {
+  const std::uint64_t user = geteuid();
+  std::ifstream ranges("/proc/self/uid_map");
+  for (std::uint64_t inside, outside, count; ranges >> inside >> outside >> count;)
+    if (user >= inside && user - inside < count) return outside + (user - inside);
+  return user;
+}
+
+std::filesystem::path temporary_folder() { return "/tmp/mrroc-" + std::to_string(user_outside()); }
 
 /// Empty when only this user may enter the folder.
 std::string fault_of(const std::filesystem::path& folder) {

@@ -9,8 +9,9 @@
 namespace mrroc::cli {
 
 /// The folder of the operator sockets of this user: `$MRROC_RUNTIME_DIR`, else `$XDG_RUNTIME_DIR/mrroc`, or
-/// `/tmp/mrroc-UID` where neither variable is set. Created with mode 0700 when it is missing. Throws std::runtime_error
-/// when it cannot be created, belongs to another user, or other users may enter it.
+/// `/tmp/mrroc-UID` where neither variable is set; UID is that of the user outside a user namespace. Created with mode
+/// 0700 when it is missing. Throws std::runtime_error when it cannot be created, belongs to another user, or other
+/// users may enter it.
 std::filesystem::path make_socket_folder();
 
 /// The sockets of this user's runs, by name: in the first of these folders alone, or in both others. A socket that no

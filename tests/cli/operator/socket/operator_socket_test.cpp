@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -10,6 +11,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/operator/operator_rig.hpp"
@@ -213,6 +215,27 @@ TEST_F(OperatorSocketTest, PathMayBeLongerThanASocketAddress) {
   EXPECT_GE(client, 0);
   close(client);
   close(fd);
+}
+
+/// In a user namespace many users have one number, and all share /tmp.
+TEST_F(OperatorSocketTest, FolderIsThatOfTheUserOutsideANamespace) {
+  const std::string user = std::to_string(geteuid());
+  const pid_t child = fork();
+  if (child == 0) {
+    unsetenv("MRROC_RUNTIME_DIR");
+    unsetenv("XDG_RUNTIME_DIR");
+    if (unshare(CLONE_NEWUSER) != 0) _exit(1);
+    std::ofstream("/proc/self/uid_map") << "1234 " << user << " 1";
+    if (geteuid() != 1234) _exit(2);
+    try {
+      _exit(make_socket_folder() == "/tmp/mrroc-" + user ? 0 : 3);
+    } catch (const std::exception&) {
+      _exit(4);
+    }
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
 }
 
 TEST_F(OperatorSocketTest, RunIsFoundByItsName) {
