@@ -27,6 +27,8 @@ build: ## install what is missing and build
 	@cmake --preset release
 	@cmake --build --preset release
 
+panel: build ## build the panel for browsers (part of `make build`)
+
 package: build ## make the Debian packages build/*.deb
 	@cd build && cpack -G DEB
 

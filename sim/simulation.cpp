@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "config/resources.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
 #include "config/text/message_text.hpp"
@@ -51,19 +52,29 @@ const config::SimEntry& sim_entry(const config::Deployment& deployment) {
   return *deployment.sim;
 }
 
-}  // namespace
-
-Composition compose(const config::Deployment& deployment) {
+/// The robots that are `shown`.
+std::vector<RobotPart> parts_of(const config::Deployment& deployment, bool (*shown)(const config::RobotEntry& robot)) {
   std::vector<RobotPart> parts;
   for (const config::RobotEntry& robot : deployment.robots) {
-    if (!in_world(robot)) continue;
+    if (!shown(robot)) continue;
     const bool force_torque =
         std::any_of(deployment.sensors.begin(), deployment.sensors.end(), [&](const config::SensorEntry& sensor) {
           return in_world(sensor) && sensor.type == "force_torque" && sensor.robot == robot.name;
         });
     parts.push_back({robot.name, robot.files().mjcf, robot.base, force_torque, robot.mount});
   }
-  return compose(sim_entry(deployment).scene, parts);
+  return parts;
+}
+
+}  // namespace
+
+Composition compose(const config::Deployment& deployment) {
+  return compose(sim_entry(deployment).scene, parts_of(deployment, in_world));
+}
+
+Composition compose_all(const config::Deployment& deployment) {
+  const std::vector<RobotPart> parts = parts_of(deployment, [](const config::RobotEntry&) { return true; });
+  return compose(deployment.sim ? deployment.sim->scene : config::type_file("panel", "scene", "empty.xml"), parts);
 }
 
 Simulation::Simulation(const config::Deployment& deployment, world::WorldMemory& memory)
@@ -91,6 +102,7 @@ Simulation::Simulation(const config::Deployment& deployment, world::WorldMemory&
   for (const config::FeederEntry& feeder : deployment.sim->feeders) {
     feeders_.emplace_back(feeder, world_, deployment.servo_period);
   }
+  may_be_watched_ = snapshot_values(world_.model()) <= world::kMaxSnapshotValues;
   world_.start();
 }
 
@@ -164,7 +176,7 @@ void Simulation::publish(Tick tick) {
     slot.source.read(world_.data(), reading);
     memory_.readings[slot.memory].store(reading);
   }
-  if (looked_at_) store_snapshot(tick);
+  if (looked_at_ || (may_be_watched_ && memory_.watched.load(std::memory_order_relaxed) != 0)) store_snapshot(tick);
   // last: a servo that sees them also reads its force sensor
   for (const Slot& slot : robots_) {
     world::JointMeasurement measurement{};

@@ -14,6 +14,8 @@ namespace mrroc::sim {
 /// The world of a deployment as text: its scene and every robot whose hardware is `mujoco`. Throws
 /// config::ConfigurationError.
 Composition compose(const config::Deployment& deployment);
+/// For a view of all robots, whatever their hardware; without [sim] in an empty world.
+Composition compose_all(const config::Deployment& deployment);
 
 /// The simulated world of one deployment, tied to the memory through which drivers and VSPs reach it. Slot i of
 /// `drives` and `measurements` is deployment.robots[i] (unused for other hardware than `mujoco`), slot j of `readings`
@@ -75,6 +77,7 @@ class Simulation {
   std::vector<SensorSlot> sensors_;
   std::vector<Feeder> feeders_;
   bool looked_at_ = false;           ///< some sensor uses the snapshot
+  bool may_be_watched_ = false;      ///< the world fits into one
   world::WorldSnapshot snapshot_{};  ///< the last one stored
   Tick tick_ = 0;
 };

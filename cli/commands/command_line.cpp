@@ -7,6 +7,7 @@
 #include "cli/commands/graph_command.hpp"
 #include "cli/commands/keys_command.hpp"
 #include "cli/commands/operator_commands.hpp"
+#include "cli/commands/panel_command.hpp"
 #include "cli/commands/run_command.hpp"
 #include "cli/commands/trace_command.hpp"
 #include "command/version.hpp"
@@ -20,6 +21,7 @@ void describe_command(CLI::App& app, int& exit_code) {
   app.require_subcommand(1);
   add_run_command(app, exit_code);
   add_operator_commands(app, exit_code);
+  add_panel_command(app, exit_code);
   add_trace_command(app, exit_code);
   add_graph_command(app, exit_code);
   add_keys_command(app, exit_code);

@@ -79,6 +79,30 @@ int run(const RunArguments& arguments) {
   return static_cast<int>(Runner(deployment, options).run());
 }
 
+void add_panel_options(CLI::App& command, RunArguments& arguments) {
+  const auto panel = [&arguments]() -> PanelOptions& {
+    if (!arguments.options.panel) arguments.options.panel.emplace();
+    return *arguments.options.panel;
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--panel",
+          [panel](const std::vector<std::string>& words) {
+            if (!words.empty() && !words.front().empty()) panel().port = std::stoi(words.front());
+            panel();
+          },
+          "Serve the operator's panel to browsers of this machine, at this port or any free one, and print its URL")
+      ->expected(0, 1)
+      ->type_name("PORT")
+      ->check(CLI::Validator([](const std::string& text) { return command::number_problem<int>(text, 0, 65535); }, ""));
+  command.add_option_function<std::string>(
+      "--panel-interface", [panel](const std::string& name) { panel().interface = name; },
+      "Network device or own address at which the panel is served to other machines, too; needs a certificate");
+  command.add_option_function<std::string>(
+      "--panel-certificate", [panel](const std::string& path) { panel().certificate = path; },
+      "PEM file with certificate and private key of the panel, for TLS");
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app, int& exit_code) {
@@ -112,6 +136,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
                       "Operator commands at given ticks, [[events]], instead of the deployment's");
   command->add_option("--note-events", arguments->options.note_events,
                       "Write the operator's commands, each with its tick, to this file for --events");
+  add_panel_options(*command, *arguments);
   command->add_flag("--quiet", arguments->options.quiet, "No progress and no report");
   command->add_flag("--check", arguments->check, "Validate the deployment and show its processes; start nothing");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

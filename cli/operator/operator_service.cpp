@@ -34,9 +34,10 @@ std::string line_of(const nlohmann::ordered_json& json) {
 
 std::optional<WatchedStates> watched_of(std::string_view argument) noexcept {
   if (argument.empty() || argument == "changes") return WatchedStates{};
-  if (argument == "robots") return WatchedStates{true, false};
-  if (argument == "readings") return WatchedStates{false, true};
-  if (argument == "all") return WatchedStates{true, true};
+  if (argument == "robots") return WatchedStates{.robots = true};
+  if (argument == "readings") return WatchedStates{.readings = true};
+  if (argument == "world") return WatchedStates{.world = true};
+  if (argument == "all") return WatchedStates{.robots = true, .readings = true, .world = true};
   return std::nullopt;
 }
 
@@ -65,7 +66,7 @@ VerbReply OperatorService::execute(const OperatorClient& client, const VerbReque
   if (verb == "echo") {
     if (!watched_of(request.argument("of")))
       return refuse(Refusal::invalid_argument, "of: " + config::in_quotes(request.argument("of")) + " is unknown",
-                    "changes, robots, readings or all");
+                    "changes, robots, readings, world or all");
     return done("messages, questions and changes follow");
   }
   if (verb == "command") return take_command(client);

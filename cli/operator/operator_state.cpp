@@ -168,6 +168,7 @@ std::string event_text(const std::string& line) try {
         fmt::format("{:<12} tick {} joints{}", text("name"), json.at("tick").get<Tick>(), list_of(json.at("joints")));
   if (event == "reading")
     shown = fmt::format("{:<12} tick {}{}", text("name"), json.at("tick").get<Tick>(), list_of(json.at("values")));
+  if (event == "world") shown = fmt::format("{:<12} tick {}", "world", json.at("tick").get<Tick>());
   if (event == "command_wanted") shown = text("by") + " asks for command, " + text("commander") + " holds it";
   if (event == "commander")
     shown = json.at("commander").is_null() ? "command is free" : text("commander") + " holds command";

@@ -15,8 +15,8 @@ constexpr VerbArgument kAnswerArguments[]{
     VerbArgument{"value", "The answer as it would be typed: a number, yes or no, a choice or its number from 1", true},
     VerbArgument{"from", "The sensor or process that asks; default: the question that is shown", false}};
 
-constexpr VerbArgument kEchoArguments[]{
-    VerbArgument{"of", "changes (default), robots, readings: their states at most 50 times a second, or all", false}};
+constexpr VerbArgument kEchoArguments[]{VerbArgument{
+    "of", "changes (default), robots, readings or world: their states at most 50 times a second, or all", false}};
 constexpr VerbArgument kRobot{"robot", "Name of the robot in the deployment", true};
 constexpr VerbArgument kAxis{"axis", "Name or number from 1 of an axis or motor; x, y, z, rx, ry, rz of the tool",
                              true};

@@ -7,6 +7,7 @@
 #include "cli/operator/questions.hpp"
 #include "cli/operator/robot_orders.hpp"
 #include "cli/operator/telemetry_feed.hpp"
+#include "cli/operator/world_feed.hpp"
 #include "clock/clock.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
@@ -19,10 +20,10 @@ namespace mrroc::cli {
 /// The runner's own links of a deployment: the statuses of its processes, the task in the MP, the operator. Main
 /// thread, except the events.
 struct RunLinks {
-  /// Construct it when all processes have been started: they would inherit the domain's sockets. Deployment and clocks
-  /// outlive it; `show`: displays a line to the operator.
+  /// Construct it when all processes have been started: they would inherit the domain's sockets. Deployment, clocks
+  /// and `memory` (of the simulated world here, or null) outlive it; `show`: displays a line to the operator.
   RunLinks(const config::Deployment& deployment, const links::DomainOptions& options, clock::ClockHost& host,
-           clock::Clock& clock, std::function<void(const std::string& line)> show);
+           clock::Clock& clock, world::WorldMemory* memory, std::function<void(const std::string& line)> show);
 
   links::Domain domain;
   links::StatusCollector processes;
@@ -30,6 +31,7 @@ struct RunLinks {
   Questions questions;
   RobotOrders robots;
   TelemetryFeed telemetry;
+  WorldFeed world;
   OperatorEvents events;
 };
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/run/panel_process.hpp"
+
 namespace mrroc::cli {
 
 /// Options of a run in addition to its deployment.
@@ -20,7 +22,8 @@ struct RunOptions {
   std::string text;                   ///< of the deployment, as it was read
   bool attended = true;               ///< false: the standard input was the deployment, so no line is typed there
   bool quiet = false;
-  bool hold = false;  ///< the task waits for `start`
+  bool hold = false;                  ///< the task waits for `start`
+  std::optional<PanelOptions> panel;  ///< the operator's panel is served
   /// Starts the processes in a random order with random delays (0 to 0.3 s) drawn from this seed: a test of the
   /// barrier.
   std::optional<std::uint64_t> shuffle_seed;

@@ -81,6 +81,7 @@ process::ExitCode Runner::run() {
   });
   if (!supervisor_.ending()) outputs.begin();
   open_operator(outputs);
+  if (options_.panel) open_panel();
   // lockstep is serial by nature: one CPU for all is several times faster than two
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
   supervisor_.guard([&] {
@@ -116,6 +117,18 @@ void Runner::open_operator(const Outputs& outputs) {
   service_.publish_to([this](const std::string& json, const std::string& text) {
     if (socket_) socket_->publish(json);
     if (!text.empty()) progress_.notice("operator: " + text);
+  });
+}
+
+void Runner::open_panel() {
+  supervisor_.guard([this] {
+    if (!socket_) throw std::runtime_error("without the operator's socket there is no panel");
+    // its URL contains the right to command: clients of the socket do not see it
+    panel_.emplace(*options_.panel, socket_->path(), [this](const std::string& line) { progress_.notice(line); });
+    supervisor_.watch(*panel_);
+    while (!panel_->started())
+      if (!supervisor_.turn(Supervisor::kTurn)) return;
+    if (panel_->ended()) supervisor_.fail(process::ExitCode::usage, panel_->last_line());
   });
 }
 
@@ -167,7 +180,8 @@ void Runner::start_processes(Outputs& outputs) {
     group_.start(process, process::to_command_line(arguments), arguments.descriptors());
   }
   const auto show = [this](const std::string& line) { progress_.message(line); };
-  links_ = std::make_unique<RunLinks>(deployment_, domain_options(surroundings), clock_, *operator_clock_, show);
+  links_ = std::make_unique<RunLinks>(deployment_, domain_options(surroundings), clock_, *operator_clock_,
+                                      world_ ? &**world_ : nullptr, show);
   console_.emplace(service_, links_->questions, input_, show);
   supervisor_.watch(*links_, *console_);
 }

@@ -42,6 +42,8 @@ class Runner {
 
  private:
   void open_operator(const Outputs& outputs);
+  /// Starts the panel's server and waits until it serves; the run fails when it does not.
+  void open_panel();
   void start_processes(Outputs& outputs);
   void pass_barrier();
   /// Connects to the MP and the EDPs, and watches processes and the operator meanwhile; returns false when the run must
@@ -74,6 +76,7 @@ class Runner {
   std::unique_ptr<RemoteHosts> hosts_;
   ConsoleInput input_;
   std::optional<EventNotes> notes_;
+  std::optional<PanelProcess> panel_;  // ends after the socket
   std::optional<OperatorSocket> socket_;
   std::unique_ptr<RunLinks> links_;
   std::optional<OperatorConsole> console_;

@@ -163,6 +163,7 @@ void Supervisor::wait(int milliseconds) {
 
 void Supervisor::poll_operator() {
   if (socket_ != nullptr) socket_->poll();
+  if (panel_ != nullptr) panel_->poll();
   if (task_started_ && !ending_) {
     console_->poll(watched_.service.may_answer() && socket_ != nullptr && socket_->watched());
     if (console_->takes_keys())
@@ -182,8 +183,11 @@ void Supervisor::publish_telemetry() {
   next_telemetry_ = now + kTurn * 1e-3;
   const WatchedStates states = socket_->watched_states();
   links_->telemetry.watch(states.robots, states.readings);
+  links_->world.watch(states.world);
   for (const std::string& line : links_->telemetry.take_robots()) socket_->publish_robot(line);
   for (const std::string& line : links_->telemetry.take_readings()) socket_->publish_reading(line);
+  if (!states.world) return;
+  if (const auto line = links_->world.take()) socket_->publish_world(*line);
 }
 
 void Supervisor::check_stop() {

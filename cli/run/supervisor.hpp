@@ -14,6 +14,7 @@
 #include "cli/processes/signals.hpp"
 #include "cli/run/fault_injector.hpp"
 #include "cli/run/heartbeats.hpp"
+#include "cli/run/panel_process.hpp"
 #include "cli/run/progress.hpp"
 #include "cli/run/run_links.hpp"
 #include "cli/run/run_result.hpp"
@@ -53,6 +54,7 @@ class Supervisor {
     console_ = &console;
   }
   void watch(OperatorSocket& socket) { socket_ = &socket; }
+  void watch(PanelProcess& panel) { panel_ = &panel; }
   /// The processes that have not reported any status yet.
   std::vector<std::string> without_status() const { return heartbeats_.missing(names_of(watched_.plan)); }
   /// All processes are ready and the clock starts: from now on each must send heartbeats.
@@ -113,6 +115,7 @@ class Supervisor {
   RunLinks* links_ = nullptr;
   OperatorConsole* console_ = nullptr;
   OperatorSocket* socket_ = nullptr;
+  PanelProcess* panel_ = nullptr;
   int interrupts_ = 0;
   bool ending_ = false;
   bool hurried_ = false;

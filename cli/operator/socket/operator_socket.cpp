@@ -97,15 +97,24 @@ void OperatorSocket::accept_clients() {
   for (int fd = 0; (fd = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK)) >= 0;) {
     auto client = std::make_unique<Client>();
     client->fd = fd;
-    client->identity = {++accepted_, peer_of(fd)};
-    if (client->identity.name.empty() || clients_.size() >= kMaxClients) continue;
+    const std::string process = peer_of(fd);
+    if (process.empty() || clients_.size() >= kMaxClients) continue;
+    client->identity = {++accepted_, name_of(process)};
     watch(wake_, EPOLL_CTL_ADD, fd);
-    write(*client,
-          nlohmann::ordered_json{
-              {"mrroc", kProtocol}, {"version", MRROC_VERSION}, {"deployment", deployment_}, {"pid", getpid()}}
-              .dump());
+    write(*client, nlohmann::ordered_json{{"mrroc", kProtocol},
+                                          {"version", MRROC_VERSION},
+                                          {"deployment", deployment_},
+                                          {"pid", getpid()},
+                                          {"client", client->identity.name}}
+                       .dump());
     clients_.emplace(accepted_, std::move(client));
   }
+}
+
+std::string OperatorSocket::name_of(const std::string& process) const {
+  const auto same = [&process](const auto& entry) { return entry.second->identity.name.starts_with(process); };
+  if (std::none_of(clients_.begin(), clients_.end(), same)) return process;
+  return process + " #" + std::to_string(accepted_ + 1);
 }
 
 /// Reads no more than it executes in this turn: the rest stays in the socket, and its sender waits.
@@ -174,6 +183,7 @@ WatchedStates OperatorSocket::watched_states() const noexcept {
   for (const auto& [number, client] : clients_) {
     all.robots = all.robots || client->states.robots;
     all.readings = all.readings || client->states.readings;
+    all.world = all.world || client->states.world;
   }
   return all;
 }

@@ -40,6 +40,7 @@ class OperatorSocket {
   WatchedStates watched_states() const noexcept;
   void publish_robot(const std::string& json) { publish_state(json, &WatchedStates::robots); }
   void publish_reading(const std::string& json) { publish_state(json, &WatchedStates::readings); }
+  void publish_world(const std::string& json) { publish_state(json, &WatchedStates::world); }
   /// Whether a client watches: it can answer questions.
   bool watched() const noexcept;
   const std::filesystem::path& path() const noexcept { return path_; }
@@ -49,6 +50,8 @@ class OperatorSocket {
 
   void publish_state(const std::string& json, bool WatchedStates::*kind);
   void accept_clients();
+  /// The name of a new client, for people: of its process, with its number when that process has another connection.
+  std::string name_of(const std::string& process) const;
   void serve(Client& client);
   void execute(Client& client, const std::string& line);
   void write(Client& client, const std::string& line);

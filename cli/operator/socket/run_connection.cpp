@@ -56,6 +56,7 @@ RunConnection::RunConnection(const std::filesystem::path& socket) : path_(socket
                              std::to_string(OperatorSocket::kProtocol));
   deployment_ = greeting.value("deployment", "");
   pid_ = greeting.value("pid", 0);
+  client_ = greeting.value("client", "");
 }
 
 RunConnection::~RunConnection() {
@@ -67,14 +68,14 @@ RunConnection::RunConnection(RunConnection&& other) noexcept
       fd_(std::exchange(other.fd_, -1)),
       deployment_(std::move(other.deployment_)),
       pid_(other.pid_),
+      client_(std::move(other.client_)),
       incoming_(std::move(other.incoming_)) {}
 
 VerbReply RunConnection::request(std::string_view verb, const std::map<std::string, std::string>& arguments) {
   nlohmann::json json(arguments);
   if (!json.is_object()) json = nlohmann::json::object();
   json["verb"] = verb;
-  const std::string line = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-  if (send(fd_, line.data(), line.size(), MSG_NOSIGNAL) != std::ssize(line))
+  if (!send_line(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)))
     throw std::runtime_error(deployment_ + ": the connection to the run is lost");
   for (;;) {
     const std::optional<std::string> answer = next_line(kReplyTimeout);
@@ -83,14 +84,21 @@ VerbReply RunConnection::request(std::string_view verb, const std::map<std::stri
   }
 }
 
+bool RunConnection::send_line(const std::string& line) {
+  const std::string whole = line + "\n";
+  for (std::size_t sent = 0; sent < whole.size();) {
+    const ssize_t size = send(fd_, whole.data() + sent, whole.size() - sent, MSG_NOSIGNAL);
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) return false;
+    sent += static_cast<std::size_t>(size);
+  }
+  return true;
+}
+
 std::optional<std::string> RunConnection::next_line(double timeout) {
   const std::int64_t deadline = clock::monotonic_ns() + static_cast<std::int64_t>(timeout * clock::kSecond);
   for (;;) {
-    if (const std::size_t end = incoming_.find('\n'); end != std::string::npos) {
-      std::string line = incoming_.substr(0, end);
-      incoming_.erase(0, end + 1);
-      return line;
-    }
+    if (auto line = take_line()) return line;
     const std::int64_t rest = deadline - clock::monotonic_ns();
     if (timeout >= 0 && rest <= 0) throw std::runtime_error(path_.string() + ": the run does not answer");
     pollfd entry{fd_, POLLIN, 0};
@@ -101,6 +109,24 @@ std::optional<std::string> RunConnection::next_line(double timeout) {
     if (size <= 0) return std::nullopt;
     incoming_.append(buffer, static_cast<std::size_t>(size));
   }
+}
+
+bool RunConnection::read_lines(std::vector<std::string>& lines) {
+  char buffer[65536];
+  ssize_t size = 0;
+  while ((size = recv(fd_, buffer, sizeof buffer, MSG_DONTWAIT)) > 0)
+    incoming_.append(buffer, static_cast<std::size_t>(size));
+  const bool ended = size == 0 || (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
+  while (auto line = take_line()) lines.push_back(std::move(*line));
+  return !ended;
+}
+
+std::optional<std::string> RunConnection::take_line() {
+  const std::size_t end = incoming_.find('\n');
+  if (end == std::string::npos) return std::nullopt;
+  std::string line = incoming_.substr(0, end);
+  incoming_.erase(0, end + 1);
+  return line;
 }
 
 }  // namespace mrroc::cli
