@@ -1,5 +1,5 @@
 # The few commands that people need. Everything else is CMake: `cmake --preset release`, `cmake --build build`.
-.PHONY: help demo check test build package docs lint asan tsan format clean
+.PHONY: help demo check test build panel package docs lint asan tsan format clean
 
 # a test takes two slots, one that mostly waits takes one: docs/how-to/testing.md
 slots := $(shell expr 2 '*' $$(nproc))
@@ -27,7 +27,10 @@ build: ## install what is missing and build
 	@cmake --preset release
 	@cmake --build --preset release
 
-panel: build ## build the panel for browsers (part of `make build`)
+panel: ## install what is missing and build the operator's panel for browsers
+	@scripts/install_dependencies
+	@cmake --preset release
+	@cmake --build --preset release --target mrroc_panel panel_page
 
 package: build ## make the Debian packages build/*.deb
 	@cd build && cpack -G DEB

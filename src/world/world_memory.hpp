@@ -68,8 +68,8 @@ struct WorldMemory {
   std::array<core::SharedSlot<RawReading>, kMaxSensors> readings;  ///< sim -> VSP, every tick
   core::SharedSlot<WorldSnapshot> snapshot;
   std::atomic<std::uint32_t> watched{0};  ///< runner -> sim: not 0 while somebody watches the snapshots
-  clock::Gate driven;    ///< real time: opened after each store into `drives`
-  clock::Gate measured;  ///< real time: opened when a tick's measurements and readings are stored
+  clock::Gate driven;                     ///< real time: opened after each store into `drives`
+  clock::Gate measured;                   ///< real time: opened when a tick's measurements and readings are stored
 };
 
 }  // namespace mrroc::world
