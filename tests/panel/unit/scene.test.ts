@@ -1,6 +1,5 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { BufferGeometry } from 'three';
 import type { Geom, GeomType } from '../../../panel/src/protocol/scene_file';
 import { geom_geometry, mesh_geometry } from '../../../panel/src/view/geometry';
 import { floats_of, integers_of } from '../../../panel/src/view/mesh_data';
@@ -10,7 +9,7 @@ function geom(type: GeomType, size: number[]): Geom {
 }
 
 /** Half of the extent along each axis. */
-function half_extent(geometry: BufferGeometry): number[] {
+function half_extent(geometry: ReturnType<typeof geom_geometry>): number[] {
   geometry.computeBoundingBox();
   const box = geometry.boundingBox;
   assert.ok(box);
