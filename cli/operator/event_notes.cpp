@@ -23,6 +23,7 @@ std::string text_of(const std::string& command, const config::RobotOrder& order)
   if (command == "jog" || command == "step")
     text += "axis = \"" + order.axis + "\"\nin = \"" + order.frame + "\"\n" +
             (command == "jog" ? "velocity = " : "distance = ") + amount;
+  if (command == "tool") text += "tool = \"" + order.tool + "\"\n";
   if (command == "go") text += "posture = \"" + order.posture + "\"\n";
   if (command == "output") text += "output = \"" + order.axis + "\"\nvalue = " + amount;
   return text;

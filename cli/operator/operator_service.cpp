@@ -144,6 +144,7 @@ VerbReply OperatorService::give_order(const VerbRequest& request, std::optional<
   order.robot = request.argument("robot");
   order.axis = request.argument(request.verb->name == "output" ? "output" : "axis");
   order.posture = request.argument("posture");
+  order.tool = request.argument("tool");
   order.frame = request.argument("in").empty() ? "axes" : request.argument("in");
   for (const char* name : {"velocity", "distance", "value"}) {
     const std::string text{request.argument(name)};

@@ -26,6 +26,8 @@ constexpr VerbArgument kJogArguments[]{
 constexpr VerbArgument kStepArguments[]{kRobot, kAxis, VerbArgument{"distance", "rad or m, with sign", true}, kFrame};
 constexpr VerbArgument kGoArguments[]{
     kRobot, VerbArgument{"posture", "A posture of the robot's parameter file: home, or one of [postures]", true}};
+constexpr VerbArgument kToolArguments[]{
+    kRobot, VerbArgument{"tool", "A tool of the robot's parameter file: flange, or one of [tools]", true}};
 constexpr VerbArgument kRobotArguments[]{kRobot};
 constexpr VerbArgument kOutputArguments[]{
     kRobot, VerbArgument{"output", "0 to 15: a digital output; a0 to a7: an analogue one", true},
@@ -64,6 +66,8 @@ constexpr OperatorVerb kVerbs[]{
     OperatorVerb{"bias", "Take the present reading of a robot's force sensor as zero", "the force sensor is zeroed",
                  kRobotArguments, true},
     OperatorVerb{"output", "Set one output of a robot's controller", "the output is set", kOutputArguments, true},
+    OperatorVerb{"tool", "Change the tool frame to which poses of a robot refer", "the tool frame is changed",
+                 kToolArguments, true},
     OperatorVerb{
         "stop", "Bring the robots to rest and end the run", "the robots come to rest, then the run ends", {}, false},
     OperatorVerb{"estop",

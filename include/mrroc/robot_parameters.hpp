@@ -60,7 +60,9 @@ struct RobotParameters {
   std::vector<RegulatorSet> regulators;         ///< the first is "standard": the axes as they are
   JointVector home;                             ///< joint position in which the simulated robot starts
   std::map<std::string, JointVector> postures;  ///< named joint positions for the operator; "home" is always there
-  std::vector<int> synchro_order;               ///< the axes in the order of their synchronisation; empty: ascending
+  /// Named tool frames in the flange frame, for the operator; "flange", the flange frame itself, is always there.
+  std::map<std::string, Pose> tools;
+  std::vector<int> synchro_order;  ///< the axes in the order of their synchronisation; empty: ascending
 };
 
 }  // namespace mrroc

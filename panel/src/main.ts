@@ -15,6 +15,13 @@ load_scene('scene.json').then(
   (scene) => make_page(scene, open_socket),
   (error: unknown) => {
     const text = error instanceof Error ? error.message : String(error);
-    document.body.append(element('main', { class: 'failed' }, element('h1', {}, "Operator's panel"),
-      element('p', { role: 'alert' }, `The scene of the run cannot be loaded: ${text}`)));
-  });
+    document.body.append(
+      element(
+        'main',
+        { class: 'failed' },
+        element('h1', {}, "Operator's panel"),
+        element('p', { role: 'alert' }, `The scene of the run cannot be loaded: ${text}`),
+      ),
+    );
+  },
+);

@@ -38,26 +38,50 @@ export function make_page(scene: Scene, open_socket: () => Socket): void {
   const plots = plots_pane(session);
   const processes = process_table(session);
   const messages = message_pane(session, log);
-  const tabs = new Tabs('Details', [
-    { id: 'plots', title: 'Plots', content: plots.node },
-    { id: 'processes', title: 'Processes', content: processes.node },
-    { id: 'messages', title: 'Messages', content: messages.node },
-  ], () => session.scheduler.ask_now());
-  const details = element('section', { id: 'details', 'aria-label': 'Details' }, tabs.list, plots.node, processes.node,
-    messages.node);
+  const tabs = new Tabs(
+    'Details',
+    [
+      { id: 'plots', title: 'Plots', content: plots.node },
+      { id: 'processes', title: 'Processes', content: processes.node },
+      { id: 'messages', title: 'Messages', content: messages.node },
+    ],
+    () => session.scheduler.ask_now(),
+  );
+  const details = element(
+    'section',
+    { id: 'details', 'aria-label': 'Details' },
+    tabs.list,
+    plots.node,
+    processes.node,
+    messages.node,
+  );
   const version = element('span', { id: 'version', class: 'quiet' });
   const set_theme = () => {
     view.set_theme();
     plots.set_theme();
   };
-  const footer = element('footer', {}, announcer.node, element('span', { id: 'safety' }, SAFETY), version,
-    theme_switch(() => set_theme()));
+  const footer = element(
+    'footer',
+    {},
+    announcer.node,
+    element('span', { id: 'safety' }, SAFETY),
+    version,
+    theme_switch(() => set_theme()),
+  );
   document.body.append(
     element('a', { class: 'skip', href: '#robots' }, 'Skip to the robots'),
     header.node,
-    element('main', {}, view.node, element('div', { class: 'bars' }, gone.node, wanted.node, questions.bar, faults.node),
-      robots.node, details),
-    questions.node, footer);
+    element(
+      'main',
+      {},
+      view.node,
+      element('div', { class: 'bars' }, gone.node, wanted.node, questions.bar, faults.node),
+      robots.node,
+      details,
+    ),
+    questions.node,
+    footer,
+  );
   install_shortcuts(session, () => {
     if (jog.active) jog.release('Escape');
     else questions.escape();
@@ -65,9 +89,10 @@ export function make_page(scene: Scene, open_socket: () => Socket): void {
 
   const show_connection = () => {
     const { store } = session;
-    if (store.ended) gone.show(store.end_text);
-    else if (!store.connected) gone.show('The connection to the panel is lost. The page connects again on its own.');
-    else gone.show('');
+    if (store.ended) gone.show(store.end_text, store.exit_code === 0);
+    else if (!store.connected)
+      gone.show('The connection to the panel is lost. The page connects again on its own.', false);
+    else gone.show('', false);
     version.textContent = store.hello ? `MRROC++ ${store.hello.version} · process ${store.hello.pid}` : '';
     if (store.connected) document.body.dataset['ready'] = 'yes';
   };

@@ -127,13 +127,14 @@ struct RobotOrder {
   std::string frame;    ///< of jog and step: axes | base | tool | motors
   std::string posture;  ///< of go: in the robot's parameter file
   double amount = 0;    ///< of jog: rad/s or m/s; of step: rad or m; of output: its value
+  std::string tool{};   ///< of tool: in the robot's parameter file
 };
 
 /// A command of the operator at a given tick: written in advance for runs without an operator, or noted in a live run.
 struct Event {
   Tick tick = 0;
   /// start | pause | resume | trigger | stop | estop | reset | answer, or one of `order`: jog | step | go | hold |
-  /// synchronise | recover | bias | output
+  /// synchronise | recover | bias | output | tool
   std::string command{};
   std::string asker{};  ///< of an answer: the sensor or process that asks; else empty
   double value = 0;     ///< the answer: the number, 1 or 0 for yes or no, the index of a choice

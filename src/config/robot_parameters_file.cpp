@@ -139,6 +139,28 @@ std::vector<RegulatorSet> read_regulator_sets(const Table& file, const std::vect
 }
 
 /// Joint positions within the limits of the axes.
+constexpr Range kPlace{-10, 10};                                     // m, of a tool
+constexpr Range kTurn{-2 * std::numbers::pi, 2 * std::numbers::pi};  // rad
+
+/// Position and roll, pitch, yaw about the fixed axes x, y, z of each.
+std::map<std::string, Pose> read_tools(const Table& file) {
+  std::map<std::string, Pose> tools{{"flange", Pose::Identity()}};
+  const auto table = file.optional_table("tools");
+  if (!table) return tools;
+  for (const std::string& name : table->keys()) {
+    if (name == "flange") table->fail(name, "is the name of the flange frame itself", "another name");
+    const std::vector<double> values = table->numbers(name, 6);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Range& range = i < 3 ? kPlace : kTurn;
+      if (values[i] < range.min || values[i] > range.max)
+        table->fail(name, number_text(values[i]) + " is out of range",
+                    expected_number(range) + (i < 3 ? " (m)" : " (rad)"));
+    }
+    tools[name] = pose_from_rpy(Eigen::Vector3d(values.data()), Eigen::Vector3d(values.data() + 3));
+  }
+  return tools;
+}
+
 JointVector read_posture(const Table& table, const std::string& key, const std::vector<AxisParameters>& axes) {
   const auto values = table.numbers(key, axes.size());
   JointVector posture(static_cast<Eigen::Index>(values.size()));
@@ -173,12 +195,11 @@ RobotParameters read_robot_parameters(const Table& file) {
       if (name == "home") postures->fail(name, "is the name of the key 'home'", "another name");
       parameters.postures[name] = read_posture(*postures, name, parameters.axes);
     }
+  parameters.tools = read_tools(file);
   return parameters;
 }
 
 Pose read_tool(const Table& geometry) {
-  constexpr Range kPlace{-10, 10};
-  constexpr Range kTurn{-2 * std::numbers::pi, 2 * std::numbers::pi};
   const auto translation = geometry.numbers("tool_translation", 3, kPlace);
   const auto rotation = geometry.numbers("tool_rotation", 3, kTurn);
   return pose_from_rpy(Eigen::Vector3d(translation.data()), Eigen::Vector3d(rotation.data()));

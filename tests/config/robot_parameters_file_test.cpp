@@ -192,12 +192,29 @@ TEST_F(RobotParametersFileTest, PosturesAreWithinTheLimitsAndHomeIsOne) {
             "r.toml:26: postures.home: is the name of the key 'home', expected another name");
 }
 
+TEST(RobotParametersFile, HasNamedTools) {
+  const RobotParameters robot = read(robot_text() + "[tools]\ngripper = [0.1, 0, 0.2, 0, 0, 1.5]\n");
+  ASSERT_EQ(robot.tools.size(), 2u);
+  EXPECT_TRUE(robot.tools.at("flange").isApprox(Pose::Identity()));
+  EXPECT_TRUE(robot.tools.at("gripper").translation().isApprox(Eigen::Vector3d(0.1, 0, 0.2)));
+  EXPECT_TRUE(
+      robot.tools.at("gripper").linear().isApprox(Eigen::AngleAxisd(1.5, Eigen::Vector3d::UnitZ()).toRotationMatrix()));
+  for (const auto& [text, error] :
+       {std::pair{"gripper = [0, 0]", "has 2 values, expected an array of 6 numbers"},
+        {"gripper = [11, 0, 0, 0, 0, 0]", "11 is out of range, expected a number from -10 to 10 (m)"},
+        {"gripper = [0, 0, 0, 7, 0, 0]", "7 is out of range, expected a number from -6.2831853 to 6.2831853 (rad)"},
+        {"flange = [0, 0, 0, 0, 0, 0]", "is the name of the flange frame itself, expected another name"}}) {
+    const std::string name = std::string{text}.substr(0, std::string{text}.find(' '));
+    EXPECT_EQ(message(robot_text() + "[tools]\n" + text + "\n"), "r.toml:26: tools." + name + ": " + error);
+  }
+}
+
 TEST_F(RobotParametersFileTest, DoesNotReadTheGeometry) {
   const Table file = Table::load(scratch_.write("r.toml", robot_text() + "[geometry]\na2 = 0.455\n"));
   read_robot_parameters(file);
-  EXPECT_EQ(
-      message_of(scratch_.path(), [&] { file.finish(); }),
-      "r.toml:25: geometry: unknown key, expected 'axes', 'home', 'postures', 'regulators', 'synchro_order' or 'type'");
+  EXPECT_EQ(message_of(scratch_.path(), [&] { file.finish(); }),
+            "r.toml:25: geometry: unknown key, expected 'axes', 'home', 'postures', 'regulators', 'synchro_order', "
+            "'tools' or 'type'");
   file.table("geometry");
   EXPECT_NO_THROW(file.finish());
 }

@@ -33,6 +33,17 @@ def output_of(*arguments, code=0):
     return done.stdout + done.stderr
 
 
+def robot_state(robot):
+    """Its newest state, as watchers see it."""
+    with subprocess.Popen([MRROC, "echo", "--of", "robots", "--json"], stdout=subprocess.PIPE, text=True) as echo:
+        for line in echo.stdout:
+            event = json.loads(line)
+            if event.get("event") == "robot" and event["name"] == robot:
+                echo.kill()
+                return event
+    raise AssertionError(f"no state of {robot}")
+
+
 class LiveRun:
     """`mrroc run` with a runtime folder of its own."""
 
@@ -309,6 +320,15 @@ class LiveOperator(unittest.TestCase):
             self.assertIn("ended by 'hold'", going.communicate(timeout=TIMEOUT)[0])
             run.pass_ticks(300)
             output_of("go", "arm", "raised")
+            output_of("go", "arm", "home")
+            with_tool = robot_state("arm")["pose"]
+            output_of("tool", "arm", "flange")
+            run.pass_ticks(100)
+            flange = robot_state("arm")["pose"]
+            self.assertAlmostEqual(sum((a - b) ** 2 for a, b in zip(with_tool[:3], flange[:3])) ** 0.5, 0.25, places=4)
+            output_of("step", "arm", "rx", "0.05", "--in", "tool")
+            self.assertIn("did you mean 'standard'?", output_of("tool", "arm", "standart", code=2))
+            output_of("tool", "arm", "standard")
             output_of("go", "arm", "home")
             output_of("output", "arm", "3", "1")
             output_of("start")

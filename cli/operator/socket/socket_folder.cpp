@@ -121,7 +121,10 @@ std::vector<std::filesystem::path> operator_sockets() {
 }
 
 int listen_at(const std::filesystem::path& path) {
-  const Address address(path);
+  // it gets its name when it listens: clients take a socket that refuses them for that of a dead run, and remove it
+  const std::filesystem::path unfinished = path.string() + ".new";
+  unlink(unfinished.c_str());
+  const Address address(unfinished);
   const int fd = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   const auto fail = [&path, fd](const char* reason) {
     if (fd >= 0) close(fd);
@@ -132,7 +135,11 @@ int listen_at(const std::filesystem::path& path) {
   // the mode must hold from the first moment: it is set before the file exists
   if (fchmod(fd, S_IRUSR | S_IWUSR) != 0) fail(std::strerror(errno));
   if (bind(fd, address.get(), sizeof(sockaddr_un)) != 0) fail(std::strerror(errno));
-  if (listen(fd, kBacklog) != 0) fail(std::strerror(errno));
+  if (listen(fd, kBacklog) != 0 || rename(unfinished.c_str(), path.c_str()) != 0) {
+    const int problem = errno;
+    unlink(unfinished.c_str());
+    fail(std::strerror(problem));
+  }
   return fd;
 }
 

@@ -18,8 +18,8 @@ std::filesystem::path make_socket_folder();
 /// process listens on is removed.
 std::vector<std::filesystem::path> operator_sockets();
 
-/// A new socket `<name>.sock` in the folder, mode 0600, that listens and does not block. Paths may be longer than a
-/// socket address. Throws std::runtime_error with the path and the reason.
+/// A new socket of this path, mode 0600, that listens and does not block; it appears when it listens. Paths may be
+/// longer than a socket address. Throws std::runtime_error with the path and the reason.
 int listen_at(const std::filesystem::path& path);
 /// A connection to it, or -1 with errno.
 int connect_to(const std::filesystem::path& path) noexcept;

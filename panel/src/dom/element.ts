@@ -58,9 +58,10 @@ export function by_id(id: string): HTMLElement {
   return found;
 }
 
-/** True where a space is text: the space bar is then not the emergency stop. */
+/** True where a space is text: the space bar is then not the emergency stop. A number has no spaces. */
 export function is_text_field(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target instanceof HTMLTextAreaElement || target.isContentEditable) return true;
-  return target instanceof HTMLInputElement && ['text', 'search', 'number'].includes(target.type);
+  if (!(target instanceof HTMLInputElement)) return false;
+  return target.type === 'search' || (target.type === 'text' && target.inputMode !== 'decimal');
 }

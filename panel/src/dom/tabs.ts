@@ -12,10 +12,19 @@ export class Tabs {
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private readonly badges = new Map<string, HTMLElement>();
 
-  constructor(label: string, private readonly tabs: Tab[], private readonly chosen: (id: string) => void = () => {}) {
+  constructor(
+    label: string,
+    private readonly tabs: Tab[],
+    private readonly chosen: (id: string) => void = () => {},
+  ) {
     this.list = element('div', { role: 'tablist', 'aria-label': label, class: 'tabs' });
     for (const tab of tabs) {
-      const made = button(tab.title, { role: 'tab', id: `tab-${tab.id}`, 'aria-controls': tab.content.id, class: 'tab' });
+      const made = button(tab.title, {
+        role: 'tab',
+        id: `tab-${tab.id}`,
+        'aria-controls': tab.content.id,
+        class: 'tab',
+      });
       const badge = element('span', { class: 'badge' });
       badge.hidden = true;
       made.append(badge);

@@ -5,8 +5,7 @@ const FRESH_TIME = 8000; // ms
 /** The newest answer of the run to this browser, for eyes and screen readers. Hook: `#answer`. */
 export class Announcer {
   private readonly text = element('span');
-  readonly node = element('div', { id: 'answer', class: 'answer', role: 'status', 'aria-live': 'polite' },
-    this.text);
+  readonly node = element('div', { id: 'answer', class: 'answer', role: 'status', 'aria-live': 'polite' }, this.text);
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly log: (text: string, refused: boolean) => void) {
@@ -25,12 +24,13 @@ export class Announcer {
 }
 
 /** What ends the use of the page: the run is gone, or the connection is lost. Hook: `#gone`. */
-export function gone_bar(): { node: HTMLElement; show(text: string): void } {
+export function gone_bar(): { node: HTMLElement; show(text: string, orderly: boolean): void } {
   const node = element('div', { id: 'gone', class: 'bar bar-gone', role: 'alert' });
   node.hidden = true;
   return {
     node,
-    show(text) {
+    show(text, orderly) {
+      set_class(node, 'orderly', orderly);
       set_hidden(node, text === '');
       set_text(node, text);
     },

@@ -14,8 +14,14 @@ export function command_holder(session: Session): { node: HTMLElement; update():
   take.addEventListener('click', send(take, 'command'));
   const release = button('Release', { id: 'release', 'data-verb': 'release' });
   release.addEventListener('click', send(release, 'release'));
-  const node = element('div', { class: 'command-holder' },
-    element('span', { class: 'label' }, 'Command'), holder, take, release);
+  const node = element(
+    'div',
+    { class: 'command-holder' },
+    element('span', { class: 'label' }, 'Command'),
+    holder,
+    take,
+    release,
+  );
   const update = () => {
     const { situation } = store;
     const mine = store.commander !== null && store.commander === situation.client;

@@ -18,20 +18,33 @@ export function make_header(session: Session): { node: HTMLElement; update(): vo
   ];
   const stop = verb_button(session, 'STOP', 'Bring the robots to rest and end the run', { verb: 'stop' });
   stop.node.replaceChildren('STOP', element('small', {}, 'end the run'));
-  const emergency = verb_button(session, 'EMERGENCY STOP',
-    'Every robot brakes at once and stays stopped until Reset (space bar)', { verb: 'estop' });
+  const emergency = verb_button(
+    session,
+    'EMERGENCY STOP',
+    'Every robot brakes at once and stays stopped until Reset (space bar)',
+    { verb: 'estop' },
+  );
   const key = element('small', {}, 'Space');
   emergency.node.replaceChildren('EMERGENCY STOP', key);
   emergency.node.setAttribute('aria-keyshortcuts', 'Space');
-  const reset = verb_button(session, 'RESET', 'Release the emergency stop; no robot moves because of it',
-    { verb: 'reset' });
+  const reset = verb_button(session, 'RESET', 'Release the emergency stop; no robot moves because of it', {
+    verb: 'reset',
+  });
   reset.node.replaceChildren('RESET', element('small', {}, 'release'));
-  const node = element('header', {},
+  const node = element(
+    'header',
+    {},
     state.node,
     element('div', { class: 'group task-verbs', role: 'group', 'aria-label': 'Task' }, ...verbs.map((it) => it.node)),
     speed.node,
     holder.node,
-    element('div', { class: 'group stops', role: 'group', 'aria-label': 'Stop' }, stop.node, emergency.node, reset.node),
+    element(
+      'div',
+      { class: 'group stops', role: 'group', 'aria-label': 'Stop' },
+      stop.node,
+      emergency.node,
+      reset.node,
+    ),
   );
   const parts = [state, holder, speed, ...verbs, stop, emergency, reset];
   const update = () => {

@@ -7,8 +7,13 @@ export function speed_control(session: Session): { node: HTMLElement; update(): 
   const { store } = session;
   const slider = element('input', { id: 'speed', type: 'range', min: 1, max: 100, step: 1, value: 100 });
   const output = element('output', { for: 'speed', class: 'figure' });
-  const node = element('div', { class: 'speed' }, element('label', { for: 'speed', class: 'label' }, 'Speed'), slider,
-    output);
+  const node = element(
+    'div',
+    { class: 'speed' },
+    element('label', { for: 'speed', class: 'label' }, 'Speed'),
+    slider,
+    output,
+  );
   let touched = 0;
   slider.addEventListener('input', () => {
     touched = performance.now();

@@ -10,8 +10,14 @@ export function task_state(session: Session): { node: HTMLElement; update(): voi
   const emergency = element('span', { id: 'emergency', class: 'state', 'data-state': 'emergency' }, 'emergency stop');
   const time = element('span', { id: 'time', class: 'figure', title: 'Time of the run' });
   const tick = element('span', { id: 'tick', class: 'quiet', title: 'Servo tick' });
-  const node = element('div', { class: 'task-state' }, deployment, task, emergency,
-    element('div', { class: 'times' }, time, tick));
+  const node = element(
+    'div',
+    { class: 'task-state' },
+    deployment,
+    task,
+    emergency,
+    element('div', { class: 'times' }, time, tick),
+  );
   const update = () => {
     set_text(deployment, store.deployment);
     const state = store.ended || store.connected ? store.task : 'not connected';

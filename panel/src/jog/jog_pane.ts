@@ -11,8 +11,18 @@ import type { JogSession } from './jog_session';
 import type { JogFrame } from './jog_repeater';
 import { jog_velocity, moved_axes, type MovedAxis } from './jog_velocity';
 
-const FRAMES: [JogFrame, string][] = [['axes', 'Axes'], ['motors', 'Motors'], ['base', 'Base'], ['tool', 'Tool']];
-const STEPS: [string, string][] = [['held', 'While held'], ['0.1', '0.1'], ['1', '1'], ['10', '10']];
+const FRAMES: [JogFrame, string][] = [
+  ['axes', 'Axes'],
+  ['motors', 'Motors'],
+  ['base', 'Base'],
+  ['tool', 'Tool'],
+];
+const STEPS: [string, string][] = [
+  ['held', 'While held'],
+  ['0.1', '0.1'],
+  ['1', '1'],
+  ['10', '10'],
+];
 
 /**
  * Jog and steps of one robot. Hooks: `[data-choice="frame"]`, `[data-choice="motion"]`, `input[data-velocity]`, the
@@ -24,8 +34,14 @@ export function jog_pane(session: Session, jog: JogSession, robot: Robot): { nod
   let shown: JogRow[] = [];
   const frame = choice('Move', 'frame', FRAMES, () => fill());
   const motion = choice('Motion', 'motion', STEPS, () => show_velocity());
-  const slider = element('input', { type: 'range', min: 1, max: 100, value: 10, id: `velocity-${robot.name}`,
-    'data-velocity': robot.name });
+  const slider = element('input', {
+    type: 'range',
+    min: 1,
+    max: 100,
+    value: 10,
+    id: `velocity-${robot.name}`,
+    'data-velocity': robot.name,
+  });
   const velocity = element('output', { class: 'figure', for: slider.id });
   const in_frame = () => frame.value() as JogFrame;
 
@@ -35,8 +51,13 @@ export function jog_pane(session: Session, jog: JogSession, robot: Robot): { nod
       const distance = sign * from_shown(Number(motion.value()), axis.unit);
       void session.request({ verb: 'step', robot: robot.name, axis: axis.name, distance, in: in_frame() });
     },
-    press: (sign: 1 | -1) => jog.press({ robot: robot.name, axis: axis.name, in: in_frame(),
-      velocity: jog_velocity(axis, Number(slider.value), sign) }),
+    press: (sign: 1 | -1) =>
+      jog.press({
+        robot: robot.name,
+        axis: axis.name,
+        in: in_frame(),
+        velocity: jog_velocity(axis, Number(slider.value), sign),
+      }),
     release: (reason: string) => jog.release(reason),
     refused: (reason: string) => session.announce(`jog ${robot.name}: ${reason}`, true),
   });
@@ -44,8 +65,11 @@ export function jog_pane(session: Session, jog: JogSession, robot: Robot): { nod
     const first = axes[0];
     if (!first) return;
     const kinds = in_frame() === 'base' || in_frame() === 'tool' ? [axes[0], axes[3]] : [first];
-    const texts = kinds.map((axis) => axis ? `${fixed(to_shown(axis.velocity * Number(slider.value) / 100, axis.unit),
-      1)} ${shown_unit(axis.unit)}/s` : '');
+    const texts = kinds.map((axis) =>
+      axis
+        ? `${fixed(to_shown((axis.velocity * Number(slider.value)) / 100, axis.unit), 1)} ${shown_unit(axis.unit)}/s`
+        : '',
+    );
     set_text(velocity, `${slider.value} % · ${texts.join(', ')}`);
   };
   const fill = () => {
@@ -57,16 +81,21 @@ export function jog_pane(session: Session, jog: JogSession, robot: Robot): { nod
     session.scheduler.ask_now();
   };
   slider.addEventListener('input', show_velocity);
-  jog.watch((order) => shown.forEach((row, index) => {
-    const mine = order?.robot === robot.name && order.axis === axes[index]?.name;
-    row.set_active(mine ? Math.sign(order.velocity) : 0);
-  }));
+  jog.watch((order) =>
+    shown.forEach((row, index) => {
+      const mine = order?.robot === robot.name && order.axis === axes[index]?.name;
+      row.set_active(mine ? Math.sign(order.velocity) : 0);
+    }),
+  );
   fill();
-  const node = element('section', { class: 'jog-pane', 'aria-label': `Jog ${robot.name}` },
+  const node = element(
+    'section',
+    { class: 'jog-pane', 'aria-label': `Jog ${robot.name}` },
     element('h3', {}, 'Jog'),
-    element('div', { class: 'choices' }, frame.node, motion.node,
-      element('span', { class: 'quiet' }, 'step: mm or °')),
-    element('div', { class: 'slider' }, element('label', { for: slider.id }, 'Velocity'), slider, velocity), rows);
+    element('div', { class: 'choices' }, frame.node, motion.node, element('span', { class: 'quiet' }, 'step: mm or °')),
+    element('div', { class: 'slider' }, element('label', { for: slider.id }, 'Velocity'), slider, velocity),
+    rows,
+  );
   const update = () => {
     const state = session.store.robots.get(robot.name);
     const values = state ? values_in(state, in_frame()) : [];

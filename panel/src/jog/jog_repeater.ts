@@ -14,6 +14,8 @@ export interface JogHost {
   now(): number;
   /** Calls `call` every `period` ms until the result is called. */
   every(call: () => void, period: number): () => void;
+  /** ms since the panel's server has sent its newest beat. */
+  silence(): number;
   jog(order: JogOrder): void;
   hold(robot: string): void;
   /** The jog has ended, or has not begun; `reason` is empty at a release. */
@@ -22,6 +24,7 @@ export interface JogHost {
 
 export const JOG_PERIOD = 80; // ms; the run ends a jog that is not repeated for 200 ms
 export const LONGEST_GAP = 200; // ms between two calls of the timer: the page was frozen
+export const LONGEST_SILENCE = 250; // ms without a beat of the panel's server
 
 export class JogRepeater {
   private order: JogOrder | null = null;
@@ -60,6 +63,7 @@ export class JogRepeater {
     const gap = now - this.last;
     this.last = now;
     if (gap > LONGEST_GAP) this.release(`the page was frozen for ${Math.round(gap)} ms`);
+    else if (this.host.silence() > LONGEST_SILENCE) this.release('the panel is silent');
     else this.host.jog(this.order);
   }
 }

@@ -27,8 +27,15 @@ export function jog_row(robot: string, axis: JogAxis, actions: JogActions): JogR
   const limited = axis.minimum !== undefined && axis.maximum !== undefined;
   const scale = element('span', { class: 'scale', title: limited ? limits_text(axis) : undefined }, marker);
   set_hidden(scale, !limited);
-  const node = element('div', { class: 'jog-row', role: 'group', 'aria-label': axis.name, 'data-axis-row': axis.name },
-    element('span', { class: 'name', title: axis.name }, axis.name), scale, value, minus, plus);
+  const node = element(
+    'div',
+    { class: 'jog-row', role: 'group', 'aria-label': axis.name, 'data-axis-row': axis.name },
+    element('span', { class: 'name', title: axis.name }, axis.name),
+    scale,
+    value,
+    minus,
+    plus,
+  );
   node.addEventListener('keydown', (event) => handle_key(event, node, minus, plus));
   node.addEventListener('keyup', (event) => {
     if (event.key === 'ArrowLeft' || event.key === 'ArrowRight') actions.release('');

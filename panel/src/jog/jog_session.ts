@@ -13,6 +13,7 @@ export class JogSession {
         const timer = setInterval(call, period);
         return () => clearInterval(timer);
       },
+      silence: () => session.connection.silence,
       jog: (order) => this.send(order),
       hold: (robot) => this.hold(robot),
       ended: (reason) => {

@@ -22,10 +22,11 @@ export function moved_axes(robot: Robot, frame: JogFrame): MovedAxis[] {
   if (frame === 'axes') return robot.axes;
   if (frame === 'motors') return robot.motors.map((name) => ({ name, unit: 'rad', velocity: MOTOR_VELOCITY }));
   return TOOL_AXES.map((name, index) =>
-    index < 3 ? { name, unit: 'm', velocity: TOOL_VELOCITY } : { name, unit: 'rad', velocity: TOOL_ROTATION });
+    index < 3 ? { name, unit: 'm', velocity: TOOL_VELOCITY } : { name, unit: 'rad', velocity: TOOL_ROTATION },
+  );
 }
 
 /** The jog's velocity at `percent` of the limit, with the sign of the button. */
 export function jog_velocity(axis: MovedAxis, percent: number, sign: 1 | -1): number {
-  return sign * axis.velocity * Math.max(0, Math.min(100, percent)) / 100;
+  return (sign * axis.velocity * Math.max(0, Math.min(100, percent))) / 100;
 }

@@ -23,7 +23,10 @@ export class MessageBuffer {
 
   /** Messages that contain every word of `filter`, in any case; at most `count`, the newest. */
   newest(filter: string, count: number): Message[] {
-    const words = filter.toLowerCase().split(/\s+/).filter((word) => word !== '');
+    const words = filter
+      .toLowerCase()
+      .split(/\s+/)
+      .filter((word) => word !== '');
     const found: Message[] = [];
     for (let i = this.kept.length - 1; i >= 0 && found.length < Math.min(count, this.capacity); --i) {
       const message = this.kept[i];

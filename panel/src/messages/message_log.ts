@@ -13,8 +13,7 @@ export class MessageLog {
         this.buffer.add(this.tick, /\berror\b|failed|died/.test(event.text) ? 'error' : 'message', event.text);
         break;
       case 'command':
-        if (event.command !== 'jog')
-          this.buffer.add(event.tick, 'command', `${event.command} by ${event.by}`);
+        if (event.command !== 'jog') this.buffer.add(event.tick, 'command', `${event.command} by ${event.by}`);
         break;
       case 'commander':
         this.buffer.add(this.tick, 'command', event.commander ? `${event.commander} holds command` : 'command is free');
@@ -30,8 +29,11 @@ export class MessageLog {
           this.buffer.add(event.tick, 'error', `${event.name}: ${event.error.text}: ${event.error.detail}`);
         break;
       case 'end':
-        this.buffer.add(this.tick, event.exit_code === 0 ? 'message' : 'error',
-          `the run has ended with exit code ${event.exit_code}${event.reason ? `: ${event.reason}` : ''}`);
+        this.buffer.add(
+          this.tick,
+          event.exit_code === 0 ? 'message' : 'error',
+          `the run has ended with exit code ${event.exit_code}${event.reason ? `: ${event.reason}` : ''}`,
+        );
         break;
       case 'gone':
         this.buffer.add(this.tick, 'error', event.text);

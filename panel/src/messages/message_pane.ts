@@ -11,22 +11,43 @@ const SHOWN = 400; // the page stays fast; the filter finds older ones
  * `[data-kind]`.
  */
 export function message_pane(session: Session, log: MessageLog): { node: HTMLElement; update(): void } {
-  const filter = element('input', { id: 'filter', type: 'search', placeholder: 'Filter', 'aria-label': 'Filter messages' });
+  const filter = element('input', {
+    id: 'filter',
+    type: 'search',
+    placeholder: 'Filter',
+    'aria-label': 'Filter messages',
+  });
   const follow = button('Pause', { id: 'follow', 'aria-pressed': 'false', title: 'Keep the list as it is' });
   const copy = button('Copy', { id: 'copy', title: 'Copy the messages that are shown' });
   const hint = element('p', { class: 'hint' });
-  const list = element('ol', { id: 'message-list', class: 'message-list scroll', role: 'log', 'aria-label': 'Messages',
-    'aria-live': 'off', tabindex: 0 });
-  const node = element('div', { id: 'messages', class: 'pane' },
-    element('div', { class: 'toolbar' }, filter, follow, copy), hint, list);
+  const list = element('div', {
+    id: 'message-list',
+    class: 'message-list scroll',
+    role: 'log',
+    'aria-label': 'Messages',
+    'aria-live': 'off',
+    tabindex: 0,
+  });
+  const node = element(
+    'div',
+    { id: 'messages', class: 'pane' },
+    element('div', { class: 'toolbar' }, filter, follow, copy),
+    hint,
+    list,
+  );
   hint.hidden = true;
   let paused = false;
   let shown = -2;
   let filtered = '';
 
-  const line_of = (message: Message) => element('li', { 'data-kind': message.kind },
-    element('span', { class: 'time' }, time_text(session.seconds(message.tick))),
-    element('span', { class: 'kind' }, message.kind), element('span', { class: 'text' }, message.text));
+  const line_of = (message: Message) =>
+    element(
+      'div',
+      { class: 'entry', 'data-kind': message.kind },
+      element('span', { class: 'time' }, time_text(session.seconds(message.tick))),
+      element('span', { class: 'kind' }, message.kind),
+      element('span', { class: 'text' }, message.text),
+    );
   const show_hint = (message: Message) => {
     const file = black_box_of(message.text);
     if (file === '') return;
@@ -65,11 +86,14 @@ export function message_pane(session: Session, log: MessageLog): { node: HTMLEle
     session.scheduler.ask_now();
   });
   copy.addEventListener('click', () => {
-    const text = log.buffer.newest(filter.value, Infinity)
-      .map((message) => `${time_text(session.seconds(message.tick))}\t${message.kind}\t${message.text}`).join('\n');
+    const text = log.buffer
+      .newest(filter.value, Infinity)
+      .map((message) => `${time_text(session.seconds(message.tick))}\t${message.kind}\t${message.text}`)
+      .join('\n');
     copy_text(text).then(
       () => session.announce('the messages are copied', false),
-      () => session.announce('the browser does not allow to copy', true));
+      () => session.announce('the browser does not allow to copy', true),
+    );
   });
   return { node, update };
 }

@@ -32,20 +32,22 @@ export class Chart {
       height: Math.max(50, height),
       legend: { show: false },
       cursor: { drag: { x: true, y: false, setScale: false }, points: { size: 5 } },
-      padding: [8, 8, 0, 0],
+      padding: [8, 18, 0, 0],
       scales: { x: { time: false, range: () => this.window.interval(quantity.ring.last) } },
       axes: [this.axis('x', 3), ...this.units.slice(0, 2).map((unit, i) => this.axis(unit, i === 0 ? 3 : 1))],
       series: [{}, ...quantity.curves.map((curve, i) => this.series(curve, i))],
       hooks: {
         draw: [(plot) => this.draw_limits(plot)],
-        setSelect: [(plot) => {
-          if (plot.select.width < 5) return;
-          const from = plot.posToVal(plot.select.left, 'x');
-          const to = plot.posToVal(plot.select.left + plot.select.width, 'x');
-          plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-          this.window.show(from, to);
-          selected();
-        }],
+        setSelect: [
+          (plot) => {
+            if (plot.select.width < 5) return;
+            const from = plot.posToVal(plot.select.left, 'x');
+            const to = plot.posToVal(plot.select.left + plot.select.width, 'x');
+            plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+            this.window.show(from, to);
+            selected();
+          },
+        ],
       },
     };
     for (const unit of this.units) (options.scales ??= {})[unit] = { range: (_plot, low, high) => padded(low, high) };
@@ -78,7 +80,12 @@ export class Chart {
   private data(): uPlot.AlignedData {
     const { ring, curves } = this.quantity;
     const [from, to] = this.window.interval(ring.last);
-    const { times, values } = ring.window(from, to, curves.map((curve) => curve.channel), MOST_POINTS);
+    const { times, values } = ring.window(
+      from,
+      to,
+      curves.map((curve) => curve.channel),
+      MOST_POINTS,
+    );
     const scaled = values.map((column, i) => {
       const factor = curves[i]?.factor ?? 1;
       return column.map((value) => (value === null ? null : value * factor));
@@ -89,17 +96,29 @@ export class Chart {
   private axis(scale: string, side: number): uPlot.Axis {
     const label = scale === 'x' ? 's' : scale;
     return {
-      scale, side: scale === 'x' ? 2 : side, stroke: this.look.text, size: scale === 'x' ? 24 : 46, gap: 4,
+      scale,
+      side: scale === 'x' ? 2 : side,
+      stroke: this.look.text,
+      size: scale === 'x' ? 24 : 46,
+      gap: 4,
       font: '11px system-ui, sans-serif',
       grid: { stroke: this.look.line, width: 1, show: side === 3 },
       ticks: { show: false },
-      values: (_plot, ticks) => ticks.map((tick, i) => `${+tick.toPrecision(7)}${i === ticks.length - 1 ? ` ${label}` : ''}`),
+      values: (_plot, ticks) =>
+        ticks.map((tick, i) => `${+tick.toPrecision(7)}${i === ticks.length - 1 ? ` ${label}` : ''}`),
     };
   }
 
   private series(curve: Curve, index: number): uPlot.Series {
-    return { label: curve.name, scale: curve.unit, stroke: curve_colour(index, this.look.dark), width: 1.5,
-      dash: curve_dash(index), show: !this.hidden.has(curve.name), points: { show: false } };
+    return {
+      label: curve.name,
+      scale: curve.unit,
+      stroke: curve_colour(index, this.look.dark),
+      width: 1.5,
+      dash: curve_dash(index),
+      show: !this.hidden.has(curve.name),
+      points: { show: false },
+    };
   }
 
   private draw_limits(plot: uPlot): void {

@@ -30,7 +30,10 @@ export class History {
   private readonly robots = new Map<string, Ring>();
   private readonly sensors = new Map<string, { ring: Ring; channels: string[] }>();
 
-  constructor(scene: Scene, private readonly seconds: (tick: number) => number) {
+  constructor(
+    scene: Scene,
+    private readonly seconds: (tick: number) => number,
+  ) {
     for (const robot of scene.robots) this.add_robot(robot);
     for (const sensor of scene.sensors) this.add_sensor(sensor);
   }
@@ -42,7 +45,10 @@ export class History {
 
   private add_reading(reading: SensorReading): void {
     const sensor = this.sensors.get(reading.name);
-    sensor?.ring.push(this.seconds(reading.tick), sensor.channels.map((channel) => reading.values[channel]));
+    sensor?.ring.push(
+      this.seconds(reading.tick),
+      sensor.channels.map((channel) => reading.values[channel]),
+    );
   }
 
   private add_robot(robot: Robot): void {
@@ -52,22 +58,50 @@ export class History {
     this.robots.set(robot.name, ring);
     const add = (key: string, title: string, curves: Curve[]) =>
       this.quantities.push({ key: `${robot.name}/${key}`, title: `${robot.name}: ${title}`, ring, curves });
-    add('joints', 'positions', robot.axes.map((axis, i) => axis_curve(axis, i, '', [axis.minimum, axis.maximum])));
-    add('velocity', 'velocities',
-      robot.axes.map((axis, i) => axis_curve(axis, axes + i, '/s', [-axis.velocity, axis.velocity])));
-    add('error', 'following error', robot.axes.map((axis, i) => axis_curve(axis, 2 * axes + i, '', [])));
+    add(
+      'joints',
+      'positions',
+      robot.axes.map((axis, i) => axis_curve(axis, i, '', [axis.minimum, axis.maximum])),
+    );
+    add(
+      'velocity',
+      'velocities',
+      robot.axes.map((axis, i) => axis_curve(axis, axes + i, '/s', [-axis.velocity, axis.velocity])),
+    );
+    add(
+      'error',
+      'following error',
+      robot.axes.map((axis, i) => axis_curve(axis, 2 * axes + i, '', [])),
+    );
     if (robot.force_sensor)
-      add('wrench', 'wrench', WRENCH.map((name, i) =>
-        ({ name, channel: 3 * axes + i, unit: i < 3 ? 'N' : 'N m', factor: 1, limits: [] })));
-    add('current', 'motor currents', robot.motors.map((name, i) =>
-      ({ name: name || `${CURRENTS} ${i + 1}`, channel: 3 * axes + 6 + i, unit: 'A', factor: 1, limits: [] })));
+      add(
+        'wrench',
+        'wrench',
+        WRENCH.map((name, i) => ({ name, channel: 3 * axes + i, unit: i < 3 ? 'N' : 'N m', factor: 1, limits: [] })),
+      );
+    add(
+      'current',
+      'motor currents',
+      robot.motors.map((name, i) => ({
+        name: name || `${CURRENTS} ${i + 1}`,
+        channel: 3 * axes + 6 + i,
+        unit: 'A',
+        factor: 1,
+        limits: [],
+      })),
+    );
   }
 
   private add_sensor(sensor: Sensor): void {
     const ring = new Ring(sensor.channels.length, SAMPLES);
     this.sensors.set(sensor.name, { ring, channels: sensor.channels });
-    const curves = sensor.channels.map((name, channel) =>
-      ({ name: name.replaceAll('_', ' '), channel, unit: unit_of(name), factor: 1, limits: [] }));
+    const curves = sensor.channels.map((name, channel) => ({
+      name: name.replaceAll('_', ' '),
+      channel,
+      unit: unit_of(name),
+      factor: 1,
+      limits: [],
+    }));
     this.quantities.push({ key: sensor.name, title: `${sensor.name}: readings`, ring, curves });
   }
 }

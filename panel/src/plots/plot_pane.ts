@@ -24,18 +24,27 @@ export class PlotPane {
   private chart: Chart | null = null;
   private quantity: Quantity | undefined;
 
-  constructor(private readonly history: History, first: string) {
+  constructor(
+    private readonly history: History,
+    first: string,
+  ) {
     for (const { key, title } of history.quantities) this.select.append(element('option', { value: key }, title));
     this.quantity = history.quantities.find(({ key }) => key === first) ?? history.quantities[0];
     if (this.quantity) this.select.value = this.quantity.key;
     this.select.addEventListener('change', () => this.choose(this.select.value));
-    const span = element('select', { 'aria-label': 'Plotted time' },
-      ...SPANS.map((seconds) => element('option', { value: seconds, selected: seconds === 20 }, `${seconds} s`)));
+    const span = element(
+      'select',
+      { 'aria-label': 'Plotted time' },
+      ...SPANS.map((seconds) => element('option', { value: seconds, selected: seconds === 20 }, `${seconds} s`)),
+    );
     span.addEventListener('change', () => {
       this.window.set_span(Number(span.value));
       this.refresh();
     });
-    const limits = button('Limits', { 'aria-pressed': 'true', title: 'Draw the limits, dotted, where they are in range' });
+    const limits = button('Limits', {
+      'aria-pressed': 'true',
+      title: 'Draw the limits, dotted, where they are in range',
+    });
     limits.addEventListener('click', () => {
       const on = limits.getAttribute('aria-pressed') !== 'true';
       set_attribute(limits, 'aria-pressed', String(on));
@@ -44,9 +53,23 @@ export class PlotPane {
     });
     const zoom = (text: string, label: string, factor: number) =>
       button(text, { class: 'plain', 'aria-label': label }, () => this.zoom(factor));
-    this.node = element('div', { class: 'plot' }, element('div', { class: 'toolbar' }, this.select, span, limits,
-      element('span', { class: 'spacer' }), zoom('−', 'Zoom out', 2), zoom('+', 'Zoom in', 0.5), this.pause),
-    this.area, this.legend);
+    this.node = element(
+      'div',
+      { class: 'plot' },
+      element(
+        'div',
+        { class: 'toolbar' },
+        this.select,
+        span,
+        limits,
+        element('span', { class: 'spacer' }),
+        zoom('−', 'Zoom out', 2),
+        zoom('+', 'Zoom in', 0.5),
+        this.pause,
+      ),
+      this.area,
+      this.legend,
+    );
     this.area.addEventListener('keydown', (event) => this.handle_key(event));
     this.area.addEventListener('dblclick', () => this.follow());
     new ResizeObserver(() => this.resize()).observe(this.area);
@@ -71,7 +94,9 @@ export class PlotPane {
     this.chart = new Chart(this.area, quantity, look, this.hidden, this.window, () => this.refresh());
     this.area.setAttribute('aria-label', `Plot of ${quantity.title}`);
     this.figures.length = 0;
-    this.legend.replaceChildren(...quantity.curves.map((_curve, index) => this.legend_entry(quantity, index, look.dark)));
+    this.legend.replaceChildren(
+      ...quantity.curves.map((_curve, index) => this.legend_entry(quantity, index, look.dark)),
+    );
   }
 
   private choose(key: string): void {

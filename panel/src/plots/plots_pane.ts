@@ -3,7 +3,7 @@ import type { Session } from '../session';
 import { History } from './history';
 import { PlotPane } from './plot_pane';
 
-const DRAW_PERIOD = 100; // ms
+const DRAW_PERIOD = 150; // ms
 
 /** Two plots side by side. Hook: `#plots`. */
 export function plots_pane(session: Session): { node: HTMLElement; update(): void; set_theme(): void } {

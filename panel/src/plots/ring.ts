@@ -5,7 +5,10 @@ export class Ring {
   private first = 0;
   private count = 0;
 
-  constructor(channels: number, private readonly capacity: number) {
+  constructor(
+    channels: number,
+    private readonly capacity: number,
+  ) {
     this.times = new Float64Array(capacity);
     this.columns = Array.from({ length: channels }, () => new Float64Array(capacity));
   }
@@ -36,8 +39,8 @@ export class Ring {
    * n-th is taken.
    */
   window(from: number, to: number, channels: number[], most: number): { times: number[]; values: (number | null)[][] } {
-    const begin = this.lower_bound(from);
-    const end = this.lower_bound(to + Number.EPSILON);
+    const begin = this.search((time) => time < from);
+    const end = this.search((time) => time <= to);
     const stride = Math.max(1, Math.ceil((end - begin) / most));
     const times: number[] = [];
     const values: (number | null)[][] = channels.map(() => []);
@@ -57,13 +60,13 @@ export class Ring {
     return this.times[(this.first + i) % this.capacity] ?? NaN;
   }
 
-  /** Number of samples that are older than `time`. */
-  private lower_bound(time: number): number {
+  /** Number of samples at the beginning for which `before` holds. */
+  private search(before: (time: number) => boolean): number {
     let low = 0;
     let high = this.count;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.time(middle) < time) low = middle + 1;
+      if (before(this.time(middle))) low = middle + 1;
       else high = middle;
     }
     return low;

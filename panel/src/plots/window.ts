@@ -10,7 +10,8 @@ export class PlotWindow {
 
   /** The interval, s; `newest`: time of the newest sample. */
   interval(newest: number): [number, number] {
-    return this.fixed ?? [newest - this.span, newest];
+    if (this.fixed) return this.fixed;
+    return newest > this.span ? [newest - this.span, newest] : [0, this.span];
   }
 
   set_span(span: number): void {
@@ -34,7 +35,7 @@ export class PlotWindow {
   zoom(factor: number, newest: number): void {
     const [from, to] = this.interval(newest);
     const centre = (from + to) / 2;
-    const half = Math.max(0.01, factor * (to - from) / 2);
+    const half = Math.max(0.01, (factor * (to - from)) / 2);
     this.fixed = [centre - half, centre + half];
   }
 

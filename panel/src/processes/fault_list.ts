@@ -59,7 +59,13 @@ function collect(session: Session): Fault[] {
     if (!reading.error) continue;
     codes.add(`${name} ${reading.error.code}`);
     const tick = store.error_ticks.get(name) ?? reading.tick;
-    faults.push({ key: name, subject: `sensor ${name}`, error: reading.error, tick, advice: process_advice(reading.error) });
+    faults.push({
+      key: name,
+      subject: `sensor ${name}`,
+      error: reading.error,
+      tick,
+      advice: process_advice(reading.error),
+    });
   }
   for (const [name, process] of store.processes) {
     const owner = name.replace(/_edp$/, '');
@@ -99,5 +105,9 @@ function show(session: Session, lines: Map<string, Line>, parent: HTMLElement, f
   if (!action) return;
   set_text(line.action, ACTIONS[action]);
   set_attribute(line.action, 'data-verb', action);
-  set_attribute(line.action, 'aria-label', `${ACTIONS[action]} ${action === 'reset' ? '' : fault.robot ?? ''}`.trim());
+  set_attribute(
+    line.action,
+    'aria-label',
+    `${ACTIONS[action]} ${action === 'reset' ? '' : (fault.robot ?? '')}`.trim(),
+  );
 }

@@ -28,8 +28,13 @@ export function process_table(session: Session): { node: HTMLElement; update(): 
   const rows = new Map<string, Row>();
   const body = element('tbody');
   const headings = HEADINGS.map(([text, title]) => element('th', { scope: 'col', title: title || undefined }, text));
-  const table = element('table', { class: 'processes' },
-    element('caption', { class: 'hidden-text' }, 'Processes'), element('thead', {}, element('tr', {}, ...headings)), body);
+  const table = element(
+    'table',
+    { class: 'processes' },
+    element('caption', { class: 'hidden-text' }, 'Processes'),
+    element('thead', {}, element('tr', {}, ...headings)),
+    body,
+  );
   const node = element('div', { id: 'processes', class: 'pane scroll', tabindex: 0 }, table);
 
   const make_row = (name: string): Row => {

@@ -25,6 +25,7 @@ export class Connection {
   private next_id = 1;
   private readonly waiting = new Map<number, (reply: Reply) => void>();
   private newest_beat = 0;
+  private beat_time = -Infinity;
   private delay = 250;
   private ended = false;
 
@@ -59,6 +60,11 @@ export class Connection {
     return this.newest_beat;
   }
 
+  /** ms since the newest beat. */
+  get silence(): number {
+    return performance.now() - this.beat_time;
+  }
+
   request(request: VerbRequest): Promise<Reply> {
     const socket = this.socket;
     if (!socket || socket.readyState !== OPEN) return Promise.resolve(LOST);
@@ -71,13 +77,18 @@ export class Connection {
     const frame = parse(text);
     if (!frame) return;
     if ('event' in frame) {
-      if (frame.event === 'beat') this.newest_beat = frame.number;
+      if (frame.event === 'beat') this.take_beat(frame.number);
       else this.events.event(frame);
       return;
     }
     if (frame.id === undefined) return;
     this.waiting.get(frame.id)?.(frame);
     this.waiting.delete(frame.id);
+  }
+
+  private take_beat(number: number): void {
+    this.newest_beat = number;
+    this.beat_time = performance.now();
   }
 
   private closed(): void {

@@ -77,7 +77,15 @@ export interface Scene {
 }
 
 const EMPTY: Scene = {
-  deployment: '', clock: '', servo_period: 0.002, robots: [], sensors: [], bodies: [], geoms: [], meshes: [], frames: [],
+  deployment: '',
+  clock: '',
+  servo_period: 0.002,
+  robots: [],
+  sensors: [],
+  bodies: [],
+  geoms: [],
+  meshes: [],
+  frames: [],
 };
 
 /** The scene at `url`. A run whose world the server cannot compose has none: the rest of the page works without it. */

@@ -19,7 +19,10 @@ export class QuestionDialog {
   private before: Element | null = null;
 
   constructor(private readonly session: Session) {
-    this.bar.append(this.bar_text, button('Show', {}, () => this.recall()));
+    this.bar.append(
+      this.bar_text,
+      button('Show', {}, () => this.recall()),
+    );
     this.bar.hidden = true;
   }
 
@@ -59,9 +62,12 @@ export class QuestionDialog {
     const range = element('p', { id: 'answer-range', class: 'quiet' }, `Expected: ${question.expected}`);
     this.node.replaceChildren(
       element('p', { class: 'label' }, `${question.from} asks`),
-      element('h2', { id: 'question-text' }, question.text), range,
-      question_form(question, (value) => void this.answer(question, value)), this.remark,
-      button('Later', { class: 'plain', title: 'Put the question aside (Escape)' }, () => this.escape()));
+      element('h2', { id: 'question-text' }, question.text),
+      range,
+      question_form(question, (value) => void this.answer(question, value)),
+      this.remark,
+      button('Later', { class: 'plain', title: 'Put the question aside (Escape)' }, () => this.escape()),
+    );
     this.before = document.activeElement;
     if (!this.node.open) this.node.show();
     this.node.querySelector<HTMLElement>('input, [data-answer]')?.focus();

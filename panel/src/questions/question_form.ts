@@ -18,11 +18,22 @@ export function check_number(question: Question, text: string): Checked {
 export function question_form(question: Question, answer: (value: string | number) => void): HTMLElement {
   if (question.kind === 'yes_no') return buttons(['yes', 'no'], answer);
   if (question.kind === 'choice') return buttons(question.choices ?? [], answer);
-  const input = element('input', { id: 'answer-number', type: 'text', inputmode: 'decimal', autocomplete: 'off',
-    'aria-describedby': 'answer-range answer-problem' });
+  const input = element('input', {
+    id: 'answer-number',
+    type: 'text',
+    inputmode: 'decimal',
+    autocomplete: 'off',
+    'aria-describedby': 'answer-range answer-problem',
+  });
   const problem = element('p', { id: 'answer-problem', class: 'problem', role: 'alert' });
-  const form = element('form', { class: 'group' }, element('label', { for: 'answer-number' }, 'Answer'), input,
-    button('Answer', { type: 'submit', class: 'primary', 'data-answer': 'number' }), problem);
+  const form = element(
+    'form',
+    { class: 'group' },
+    element('label', { for: 'answer-number' }, 'Answer'),
+    input,
+    button('Answer', { type: 'submit', class: 'primary', 'data-answer': 'number' }),
+    problem,
+  );
   form.addEventListener('submit', (event) => {
     event.preventDefault();
     const checked = check_number(question, input.value);
@@ -38,6 +49,9 @@ export function question_form(question: Question, answer: (value: string | numbe
 }
 
 function buttons(values: string[], answer: (value: string) => void): HTMLElement {
-  return element('div', { class: 'group answers' },
-    ...values.map((value) => button(value, { 'data-answer': value }, () => answer(value))));
+  return element(
+    'div',
+    { class: 'group answers' },
+    ...values.map((value) => button(value, { 'data-answer': value }, () => answer(value))),
+  );
 }

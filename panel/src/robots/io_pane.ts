@@ -17,11 +17,15 @@ export function io_pane(session: Session, robot: Robot): { node: HTMLElement; up
   const analogue = analogue_outputs(session, robot, send);
   const node = element('section', { 'aria-label': `Inputs and outputs of ${robot.name}` });
   if (inputs.length > 0)
-    node.append(element('h3', {}, 'Inputs'),
-      element('div', { class: 'signals', role: 'list', 'aria-label': 'Inputs' }, ...inputs));
+    node.append(
+      element('h3', {}, 'Inputs'),
+      element('div', { class: 'signals', role: 'list', 'aria-label': 'Inputs' }, ...inputs),
+    );
   if (outputs.length > 0)
-    node.append(element('h3', {}, 'Outputs'),
-      element('div', { class: 'signals', role: 'group', 'aria-label': 'Outputs' }, ...outputs));
+    node.append(
+      element('h3', {}, 'Outputs'),
+      element('div', { class: 'signals', role: 'group', 'aria-label': 'Outputs' }, ...outputs),
+    );
   if (robot.analogue_outputs > 0) node.append(analogue.node);
   const update = () => {
     const state = session.store.robots.get(robot.name);
@@ -45,10 +49,20 @@ function bit(bits: number, index: number): boolean {
 }
 
 function output_button(
-  session: Session, robot: string, index: number, send: (output: string, value: number) => void,
+  session: Session,
+  robot: string,
+  index: number,
+  send: (output: string, value: number) => void,
 ): HTMLButtonElement {
-  const made = button(String(index), { class: 'signal', 'aria-pressed': 'false', 'aria-label': `Output ${index}`,
-    'data-verb': 'output', 'data-robot': robot, 'data-output': index, 'data-title': `Output ${index}` });
+  const made = button(String(index), {
+    class: 'signal',
+    'aria-pressed': 'false',
+    'aria-label': `Output ${index}`,
+    'data-verb': 'output',
+    'data-robot': robot,
+    'data-output': index,
+    'data-title': `Output ${index}`,
+  });
   made.addEventListener('click', () => {
     if (is_refused(made)) session.announce(`output ${robot}: ${made.title}`, true);
     else send(String(index), made.getAttribute('aria-pressed') === 'true' ? 0 : 1);
@@ -66,13 +80,23 @@ function show_input(light: HTMLElement, index: number, on: boolean): void {
 }
 
 function analogue_outputs(
-  session: Session, robot: Robot, send: (output: string, value: number) => void,
+  session: Session,
+  robot: Robot,
+  send: (output: string, value: number) => void,
 ): { node: HTMLElement; refuse(reason: string): void } {
   const label = `Analogue output of ${robot.name}`;
-  const select = element('select', { 'aria-label': label, 'data-analogue': robot.name },
-    ...numbers(robot.analogue_outputs).map((index) => element('option', { value: `a${index}` }, `a${index}`)));
-  const value = element('input', { type: 'number', step: 'any', value: 0, 'aria-label': `Value, ${label}`,
-    'data-analogue-value': robot.name });
+  const select = element(
+    'select',
+    { 'aria-label': label, 'data-analogue': robot.name },
+    ...numbers(robot.analogue_outputs).map((index) => element('option', { value: `a${index}` }, `a${index}`)),
+  );
+  const value = element('input', {
+    type: 'number',
+    step: 'any',
+    value: 0,
+    'aria-label': `Value, ${label}`,
+    'data-analogue-value': robot.name,
+  });
   const set = button('Set', { 'data-verb': 'output', 'data-robot': robot.name });
   const submit = () => {
     if (is_refused(set)) session.announce(`output ${robot.name}: ${set.title}`, true);
@@ -86,6 +110,8 @@ function analogue_outputs(
   });
   const text = element('span', { class: 'label' });
   set_text(text, 'Analogue');
-  return { node: element('div', { class: 'group analogue' }, text, select, value, set), refuse: (reason) =>
-    set_refusal(set, reason) };
+  return {
+    node: element('div', { class: 'group analogue' }, text, select, value, set),
+    refuse: (reason) => set_refusal(set, reason),
+  };
 }

@@ -25,10 +25,19 @@ export function robot_pane(session: Session, jog: JogSession, robot: Robot): { n
   const postures = posture_row(session, robot);
   const jogging = jog_pane(session, jog, robot);
   const signals = io_pane(session, robot);
-  const node = element('div', { id: `robot-${robot.name}`, class: 'robot-pane scroll', tabindex: -1 },
-    state.node, element('div', { class: 'group', role: 'group', 'aria-label': `Robot ${robot.name}` },
-      ...verbs.map((it) => it.node)),
-    jogging.node, postures.node, signals.node);
+  const node = element(
+    'div',
+    { id: `robot-${robot.name}`, class: 'robot-pane scroll', tabindex: -1 },
+    state.node,
+    element(
+      'div',
+      { class: 'group', role: 'group', 'aria-label': `Robot ${robot.name}` },
+      ...verbs.map((it) => it.node),
+    ),
+    jogging.node,
+    postures.node,
+    signals.node,
+  );
   const parts = [state, ...verbs, jogging, postures, signals];
   const update = () => {
     if (!node.hidden) parts.forEach((part) => part.update());
@@ -43,10 +52,20 @@ function state_line(session: Session, robot: Robot): { node: HTMLElement; update
   const drives = made('Power of the drives');
   const error = element('span', { class: 'state', 'data-state': 'emergency' }, 'error');
   const activity = element('p', { class: 'activity' });
-  const node = element('div', { class: 'robot-state', 'data-robot-state': robot.name },
-    element('div', { class: 'line' }, element('h2', {}, robot.name),
-      element('span', { class: 'quiet kind' }, `${robot.type} · ${robot.hardware}`), error, drives, synchronised),
-    activity);
+  const node = element(
+    'div',
+    { class: 'robot-state', 'data-robot-state': robot.name },
+    element(
+      'div',
+      { class: 'line' },
+      element('h2', {}, robot.name),
+      element('span', { class: 'quiet kind' }, `${robot.type} · ${robot.hardware}`),
+      error,
+      drives,
+      synchronised,
+    ),
+    activity,
+  );
   const update = () => {
     const state = session.store.robots.get(robot.name);
     show_flags(state, drives, synchronised);
@@ -62,7 +81,8 @@ function state_line(session: Session, robot: Robot): { node: HTMLElement; update
 }
 
 function activity_text(process: ProcessState): string {
-  const instruction = process.instruction > 0 ? ` · ${process.instruction} ${process.activity}, step ${process.step}` : '';
+  const instruction =
+    process.instruction > 0 ? ` · ${process.instruction} ${process.activity}, step ${process.step}` : '';
   return `program ${process.state}${instruction}`;
 }
 

@@ -13,12 +13,17 @@ export function robots_pane(session: Session, jog: JogSession): { node: HTMLElem
     node.append(element('p', { class: 'hint' }, 'This deployment has no robot.'));
     return { node, update: () => undefined };
   }
-  const tabs = robots.length < 2 ? null : new Tabs('Robots',
-    robots.map((robot, i) => ({ id: `robot-${robot.name}`, title: robot.name, content: panes[i]?.node ?? node })),
-    () => {
-      jog.release();
-      session.scheduler.ask_now();
-    });
+  const tabs =
+    robots.length < 2
+      ? null
+      : new Tabs(
+          'Robots',
+          robots.map((robot, i) => ({ id: `robot-${robot.name}`, title: robot.name, content: panes[i]?.node ?? node })),
+          () => {
+            jog.release();
+            session.scheduler.ask_now();
+          },
+        );
   if (tabs) node.append(tabs.list);
   node.append(...panes.map((pane) => pane.node));
   const update = () => {

@@ -30,7 +30,8 @@ export function robot_advice(
   robot: { error?: ErrorReport; synchronised: boolean; enabled: boolean },
   emergency_stop: boolean,
 ): Advice | null {
-  if (emergency_stop) return { text: 'Release the emergency stop with Reset, then recover the robot.', action: 'reset' };
+  if (emergency_stop)
+    return { text: 'Release the emergency stop with Reset, then recover the robot.', action: 'reset' };
   const error = robot.error;
   if (error && LOST_POSITIONS.has(error.code) && robot.enabled)
     return { text: 'Synchronise the robot.', action: 'synchronise' };

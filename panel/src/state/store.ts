@@ -1,5 +1,13 @@
 import type {
-  Hello, PanelEvent, Poses, ProcessState, Question, RobotState, RunStatus, SensorReading, TaskState,
+  Hello,
+  PanelEvent,
+  Poses,
+  ProcessState,
+  Question,
+  RobotState,
+  RunStatus,
+  SensorReading,
+  TaskState,
 } from '../protocol/messages';
 import type { Situation } from './permissions';
 
@@ -9,6 +17,7 @@ export class Store {
   connected = false;
   end_text = '';
   ended = false;
+  exit_code: number | undefined;
   tick = 0;
   task: TaskState = 'starting';
   emergency_stop = false;
@@ -69,6 +78,7 @@ export class Store {
         this.speed = event.value;
         return false;
       case 'end':
+        this.exit_code = event.exit_code;
         this.finish(`The run has ended with exit code ${event.exit_code}${event.reason ? `: ${event.reason}` : '.'}`);
         return false;
       case 'gone':

@@ -1,10 +1,20 @@
-import { Box3, Color, Group, Mesh, MeshLambertMaterial, Quaternion, Vector3, type BufferGeometry, type Material } from 'three';
+import {
+  Box3,
+  Color,
+  Group,
+  Mesh,
+  MeshLambertMaterial,
+  Quaternion,
+  Vector3,
+  type BufferGeometry,
+  type Material,
+} from 'three';
 import type { Geom, Scene } from '../protocol/scene_file';
 import { geom_geometry, mesh_geometry } from './geometry';
 
 const NUMBERS_OF_A_POSE = 7; // x y z qx qy qz qw
 
-/** The bodies of the scene, each in the world: their geoms, and for the robots a translucent copy at the desired pose. */
+/** The bodies of the scene with their geoms, and a translucent copy of the robots at their desired positions. */
 export class Bodies {
   readonly actual = new Group();
   readonly desired = new Group();
@@ -19,7 +29,7 @@ export class Bodies {
     const robots = new Set(scene.robots.flatMap((robot) => robot.bodies));
     this.without_robot = robots.size === 0;
     this.groups = scene.bodies.map(() => new Group());
-    this.actual.add(...this.groups);
+    for (const group of this.groups) this.actual.add(group);
     for (const geom of scene.geoms) this.add_geom(geom, geom_geometry(geom, meshes), robots.has(geom.body));
   }
 
@@ -73,8 +83,14 @@ export class Bodies {
 
 /** Behind the body itself, so that only a deviation is seen. */
 const GHOST = new MeshLambertMaterial({
-  color: 0x2f7fd6, transparent: true, opacity: 0.35, depthWrite: false, flatShading: true,
-  polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2,
+  color: 0x2f7fd6,
+  transparent: true,
+  opacity: 0.35,
+  depthWrite: false,
+  flatShading: true,
+  polygonOffset: true,
+  polygonOffsetFactor: 2,
+  polygonOffsetUnits: 2,
 });
 
 function material_of(geom: Geom): Material {

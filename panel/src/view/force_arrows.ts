@@ -20,8 +20,7 @@ export class ForceArrows {
   constructor(scene: Scene, anchors: Object3D[]) {
     for (const robot of scene.robots) {
       const anchor = anchors[robot.tool_frame ?? -1];
-      if (robot.force_sensor && anchor)
-        this.add(anchor, (store) => store.robots.get(robot.name)?.wrench ?? []);
+      if (robot.force_sensor && anchor) this.add(anchor, (store) => store.robots.get(robot.name)?.wrench ?? []);
     }
     for (const sensor of scene.sensors) {
       const anchor = anchors[sensor.frame ?? -1];

@@ -1,5 +1,11 @@
 import {
-  BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, CylinderGeometry, PlaneGeometry, SphereGeometry,
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  CapsuleGeometry,
+  CylinderGeometry,
+  PlaneGeometry,
+  SphereGeometry,
 } from 'three';
 import type { Geom, Mesh } from '../protocol/scene_file';
 import { floats_of, integers_of } from './mesh_data';

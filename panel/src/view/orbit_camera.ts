@@ -12,7 +12,10 @@ export class OrbitCamera {
   private readonly home = new Vector3(2, -2, 1.5);
   private readonly home_target = new Vector3();
 
-  constructor(canvas: HTMLCanvasElement, private readonly changed: () => void) {
+  constructor(
+    canvas: HTMLCanvasElement,
+    private readonly changed: () => void,
+  ) {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.changed());
@@ -23,7 +26,7 @@ export class OrbitCamera {
   fit(box: Box3): void {
     if (box.isEmpty()) box.set(new Vector3(-1, -1, 0), new Vector3(1, 1, 1));
     const centre = box.getCenter(this.home_target);
-    const distance = 1.05 * box.getSize(new Vector3()).length() / (2 * Math.tan(MathUtils.degToRad(20)));
+    const distance = (1.05 * box.getSize(new Vector3()).length()) / (2 * Math.tan(MathUtils.degToRad(20)));
     this.home.set(0.62, -0.68, 0.4).normalize().multiplyScalar(distance).add(centre);
     this.reset();
   }
@@ -49,7 +52,10 @@ export class OrbitCamera {
 
   private handle_key(event: KeyboardEvent): void {
     const arrows: Record<string, [number, number]> = {
-      ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+      ArrowLeft: [-1, 0],
+      ArrowRight: [1, 0],
+      ArrowUp: [0, 1],
+      ArrowDown: [0, -1],
     };
     const arrow = arrows[event.key];
     if (arrow && event.shiftKey) this.move(...arrow);

@@ -12,7 +12,8 @@ const LAYERS: [Layer, string, string][] = [
   ['frames', 'Frames', 'x red, y green, z blue'],
   ['forces', 'Forces', '5 mm per newton'],
 ];
-const LABEL = '3D view of the world. Arrow keys turn the camera, Shift with arrow keys moves it, plus and minus zoom, ' +
+const LABEL =
+  '3D view of the world. Arrow keys turn the camera, Shift with arrow keys moves it, plus and minus zoom, ' +
   'Home resets it.';
 
 /** The 3D view with its switches. Hooks: `#view`, `#canvas`, `[data-layer]`, `#no-webgl`. */
@@ -25,16 +26,27 @@ export function view_pane(session: Session): { node: HTMLElement; update(): void
     return { node, ...drawn_view(session, canvas, stage, toolbar) };
   } catch {
     toolbar.remove();
-    stage.replaceChildren(element('p', { id: 'no-webgl', class: 'hint' },
-      'This browser has no WebGL: the 3D view is missing. Everything else works.'));
+    stage.replaceChildren(
+      element(
+        'p',
+        { id: 'no-webgl', class: 'hint' },
+        'This browser has no WebGL: the 3D view is missing. Everything else works.',
+      ),
+    );
     return { node, update: () => undefined, set_theme: () => undefined };
   }
 }
 
 function drawn_view(
-  session: Session, canvas: HTMLCanvasElement, stage: HTMLElement, toolbar: HTMLElement,
+  session: Session,
+  canvas: HTMLCanvasElement,
+  stage: HTMLElement,
+  toolbar: HTMLElement,
 ): { update(): void; set_theme(): void } {
-  const renderer = new Renderer(canvas, (target) => target.render(view.world, camera.camera));
+  const renderer = new Renderer(canvas, (target) => {
+    view.prepare();
+    target.render(view.world, camera.camera);
+  });
   const view = new WorldView(session.scene);
   const camera = new OrbitCamera(canvas, () => renderer.ask());
   for (const [layer, text, title] of LAYERS) toolbar.append(layer_button(view, renderer, session, layer, text, title));
@@ -46,7 +58,8 @@ function drawn_view(
     element('span', { class: 'spacer' }),
     button('−', { class: 'plain', 'aria-label': 'Zoom out' }, () => camera.zoom(1.2)),
     button('+', { class: 'plain', 'aria-label': 'Zoom in' }, () => camera.zoom(1 / 1.2)),
-    button('Reset', { class: 'plain', id: 'reset-view', 'aria-label': 'Reset the view' }, () => camera.reset()));
+    button('Reset', { class: 'plain', id: 'reset-view', 'aria-label': 'Reset the view' }, () => camera.reset()),
+  );
   const pictures = camera_pictures(session.scene.sensors);
   stage.append(pictures.node);
   new ResizeObserver(() => {
@@ -55,6 +68,7 @@ function drawn_view(
     camera.resize(clientWidth, clientHeight);
     renderer.resize(clientWidth, clientHeight);
   }).observe(stage);
+  camera.fit(view.bodies.extent());
   let shown = session.store.poses;
   const update = () => {
     if (session.store.poses === shown) return;
@@ -69,7 +83,12 @@ function drawn_view(
 }
 
 function layer_button(
-  view: WorldView, renderer: Renderer, session: Session, layer: Layer, text: string, title: string,
+  view: WorldView,
+  renderer: Renderer,
+  session: Session,
+  layer: Layer,
+  text: string,
+  title: string,
 ): HTMLButtonElement {
   const made = button(text, { title, 'data-layer': layer, 'aria-pressed': String(view.is_shown(layer)) });
   made.addEventListener('click', () => {

@@ -8,7 +8,7 @@ import { ToolTrail } from './tool_trail';
 
 export type Layer = 'grid' | 'ghost' | 'trail' | 'frames' | 'forces';
 
-const TRAIL_COLOURS = [0x0e9f6e, 0x9333ea, 0xdb2777, 0x2563eb];
+const TRAIL_COLOURS = [0x0c8f62, 0xa855f7, 0xdb2777, 0x2563eb];
 const GRID_SIZE = 10; // m
 const GRID_STEP = 0.25; // m
 
@@ -21,7 +21,13 @@ export class WorldView {
   private readonly trails: ToolTrail[] = [];
   private readonly trail_lines = new Group();
   private grid: GridHelper | null = null;
-  private readonly shown: Record<Layer, boolean> = { grid: true, ghost: true, trail: true, frames: false, forces: true };
+  private readonly shown: Record<Layer, boolean> = {
+    grid: true,
+    ghost: true,
+    trail: true,
+    frames: false,
+    forces: true,
+  };
 
   constructor(scene: Scene) {
     this.bodies = new Bodies(scene);
@@ -32,7 +38,7 @@ export class WorldView {
       const tool = this.frames.anchors[robot.tool_frame ?? -1];
       if (tool) this.trails.push(new ToolTrail(tool, TRAIL_COLOURS[index % TRAIL_COLOURS.length] ?? 0));
     });
-    this.trail_lines.add(...this.trails.map((trail) => trail.line));
+    for (const trail of this.trails) this.trail_lines.add(trail.line);
     const sun = new DirectionalLight(0xffffff, 1.6);
     sun.position.set(2, -3, 5);
     const lamp = new DirectionalLight(0xffffff, 0.5);
@@ -62,6 +68,11 @@ export class WorldView {
     if (layer === 'frames') this.frames.show(visible);
     if (layer === 'trail') this.trail_lines.visible = visible;
     if (layer === 'grid' && this.grid) this.grid.visible = visible;
+  }
+
+  /** Before a picture. */
+  prepare(): void {
+    for (const trail of this.trails) trail.prepare();
   }
 
   clear_trails(): void {

@@ -41,17 +41,18 @@ void refuse_keys(const Table& table, const std::string& command, std::initialize
 
 Event read_event(const Table& table, const Deployment& deployment) {
   table.only({"tick", "command", "sensor", "process", "value", "question", "robot", "axis", "in", "velocity",
-              "distance", "posture", "output"});
+              "distance", "posture", "output", "tool"});
   Event event;
   event.tick = static_cast<Tick>(table.integer("tick", 0, std::numeric_limits<std::int64_t>::max()));
-  event.command = table.choice("command", {"start", "pause", "resume", "trigger", "stop", "estop", "reset", "answer",
-                                           "jog", "step", "go", "hold", "synchronise", "recover", "bias", "output"});
+  event.command =
+      table.choice("command", {"start", "pause", "resume", "trigger", "stop", "estop", "reset", "answer", "jog", "step",
+                               "go", "hold", "synchronise", "recover", "bias", "output", "tool"});
   if (is_robot_order(event.command)) {
     refuse_keys(table, event.command, {"sensor", "process", "question"});
     event.order = read_robot_order(table, event.command, deployment);
     return event;
   }
-  refuse_keys(table, event.command, {"robot", "axis", "in", "velocity", "distance", "posture", "output"});
+  refuse_keys(table, event.command, {"robot", "axis", "in", "velocity", "distance", "posture", "output", "tool"});
   if (event.command == "answer") {
     if (table.has("process"))
       read_answer_of_process(table, deployment, event);

@@ -15,7 +15,7 @@ namespace mrroc::config {
 
 namespace {
 
-constexpr std::string_view kOrders[]{"jog", "step", "go", "hold", "synchronise", "recover", "bias", "output"};
+constexpr std::string_view kOrders[]{"jog", "step", "go", "hold", "synchronise", "recover", "bias", "output", "tool"};
 constexpr std::string_view kDirections[]{"x", "y", "z", "rx", "ry", "rz"};
 constexpr double kFastest = 1.0;  // m/s or rad/s of the tool
 constexpr double kLongest = 1.0;  // m or rad of a step of the tool
@@ -111,6 +111,17 @@ void fill_go(const RobotOrder& order, const RobotParameters& parameters, RobotCo
   command.joints = posture->second;
 }
 
+void fill_tool(const RobotOrder& order, const RobotParameters& parameters, RobotCommand& command) {
+  const auto tool = parameters.tools.find(order.tool);
+  if (tool == parameters.tools.end()) {
+    std::vector<std::string> names;
+    for (const auto& [name, pose] : parameters.tools) names.push_back(name);
+    refuse_word("tool", order.tool, names);
+  }
+  command.kind = CommandKind::set_tool;
+  command.pose = tool->second;
+}
+
 /// Digital outputs are "0".."15", analogue ones "a0".."a7".
 void fill_output(const RobotOrder& order, RobotCommand& command) {
   command.kind = CommandKind::set_outputs;
@@ -150,6 +161,8 @@ RobotCommand command_of(const std::string& command, const RobotOrder& order, con
     command == "jog" ? fill_jog(order, parameters, result) : fill_step(order, parameters, result);
   } else if (command == "go") {
     fill_go(order, parameters, result);
+  } else if (command == "tool") {
+    fill_tool(order, parameters, result);
   } else if (command == "output") {
     fill_output(order, result);
   } else {
@@ -172,6 +185,8 @@ RobotOrder read_robot_order(const Table& table, const std::string& command, cons
     order.amount = table.number(command == "jog" ? "velocity" : "distance");
   } else if (command == "go") {
     order.posture = table.text("posture");
+  } else if (command == "tool") {
+    order.tool = table.text("tool");
   } else if (command == "output") {
     order.axis = table.text("output");
     order.amount = table.number("value");

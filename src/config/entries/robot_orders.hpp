@@ -20,8 +20,8 @@ std::vector<std::string> order_frames();
 RobotParameters parameters_of(const RobotEntry& robot);
 
 /// The robot command of an order, for edp::OperatorMotion. Throws std::invalid_argument with the argument's name, its
-/// value and what was expected: an unknown axis, frame, posture or output, a value that is not finite or beyond the
-/// axis's limit.
+/// value and what was expected: an unknown axis, frame, posture, tool or output, a value that is not finite or beyond
+/// the axis's limit.
 RobotCommand command_of(const std::string& command, const RobotOrder& order, const RobotParameters& parameters);
 
 /// Reads the keys of an event with such a command: `robot`, and `axis`, `in`, `velocity`, `distance`, `posture`,

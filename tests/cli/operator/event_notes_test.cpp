@@ -28,6 +28,7 @@ TEST(EventNotes, NotedEventsAreReadAgain) {
       {.tick = 8, .command = "jog", .order = {"arm", "column", "axes", "", -0.1}},
       {.tick = 9, .command = "step", .order = {"arm", "rz", "tool", "", 1e-9}},
       {.tick = 9, .command = "go", .order = {"arm", "", "", "home", 0}},
+      {.tick = 9, .command = "tool", .order = {"arm", "", "", "", 0, "standard"}},
       {.tick = 9, .command = "hold", .order = {"arm", "", "", "", 0}},
       {.tick = 9, .command = "output", .order = {"arm", "a3", "", "", 2.5}},
       {.tick = 1'000'000'000'000, .command = "stop"}};
@@ -46,6 +47,7 @@ TEST(EventNotes, NotedEventsAreReadAgain) {
     EXPECT_EQ(read[i].order.robot, events[i].order.robot);
     EXPECT_EQ(read[i].order.axis, events[i].order.axis);
     EXPECT_EQ(read[i].order.posture, events[i].order.posture);
+    EXPECT_EQ(read[i].order.tool, events[i].order.tool);
     EXPECT_EQ(read[i].order.amount, events[i].order.amount);
     if (!events[i].order.frame.empty()) {
       EXPECT_EQ(read[i].order.frame, events[i].order.frame);

@@ -1,12 +1,19 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { JOG_PERIOD, JogRepeater, LONGEST_GAP, type JogOrder } from '../../../panel/src/jog/jog_repeater';
+import {
+  JOG_PERIOD,
+  JogRepeater,
+  LONGEST_GAP,
+  LONGEST_SILENCE,
+  type JogOrder,
+} from '../../../panel/src/jog/jog_repeater';
 
 const ORDER: JogOrder = { robot: 'arm', axis: 'column', velocity: 0.1, in: 'axes' };
 
 /** A page whose time passes only when the test says so. */
 class Page {
   time = 1000;
+  silence = 0;
   readonly calls: string[] = [];
   private timer: (() => void) | null = null;
   readonly repeater = new JogRepeater({
@@ -18,6 +25,7 @@ class Page {
         this.timer = null;
       };
     },
+    silence: () => this.silence,
     jog: (order) => this.calls.push(`jog ${order.axis} ${order.velocity}`),
     hold: (robot) => this.calls.push(`hold ${robot}`),
     ended: (reason) => this.calls.push(`ended ${reason}`),
@@ -64,6 +72,17 @@ test('ASecondPressBeginsNothingAndEveryReleaseEnds', () => {
   page.repeater.release('Escape');
   page.repeater.release();
   assert.deepEqual(page.calls, ['jog column 0.1', 'hold arm', 'ended Escape']);
+});
+
+test('ASilentServerEndsTheJog', () => {
+  const page = new Page();
+  page.repeater.press(ORDER);
+  page.silence = LONGEST_SILENCE;
+  page.pass(JOG_PERIOD);
+  assert.equal(page.calls.at(-1), 'jog column 0.1');
+  page.silence += 1;
+  page.pass(JOG_PERIOD);
+  assert.equal(page.calls.at(-1), 'ended the panel is silent');
 });
 
 test('APressAfterAGapBeginsANewJog', () => {

@@ -8,7 +8,13 @@ test('TheOldestSamplesAreOverwritten', () => {
   for (let i = 1; i <= 10; ++i) ring.push(i, [i, 10 * i]);
   assert.equal(ring.length, 4);
   assert.equal(ring.last, 10);
-  assert.deepEqual(ring.window(0, 100, [0, 1], 100), { times: [7, 8, 9, 10], values: [[7, 8, 9, 10], [70, 80, 90, 100]] });
+  assert.deepEqual(ring.window(0, 100, [0, 1], 100), {
+    times: [7, 8, 9, 10],
+    values: [
+      [7, 8, 9, 10],
+      [70, 80, 90, 100],
+    ],
+  });
 });
 
 test('AWindowContainsItsEnds', () => {
@@ -30,7 +36,10 @@ test('MissingValuesAreGaps', () => {
   const ring = new Ring(2, 10);
   ring.push(1, [null]);
   ring.push(2, [5, 6]);
-  assert.deepEqual(ring.window(0, 9, [0, 1], 10).values, [[null, 5], [null, 6]]);
+  assert.deepEqual(ring.window(0, 9, [0, 1], 10).values, [
+    [null, 5],
+    [null, 6],
+  ]);
 });
 
 test('ManySamplesAreThinned', () => {

@@ -7,7 +7,12 @@ import { refusal_of, type Situation } from '../../../panel/src/state/permissions
 import { Store } from '../../../panel/src/state/store';
 
 const SITUATION: Situation = {
-  connected: true, ended: false, may_command: true, client: 'panel 1', commander: null, task: 'running',
+  connected: true,
+  ended: false,
+  may_command: true,
+  client: 'panel 1',
+  commander: null,
+  task: 'running',
   emergency_stop: false,
 };
 
@@ -69,7 +74,10 @@ test('MessagesAreFilteredByEveryWordAndBounded', () => {
   const buffer = new MessageBuffer(100);
   for (let i = 0; i < 1000; ++i) buffer.add(i, 'message', `line ${i} of ${i % 2 === 0 ? 'arm' : 'belt'}`);
   assert.equal(buffer.newest('', 1e6).length, 100);
-  assert.deepEqual(buffer.newest('ARM 998', 10).map((message) => message.tick), [998]);
+  assert.deepEqual(
+    buffer.newest('ARM 998', 10).map((message) => message.tick),
+    [998],
+  );
   assert.equal(buffer.newest('arm', 3).at(-1)?.tick, 998);
   assert.equal(buffer.last, 999);
 });
@@ -80,7 +88,15 @@ test('TheFileOfABlackBoxIsFound', () => {
 });
 
 test('TypedNumbersAreCheckedAgainstTheRange', () => {
-  const question = { from: 'mp', number: 1, text: '?', kind: 'number' as const, expected: '0 to 5', minimum: 0, maximum: 5 };
+  const question = {
+    from: 'mp',
+    number: 1,
+    text: '?',
+    kind: 'number' as const,
+    expected: '0 to 5',
+    minimum: 0,
+    maximum: 5,
+  };
   assert.deepEqual(check_number(question, ' 2.5 '), { value: 2.5 });
   assert.deepEqual(check_number(question, '2,5'), { value: 2.5 });
   assert.ok('problem' in check_number(question, '7'));

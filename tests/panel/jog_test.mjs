@@ -1,0 +1,149 @@
+// Whatever separates the operator from the robot ends a jog: at the latest 0.2 s after the last one, the arm brakes.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { hash_of_repetition, LiveRun, STOPPED, trace_hash } from './support/live_run.mjs';
+import { column_speeds, jog_ticks } from './support/motion.mjs';
+import { PRESS } from './support/packages.mjs';
+import { assert_no_problems, await_shown, launch, launch_process, open_panel } from './support/panel_page.mjs';
+import { renderers_of } from './support/processes.mjs';
+
+const VALIDITY = 100; // ticks, 0.2 s
+const BRAKING = 200; // ticks from 0.3 rad/s with the axis' acceleration and jerk, and some more
+const MOVING = 0.05; // rad/s
+const AT_REST = 0.01; // rad/s
+
+const run = new LiveRun();
+const [noted, trace, motion] = ['noted.toml', 'live.trace', 'motion'].map((name) => run.path(name));
+const series = []; // of jogs: how each ended, and its ticks
+let direction = '-';
+
+before(() =>
+  run.start(PRESS, '--hold', '--clock', 'paced', '--note-events', noted, '--trace', trace, '--motion', motion),
+);
+after(() => run.clear());
+
+/** Small, so that the picture costs little. */
+const open = (browser, url = run.url) => open_panel(browser, url, { viewport: { width: 1024, height: 700 } });
+
+/** Presses and holds the column's button; the velocity is 0.3 rad/s. */
+async function begin_jog(page) {
+  direction = direction === '+' ? '-' : '+';
+  await page.fill('input[data-velocity="arm"]', '75');
+  const button = page.locator(`[data-verb="jog"][data-axis="column"][data-sign="${direction}"]`);
+  await button.scrollIntoViewIfNeeded();
+  const box = await button.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  for (let attempt = 0; attempt < 10; ++attempt) {
+    const from = run.status().tick;
+    await page.mouse.down();
+    await run.pass_ticks(400);
+    if ((await page.locator('.jog.active').count()) > 0) return from;
+    await page.mouse.up(); // a busy machine has kept the page from its timer: that ends a jog, too
+    console.log(`jog ended early: ${await page.textContent('#answer')}`);
+    await run.pass_ticks(400);
+  }
+  throw new Error('no jog lasts');
+}
+
+/** Jogs, calls `end`, and waits for a second of the run. */
+async function jog_until(name, page, end) {
+  const from = await begin_jog(page);
+  await end();
+  const to = run.status().tick;
+  await run.pass_ticks(600);
+  series.push({ name, from, to });
+}
+
+test('ReleaseEndsTheJog', async () => {
+  const browser = await launch();
+  const page = await open(browser);
+  await jog_until('release', page, () => page.mouse.up());
+  assert_no_problems(page);
+  await jog_until('Escape', page, () => page.keyboard.press('Escape'));
+  await page.mouse.up();
+  await jog_until('window without focus', page, async () => {
+    await page.evaluate(() => window.dispatchEvent(new Event('blur')));
+  });
+  await page.mouse.up();
+  await browser.close();
+});
+
+test('AFrozenPageEndsTheJogAndDoesNotBeginAnotherOne', async () => {
+  const { browser, pid, kill } = await launch_process();
+  const page = await open(browser);
+  await jog_until('busy page', page, () =>
+    page.evaluate(() => {
+      const begin = performance.now();
+      while (performance.now() - begin < 1500);
+    }),
+  );
+  await await_shown(page, '#answer', 'frozen');
+  await page.mouse.up();
+  await jog_until('stopped renderer', page, async () => {
+    const renderers = renderers_of(pid);
+    assert.ok(renderers.length > 0);
+    for (const renderer of renderers) process.kill(renderer, 'SIGSTOP');
+    await run.pass_ticks(800);
+    for (const renderer of renderers) process.kill(renderer, 'SIGCONT');
+  });
+  await await_shown(page, '#answer', 'jog ended');
+  await page.mouse.up();
+  await browser.close();
+  await kill();
+});
+
+test('ClosingTheTabEndsTheJog', async () => {
+  const browser = await launch();
+  const page = await open(browser);
+  await jog_until('closed tab', page, () => page.close());
+  await browser.close();
+});
+
+test('KillingTheBrowserEndsTheJog', async () => {
+  const { browser, kill } = await launch_process();
+  const page = await open(browser);
+  await jog_until('killed browser', page, kill);
+});
+
+test('AStoppedServerEndsTheJogAndQueuedRequestsMoveNothing', async () => {
+  const browser = await launch();
+  const page = await open(browser);
+  const server = run.panel_pid();
+  await jog_until('stopped server', page, async () => {
+    process.kill(server, 'SIGSTOP');
+    await run.pass_ticks(800);
+    process.kill(server, 'SIGCONT');
+  });
+  await page.mouse.up();
+  await browser.close();
+});
+
+test('AKilledServerEndsTheJog', async () => {
+  const browser = await launch();
+  const page = await open(browser);
+  await jog_until('killed server', page, () => process.kill(run.panel_pid(), 'SIGKILL'));
+  await await_shown(page, '#gone', 'lost');
+  assert.match(await page.getAttribute('[data-axis="column"][data-sign="+"]', 'title'), /lost/);
+  await browser.close();
+});
+
+test('EverySeriesOfJogsEndsAtRestInTime', async () => {
+  run.command('stop');
+  assert.equal(await run.exit, STOPPED);
+  const speeds = column_speeds(motion);
+  const jogs = jog_ticks(noted);
+  for (const { name, from, to } of series) {
+    const mine = jogs.filter((tick) => tick >= from && tick <= to + 600);
+    assert.ok(mine.length > 3, `${name}: ${mine.length} jogs`);
+    const last = mine.at(-1);
+    assert.ok(speeds.get(last) > MOVING, `${name}: the column does not move at tick ${last}`);
+    for (let tick = last + VALIDITY + BRAKING; tick < last + 600; ++tick)
+      assert.ok(
+        (speeds.get(tick) ?? 0) < AT_REST,
+        `${name}: ${speeds.get(tick)} rad/s ${tick - last} ticks after the last jog`,
+      );
+    const rest = [...Array(600).keys()].filter((i) => (speeds.get(last + i) ?? 0) >= AT_REST).at(-1) + 1;
+    console.log(`${name}: ${mine.length} jogs, at rest ${rest} ticks after the last one`);
+  }
+  assert.equal(trace_hash(trace), hash_of_repetition(run, PRESS, noted, STOPPED));
+});

@@ -1,0 +1,53 @@
+// A task is started, paused, resumed and stopped by the page's controls, and is then the same run in lockstep.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { hash_of_repetition, LiveRun, STOPPED, trace_hash } from './support/live_run.mjs';
+import { PRESS } from './support/packages.mjs';
+import {
+  assert_no_problems,
+  await_answer,
+  await_shown,
+  await_task_shown,
+  launch,
+  open_panel,
+  press_verb,
+} from './support/panel_page.mjs';
+
+test('TaskIsStartedPausedResumedAndStoppedByThePage', async () => {
+  const run = new LiveRun();
+  const [noted, trace] = [run.path('noted.toml'), run.path('live.trace')];
+  const browser = await launch();
+  try {
+    await run.start(PRESS, '--hold', '--clock', 'paced', '--note-events', noted, '--trace', trace);
+    const page = await open_panel(browser, run.url);
+    await await_task_shown(page, 'held');
+    assert.equal(await page.getAttribute('header [data-verb="pause"]', 'title'), 'The task has not started.');
+
+    await press_verb(page, 'start');
+    await await_task_shown(page, 'running');
+    await page.click('#tab-processes');
+    await await_shown(page, '[data-process="arm"] [data-column="instruction"]', 'JointLine');
+    await press_verb(page, 'pause');
+    await await_task_shown(page, 'paused');
+    assert.equal(run.status().task, 'paused');
+    await press_verb(page, 'resume');
+    await await_answer(page, 'the task continues');
+    await await_task_shown(page, 'running');
+    assert.equal(run.status().task, 'running');
+    await press_verb(page, 'stop');
+    assert.equal(await run.exit, STOPPED);
+    await await_task_shown(page, 'ended');
+    await await_shown(page, '#gone', 'exit code 5');
+    await page.waitForFunction(() =>
+      [...document.querySelectorAll('button[data-verb]:not([aria-disabled])')].every(
+        (button) => !button.checkVisibility(),
+      ),
+    );
+    assert_no_problems(page);
+
+    assert.equal(trace_hash(trace), hash_of_repetition(run, PRESS, noted, STOPPED));
+  } finally {
+    await browser.close();
+    await run.clear();
+  }
+});
