@@ -10,7 +10,7 @@ if(NOT CycloneDDS_VERSION VERSION_EQUAL MRROC_CYCLONE_VERSION AND NOT MRROC_ANY_
   message(FATAL_ERROR "Cyclone DDS ${CycloneDDS_VERSION} found, expected ${MRROC_CYCLONE_VERSION}: src/links/cyclone replaces functions of that version. "
     "-DMRROC_ANY_CYCLONE=ON builds with this one; run links_test and system_security_test before you use it.")
 endif()
-find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto) # of `mrroc keys`; Cyclone's security plug-ins stand on it too
+find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto SSL) # of `mrroc keys`; Cyclone's security plug-ins stand on it too
 find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)

@@ -1,6 +1,7 @@
 // mrroc_panel: serves the operator's panel of a run to browsers.
 #include <signal.h>
 #include <sys/signalfd.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -63,11 +64,15 @@ void serve(const PanelArguments& arguments, int stop) {
   const config::Deployment deployment = config::load_deployment(status.at("file").get<std::string>());
   std::optional<WorldView> view = view_of(deployment);
   auto files = load_page(config::type_file("panel", "page", "index.html").parent_path());
-  if (view) files["scene.json"] = {media_type("scene.json"), scene_json(view->model(), deployment), ""};
+  const mjModel* const model = view ? &view->model() : nullptr;
+  files["scene.json"] = {media_type("scene.json"), scene_json(model, deployment), ""};
   PanelServer server(address, run.path(), std::move(files));
   command::print("panel: " + server.url(PanelRight::command) + "\n");
   command::print("panel, to watch only: " + server.url(PanelRight::watch) + "\n");
   RunFeed(run, view ? &*view : nullptr, server).serve(stop);
+  // nothing is left to be saved, and a browser that does not read would be waited for
+  std::fflush(stdout);
+  _exit(0);
 }
 
 }  // namespace

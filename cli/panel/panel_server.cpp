@@ -77,15 +77,13 @@ struct PanelServer::Callbacks {
 PanelServer::PanelServer(const PanelAddress& address, std::filesystem::path run, std::map<std::string, PageFile> files)
     : run_(std::move(run)), files_(std::move(files)), access_(address.address, !address.certificate.empty()) {
   const bool tls = !address.certificate.empty();
-  mg_init_library(tls ? MG_FEATURES_TLS : 0);
-  const std::string port = address.address + ":" + std::to_string(address.port) + (tls ? "s" : "");
+  mg_init_library(0);
+  const std::string port = tls ? "127.0.0.1:0" : address.address + ":" + std::to_string(address.port);
   // a browser keeps one thread; the others serve files
   const std::string threads = std::to_string(kMaxBrowsers + 8);
   std::vector<const char*> options{
       "listening_ports",      port.c_str(), "num_threads",        threads.c_str(), "enable_websocket_ping_pong", "yes",
       "websocket_timeout_ms", "5000",       "request_timeout_ms", "5000",          "enable_keep_alive",          "no"};
-  const std::string certificate = address.certificate.string();
-  if (tls) options.insert(options.end(), {"ssl_certificate", certificate.c_str(), "ssl_protocol_version", "4"});
   options.push_back(nullptr);
   mg_callbacks callbacks{};
   callbacks.log_message = Callbacks::log;
@@ -93,13 +91,15 @@ PanelServer::PanelServer(const PanelAddress& address, std::filesystem::path run,
   mg_server_port ports{};
   if (context_ == nullptr || mg_get_server_ports(context_, 1, &ports) < 1)
     throw std::runtime_error("the panel cannot listen at " + port + (problem_.empty() ? "" : ": " + problem_));
-  access_.listen_at(ports.port);
+  if (tls) door_.emplace(address.address, address.port, address.certificate, ports.port);
+  access_.listen_at(tls ? door_->port() : ports.port);
   mg_set_request_handler(context_, "/", Callbacks::request, this);
   mg_set_websocket_handler(context_, "/*/socket$", Callbacks::connect, Callbacks::ready, Callbacks::receive,
                            Callbacks::close, this);
 }
 
 PanelServer::~PanelServer() {
+  door_.reset();
   if (context_ != nullptr) mg_stop(context_);
   mg_exit_library();
 }
@@ -119,6 +119,9 @@ int PanelServer::answer(mg_connection& connection) const {
     send_headers(connection, "308 Permanent Redirect", "text/plain", 0, target.c_str());
     return 1;
   }
+  // no name contains an escaped character
+  if (std::string_view{request.request_uri}.find('%') != std::string_view::npos)
+    return send_text(connection, "404 Not Found", "no such file");
   const auto found = files_.find(place.name.empty() ? "index.html" : std::string{place.name});
   if (found == files_.end()) return send_text(connection, "404 Not Found", "no such file");
   const PageFile& file = found->second;

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,7 @@
 #include "cli/panel/browser.hpp"
 #include "cli/panel/page_files.hpp"
 #include "cli/panel/panel_access.hpp"
+#include "cli/panel/tls_door.hpp"
 
 struct mg_connection;
 struct mg_context;
@@ -64,6 +66,7 @@ class PanelServer {
   std::deque<std::string> kept_;
   std::string problem_;  ///< first message of civetweb
   mg_context* context_ = nullptr;
+  std::optional<TlsDoor> door_;
 };
 
 }  // namespace mrroc::cli

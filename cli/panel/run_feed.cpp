@@ -41,7 +41,7 @@ void RunFeed::pass_on(const std::string& line) {
   if (event == "robot" || event == "reading" || event == "process")
     server_.publish_state(event + "/" + json.value("name", ""), line);
   else if (!event.empty() && event != "world")
-    server_.publish(line, event == "message" || event == "command");
+    server_.publish(line, event == "message" || (event == "command" && json.value("command", "") != "jog"));
 }
 
 void RunFeed::beat() {

@@ -113,12 +113,17 @@ Json index_or_null(int index) { return index >= 0 ? Json(index) : Json(); }
 
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-bool slides(const mjModel& model, const std::string& joint) {
-  const int index = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
-  return index >= 0 && model.jnt_type[index] == mjJNT_SLIDE;
+/// Null without the model or the name.
+Json index_of(const mjModel* model, int kind, const std::string& name) {
+  return index_or_null(model != nullptr ? mj_name2id(model, kind, name.c_str()) : -1);
 }
 
-Json robot_of(const mjModel& model, const config::RobotEntry& robot) {
+bool slides(const mjModel* model, const std::string& joint) {
+  const Json index = index_of(model, mjOBJ_JOINT, joint);
+  return !index.is_null() && model->jnt_type[index.get<int>()] == mjJNT_SLIDE;
+}
+
+Json robot_of(const mjModel* model, const config::RobotEntry& robot) {
   const RobotParameters parameters = config::read_robot_parameters(config::Table::load(robot.files().parameters));
   Json axes = Json::array(), motors = Json::array(), postures = Json::array(), bodies = Json::array();
   for (const AxisParameters& axis : parameters.axes) {
@@ -130,8 +135,8 @@ Json robot_of(const mjModel& model, const config::RobotEntry& robot) {
                     {"velocity", axis.velocity_max}});
   }
   for (const auto& [name, posture] : parameters.postures) postures.push_back(name);
-  for (int i = 0; i < model.nbody; ++i) {
-    const std::string name = model.names + model.name_bodyadr[i];
+  for (int i = 0; model != nullptr && i < model->nbody; ++i) {
+    const std::string name = model->names + model->name_bodyadr[i];
     if (name == robot.name || name.starts_with(robot.name + "/")) bodies.push_back(i);
   }
   return {{"name", robot.name},
@@ -142,12 +147,12 @@ Json robot_of(const mjModel& model, const config::RobotEntry& robot) {
           {"postures", postures},
           {"bodies", bodies},
           {"force_sensor", !robot.force_sensor.empty()},
-          {"tool_frame", index_or_null(mj_name2id(&model, mjOBJ_SITE, (robot.name + "/tool").c_str()))},
+          {"tool_frame", index_of(model, mjOBJ_SITE, robot.name + "/tool")},
           {"digital_outputs", kDigitalOutputs},
           {"analogue_outputs", kAnalogueOutputs}};
 }
 
-Json sensor_of(const mjModel& model, const config::SensorEntry& sensor) {
+Json sensor_of(const mjModel* model, const config::SensorEntry& sensor) {
   Json channels = Json::array();
   for (const config::Channel& channel : sensor.channels) channels.push_back(channel.name);
   const auto camera = sensor.texts.find("camera");
@@ -156,22 +161,27 @@ Json sensor_of(const mjModel& model, const config::SensorEntry& sensor) {
           {"type", sensor.type},
           {"robot", sensor.robot.empty() ? Json() : Json(sensor.robot)},
           {"channels", channels},
-          {"frame", index_or_null(mj_name2id(&model, mjOBJ_SITE, site.c_str()))},
+          {"frame", index_of(model, mjOBJ_SITE, site)},
           {"camera", camera == sensor.texts.end() ? Json() : Json(camera->second)}};
 }
 
 }  // namespace
 
-std::string scene_json(const mjModel& model, const config::Deployment& deployment) {
-  Json json{{"deployment", deployment.name}, {"servo_period", deployment.servo_period},
-            {"robots", Json::array()},       {"sensors", Json::array()},
-            {"bodies", Json::array()},       {"geoms", geoms_of(model)},
-            {"meshes", meshes_of(model)},    {"frames", frames_of(model)}};
+std::string scene_json(const mjModel* model, const config::Deployment& deployment) {
+  const Json none = Json::array();
+  Json json{{"deployment", deployment.name},
+            {"servo_period", deployment.servo_period},
+            {"robots", none},
+            {"sensors", none},
+            {"bodies", none},
+            {"geoms", model != nullptr ? geoms_of(*model) : none},
+            {"meshes", model != nullptr ? meshes_of(*model) : none},
+            {"frames", model != nullptr ? frames_of(*model) : none}};
   for (const config::RobotEntry& robot : deployment.robots) json["robots"].push_back(robot_of(model, robot));
   for (const config::SensorEntry& sensor : deployment.sensors) json["sensors"].push_back(sensor_of(model, sensor));
-  for (int i = 0; i < model.nbody; ++i)
+  for (int i = 0; model != nullptr && i < model->nbody; ++i)
     json["bodies"].push_back(
-        {{"name", model.names + model.name_bodyadr[i]}, {"parent", i == 0 ? -1 : model.body_parentid[i]}});
+        {{"name", model->names + model->name_bodyadr[i]}, {"parent", i == 0 ? -1 : model->body_parentid[i]}});
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -99,7 +99,7 @@ test('ReadOnlyBrowsersMayOnlyReadTheStatus', async () => {
   ];
   for (const request of requests) assert.equal((await watcher.request(request)).reason, 'read_only', request.verb);
   assert.equal((await watcher.request({ verb: 'status' })).ok, true);
-  assert.equal(run.status().task, 'held');
+  assert.equal((await run.status()).task, 'held');
   watcher.close();
 });
 
@@ -117,7 +117,7 @@ test('BadRequestsAreAnsweredWithAReason', async () => {
   assert.equal((await refused('{"verb":"jog","robot":"arm","axis":"column","velocity":0.1}')).reason, 'stale');
   assert.equal((await refused('{"verb":"jog","robot":"arm","axis":"column","velocity":0.1,"beat":1}')).reason, 'stale');
   assert.equal((await refused(JSON.stringify({ verb: 'x'.repeat(20_000) })))?.reason ?? 'malformed', 'malformed');
-  assert.equal(run.status().task, 'held');
+  assert.equal((await run.status()).task, 'held');
   browser.close();
 });
 

@@ -34,7 +34,7 @@ test('OneOfThreeBrowsersCommandsATwoArmTask', () =>
     const watcher = await open_panel(browser, run.watch_url);
     await holder.click('#take');
     await await_shown(holder, '#holder', 'this browser');
-    const { commander } = run.status();
+    const { commander } = await run.status();
     assert.match(commander, /mrroc_panel/);
     for (const page of [second, watcher]) await await_shown(page, '#holder', commander);
 
@@ -42,7 +42,7 @@ test('OneOfThreeBrowsersCommandsATwoArmTask', () =>
     assert.match(await second.getAttribute('header [data-verb="start"]', 'title'), /holds command/);
     await second.click('header [data-verb="start"]', { force: true });
     await await_answer(second, 'holds command');
-    assert.equal(run.status().task, 'held');
+    assert.equal((await run.status()).task, 'held');
     await second.click('#take');
     await await_answer(second, `${commander} holds command`);
     await await_shown(holder, '#wanted', 'asks for command');
@@ -52,7 +52,7 @@ test('OneOfThreeBrowsersCommandsATwoArmTask', () =>
       assert.match(await watcher.getAttribute(`header [data-verb="${verb}"]`, 'title'), /watching only/);
     await watcher.keyboard.press('Space');
     await await_answer(watcher, 'may watch only');
-    assert.equal(run.status().emergency_stop, false);
+    assert.equal((await run.status()).emergency_stop, false);
 
     await press_verb(holder, 'start');
     for (const page of [holder, second, watcher]) await await_task_shown(page, 'running');
@@ -94,10 +94,10 @@ test('EmergencyStopByButtonAndSpaceBarIsResetAndRecovered', () =>
       await stop();
       await page.waitForSelector('#emergency:not([hidden])');
       await await_shown(page, '[data-fault="arm"]', 'Reset');
-      assert.equal(run.status().emergency_stop, true);
+      assert.equal((await run.status()).emergency_stop, true);
       await press_verb(page, 'reset');
       await await_shown(page, '[data-fault="arm"] .advice', 'Recover');
-      assert.equal(run.status().emergency_stop, false);
+      assert.equal((await run.status()).emergency_stop, false);
       await page.click('[data-fault="arm"] [data-verb="recover"]');
       await await_answer(page, 'the drives are on');
       await page.waitForSelector('#faults', { state: 'hidden' });
@@ -105,6 +105,6 @@ test('EmergencyStopByButtonAndSpaceBarIsResetAndRecovered', () =>
     await page.click('#tab-messages');
     await page.fill('#filter', 'space bar');
     await page.press('#filter', 'Space');
-    assert.equal(run.status().emergency_stop, false); // in a field for text, space is a character
+    assert.equal((await run.status()).emergency_stop, false); // in a field for text, space is a character
     assert_no_problems(page);
   }));

@@ -34,7 +34,7 @@ async function begin_jog(page) {
   const box = await button.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   for (let attempt = 0; attempt < 10; ++attempt) {
-    const from = run.status().tick;
+    const from = (await run.status()).tick;
     await page.mouse.down();
     await run.pass_ticks(400);
     if ((await page.locator('.jog.active').count()) > 0) return from;
@@ -49,7 +49,7 @@ async function begin_jog(page) {
 async function jog_until(name, page, end) {
   const from = await begin_jog(page);
   await end();
-  const to = run.status().tick;
+  const to = (await run.status()).tick;
   await run.pass_ticks(600);
   series.push({ name, from, to });
 }

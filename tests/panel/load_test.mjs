@@ -108,10 +108,10 @@ test('ARunUnderTheRealLoadMissesNoTick', async () => {
   const run = new LiveRun();
   try {
     await run.start(PRESS, '--hold', '--clock', 'paced');
-    const missed = () =>
-      run.status().processes.reduce((sum, process) => sum + process.missed_ticks + process.late_commands, 0);
+    const missed = async () =>
+      (await run.status()).processes.reduce((sum, process) => sum + process.missed_ticks + process.late_commands, 0);
     await run.await_task('held');
-    const before = missed();
+    const before = await missed();
     const browsers = await Promise.all(Array.from({ length: 10 }, () => RawBrowser.open(run.url)));
     const end = Date.now() + 5000;
     for (let i = 0; Date.now() < end; ++i) {
@@ -120,7 +120,7 @@ test('ARunUnderTheRealLoadMissesNoTick', async () => {
       if (i % 50 === 0) await sleep(1);
     }
     await run.pass_ticks(500);
-    assert.equal(missed(), before);
+    assert.equal(await missed(), before);
     for (const browser of browsers) browser.close();
   } finally {
     await run.clear();

@@ -161,7 +161,7 @@ for (const { name, file, ticks, colorScheme, plots } of PICTURES ? SHOWN : []) {
           await selects.nth(i).selectOption(key);
       await press_verb(page, 'start');
       await await_task_shown(page, 'running');
-      const begin = run.status().tick;
+      const begin = (await run.status()).tick;
       await run.await_status((status) => status.tick >= begin + ticks, 'so far');
       mkdirSync(PICTURES, { recursive: true });
       await page.screenshot({ path: join(PICTURES, `${name}.png`) });

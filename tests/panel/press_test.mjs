@@ -29,11 +29,11 @@ test('TaskIsStartedPausedResumedAndStoppedByThePage', async () => {
     await await_shown(page, '[data-process="arm"] [data-column="instruction"]', 'JointLine');
     await press_verb(page, 'pause');
     await await_task_shown(page, 'paused');
-    assert.equal(run.status().task, 'paused');
+    assert.equal(run.status_by_command().task, 'paused');
     await press_verb(page, 'resume');
     await await_answer(page, 'the task continues');
     await await_task_shown(page, 'running');
-    assert.equal(run.status().task, 'running');
+    assert.equal(run.status_by_command().task, 'running');
     await press_verb(page, 'stop');
     assert.equal(await run.exit, STOPPED);
     await await_task_shown(page, 'ended');

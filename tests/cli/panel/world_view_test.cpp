@@ -134,7 +134,7 @@ TEST(WorldViewTest, IgnoresWhatItDoesNotUnderstand) {
 TEST(SceneTest, DescribesTheComposedWorld) {
   const config::Deployment deployment = task("press");
   const WorldView view(deployment);
-  const Json scene = Json::parse(scene_json(view.model(), deployment));
+  const Json scene = Json::parse(scene_json(&view.model(), deployment));
   EXPECT_EQ(scene.at("deployment"), "press");
   EXPECT_EQ(scene.at("bodies").size(), static_cast<std::size_t>(view.model().nbody));
   EXPECT_EQ(scene.at("frames").size(), static_cast<std::size_t>(view.model().nsite));
@@ -152,10 +152,17 @@ TEST(SceneTest, DescribesTheComposedWorld) {
   }
 }
 
+TEST(SceneTest, RobotsAreThereWithoutTheWorld) {
+  const Json scene = Json::parse(scene_json(nullptr, task("press")));
+  EXPECT_EQ(scene.at("robots").at(0).at("axes").size(), 6U);
+  EXPECT_TRUE(scene.at("robots").at(0).at("tool_frame").is_null());
+  EXPECT_TRUE(scene.at("geoms").empty());
+}
+
 TEST(SceneTest, SlidingAxesAreInMetres) {
   const config::Deployment deployment = task("track_and_pick");
   const WorldView view(deployment);
-  const Json scene = Json::parse(scene_json(view.model(), deployment));
+  const Json scene = Json::parse(scene_json(&view.model(), deployment));
   bool slides = false;
   for (const Json& robot : scene.at("robots"))
     for (const Json& axis : robot.at("axes")) slides = slides || axis.at("unit") == "m";

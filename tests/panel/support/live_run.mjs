@@ -4,6 +4,7 @@ import { closeSync, mkdtempSync, openSync, readFileSync, readdirSync, rmSync } f
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { MRROC } from './packages.mjs';
+import { RunSocket } from './run_socket.mjs';
 
 export const STOPPED = 5; // exit code of a run that the operator has stopped
 const TIMEOUT = 120_000; // ms
@@ -17,7 +18,7 @@ export async function eventually(read, holds, what) {
     const value = await read();
     if (holds(value)) return value;
     if (Date.now() > deadline) throw new Error(`never ${what}: ${JSON.stringify(value)}`);
-    await sleep(20);
+    await sleep(30);
   }
 }
 
@@ -25,6 +26,7 @@ export class LiveRun {
   folder = mkdtempSync(join(tmpdir(), 'mrroc-panel-test-'));
   environment = { ...process.env, MRROC_RUNTIME_DIR: join(this.folder, 'mrroc') };
   others = []; // further processes: panels
+  #socket;
 
   path(name) {
     return join(this.folder, name);
@@ -58,7 +60,16 @@ export class LiveRun {
     return { code: done.status, text: done.stdout + done.stderr };
   }
 
-  status() {
+  /** The state of the run. */
+  async status() {
+    this.#socket ??= new RunSocket(this.#socket_path());
+    const reply = await this.#socket.request({ verb: 'status' });
+    if (!reply?.ok) throw new Error(`no status: ${JSON.stringify(reply)}\n${this.text()}`);
+    return reply.data;
+  }
+
+  /** The same by `mrroc status --json`. */
+  status_by_command() {
     const done = this.command('status', '--json');
     if (done.code !== 0) throw new Error(`no status: ${done.text}\n${this.text()}`);
     return JSON.parse(done.text);
@@ -73,7 +84,7 @@ export class LiveRun {
   }
 
   async pass_ticks(ticks) {
-    const begin = this.status().tick;
+    const begin = (await this.status()).tick;
     await this.await_status((status) => status.tick >= begin + ticks, `${ticks} ticks later`);
   }
 
@@ -99,6 +110,7 @@ export class LiveRun {
 
   /** Ends what still runs, and removes the folder. */
   async clear() {
+    this.#socket?.close();
     for (const other of this.others) other.kill('SIGKILL');
     if (this.process && this.process.exitCode === null) {
       this.process.kill('SIGINT');
@@ -106,6 +118,13 @@ export class LiveRun {
       await this.exit;
     }
     rmSync(this.folder, { recursive: true, force: true });
+  }
+
+  #socket_path() {
+    const folder = this.environment.MRROC_RUNTIME_DIR;
+    const name = readdirSync(folder).find((entry) => entry.endsWith('.sock'));
+    if (!name) throw new Error(`the run has no socket: ${this.text()}`);
+    return join(folder, name);
   }
 
   #spawn(name, args) {
