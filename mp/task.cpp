@@ -185,6 +185,10 @@ void Task::note(const std::string& name, Ecp& ecp, links::TaskStatus status) {
 
 void Task::on_superior_command(const links::TaskCommand& command) {
   if (command.kind == links::TaskCommandKind::start) return;
+  if (command.kind == links::TaskCommandKind::speed) {
+    for (auto& [name, ecp] : ecps_) ecp.link->send_speed(operator_speed());  // those that start later, too
+    return;
+  }
   if (command.kind == links::TaskCommandKind::stop) stopped_ = true;
   command_running(command.kind);
 }

@@ -55,6 +55,7 @@ std::string text_of(const config::Event& event, const config::Deployment& deploy
     text += "value = " + config::number_text(event.value) + "\n";
     if (event.question != 0) text += "question = " + std::to_string(event.question) + "\n";
   }
+  if (event.command == "speed") text += "value = " + config::number_text(event.value) + "\n";
   if (config::is_robot_order(event.command)) text += text_of(event.command, event.order);
   return text + "\n";
 }

@@ -64,6 +64,9 @@ void OperatorEvents::perform(config::Event event, Tick tick, std::uint64_t ticke
     number = robots_.send(event.command, event.order, phase_ == TaskPhase::paused);
   } else if (event.command == "answer") {
     answers_.at(event.asker)->answer({event.question, event.value});
+  } else if (event.command == "speed") {
+    speed_ = event.value / 100;
+    mp_.send_speed(speed_);
   } else if (event.command == "estop" || event.command == "reset") {
     const bool press = event.command == "estop";
     press ? emergency_stop_.press() : emergency_stop_.reset();

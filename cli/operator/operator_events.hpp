@@ -66,6 +66,8 @@ class OperatorEvents {
   Tick tick() const { return schedule_.now(); }
   /// Any thread.
   TaskPhase phase() const noexcept { return phase_.load(); }
+  /// The speed commanded last, 0..1 of the programmed one. Any thread.
+  double speed() const noexcept { return speed_.load(); }
   /// Whether the operator or an event has requested the task to stop. Any thread.
   bool stop_performed() const noexcept { return phase() == TaskPhase::stopping; }
   /// The task was stopped before its start: no process reports it. Any thread.
@@ -87,6 +89,7 @@ class OperatorEvents {
   std::vector<Performed> performed_;
   std::uint64_t tickets_ = 0;
   std::atomic<TaskPhase> phase_{TaskPhase::starting};
+  std::atomic<double> speed_{1};
   std::atomic<bool> stopped_before_start_{false};
   std::atomic<bool> emergency_stopped_{false};
 };

@@ -85,6 +85,7 @@ VerbReply OperatorService::execute(const OperatorClient& client, const VerbReque
     return done("no robot has moved, the run ends");
   }
   if (verb == "answer") return give_answer(request, event);
+  if (verb == "speed") return give_speed(request, event);
   if (config::is_robot_order(verb)) return give_order(request, event);
   event = config::Event{.command = std::string{verb}};
   return {};
@@ -135,6 +136,16 @@ VerbReply OperatorService::give_answer(const VerbRequest& request, std::optional
   if (!value) return refuse(Refusal::invalid_argument, refusal);
   event = config::Event{.command = "answer", .asker = question->asker, .value = *value, .question = question->number};
   questions_->close(question->asker);
+  return {};
+}
+
+VerbReply OperatorService::give_speed(const VerbRequest& request, std::optional<config::Event>& event) {
+  const std::string text{request.argument("value")};
+  const std::optional<double> percent = core::to_finite(text);
+  if (!percent || *percent < config::kLeastSpeedPercent || *percent > config::kFullSpeedPercent)
+    return refuse(Refusal::invalid_argument, "value: " + config::in_quotes(text) + " is not a speed",
+                  "percent from 1 to 100");
+  event = config::Event{.command = "speed", .value = *percent};
   return {};
 }
 
@@ -204,6 +215,7 @@ VerbReply OperatorService::report() const {
   reply.data = to_json({.deployment = deployment_,
                         .phase = phase(),
                         .tick = events_ == nullptr ? 0 : events_->tick(),
+                        .speed = events_ == nullptr ? 1 : events_->speed(),
                         .emergency_stopped = events_ != nullptr && events_->emergency_stopped(),
                         .commander = holder_.name(),
                         .processes = statuses_,
@@ -240,11 +252,13 @@ void OperatorService::reply_to(const OperatorEvents::Performed& performed) {
   const std::string by = pending == pending_.end() ? "an event of the deployment" : pending->second.client.name;
   const bool repeated = performed.event.command == "jog";  // many times a second
   const bool shown = repeated || pending == pending_.end() || pending->second.client.number == 0;
-  publish_(line_of({{"event", "command"},
-                    {"command", performed.event.command},
-                    {"by", by},
-                    {"tick", performed.event.tick},
-                    {"task", name_of(phase())}}),
+  nlohmann::ordered_json json{{"event", "command"},
+                              {"command", performed.event.command},
+                              {"by", by},
+                              {"tick", performed.event.tick},
+                              {"task", name_of(phase())}};
+  if (performed.event.command == "speed") json["value"] = performed.event.value;
+  publish_(line_of(json),
            shown ? "" : performed.event.command + " by " + by + " at tick " + std::to_string(performed.event.tick));
   if (pending == pending_.end()) return;
   if (performed.number != 0) {

@@ -81,6 +81,7 @@ class OperatorService {
   VerbReply execute(const OperatorClient& client, const VerbRequest& request, std::optional<config::Event>& event);
   VerbReply take_command(const OperatorClient& client);
   VerbReply give_answer(const VerbRequest& request, std::optional<config::Event>& event);
+  static VerbReply give_speed(const VerbRequest& request, std::optional<config::Event>& event);
   VerbReply give_order(const VerbRequest& request, std::optional<config::Event>& event) const;
   /// Why another order is refused while the robot has not answered the last one; ok when it may be given.
   VerbReply check_answered(const config::Event& event) const;

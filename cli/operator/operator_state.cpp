@@ -98,6 +98,7 @@ std::string to_json(const OperatorState& state) {
             {"servo_period", state.deployment.servo_period},
             {"tick", state.tick},
             {"task", name_of(state.phase)},
+            {"speed", state.speed},
             {"emergency_stop", state.emergency_stopped},
             {"commander", state.commander.empty() ? Json{} : Json(state.commander)},
             {"processes", Json::array()},
@@ -116,6 +117,8 @@ std::string state_text(const std::string& text) try {
                                   words(json.at("task")), words(json.at("clock")), json.at("tick").get<Tick>(),
                                   static_cast<double>(json.at("tick").get<Tick>()) * period,
                                   json.at("emergency_stop").get<bool>() ? ", EMERGENCY STOP" : "");
+  if (const double speed = json.at("speed").get<double>(); speed != 1)
+    lines += fmt::format("{:<12} {:g} % of the programmed one\n", "speed", 100 * speed);
   const Json& commander = json.at("commander");
   lines += fmt::format("{:<12} {}\n", "command", commander.is_null() ? "free" : "held by " + words(commander));
   for (const Json& process : json.at("processes")) {

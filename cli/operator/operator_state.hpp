@@ -15,6 +15,7 @@ struct OperatorState {
   const config::Deployment& deployment;
   TaskPhase phase = TaskPhase::starting;
   Tick tick = 0;
+  double speed = 1;  ///< of the programmed one
   bool emergency_stopped = false;
   std::string commander;                                         ///< empty: command is free
   const std::map<std::string, links::ProcessStatus>& processes;  ///< the last status of each

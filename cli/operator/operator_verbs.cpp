@@ -15,6 +15,7 @@ constexpr VerbArgument kAnswerArguments[]{
     VerbArgument{"value", "The answer as it would be typed: a number, yes or no, a choice or its number from 1", true},
     VerbArgument{"from", "The sensor or process that asks; default: the question that is shown", false}};
 
+constexpr VerbArgument kSpeedArguments[]{VerbArgument{"value", "Percent of the programmed speed, 1 to 100", true}};
 constexpr VerbArgument kEchoArguments[]{VerbArgument{
     "of", "changes (default), robots, readings or world: their states at most 50 times a second, or all", false}};
 constexpr VerbArgument kRobot{"robot", "Name of the robot in the deployment", true};
@@ -49,6 +50,8 @@ constexpr OperatorVerb kVerbs[]{
                  "the task has received a trigger",
                  {},
                  true},
+    OperatorVerb{"speed", "Scale the speed of the task's motions along their paths, until it is changed again",
+                 "the motions change to this speed", kSpeedArguments, true},
     OperatorVerb{"answer", "Answer a question of the task or of a sensor", "the answer is given", kAnswerArguments,
                  true},
     OperatorVerb{"jog", "Move a robot that no task commands, for 0.2 s; again in time, it continues", "the robot jogs",

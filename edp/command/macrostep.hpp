@@ -1,8 +1,8 @@
 #pragma once
 
 #include "edp/command/force_target.hpp"
-#include "edp/command/path.hpp"
 #include "geometry/desired_state.hpp"
+#include "language/macrostep/macrostep_path.hpp"
 #include "mrroc/signals.hpp"
 
 namespace mrroc::edp {
@@ -29,7 +29,7 @@ struct Macrostep {
   std::uint32_t reply_step = 1;  ///< v, 1..N+1
   DesiredState from;
   DesiredState to;
-  Path path;
+  MacrostepPath path;
   ForceTarget force;
   std::uint8_t choice = 0;  ///< index in the ModelSet or of the regulator set
   bool with_outputs = false;

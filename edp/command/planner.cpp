@@ -72,8 +72,8 @@ void Planner::cut_stop(std::uint32_t steps, Macrostep& macrostep) const noexcept
 }
 
 ErrorReport Planner::check(const Macrostep& macrostep) noexcept {
-  const Path& path = macrostep.path;
-  const Quintic* quintic = path.space() == Path::Space::joints ? &path.quintic() : nullptr;
+  const MacrostepPath& path = macrostep.path;
+  const Quintic* quintic = path.space() == MacrostepPath::Space::joints ? &path.quintic() : nullptr;
   return limits_.check(
       macrostep.from, macrostep.to, macrostep.steps, quintic,
       [&path](double t, const JointVector& near, DesiredState& state) noexcept { return path.at(t, near, state); });
@@ -81,44 +81,12 @@ ErrorReport Planner::check(const Macrostep& macrostep) noexcept {
 
 ErrorReport Planner::plan_path(Interpolation interpolation, Macrostep& macrostep) noexcept {
   const double duration = macrostep.steps * period_;
-  Path& path = macrostep.path;
-  macrostep.to = goal_.joints;
-  if (goal_.wants_velocity) {
-    path.plan_velocity(kinematics_.model().parameters(), macrostep.from, goal_.joints.velocity);
-    path.at(duration, macrostep.from.position, macrostep.to);
-    return check(macrostep);
-  }
-  // a macrostep that ends in motion without a given acceleration ends with its mean acceleration
-  if (!goal_.acceleration_given && !(macrostep.to.velocity.array() == 0.0).all())
-    macrostep.to.acceleration = (macrostep.to.velocity - macrostep.from.velocity) / duration;
-  ErrorCode code = ErrorCode::none;
-  switch (interpolation) {
-    case Interpolation::joints:
-      path.plan_joints(macrostep.from, macrostep.to, duration);
-      break;
-    case Interpolation::motors:
-      code = path.plan_motors(kinematics_.model(), macrostep.from, macrostep.to, duration, period_);
-      break;
-    case Interpolation::task:
-      code = plan_task(duration, macrostep);
-      break;
-    default:
-      code = ErrorCode::invalid_argument;
-  }
-  if (code != ErrorCode::none)
+  const ErrorCode code =
+      plan_to(goal_, interpolation, kinematics_, macrostep.from, duration, period_, macrostep.path, macrostep.to);
+  if (code != ErrorCode::none && !goal_.wants_velocity)
     return make_report(ErrorClass::non_fatal, code, "no path to the goal: the tool turns by more than %.3g rad",
-                       Path::kTurnMax);
+                       MacrostepPath::kTurnMax);
   return check(macrostep);
-}
-
-ErrorCode Planner::plan_task(double duration, Macrostep& macrostep) noexcept {
-  MovingPose tool = goal_.tool;
-  if (!goal_.acceleration_given && !tool.twist.isZero(0))
-    tool.rate = (tool.twist - tool_motion(kinematics_, macrostep.from, Path::kDifference * period_).twist) / duration;
-  const ErrorCode code = macrostep.path.plan_task(kinematics_, macrostep.from, tool, duration, period_);
-  if (code != ErrorCode::none || macrostep.to.at_rest()) return code;
-  const JointVector joints = macrostep.to.position;
-  return macrostep.path.at(duration, joints, macrostep.to);
 }
 
 ErrorReport Planner::stretch(Interpolation interpolation, ErrorReport report, Macrostep& macrostep) noexcept {

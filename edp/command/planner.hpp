@@ -1,8 +1,8 @@
 #pragma once
 
-#include "edp/command/goal.hpp"
 #include "edp/command/macrostep.hpp"
 #include "language/limit_check.hpp"
+#include "language/macrostep/macrostep_goal.hpp"
 #include "language/stop.hpp"
 #include "mrroc/robot_command.hpp"
 #include "mrroc/robot_state.hpp"
@@ -47,14 +47,13 @@ class Planner {
   void cut_stop(std::uint32_t steps, Macrostep& macrostep) const noexcept;
   ErrorReport check(const Macrostep& macrostep) noexcept;
   ErrorReport plan_path(Interpolation interpolation, Macrostep& macrostep) noexcept;
-  ErrorCode plan_task(double duration, Macrostep& macrostep) noexcept;
   ErrorReport stretch(Interpolation interpolation, ErrorReport report, Macrostep& macrostep) noexcept;
 
   ToolKinematics kinematics_;
   double period_;
   Stop stop_;
   LimitCheck limits_;
-  Goal goal_;  ///< of the command being planned
+  MacrostepGoal goal_;  ///< of the command being planned
 };
 
 }  // namespace mrroc::edp

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "edp/motion/moving_pose.hpp"
+#include "geometry/joint_motion.hpp"
 
 namespace mrroc::edp {
 

@@ -28,6 +28,11 @@ class Generator {
   /// `resume()`. False, the default: the generator cannot do that. Every robot then brakes on its own, as fast as its
   /// limits allow, and robots that move together leave their common path. Called once per pause; must not allocate.
   virtual bool brake() { return false; }
+  /// Whether the operator's speed scales this motion. True, the default: Move stretches the time between the states
+  /// that `next_state()` commands, so the robots pass the same path more slowly, and `state()` shows `next_state()` its
+  /// own desired values. False: the motion follows something that has its own time (a moving frame, a hand, a spring),
+  /// so it is executed as commanded.
+  virtual bool scales_with_speed() const { return true; }
   /// f_T: the motion has ended on its own. Evaluated once per step, before `next_state()`.
   virtual bool terminal_condition() { return false; }
   /// f_e*: writes `robot.command()` of every robot that it moves; the other robots hold. Must not allocate.

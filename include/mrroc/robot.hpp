@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mrroc/robot_link.hpp"
+#include "mrroc/time_scale.hpp"
 #include "mrroc/tool_kinematics.hpp"
 
 namespace mrroc {
@@ -82,6 +83,10 @@ class Robot {
   void release() noexcept { in_use_ = false; }
   void send() { link_->send(command_); }
   void receive() { link_->receive(state_); }
+  /// The state of the last exchange, for Move, which shows a generator the desired values in the generator's own time.
+  RobotState& exchanged_state() noexcept { return state_; }
+  /// The operator's speed at the end of the macrostep commanded last.
+  TimeScale& time_scale() noexcept { return time_scale_; }
 
  private:
   void change();
@@ -93,6 +98,7 @@ class Robot {
   RobotLink* link_;
   RobotState state_;
   RobotCommand command_;
+  TimeScale time_scale_;
   std::uint16_t motion_steps_ = 10;
   std::uint16_t reply_step_ = 8;
   bool in_use_ = false;

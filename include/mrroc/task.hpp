@@ -60,6 +60,8 @@ class Task {
   /// The request for the instruction at this step; never waits. In an MP it throws the error of an ECP that the MP has
   /// started and that has failed since.
   virtual OperatorRequest operator_request() = 0;
+  /// The speed that the operator wants, as a fraction of the programmed one: above 0, at most 1.
+  virtual double operator_speed() const noexcept { return 1; }
   /// True once for each trigger that the operator gave.
   virtual bool take_trigger() noexcept = 0;
   /// Receives every step; may be null. It must neither allocate nor block.

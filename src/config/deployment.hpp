@@ -130,14 +130,17 @@ struct RobotOrder {
   std::string tool{};   ///< of tool: in the robot's parameter file
 };
 
+/// The operator's speed, percent of the programmed one.
+inline constexpr double kLeastSpeedPercent = 1, kFullSpeedPercent = 100;
+
 /// A command of the operator at a given tick: written in advance for runs without an operator, or noted in a live run.
 struct Event {
   Tick tick = 0;
-  /// start | pause | resume | trigger | stop | estop | reset | answer, or one of `order`: jog | step | go | hold |
-  /// synchronise | recover | bias | output | tool
+  /// start | pause | resume | trigger | stop | estop | reset | speed | answer, or one of `order`: jog | step | go |
+  /// hold | synchronise | recover | bias | output | tool
   std::string command{};
   std::string asker{};  ///< of an answer: the sensor or process that asks; else empty
-  double value = 0;     ///< the answer: the number, 1 or 0 for yes or no, the index of a choice
+  double value = 0;     ///< the answer: the number, 1 or 0 for yes or no, the index of a choice; the speed, percent
   /// Of an answer: the number of the asker's question, from 1; 0: the one that is open then.
   std::uint64_t question = 0;
   RobotOrder order{};  ///< of commands to a robot; else empty

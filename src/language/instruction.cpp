@@ -48,7 +48,8 @@ Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Gen
     : robots_(robots.begin(), robots.end()),
       sensors_(sensors.begin(), sensors.end()),
       generator_(generator),
-      condition_(std::move(condition)) {
+      condition_(std::move(condition)),
+      speed_(robots_, generator_) {
   task_ = &task_of(robots_, sensors_);
   if (condition_) condition_->append_leaves(leaves_);
 }
@@ -79,7 +80,11 @@ Outcome Instruction::run_steps() {
   start_tick_ = newest_tick();
   throw_reported_errors();
   if (condition_) condition_->start();
-  if (generator_ != nullptr) generator_->start();
+  speed_.begin();
+  if (generator_ != nullptr) {
+    const SpeedOverride::OwnTime own_time(speed_);
+    generator_->start();
+  }
   late_ = late_commands();
   for (;;) {
     resume_after_late_command();
@@ -129,7 +134,10 @@ void Instruction::throw_reported_errors() const {
 bool Instruction::operator_ends_it() {
   OperatorRequest request = task_->operator_request();
   const bool pause = request == OperatorRequest::pause;
-  if (pause && !braking_ && generator_ != nullptr && moving()) braking_ = generator_->brake();
+  if (pause && !braking_ && generator_ != nullptr && moving()) {
+    halting_ = speed_.acts();
+    braking_ = halting_ || generator_->brake();
+  }
   // a pause that ends early still leads to rest: the generator continues from there
   if (braking_ && (pause || request == OperatorRequest::none) && moving()) return false;
   if (pause || braking_) request = hold_until_resumed(request);
@@ -148,9 +156,9 @@ OperatorRequest Instruction::hold_until_resumed(OperatorRequest request) {
   }
   if (request == OperatorRequest::none && generator_ != nullptr) {
     come_to_rest();
-    generator_->resume();
+    resume_generator();
   }
-  braking_ = false;
+  braking_ = halting_ = false;
   return request;
 }
 
@@ -173,8 +181,13 @@ void Instruction::resume_after_late_command() {
   timing_.allow_more_time();
   come_to_rest();
   late_ = late_commands();
-  braking_ = false;
-  if (generator_ != nullptr) generator_->resume();
+  braking_ = halting_ = false;
+  if (generator_ != nullptr) resume_generator();
+}
+
+void Instruction::resume_generator() {
+  speed_.begin();
+  generator_->resume();
 }
 
 std::uint64_t Instruction::late_commands() const noexcept {
@@ -185,7 +198,7 @@ std::uint64_t Instruction::late_commands() const noexcept {
 
 std::optional<Ending> Instruction::evaluate_end() {
   const bool condition_holds = condition_ != nullptr && condition_->evaluate();
-  const bool generator_ends = generator_ != nullptr && generator_->terminal_condition();
+  const bool generator_ends = generator_ != nullptr && speed_.due() && generator_->terminal_condition();
   if (condition_holds) return Ending::condition;
   if (generator_ends) return Ending::generator;
   return std::nullopt;
@@ -193,7 +206,11 @@ std::optional<Ending> Instruction::evaluate_end() {
 
 void Instruction::write_next_state() {
   for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
-  if (generator_ != nullptr) generator_->next_state();
+  if (generator_ != nullptr && speed_.due()) {
+    const SpeedOverride::OwnTime own_time(speed_);
+    generator_->next_state();
+  }
+  speed_.write(halting_ ? 0 : braking_ ? 1 : task_->operator_speed());
   timing_.plan(robots_, task_->tick());
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "language/macrostep_timing.hpp"
+#include "language/speed/speed_override.hpp"
 #include "mrroc/move.hpp"
 #include "mrroc/step_observer.hpp"
 #include "mrroc/task.hpp"
@@ -38,6 +39,8 @@ class Instruction {
   void hold();
   std::optional<Ending> evaluate_end();
   void write_next_state();
+  /// The generator plans again, from rest.
+  void resume_generator();
   /// The constant data of the instruction, for the records of the steps.
   void begin_record();
   /// Records the step in the task's black box and passes it to the task's observer.
@@ -60,12 +63,14 @@ class Instruction {
   Task* task_ = nullptr;
   std::shared_ptr<InstructionRecord> record_;  // numbered when its first step is recorded
   std::uint64_t step_ = 0;                     // i - i0
-  bool braking_ = false;                       // the generator brings the robots to rest, for a pause
+  bool braking_ = false;                       // for a pause, on the path: by the generator, or by the speed
+  bool halting_ = false;                       // by the speed
   std::uint64_t held_ = 0;                     // macrosteps of hold since the last command that was observed
   Tick start_tick_ = 0;
   double start_wall_ = 0;
   Tick measure_at_ = 0;
   Tick skew_ = 0;
+  SpeedOverride speed_;
   MacrostepTiming timing_;
   std::uint64_t late_ = 0;  ///< late commands of all robots, as known
 };

@@ -39,6 +39,11 @@ bool Together::terminal_condition() {
   return std::all_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.ended; });
 }
 
+bool Together::scales_with_speed() const {
+  return std::all_of(parts_.begin(), parts_.end(),
+                     [](const Part& part) { return part.generator->scales_with_speed(); });
+}
+
 void Together::next_state() {
   for (Part& part : parts_)
     if (!part.ended) part.generator->next_state();

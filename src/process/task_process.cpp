@@ -136,6 +136,9 @@ bool TaskProcess::read_superior() {
       case links::TaskCommandKind::message:
         if (running_) mailbox_.put(command.parcel);
         break;
+      case links::TaskCommandKind::speed:
+        if (command.speed > 0 && command.speed <= 1) speed_ = command.speed;
+        break;
     }
     on_superior_command(command);
   }

@@ -70,6 +70,7 @@ class TaskProcess : public Task {
   double wall_seconds() const noexcept override { return process_.clock().wall_seconds(); }
   void sleep_until(Tick tick) override;
   OperatorRequest operator_request() override;
+  double operator_speed() const noexcept override { return speed_; }
   bool take_trigger() noexcept override;
   StepObserver* observer() noexcept override { return reporter_.get(); }
 
@@ -116,6 +117,7 @@ class TaskProcess : public Task {
   std::map<std::string, std::unique_ptr<links::SensorRequester>> sensors_;
   OperatorRequest request_ = OperatorRequest::none;
   std::uint32_t triggers_ = 0;
+  double speed_ = 1;  // that the operator wants
 };
 
 }  // namespace mrroc::process

@@ -63,6 +63,8 @@ class ImageServo : public Generator {
   bool terminal_condition() override;
   /// Throws NonFatalError(invalid_argument) when the number of points differs from that of the desired ones.
   void next_state() override;
+  /// The part that the camera sees may move.
+  bool scales_with_speed() const override { return false; }
 
   /// The largest distance of a point from its desired position in the last step, in normalised coordinates; NaN when
   /// the points are not visible.

@@ -53,6 +53,8 @@ class Impedance : public Generator {
   void start() override;
   void resume() override;
   void next_state() override;
+  /// The spring acts in real time, and its set-point may be a moving frame.
+  bool scales_with_speed() const override { return false; }
 
   /// K (x_d - x) of the step commanded last, in tool axes: the wrench of the spring on the tool.
   const Wrench& spring() const noexcept { return spring_; }

@@ -42,6 +42,8 @@ class LeadThrough : public Generator {
   explicit LeadThrough(Robot& robot, const Guidance& guidance = {});
 
   void next_state() override;
+  /// The hand guides the robot.
+  bool scales_with_speed() const override { return false; }
 
  private:
   Robot* robot_;

@@ -48,6 +48,8 @@ class PositionServo : public Generator {
   void start() override;
   bool terminal_condition() override;
   void next_state() override;
+  /// The part that the sensor sees may move.
+  bool scales_with_speed() const override { return false; }
 
  private:
   bool reached() const noexcept;

@@ -33,6 +33,8 @@ class Together : public Generator {
   bool brake() override;
   bool terminal_condition() override;
   void next_state() override;
+  /// If all parts do: they are executed in the same time.
+  bool scales_with_speed() const override;
 
  private:
   struct Part {

@@ -68,6 +68,8 @@ class TrackFrame : public Generator {
   void start() override;
   bool terminal_condition() override;
   void next_state() override;
+  /// The frame moves in its own time.
+  bool scales_with_speed() const override { return false; }
 
   /// Index of the current point; the number of points at the end.
   std::size_t point() const noexcept;

@@ -45,8 +45,8 @@ Event read_event(const Table& table, const Deployment& deployment) {
   Event event;
   event.tick = static_cast<Tick>(table.integer("tick", 0, std::numeric_limits<std::int64_t>::max()));
   event.command =
-      table.choice("command", {"start", "pause", "resume", "trigger", "stop", "estop", "reset", "answer", "jog", "step",
-                               "go", "hold", "synchronise", "recover", "bias", "output", "tool"});
+      table.choice("command", {"start", "pause", "resume", "trigger", "stop", "estop", "reset", "speed", "answer",
+                               "jog", "step", "go", "hold", "synchronise", "recover", "bias", "output", "tool"});
   if (is_robot_order(event.command)) {
     refuse_keys(table, event.command, {"sensor", "process", "question"});
     event.order = read_robot_order(table, event.command, deployment);
@@ -61,7 +61,11 @@ Event read_event(const Table& table, const Deployment& deployment) {
     event.question = static_cast<std::uint64_t>(table.integer_or("question", 0, 0, std::numeric_limits<int>::max()));
     return event;
   }
-  refuse_keys(table, event.command, {"sensor", "process", "value", "question"});
+  refuse_keys(table, event.command, {"sensor", "process", "question"});
+  if (event.command == "speed")
+    event.value = table.number("value", {kLeastSpeedPercent, kFullSpeedPercent});
+  else
+    refuse_keys(table, event.command, {"value"});
   return event;
 }
 

@@ -18,6 +18,11 @@ std::uint64_t TaskSuperior::send(TaskCommandKind kind, const Message& parcel) {
   return sequence_;
 }
 
+std::uint64_t TaskSuperior::send_speed(double speed) {
+  writer_.write({TaskCommandKind::speed, {}, speed}, ++sequence_);
+  return sequence_;
+}
+
 bool TaskSuperior::take(TaskStatus& status, std::uint64_t& last_command) {
   Header header;
   if (!reader_.take(status, header)) return false;

@@ -18,6 +18,8 @@ class TaskSuperior {
 
   /// Sends a command and returns its number (1, 2, ...). Does not wait. Throws SystemError when DDS refuses it.
   std::uint64_t send(TaskCommandKind kind, const Message& parcel = {});
+  /// The same of TaskCommandKind::speed.
+  std::uint64_t send_speed(double speed);
 
   /// The oldest status not yet taken; `last_command` is the number of the last command that the subordinate had taken
   /// when it reported, so that a status sent before a command can be recognised. Neither waits, locks nor allocates.

@@ -82,7 +82,7 @@ bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
 
 template <Is<TaskCommand> M, class Wire, class Visitor>
 bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
-  return v.field(m.kind, w.command_kind) && v.field(m.parcel, w.parcel);
+  return v.field(m.kind, w.command_kind) && v.field(m.parcel, w.parcel) && v.field(m.speed, w.speed);
 }
 
 template <Is<TaskStatus> M, class Wire, class Visitor>

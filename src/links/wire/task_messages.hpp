@@ -13,13 +13,15 @@ enum class TaskCommandKind : std::uint8_t {
   trigger = 3,
   stop = 4,
   end_motion = 5,
-  message = 6
+  message = 6,
+  speed = 7
 };
 
 /// From the superior to its subordinate: operator to MP, MP to ECP.
 struct TaskCommand {
   TaskCommandKind kind = TaskCommandKind::start;
-  Message parcel;  ///< the behaviour to start, or the message; a start without one: the program itself
+  Message parcel;    ///< the behaviour to start, or the message; a start without one: the program itself
+  double speed = 1;  ///< of `speed`: the fraction of the programmed speed, above 0, at most 1
 };
 
 enum class TaskState : std::uint8_t { idle = 0, running = 1, paused = 2, succeeded = 3, failed = 4, stopped = 5 };

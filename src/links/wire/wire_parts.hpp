@@ -35,7 +35,7 @@ inline constexpr AxisBehaviour kLast<AxisBehaviour> = AxisBehaviour::contact;
 template <>
 inline constexpr SensorRequestKind kLast<SensorRequestKind> = SensorRequestKind::bias;
 template <>
-inline constexpr TaskCommandKind kLast<TaskCommandKind> = TaskCommandKind::message;
+inline constexpr TaskCommandKind kLast<TaskCommandKind> = TaskCommandKind::speed;
 template <>
 inline constexpr TaskState kLast<TaskState> = TaskState::stopped;
 template <>

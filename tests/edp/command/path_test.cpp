@@ -1,5 +1,3 @@
-#include "edp/command/path.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -7,6 +5,7 @@
 
 #include "edp/random_values.hpp"
 #include "edp/test_robots.hpp"
+#include "language/macrostep/macrostep_path.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -22,7 +21,7 @@ DesiredState moving(const JointVector& position, double speed) {
 
 /// Follows the path tick by tick as the servo does; `look` receives every state.
 template <class Check>
-void follow(const Path& path, const DesiredState& from, int steps, Check check) {
+void follow(const MacrostepPath& path, const DesiredState& from, int steps, Check check) {
   DesiredState state = from;
   for (int k = 1; k <= steps; ++k) {
     DesiredState next;
@@ -32,12 +31,12 @@ void follow(const Path& path, const DesiredState& from, int steps, Check check) 
   }
 }
 
-TEST(Path, ShaftsFollowTheirQuinticInMotorSpace) {
+TEST(MacrostepPath, ShaftsFollowTheirQuinticInMotorSpace) {
   EXPECT_TRUE(rc::check([] {
     Slide model;
     const DesiredState from = moving(random_vector(1, 0.5), 0.2), to = moving(random_vector(1, 0.5), 0.2);
     const int steps = 200;
-    Path joints, motors;
+    MacrostepPath joints, motors;
     joints.plan_joints(from, to, steps * kServoPeriod);
     RC_ASSERT(motors.plan_motors(model, from, to, steps * kServoPeriod, kServoPeriod) == ErrorCode::none);
     follow(motors, from, steps, [&](int k, const DesiredState&, const DesiredState& now) {
@@ -50,7 +49,7 @@ TEST(Path, ShaftsFollowTheirQuinticInMotorSpace) {
   }));
 }
 
-TEST(Path, ToolMovesStraightAndTurnsAboutOneAxisInTaskSpace) {
+TEST(MacrostepPath, ToolMovesStraightAndTurnsAboutOneAxisInTaskSpace) {
   EXPECT_TRUE(rc::check([] {
     Gantry model;
     Pose tool = Pose::Identity();
@@ -60,7 +59,7 @@ TEST(Path, ToolMovesStraightAndTurnsAboutOneAxisInTaskSpace) {
     MovingPose to;
     to.pose = kinematics.direct(from.position + random_vector(4, 0.5));
     const int steps = 300;
-    Path path;
+    MacrostepPath path;
     RC_ASSERT(path.plan_task(kinematics, from, to, steps * kServoPeriod, kServoPeriod) == ErrorCode::none);
     const Eigen::Vector3d start = kinematics.direct(from.position).translation();
     const Eigen::Vector3d way = to.pose.translation() - start;
@@ -75,13 +74,13 @@ TEST(Path, ToolMovesStraightAndTurnsAboutOneAxisInTaskSpace) {
   }));
 }
 
-TEST(Path, TaskSpacePathContinuesTheMotionOfTheJoints) {
+TEST(MacrostepPath, TaskSpacePathContinuesTheMotionOfTheJoints) {
   EXPECT_TRUE(rc::check([] {
     PlanarArm model;
     const ToolKinematics kinematics(model);
     const DesiredState from = moving(arm_joints(), 0.3), to = moving(from.position + random_vector(2, 0.1), 0.3);
-    Path path;
-    const MovingPose goal = tool_motion(kinematics, to, Path::kDifference * kServoPeriod);
+    MacrostepPath path;
+    const MovingPose goal = tool_motion(kinematics, to, MacrostepPath::kDifference * kServoPeriod);
     RC_ASSERT(path.plan_task(kinematics, from, goal, 0.4, kServoPeriod) == ErrorCode::none);
     for (const double t : {0.0, 0.4}) {
       const DesiredState& expected = t == 0.0 ? from : to;
@@ -94,14 +93,14 @@ TEST(Path, TaskSpacePathContinuesTheMotionOfTheJoints) {
   }));
 }
 
-TEST(Path, AVelocityIsReachedUnderTheLimitsAndKept) {
+TEST(MacrostepPath, AVelocityIsReachedUnderTheLimitsAndKept) {
   EXPECT_TRUE(rc::check([] {
     Gantry model;
     const auto& axes = model.parameters().axes;
     DesiredState from = DesiredState::resting_at(random_vector(4, 0.5));
     from.velocity = random_vector(4, 0.5);
     const JointVector wanted = random_vector(4, 0.5);
-    Path path;
+    MacrostepPath path;
     path.plan_velocity(model.parameters(), from, wanted);
     follow(path, from, 500, [&](int, const DesiredState& before, const DesiredState& now) {
       for (int i = 0; i < 4; ++i) {
@@ -119,12 +118,12 @@ TEST(Path, AVelocityIsReachedUnderTheLimitsAndKept) {
   }));
 }
 
-TEST(Path, RefusesAToolThatWouldTurnTooFar) {
+TEST(MacrostepPath, RefusesAToolThatWouldTurnTooFar) {
   Gantry model;
   const ToolKinematics kinematics(model);
   JointVector target = JointVector::Zero(4);
   MovingPose to;
-  Path path;
+  MacrostepPath path;
   target[3] = 2.9;
   to.pose = kinematics.direct(target);
   const DesiredState from = DesiredState::resting_at(JointVector::Zero(4));
@@ -134,7 +133,7 @@ TEST(Path, RefusesAToolThatWouldTurnTooFar) {
   EXPECT_EQ(path.plan_task(kinematics, from, to, 1, kServoPeriod), ErrorCode::invalid_argument);
 }
 
-TEST(Path, EndsAtTheInverseKinematics) {
+TEST(MacrostepPath, EndsAtTheInverseKinematics) {
   PlanarArm model;
   const ToolKinematics kinematics(model);
   const DesiredState from = DesiredState::resting_at((JointVector(2) << 0.3, 1.0).finished());
@@ -142,7 +141,7 @@ TEST(Path, EndsAtTheInverseKinematics) {
   MovingPose to;
   to.pose = kinematics.direct(from.position);
   to.pose.translation().x() += 0.1;
-  Path path;
+  MacrostepPath path;
   ASSERT_EQ(path.plan_task(kinematics, from, to, 0.2, kServoPeriod), ErrorCode::none);
   DesiredState state;
   EXPECT_EQ(path.at(0.1, from.position, state), ErrorCode::out_of_workspace);

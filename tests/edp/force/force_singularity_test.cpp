@@ -6,7 +6,7 @@
 
 #include "edp/every_robot.hpp"
 #include "edp/force/damped_inverse.hpp"
-#include "edp/motion/moving_pose.hpp"
+#include "geometry/joint_motion.hpp"
 #include "force_rig.hpp"
 #include "singular_postures.hpp"
 

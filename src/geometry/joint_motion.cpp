@@ -1,8 +1,8 @@
-#include "edp/motion/moving_pose.hpp"
+#include "geometry/joint_motion.hpp"
 
 #include <Eigen/QR>
 
-namespace mrroc::edp {
+namespace mrroc {
 
 JointVector joint_velocity_of(const ToolKinematics& kinematics, const JointVector& joints,
                               const Twist& twist) noexcept {
@@ -26,4 +26,4 @@ double joint_motion(const ToolKinematics& kinematics, const JointVector& joints,
   return (kinematics.jacobian(joints) * velocity - tool.twist).norm();
 }
 
-}  // namespace mrroc::edp
+}  // namespace mrroc

@@ -2,13 +2,13 @@
 
 #include <array>
 
-#include "edp/motion/moving_pose.hpp"
 #include "geometry/desired_state.hpp"
+#include "geometry/joint_motion.hpp"
 #include "geometry/quintic.hpp"
 #include "language/joints/axis_stop.hpp"
 #include "mrroc/tool_kinematics.hpp"
 
-namespace mrroc::edp {
+namespace mrroc {
 
 /// The path of the set-point inside a macrostep of duration D, always as joints. It is planned in one of four spaces:
 ///
@@ -22,7 +22,7 @@ namespace mrroc::edp {
 /// In motor and task space velocity and acceleration are central differences of q over +-kDifference of a servo period.
 ///
 /// Allocates nothing, never throws. Refers to the model that it was planned with.
-class Path {
+class MacrostepPath {
  public:
   enum class Space : std::uint8_t { joints, motors, task, velocity };
 
@@ -62,4 +62,4 @@ class Path {
   JointVector velocity_;  ///< v1
 };
 
-}  // namespace mrroc::edp
+}  // namespace mrroc

@@ -1,16 +1,16 @@
-#include "edp/command/path.hpp"
+#include "language/macrostep/macrostep_path.hpp"
 
 #include "geometry/rigid_motion.hpp"
 
-namespace mrroc::edp {
+namespace mrroc {
 
-void Path::plan_joints(const DesiredState& from, const DesiredState& to, double duration) noexcept {
+void MacrostepPath::plan_joints(const DesiredState& from, const DesiredState& to, double duration) noexcept {
   space_ = Space::joints;
   quintic_.plan(from, to, duration);
 }
 
-ErrorCode Path::plan_motors(const RobotModel& model, const DesiredState& from, const DesiredState& to, double duration,
-                            double period) noexcept {
+ErrorCode MacrostepPath::plan_motors(const RobotModel& model, const DesiredState& from, const DesiredState& to,
+                                     double duration, double period) noexcept {
   space_ = Space::motors;
   model_ = &model;
   difference_ = kDifference * period;
@@ -30,8 +30,8 @@ ErrorCode Path::plan_motors(const RobotModel& model, const DesiredState& from, c
   return ErrorCode::none;
 }
 
-ErrorCode Path::plan_task(const ToolKinematics& kinematics, const DesiredState& from, const MovingPose& to,
-                          double duration, double period) noexcept {
+ErrorCode MacrostepPath::plan_task(const ToolKinematics& kinematics, const DesiredState& from, const MovingPose& to,
+                                   double duration, double period) noexcept {
   space_ = Space::task;
   model_ = &kinematics.model();
   inverse_tool_ = kinematics.tool().inverse();
@@ -44,8 +44,8 @@ ErrorCode Path::plan_task(const ToolKinematics& kinematics, const DesiredState& 
   return ErrorCode::none;
 }
 
-void Path::plan_velocity(const RobotParameters& parameters, const DesiredState& from,
-                         const JointVector& velocity) noexcept {
+void MacrostepPath::plan_velocity(const RobotParameters& parameters, const DesiredState& from,
+                                  const JointVector& velocity) noexcept {
   space_ = Space::velocity;
   velocity_ = velocity;
   for (std::size_t i = 0; i < parameters.axes.size(); ++i) {
@@ -55,13 +55,13 @@ void Path::plan_velocity(const RobotParameters& parameters, const DesiredState& 
   }
 }
 
-Eigen::Matrix<double, 6, 1> Path::coordinates(const Pose& pose) const noexcept {
+Eigen::Matrix<double, 6, 1> MacrostepPath::coordinates(const Pose& pose) const noexcept {
   Eigen::Matrix<double, 6, 1> x;
   x << pose.translation(), rotation_vector(rotation_.transpose() * pose.linear());
   return x;
 }
 
-DesiredState Path::coordinates(const MovingPose& tool) const noexcept {
+DesiredState MacrostepPath::coordinates(const MovingPose& tool) const noexcept {
   const Eigen::Matrix<double, 6, 1> now = coordinates(tool.pose);
   DesiredState state = DesiredState::resting_at(now);
   if (tool.twist.isZero(0) && tool.rate.isZero(0)) return state;
@@ -72,7 +72,7 @@ DesiredState Path::coordinates(const MovingPose& tool) const noexcept {
   return state;
 }
 
-ErrorCode Path::joints_at(double t, const JointVector& near, JointVector& joints) const noexcept {
+ErrorCode MacrostepPath::joints_at(double t, const JointVector& near, JointVector& joints) const noexcept {
   const JointVector x = quintic_.at(t).position;
   if (space_ == Space::motors) return model_->motors_to_joints(x, joints);
   Pose tool = Pose::Identity();
@@ -81,7 +81,7 @@ ErrorCode Path::joints_at(double t, const JointVector& near, JointVector& joints
   return model_->inverse(tool * inverse_tool_, near, joints);
 }
 
-ErrorCode Path::at(double t, const JointVector& near, DesiredState& state) const noexcept {
+ErrorCode MacrostepPath::at(double t, const JointVector& near, DesiredState& state) const noexcept {
   if (space_ == Space::joints) {
     state = quintic_.at(t);
     return ErrorCode::none;
@@ -104,4 +104,4 @@ ErrorCode Path::at(double t, const JointVector& near, DesiredState& state) const
   return ErrorCode::none;
 }
 
-}  // namespace mrroc::edp
+}  // namespace mrroc

@@ -1,13 +1,13 @@
-#include "edp/command/goal.hpp"
+#include "language/macrostep/macrostep_goal.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "edp/command/path.hpp"
-#include "edp/safety/error_report.hpp"
+#include "core/error_report.hpp"
 #include "geometry/rigid_motion.hpp"
+#include "language/macrostep/macrostep_path.hpp"
 
-namespace mrroc::edp {
+namespace mrroc {
 namespace {
 
 constexpr double kTwistResidual = 1e-6;  // m/s, rad/s
@@ -29,7 +29,7 @@ ErrorReport check_vector(const JointVector& vector, const char* name, Eigen::Ind
 }
 
 /// Joints, their velocity and acceleration as the command gives them; shafts alike.
-ErrorReport read_axes(const RobotCommand& command, const JointVector& base, Goal& goal) noexcept {
+ErrorReport read_axes(const RobotCommand& command, const JointVector& base, MacrostepGoal& goal) noexcept {
   const Eigen::Index count = base.size();
   const bool velocity_only = command.kind == CommandKind::joint_velocity;
   if (!velocity_only)
@@ -56,7 +56,7 @@ ErrorReport shafts_to_joints(const RobotModel& model, double period, DesiredStat
   if (!state.at_rest()) {
     const Eigen::PartialPivLU<JointMatrix> ratio(model.transmission(joints));
     state.velocity = ratio.solve(state.velocity);
-    const double dt = Path::kDifference * period;
+    const double dt = MacrostepPath::kDifference * period;
     const JointVector step = state.velocity * dt;
     const JointMatrix change = model.transmission(joints + step) - model.transmission(joints - step);
     state.acceleration = ratio.solve(state.acceleration - change * state.velocity / (2 * dt));
@@ -67,7 +67,7 @@ ErrorReport shafts_to_joints(const RobotModel& model, double period, DesiredStat
   return {};
 }
 
-ErrorReport read_twist(const RobotCommand& command, const Pose& tool, Goal& goal) noexcept {
+ErrorReport read_twist(const RobotCommand& command, const Pose& tool, MacrostepGoal& goal) noexcept {
   if (!command.twist.allFinite()) return refuse(ErrorCode::not_finite, "a value of the twist");
   if (const ErrorReport report = check_vector(command.twist_acceleration, "twist_acceleration", 6, true); bad(report))
     return report;
@@ -80,9 +80,9 @@ ErrorReport read_twist(const RobotCommand& command, const Pose& tool, Goal& goal
 }
 
 /// Joint velocity and acceleration of the goal's twist, at the goal's joints.
-ErrorReport twist_to_joints(const ToolKinematics& kinematics, double period, Goal& goal) noexcept {
+ErrorReport twist_to_joints(const ToolKinematics& kinematics, double period, MacrostepGoal& goal) noexcept {
   if (goal.tool.twist.isZero(0) && goal.tool.rate.isZero(0)) return {};
-  const double residual = joint_motion(kinematics, goal.joints.position, goal.tool, Path::kDifference * period,
+  const double residual = joint_motion(kinematics, goal.joints.position, goal.tool, MacrostepPath::kDifference * period,
                                        goal.joints.velocity, goal.joints.acceleration);
   if (!(residual <= kTwistResidual * std::max(1.0, goal.tool.twist.norm())))
     return make_report(ErrorClass::non_fatal, ErrorCode::singular,
@@ -91,7 +91,7 @@ ErrorReport twist_to_joints(const ToolKinematics& kinematics, double period, Goa
 }
 
 ErrorReport read_pose(const RobotCommand& command, const DesiredState& from, const ToolKinematics& kinematics,
-                      Goal& goal) noexcept {
+                      MacrostepGoal& goal) noexcept {
   if (!command.pose.matrix().allFinite()) return refuse(ErrorCode::not_finite, "a value of the pose");
   if (!is_rigid(command.pose)) return refuse(ErrorCode::invalid_argument, "the pose's orientation is not a rotation");
   goal.tool.pose = command.relative ? Pose(kinematics.direct(from.position) * command.pose) : command.pose;
@@ -108,12 +108,23 @@ ErrorReport read_pose(const RobotCommand& command, const DesiredState& from, con
   return {};
 }
 
+ErrorCode plan_tool(const MacrostepGoal& goal, const ToolKinematics& kinematics, const DesiredState& from,
+                    double duration, double period, MacrostepPath& path, DesiredState& to) noexcept {
+  MovingPose tool = goal.tool;
+  if (!goal.acceleration_given && !tool.twist.isZero(0))
+    tool.rate = (tool.twist - tool_motion(kinematics, from, MacrostepPath::kDifference * period).twist) / duration;
+  const ErrorCode code = path.plan_task(kinematics, from, tool, duration, period);
+  if (code != ErrorCode::none || to.at_rest()) return code;
+  const JointVector joints = to.position;
+  return path.at(duration, joints, to);
+}
+
 }  // namespace
 
 ErrorReport read_goal(const RobotCommand& command, const DesiredState& from, const ToolKinematics& kinematics,
-                      double duration, double period, Goal& goal) noexcept {
+                      double duration, double period, MacrostepGoal& goal) noexcept {
   const RobotModel& model = kinematics.model();
-  goal = Goal{};
+  goal = MacrostepGoal{};
   goal.wants_tool = command.interpolation == Interpolation::task;
   switch (command.kind) {
     case CommandKind::joint:
@@ -144,8 +155,31 @@ ErrorReport read_goal(const RobotCommand& command, const DesiredState& from, con
       return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "kind %d is not a motion",
                          static_cast<int>(command.kind));
   }
-  if (goal.wants_tool) goal.tool = tool_motion(kinematics, goal.joints, Path::kDifference * period);
+  if (goal.wants_tool) goal.tool = tool_motion(kinematics, goal.joints, MacrostepPath::kDifference * period);
   return {};
 }
 
-}  // namespace mrroc::edp
+ErrorCode plan_to(const MacrostepGoal& goal, Interpolation interpolation, const ToolKinematics& kinematics,
+                  const DesiredState& from, double duration, double period, MacrostepPath& path,
+                  DesiredState& to) noexcept {
+  to = goal.joints;
+  if (goal.wants_velocity) {
+    path.plan_velocity(kinematics.model().parameters(), from, goal.joints.velocity);
+    return path.at(duration, from.position, to);
+  }
+  if (!goal.acceleration_given && !(to.velocity.array() == 0.0).all())
+    to.acceleration = (to.velocity - from.velocity) / duration;
+  switch (interpolation) {
+    case Interpolation::joints:
+      path.plan_joints(from, to, duration);
+      return ErrorCode::none;
+    case Interpolation::motors:
+      return path.plan_motors(kinematics.model(), from, to, duration, period);
+    case Interpolation::task:
+      return plan_tool(goal, kinematics, from, duration, period, path, to);
+    default:
+      return ErrorCode::invalid_argument;
+  }
+}
+
+}  // namespace mrroc

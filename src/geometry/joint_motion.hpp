@@ -4,9 +4,9 @@
 #include "geometry/moving_pose.hpp"
 #include "mrroc/tool_kinematics.hpp"
 
-namespace mrroc::edp {
+namespace mrroc {
 
-/// The tool's motion that belongs to a motion of the joints (language/moving_pose.hpp).
+/// The tool's motion that belongs to a motion of the joints (geometry/moving_pose.hpp).
 MovingPose tool_motion(const ToolKinematics& kinematics, const DesiredState& joints, double dt) noexcept;
 
 /// The joint velocity that gives the tool this twist at `joints`: dq/dt = J^+ twist, least squares, of least norm where
@@ -19,4 +19,4 @@ JointVector joint_velocity_of(const ToolKinematics& kinematics, const JointVecto
 double joint_motion(const ToolKinematics& kinematics, const JointVector& joints, const MovingPose& tool, double dt,
                     JointVector& velocity, JointVector& acceleration) noexcept;
 
-}  // namespace mrroc::edp
+}  // namespace mrroc
