@@ -114,7 +114,7 @@ SpeedOverride::Piece SpeedOverride::piece(bool changes, ScaleAfter scale_after) 
     while (next.ticks > 1 && reaches_end(of(next.ticks - 1))) next = of(next.ticks - 1);
   } else if (steps_ - next.place < (0.5 * longest + 1) * next.end.factor) {
     // too little would remain for another piece
-    while (next.ticks < 2 * longest && !reaches_end(next)) next = of(next.ticks + 1);
+    while (next.ticks < 2 * (longest + 1) && !reaches_end(next)) next = of(next.ticks + 1);
   }
   if (!reaches_end(next)) return next;
   next.completes = true;
@@ -146,7 +146,7 @@ SpeedOverride::Piece SpeedOverride::choose(double wanted) noexcept {
   }
   for (const double part : kCoasting) {
     const double rate = part * scale_.rate;
-    const Piece next = piece(true, [&](double duration) { return ramp_at_rate(scale_, wanted, duration, rate); });
+    const Piece next = piece(true, [&](double duration) { return ramp_at_rate(scale_, duration, rate); });
     if (accepts(next)) return next;
   }
   return best;

@@ -21,13 +21,13 @@ TimeScale ramp(TimeScale from, double wanted, double duration, RampBounds bounds
   const double fastest = change * (std::sqrt(0.25 * h * h + 2 * std::abs(off) / change) - 0.5 * h);
   const double rate = side * std::min(fastest, firmness * bounds.rate);
   const double step = side * (rate - from.rate) > 0 ? firmness * most : most;
-  return ramp_at_rate(from, wanted, duration, std::clamp(rate, from.rate - step, from.rate + step));
+  return ramp_at_rate(from, duration, std::clamp(rate, from.rate - step, from.rate + step));
 }
 
-TimeScale ramp_at_rate(TimeScale from, double wanted, double duration, double rate) noexcept {
+TimeScale ramp_at_rate(TimeScale from, double duration, double rate) noexcept {
   const double factor = from.factor + 0.5 * duration * (from.rate + rate);
-  const bool up = wanted > from.factor;
-  if (up ? factor > wanted : factor < wanted) return {wanted, 0};
+  if (factor >= 1) return {1, 0};
+  if (factor <= 0) return {0, 0};
   return {factor, rate};
 }
 

@@ -12,12 +12,12 @@ struct RampBounds {
 };
 
 /// The time scale `duration` s after `from`, on the way to `wanted`: the rate is within the bounds, and becomes 0 when
-/// the factor reaches `wanted`, without overshoot. `firmness`, 0..1: the part of the bounds up to which the rate
-/// increases; it decreases within the whole bounds.
+/// the factor reaches `wanted`; it passes `wanted` only where the change has been too fast for that. `firmness`, 0..1:
+/// the part of the bounds up to which the rate increases; it decreases within the whole bounds.
 TimeScale ramp(TimeScale from, double wanted, double duration, RampBounds bounds, double firmness) noexcept;
 
-/// The scale if the rate changes linearly to `rate` instead; the factor does not pass `wanted`.
-TimeScale ramp_at_rate(TimeScale from, double wanted, double duration, double rate) noexcept;
+/// The scale if the rate changes linearly to `rate` instead; the factor stays within 0..1.
+TimeScale ramp_at_rate(TimeScale from, double duration, double rate) noexcept;
 
 /// The own time, s, that passes in `duration` s of the clock's time, the factor being a cubic from `from` to `to`.
 double own_time(TimeScale from, TimeScale to, double duration) noexcept;
