@@ -8,6 +8,7 @@
 #include "cli/commands/keys_command.hpp"
 #include "cli/commands/operator_commands.hpp"
 #include "cli/commands/panel_command.hpp"
+#include "cli/commands/robot_command.hpp"
 #include "cli/commands/run_command.hpp"
 #include "cli/commands/trace_command.hpp"
 #include "command/version.hpp"
@@ -27,6 +28,7 @@ void describe_command(CLI::App& app, int& exit_code) {
   add_keys_command(app, exit_code);
   add_agent_command(app, exit_code);
   add_can_command(app, exit_code);
+  add_robot_command(app, exit_code);
 }
 
 void describe_command(CLI::App& app) {

@@ -213,6 +213,12 @@ Urdf Urdf::load(const std::filesystem::path& file) {
   return urdf;
 }
 
+std::vector<std::string> Urdf::links() const {
+  std::vector<std::string> names;
+  for (const auto& [name, line] : links_) names.push_back(name);
+  return names;
+}
+
 const Urdf::Joint* Urdf::joint(const std::string& name) const {
   const auto found = std::find_if(joints_.begin(), joints_.end(), [&](const Joint& j) { return j.name == name; });
   return found == joints_.end() ? nullptr : &*found;

@@ -44,6 +44,8 @@ class Urdf {
 
   const std::filesystem::path& file() const noexcept { return file_; }
   bool has_link(const std::string& name) const { return links_.contains(name); }
+  /// Names of all links, sorted.
+  std::vector<std::string> links() const;
   /// Line of a link's element.
   int line_of_link(const std::string& name) const { return links_.at(name); }
   /// Null when it does not exist.

@@ -94,7 +94,7 @@ export function make_page(scene: Scene, open_socket: () => Socket): void {
       gone.show('The connection to the panel is lost. The page connects again on its own.', false);
     else gone.show('', false);
     version.textContent = store.hello ? `MRROC++ ${store.hello.version} · process ${store.hello.pid}` : '';
-    if (store.connected) document.body.dataset['ready'] = 'yes';
+    if (store.connected || store.ended) document.body.dataset['ready'] = 'yes';
   };
   const { scheduler } = session;
   scheduler.add(() => view.update());

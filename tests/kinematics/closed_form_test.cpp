@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "chains.hpp"
+#include "kinematics/chains.hpp"
 #include "kinematics/newton.hpp"
 
 namespace mrroc::kinematics {

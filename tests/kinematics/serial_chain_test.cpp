@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "chains.hpp"
+#include "kinematics/chains.hpp"
 #include "kinematics/newton.hpp"
 
 namespace mrroc::kinematics {

@@ -43,7 +43,7 @@ test('PathsLeadNowhereElse', async () => {
     'no_such_file',
     '%',
     '?',
-    '\\..\\',
+    '\\..\\..\\etc\\passwd',
   ];
   for (const path of paths) {
     const { code, text } = await raw_get(run.url, token + path);

@@ -1,32 +1,16 @@
 // Several browsers: one commands, the others watch; questions; the emergency stop by button and space bar.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { LiveRun } from './support/live_run.mjs';
 import { PRESS, QUESTIONS, TRANSFER } from './support/packages.mjs';
 import {
   assert_no_problems,
   await_answer,
   await_shown,
   await_task_shown,
-  launch,
   open_panel,
   press_verb,
 } from './support/panel_page.mjs';
-
-const CLOCK = ['--hold', '--clock', 'paced'];
-
-/** Opens a run for `use(run, browser)` and ends both afterwards. */
-async function with_run(file, use) {
-  const run = new LiveRun();
-  const browser = await launch();
-  try {
-    await run.start(file, ...CLOCK);
-    await use(run, browser);
-  } finally {
-    await browser.close();
-    await run.clear();
-  }
-}
+import { with_run } from './support/with_run.mjs';
 
 test('OneOfThreeBrowsersCommandsATwoArmTask', () =>
   with_run(TRANSFER, async (run, browser) => {
@@ -36,7 +20,7 @@ test('OneOfThreeBrowsersCommandsATwoArmTask', () =>
     await await_shown(holder, '#holder', 'this browser');
     const { commander } = await run.status();
     assert.match(commander, /mrroc_panel/);
-    for (const page of [second, watcher]) await await_shown(page, '#holder', commander);
+    for (const page of [second, watcher]) await page.waitForSelector(`#holder[title="${commander}"]`);
 
     await second.waitForSelector('header [data-verb="start"][aria-disabled]');
     assert.match(await second.getAttribute('header [data-verb="start"]', 'title'), /holds command/);

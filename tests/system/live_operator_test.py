@@ -24,6 +24,7 @@ MRROC = str(BUILD / "bin/mrroc")
 PRESS = str(SOURCE / "tasks/press/press.toml")
 TIMEOUT = 240
 STOPPED = 5
+HOME = [0.0, -1.747780928, 0.4768189, -0.299834299, 4.71238898, 1.57079633]  # of robots/irb6/irb6.toml
 SEEDS = 20 if os.environ.get("MRROC_TEST_THOROUGH") else 6
 
 
@@ -352,6 +353,39 @@ class LiveOperator(unittest.TestCase):
             output_of("go", "arm", "home")
             output_of("start")
             self.assertEqual(run.end(), 0)
+
+    def test_other_drives_and_links_with_keys_are_operated(self):
+        text = pathlib.Path(PRESS).read_text(encoding="utf-8").replace('"press.xml"', f'"{SOURCE}/tasks/press/press.xml"')
+        output_of("keys", f"{self.folder}/keys")
+        kinds = {
+            "plant_model": text.replace('"mujoco"', '"loopback"'),
+            "bus": text.replace('"mujoco"', '"socketcan"\nsynchronised = false')
+            + f'\n[robots.arm.can]\nsimulated = true\ninterface = "unix:{self.folder}/bus"\n',
+            "keys": text + f'\n[network]\nkeys = "{self.folder}/keys"\n',
+        }
+        for kind, deployment in kinds.items():
+            with self.subTest(kind):
+                file = pathlib.Path(self.folder) / f"{kind}.toml"
+                file.write_text(deployment, encoding="utf-8")
+                with LiveRun(self.folder, "--hold", "--clock", "paced", "--black-box=", file=str(file)) as run:
+                    run.await_task("held")
+                    if kind == "bus":
+                        self.assertIn("not synchronised", output_of("go", "arm", "home", code=1))
+                        output_of("jog", "arm", "column", "3", "--in", "motors")
+                        run.pass_ticks(300)
+                        output_of("synchronise", "arm")
+                    before = robot_state("arm")["joints"]
+                    output_of("jog", "arm", "column", "-0.2")
+                    run.pass_ticks(300)
+                    self.assertLess(robot_state("arm")["joints"][0], before[0] - 0.01)
+                    output_of("step", "arm", "z", "0.02", "--in", "base")
+                    output_of("step", "arm", "1", "-0.05")
+                    output_of("go", "arm", "home")
+                    for joint, target in zip(robot_state("arm")["joints"], HOME):
+                        self.assertAlmostEqual(joint, target, places=2)
+                    output_of("output", "arm", "2", "1")
+                    output_of("stop")
+                    self.assertEqual(run.end(), STOPPED)
 
     def test_jog_ends_when_its_sender_is_killed(self):
         """The dead-man counts ticks in the EDP: no message says that the sender is gone."""

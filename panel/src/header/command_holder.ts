@@ -1,4 +1,4 @@
-import { button, element, is_refused, set_hidden, set_refusal, set_text } from '../dom/element';
+import { button, element, is_refused, set_attribute, set_hidden, set_refusal, set_text } from '../dom/element';
 import type { Session } from '../session';
 import { refusal_of } from '../state/permissions';
 
@@ -14,24 +14,18 @@ export function command_holder(session: Session): { node: HTMLElement; update():
   take.addEventListener('click', send(take, 'command'));
   const release = button('Release', { id: 'release', 'data-verb': 'release' });
   release.addEventListener('click', send(release, 'release'));
-  const node = element(
-    'div',
-    { class: 'command-holder' },
-    element('span', { class: 'label' }, 'Command'),
-    holder,
-    take,
-    release,
-  );
+  const label = element('span', { class: 'label' }, 'Command');
+  const node = element('div', { class: 'command-holder' }, element('div', {}, label, holder), take, release);
   const update = () => {
     const { situation } = store;
     const mine = store.commander !== null && store.commander === situation.client;
     const other = store.commander !== null && !mine;
     let text = 'free';
     if (mine) text = 'this browser';
-    if (other) text = store.commander ?? '';
+    if (other) text = short_client(store.commander ?? '');
     if (!situation.may_command && store.hello) text += ' · watching only';
     set_text(holder, text);
-    holder.title = text;
+    set_attribute(holder, 'title', store.commander);
     set_text(take, other ? 'Ask for command' : 'Take command');
     set_hidden(take, mine);
     set_hidden(release, !mine);
@@ -39,6 +33,11 @@ export function command_holder(session: Session): { node: HTMLElement; update():
     set_refusal(release, refusal_of('release', situation));
   };
   return { node, update };
+}
+
+/** "mrroc_panel (process 7) #5" without its process, which the title has. */
+function short_client(name: string): string {
+  return name.replace(/ \(process \d+\)(?= #)/, '');
 }
 
 /** Shown to the holder when another client asks for command. Hook: `#wanted`. */

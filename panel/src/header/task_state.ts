@@ -13,13 +13,12 @@ export function task_state(session: Session): { node: HTMLElement; update(): voi
   const node = element(
     'div',
     { class: 'task-state' },
-    deployment,
-    task,
-    emergency,
-    element('div', { class: 'times' }, time, tick),
+    element('div', { class: 'name-and-time' }, deployment, element('div', { class: 'times' }, time, tick)),
+    element('div', { class: 'states' }, task, emergency),
   );
   const update = () => {
     set_text(deployment, store.deployment);
+    set_attribute(deployment, 'title', store.deployment);
     const state = store.ended || store.connected ? store.task : 'not connected';
     set_text(task, state);
     set_attribute(task, 'data-state', store.ended || store.connected ? store.task : 'lost');

@@ -113,10 +113,14 @@ function unsynchronised(state: RobotState | undefined, frame: JogFrame): string 
   return 'The robot is not synchronised: only its motors can be jogged.';
 }
 
-/** Positions of the rows; those of the tool are its pose in the base frame, and a tool frame has none of its own. */
+/**
+ * Positions of the rows. In the base frame they are the tool's pose; in its own axes the tool has none, and a robot that
+ * is not synchronised has those of its motors only.
+ */
 function values_in(state: RobotState, frame: JogFrame): Numbers {
-  if (frame === 'axes') return state.joints;
   if (frame === 'motors') return state.motors;
+  if (!state.synchronised) return [];
+  if (frame === 'axes') return state.joints;
   if (frame === 'tool') return [];
   const [x = null, y = null, z = null, qx, qy, qz, qw] = state.pose;
   return [x, y, z, ...roll_pitch_yaw(qx ?? 0, qy ?? 0, qz ?? 0, qw ?? 1)];

@@ -5,8 +5,8 @@ import { jog_button, type JogActions } from './jog_button';
 export interface JogAxis {
   name: string;
   unit: Unit;
-  minimum?: number;
-  maximum?: number;
+  minimum?: number | null;
+  maximum?: number | null;
 }
 
 export interface JogRow {
@@ -24,7 +24,7 @@ export function jog_row(robot: string, axis: JogAxis, actions: JogActions): JogR
   const plus = jog_button(robot, axis.name, 1, actions);
   const value = element('span', { class: 'figure value', 'data-value': axis.name });
   const marker = element('span', { class: 'marker' });
-  const limited = axis.minimum !== undefined && axis.maximum !== undefined;
+  const limited = typeof axis.minimum === 'number' && typeof axis.maximum === 'number';
   const scale = element('span', { class: 'scale', title: limited ? limits_text(axis) : undefined }, marker);
   set_hidden(scale, !limited);
   const node = element(
@@ -42,7 +42,8 @@ export function jog_row(robot: string, axis: JogAxis, actions: JogActions): JogR
   });
 
   const show_limits = (position: number) => {
-    const { minimum = 0, maximum = 1 } = axis;
+    const minimum = axis.minimum ?? 0;
+    const maximum = axis.maximum ?? 1;
     const part = (position - minimum) / (maximum - minimum);
     const left = `${(100 * Math.max(0, Math.min(1, part))).toFixed(1)}%`;
     if (marker.style.left !== left) marker.style.left = left;
@@ -52,7 +53,9 @@ export function jog_row(robot: string, axis: JogAxis, actions: JogActions): JogR
     node,
     show(position) {
       set_text(value, position_text(position, axis.unit));
-      if (limited && typeof position === 'number') show_limits(position);
+      if (!limited) return;
+      set_class(marker, 'unknown', typeof position !== 'number');
+      if (typeof position === 'number') show_limits(position);
     },
     refuse(reason) {
       set_refusal(minus, reason);
@@ -66,7 +69,7 @@ export function jog_row(robot: string, axis: JogAxis, actions: JogActions): JogR
 }
 
 function limits_text(axis: JogAxis): string {
-  const text = (value: number | undefined) => fixed(to_shown(value ?? 0, axis.unit), 1);
+  const text = (value: number | null | undefined) => fixed(to_shown(value ?? 0, axis.unit), 1);
   return `${text(axis.minimum)} to ${text(axis.maximum)} ${shown_unit(axis.unit)}`;
 }
 

@@ -12,8 +12,8 @@ export const TOOL_AXES = ['x', 'y', 'z', 'rx', 'ry', 'rz'];
 export interface MovedAxis {
   name: string;
   unit: Unit;
-  minimum?: number;
-  maximum?: number;
+  minimum?: number | null;
+  maximum?: number | null;
   velocity: number; // at 100 %
 }
 

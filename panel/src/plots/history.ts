@@ -4,7 +4,6 @@ import { Ring } from './ring';
 
 const SAMPLES = 3200; // 60 s of 50 samples a second, and some more
 const WRENCH = ['force x', 'force y', 'force z', 'torque x', 'torque y', 'torque z'];
-const CURRENTS = 'motor';
 
 /** One curve: a channel of a source, in the unit that is shown. */
 export interface Curve {
@@ -83,7 +82,7 @@ export class History {
       'current',
       'motor currents',
       robot.motors.map((name, i) => ({
-        name: name || `${CURRENTS} ${i + 1}`,
+        name: name || `motor ${i + 1}`,
         channel: 3 * axes + 6 + i,
         unit: 'A',
         factor: 1,
@@ -106,20 +105,27 @@ export class History {
   }
 }
 
-function axis_curve(axis: Robot['axes'][number], channel: number, per: string, limits: number[]): Curve {
+function axis_curve(axis: Robot['axes'][number], channel: number, per: string, limits: (number | null)[]): Curve {
   const factor = axis.unit === 'rad' ? DEGREE : 1000;
   const unit = (axis.unit === 'rad' ? '°' : 'mm') + per;
-  return { name: axis.name, channel, unit, factor, limits: limits.map((limit) => limit * factor) };
+  return {
+    name: axis.name,
+    channel,
+    unit,
+    factor,
+    limits: limits.flatMap((limit) => (limit === null ? [] : [limit * factor])),
+  };
 }
 
-/** Joints, velocities, following errors, wrench, currents: the channels of a robot's ring. */
+/** Joints, velocities, following errors, wrench, currents: the channels of a robot's ring. Unknown positions are gaps. */
 function row_of(state: RobotState): (number | null | undefined)[] {
   const errors = state.desired.map((desired, i) => {
     const joint = state.joints[i];
     return desired === null || joint === null || joint === undefined ? null : desired - joint;
   });
+  const joints = state.synchronised ? state.joints : state.joints.map(() => null);
   const wrench = Array.from({ length: 6 }, (_, i) => state.wrench[i]);
-  return [...state.joints, ...state.velocity, ...errors, ...wrench, ...state.current];
+  return [...joints, ...state.velocity, ...errors, ...wrench, ...state.current];
 }
 
 function unit_of(channel: string): string {

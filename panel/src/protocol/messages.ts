@@ -98,12 +98,11 @@ export type PanelEvent =
   | { event: 'message'; text: string }
   | ({ event: 'process' } & ProcessState)
   | ({ event: 'question' } & Question)
-  | { event: 'command'; command: string; by: string; tick: number; task: TaskState }
+  | { event: 'command'; command: string; by: string; tick: number; task: TaskState; value?: number }
   | { event: 'commander'; commander: string | null }
   | { event: 'command_wanted'; by: string; commander: string }
   | ({ event: 'robot' } & RobotState)
   | ({ event: 'reading' } & SensorReading)
-  | { event: 'speed'; value: number }
   | { event: 'end'; exit_code: number; reason: string };
 
 export interface Reply {

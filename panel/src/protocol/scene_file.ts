@@ -6,8 +6,8 @@ export type Quaternion = [number, number, number, number]; // x, y, z, w
 export interface Axis {
   name: string;
   unit: 'rad' | 'm';
-  minimum: number;
-  maximum: number;
+  minimum: number | null; // null: the axis turns without end
+  maximum: number | null;
   velocity: number;
 }
 
@@ -18,6 +18,7 @@ export interface Robot {
   axes: Axis[];
   motors: string[];
   postures: string[];
+  tools?: string[];
   bodies: number[];
   force_sensor: boolean;
   tool_frame: number | null;

@@ -9,6 +9,7 @@ import { robot_advice } from '../state/advice';
 import { class_of, error_text } from '../state/errors';
 import { io_pane } from './io_pane';
 import { posture_row } from './posture_row';
+import { tool_row } from './tool_row';
 
 /** Everything of one robot. Hooks: `#robot-NAME`, `[data-robot-state]`, buttons with `data-verb` and `data-robot`. */
 export function robot_pane(session: Session, jog: JogSession, robot: Robot): { node: HTMLElement; update(): void } {
@@ -23,6 +24,7 @@ export function robot_pane(session: Session, jog: JogSession, robot: Robot): { n
   if (robot.force_sensor)
     verbs.push(verb('Zero force', 'bias', 'Take the present reading of the force sensor as zero'));
   const postures = posture_row(session, robot);
+  const tools = tool_row(session, robot);
   const jogging = jog_pane(session, jog, robot);
   const signals = io_pane(session, robot);
   const node = element(
@@ -36,9 +38,10 @@ export function robot_pane(session: Session, jog: JogSession, robot: Robot): { n
     ),
     jogging.node,
     postures.node,
+    tools.node,
     signals.node,
   );
-  const parts = [state, ...verbs, jogging, postures, signals];
+  const parts = [state, ...verbs, jogging, postures, tools, signals];
   const update = () => {
     if (!node.hidden) parts.forEach((part) => part.update());
   };

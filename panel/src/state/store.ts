@@ -66,6 +66,7 @@ export class Store {
         this.task = event.task;
         this.see_tick(event.tick);
         if (event.command === 'estop') this.emergency_stop = true;
+        if (event.command === 'speed' && event.value !== undefined) this.speed = event.value / 100;
         return event.command !== 'jog';
       case 'commander':
         this.commander = event.commander;
@@ -73,9 +74,6 @@ export class Store {
         return false;
       case 'command_wanted':
         if (event.commander === this.hello?.client) this.wanted_by = event.by;
-        return false;
-      case 'speed':
-        this.speed = event.value;
         return false;
       case 'end':
         this.exit_code = event.exit_code;

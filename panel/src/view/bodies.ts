@@ -38,10 +38,10 @@ export class Bodies {
     this.groups.forEach((group, index) => place(group, poses, index));
   }
 
-  /** Shows the ghosts at `poses`; without them there is none. */
-  move_ghosts(poses: number[] | undefined): void {
+  /** Shows the ghosts at `poses`, but not of the bodies in `without`; without poses there is none. */
+  move_ghosts(poses: number[] | undefined, without: Set<number>): void {
     for (const [index, ghost] of this.ghosts) {
-      ghost.visible = poses !== undefined;
+      ghost.visible = poses !== undefined && !without.has(index);
       if (poses) place(ghost, poses, index);
     }
   }

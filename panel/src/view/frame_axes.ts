@@ -1,8 +1,9 @@
-import { AxesHelper, Group } from 'three';
+import { AxesHelper, Color, Group } from 'three';
 import type { Frame } from '../protocol/scene_file';
 import type { Bodies } from './bodies';
 
 const LENGTH = 0.1; // m
+const [RED, GREEN, BLUE] = [new Color(0xd62828), new Color(0x15923f), new Color(0x2f6bff)];
 
 /** The scene's frames on their bodies: red x, green y, blue z. */
 export class FrameAxes {
@@ -20,6 +21,7 @@ export class FrameAxes {
     });
     this.axes = this.anchors.map((anchor) => {
       const axes = new AxesHelper(LENGTH);
+      axes.setColors(RED, GREEN, BLUE);
       anchor.add(axes);
       return axes;
     });

@@ -3,7 +3,8 @@ import { WebGLRenderer, type PerspectiveCamera, type Scene } from 'three';
 const POLL = 8; // ms between two looks whether a picture is finished
 const SHORTEST_SOFTWARE = 120; // ms between two pictures that the processor draws
 const PAUSE = 0.5; // after a picture, as a part of its time
-const PAUSE_SOFTWARE = 3; // the processor has to serve the page and the run, too
+const PAUSE_SOFTWARE = 2; // the processor has to serve the page and the run, too
+const LONGEST_PAUSE = 400; // ms
 
 /** Draws when something has changed, and leaves time for everything else between two pictures. */
 export class Renderer {
@@ -63,10 +64,14 @@ export class Renderer {
     context.deleteSync(fence);
     const took = performance.now() - begin;
     const pause = this.software ? Math.max(SHORTEST_SOFTWARE - took, PAUSE_SOFTWARE * took) : PAUSE * took;
-    setTimeout(() => {
-      this.busy = false;
-      if (this.wanted) this.ask();
-    }, pause);
+    setTimeout(
+      () => {
+        this.busy = false;
+        if (this.wanted) this.ask();
+      },
+      Math.min(pause, LONGEST_PAUSE),
+    );
+    this.canvas.dataset['took'] = took.toFixed(0);
   }
 }
 

@@ -16,7 +16,7 @@ const LABEL =
   '3D view of the world. Arrow keys turn the camera, Shift with arrow keys moves it, plus and minus zoom, ' +
   'Home resets it.';
 
-/** The 3D view with its switches. Hooks: `#view`, `#canvas`, `[data-layer]`, `#no-webgl`. */
+/** The 3D view with its switches. Hooks: `#view`, `#canvas` (`data-tick` of its picture), `[data-layer]`, `#no-webgl`. */
 export function view_pane(session: Session): { node: HTMLElement; update(): void; set_theme(): void } {
   const canvas = element('canvas', { id: 'canvas', tabindex: 0, role: 'application', 'aria-label': LABEL });
   const stage = element('div', { class: 'stage' }, canvas);
@@ -45,6 +45,7 @@ function drawn_view(
 ): { update(): void; set_theme(): void } {
   const renderer = new Renderer(canvas, (target) => {
     view.prepare();
+    if (shown) canvas.dataset['tick'] = String(shown.tick);
     target.render(view.world, camera.camera);
   });
   const view = new WorldView(session.scene);
@@ -77,7 +78,6 @@ function drawn_view(
     view.update(session.store);
     if (first) camera.fit(view.bodies.extent());
     renderer.ask();
-    canvas.dataset['tick'] = String(shown?.tick ?? 0);
   };
   return { update, set_theme: () => set_theme(view, renderer) };
 }

@@ -1,5 +1,5 @@
 import { Color, DirectionalLight, GridHelper, Group, HemisphereLight, Scene as World } from 'three';
-import type { Scene } from '../protocol/scene_file';
+import type { Robot, Scene } from '../protocol/scene_file';
 import type { Store } from '../state/store';
 import { Bodies } from './bodies';
 import { ForceArrows } from './force_arrows';
@@ -20,6 +20,7 @@ export class WorldView {
   private readonly forces: ForceArrows;
   private readonly trails: ToolTrail[] = [];
   private readonly trail_lines = new Group();
+  private readonly robots: Robot[];
   private grid: GridHelper | null = null;
   private readonly shown: Record<Layer, boolean> = {
     grid: true,
@@ -30,6 +31,7 @@ export class WorldView {
   };
 
   constructor(scene: Scene) {
+    this.robots = scene.robots;
     this.bodies = new Bodies(scene);
     this.frames = new FrameAxes(scene.frames, this.bodies);
     this.frames.show(false);
@@ -52,11 +54,17 @@ export class WorldView {
     const poses = store.poses;
     if (poses) {
       this.bodies.move(poses.bodies);
-      this.bodies.move_ghosts(this.shown.ghost ? poses.desired : undefined);
+      this.bodies.move_ghosts(this.shown.ghost ? poses.desired : undefined, this.unsynchronised(store));
       this.world.updateMatrixWorld();
       for (const trail of this.trails) trail.update();
     }
     this.forces.update(store, this.shown.forces);
+  }
+
+  /** Bodies of robots whose desired positions have no meaning so far. */
+  private unsynchronised(store: Store): Set<number> {
+    const robots = this.robots.filter((robot) => store.robots.get(robot.name)?.synchronised === false);
+    return new Set(robots.flatMap((robot) => robot.bodies));
   }
 
   is_shown(layer: Layer): boolean {

@@ -1,0 +1,144 @@
+#include "kinematics/chain_model.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace mrroc::kinematics {
+
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kSingular = 1e-6;                 // smallest singular value of the Jacobian, m/rad and rad/rad
+constexpr double kEndless = 2 * std::numbers::pi;  // range in which a search looks where a joint has no limit
+
+/// splitmix64: the same numbers for every call and machine.
+double next_uniform(std::uint64_t& state) noexcept {
+  state += 0x9e3779b97f4a7c15U;
+  std::uint64_t z = state;
+  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ z >> 27) * 0x94d049bb133111ebU;
+  return static_cast<double>((z ^ z >> 31) >> 11) * 0x1p-53;
+}
+
+bool is_pose(const Pose& pose) noexcept {
+  const Eigen::Matrix3d& r = pose.linear();
+  return pose.matrix().allFinite() && (r * r.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-6;
+}
+
+}  // namespace
+
+ChainModel::ChainModel(RobotParameters parameters, const SerialChain& chain, const JointVector& gear, const Pose& tool)
+    : parameters_(std::move(parameters)), chain_(chain), closed_form_(chain), gear_(gear), tool_(tool) {
+  const auto count = std::ssize(parameters_.axes);
+  if (count != chain.size() || count != gear.size())
+    throw std::invalid_argument(std::to_string(chain.size()) + " joints and " + std::to_string(gear.size()) +
+                                " gears, expected " + std::to_string(count) + " of each");
+  if ((gear.array() == 0).any() || !gear.allFinite()) throw std::invalid_argument("a gear that is no ratio");
+  range_.min = range_.max = JointVector::Zero(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const AxisParameters& axis = parameters_.axes[static_cast<std::size_t>(i)];
+    range_.min[i] = std::isfinite(axis.position_min) ? axis.position_min : -kEndless;
+    range_.max[i] = std::isfinite(axis.position_max) ? axis.position_max : kEndless;
+  }
+}
+
+ErrorCode ChainModel::motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept {
+  joints = motors.cwiseQuotient(gear_);
+  return ErrorCode::none;
+}
+
+ErrorCode ChainModel::joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept {
+  motors = joints.cwiseProduct(gear_);
+  return ErrorCode::none;
+}
+
+JointMatrix ChainModel::transmission(const JointVector&) const noexcept {
+  JointMatrix matrix = JointMatrix::Zero(gear_.size(), gear_.size());
+  matrix.diagonal() = gear_;
+  return matrix;
+}
+
+double ChainModel::joint_period(int joint) const noexcept { return chain_.slides(joint) ? 0 : kTurn; }
+
+/// The first roll of a wrist, and the last axis where three others are parallel, are free where axes align.
+int ChainModel::kept_joint() const noexcept {
+  if (!closed_form_) return -1;
+  return closed_form_.structure() == Structure::three_parallel ? 5 : 3;
+}
+
+void ChainModel::unwrap(const JointVector& near, JointVector& joints) const noexcept {
+  for (int i = 0; i < joints.size(); ++i)
+    if (!chain_.slides(i)) joints[i] += kTurn * std::round((near[i] - joints[i]) / kTurn);
+}
+
+ErrorCode ChainModel::inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept {
+  if (!is_pose(flange) || near.size() != chain_.size() || !near.allFinite()) return ErrorCode::out_of_workspace;
+  return closed_form_ ? closed_inverse(flange, near, joints) : numeric_inverse(flange, near, joints);
+}
+
+ErrorCode ChainModel::closed_inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept {
+  ClosedForm::Postures postures;
+  closed_form_.solve(flange, near, kTolerance, postures);
+  double best = std::numeric_limits<double>::infinity();
+  JointVector nearest;
+  for (std::size_t i = 0; i < postures.count; ++i) {
+    JointVector& posture = postures.joints[i];
+    unwrap(near, posture);
+    const double distance = (posture - near).cwiseAbs().sum();
+    if (distance >= best) continue;
+    best = distance;
+    nearest = posture;
+  }
+  // a pose on the edge of the workspace, which rounding has moved beyond it
+  if (postures.count == 0) return numeric_inverse(flange, near, joints);
+  joints = nearest;
+  return postures.singular && is_singular(joints) ? ErrorCode::singular : ErrorCode::none;
+}
+
+ErrorCode ChainModel::numeric_inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept {
+  JointVector found = near;
+  if (!improve(chain_, flange, kTolerance, kIterations, found)) return ErrorCode::out_of_workspace;
+  unwrap(near, found);
+  joints = found;
+  return is_singular(joints) ? ErrorCode::singular : ErrorCode::none;
+}
+
+bool ChainModel::is_singular(const JointVector& joints) const noexcept {
+  const Jacobian jacobian = chain_.jacobian(joints, Eigen::Vector3d::Zero());
+  Eigen::JacobiSVD<Jacobian> svd(jacobian);
+  return svd.singularValues().minCoeff() < kSingular;
+}
+
+void ChainModel::branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept {
+  JointVector first = near;
+  const ErrorCode code = inverse(flange, near, first);
+  if (code == ErrorCode::none || code == ErrorCode::singular) receiver.add(first, true);
+  if (!is_pose(flange) || near.size() != chain_.size() || !near.allFinite()) return;
+  if (closed_form_) {
+    ClosedForm::Postures postures;
+    closed_form_.solve(flange, near, kTolerance, postures);
+    for (std::size_t i = 0; i < postures.count; ++i) {
+      unwrap(near, postures.joints[i]);
+      if (postures.joints[i] != first) receiver.add(postures.joints[i], true);
+    }
+  } else {
+    search(flange, receiver);
+  }
+}
+
+void ChainModel::search(const Pose& flange, BranchReceiver& receiver) const noexcept {
+  std::uint64_t state = 1;
+  for (int i = 0; i < kSearches && !receiver.found(); ++i) {
+    JointVector posture(chain_.size());
+    for (int j = 0; j < chain_.size(); ++j)
+      posture[j] = range_.min[j] + next_uniform(state) * (range_.max[j] - range_.min[j]);
+    if (improve(chain_, flange, kTolerance, kIterations, posture, &range_)) receiver.add(posture, true);
+  }
+}
+
+}  // namespace mrroc::kinematics

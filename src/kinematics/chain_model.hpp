@@ -1,0 +1,55 @@
+#pragma once
+
+#include "kinematics/closed_form.hpp"
+#include "kinematics/newton.hpp"
+#include "kinematics/serial_chain.hpp"
+#include "mrroc/robot_model.hpp"
+
+namespace mrroc::kinematics {
+
+/// The model of an arm that is a serial chain: one motor for each axis, which turns `gear` times as far (rad/rad or
+/// rad/m). The inverse is in closed form where the structure has one, else numeric: damped least squares from the
+/// given posture, then from random postures within the limits, always the same. A redundant arm (more than six axes)
+/// moves its axes as little as possible. Arms with fewer than six axes reach the poses that they can reach exactly.
+class ChainModel final : public RobotModel {
+ public:
+  static constexpr double kTolerance = 1e-9;  ///< m and rad: a posture whose flange is so near reaches the pose
+  static constexpr int kIterations = 80;      ///< of one numeric search
+  static constexpr int kSearches = 60;        ///< from random postures, until one is within the limits
+
+  /// `gear`: one number for each axis. Throws std::invalid_argument: the numbers of axes differ, a gear of zero.
+  ChainModel(RobotParameters parameters, const SerialChain& chain, const JointVector& gear, const Pose& tool);
+
+  const RobotParameters& parameters() const noexcept override { return parameters_; }
+  ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept override;
+  ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept override;
+  JointMatrix transmission(const JointVector& joints) const noexcept override;
+  Pose default_tool() const noexcept override { return tool_; }
+  Pose flange(const JointVector& joints) const noexcept override { return chain_.flange(joints); }
+  ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override;
+  void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept override;
+  double joint_period(int joint) const noexcept override;
+  int kept_joint() const noexcept override;
+  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
+    return chain_.jacobian(joints, offset);
+  }
+
+  const ClosedForm& closed_form() const noexcept { return closed_form_; }
+
+ private:
+  /// The revolution of every turning joint that is nearest to `near`.
+  void unwrap(const JointVector& near, JointVector& joints) const noexcept;
+  ErrorCode closed_inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept;
+  ErrorCode numeric_inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept;
+  bool is_singular(const JointVector& joints) const noexcept;
+  void search(const Pose& flange, BranchReceiver& receiver) const noexcept;
+
+  RobotParameters parameters_;
+  SerialChain chain_;
+  ClosedForm closed_form_;
+  JointVector gear_;
+  JointRange range_;
+  Pose tool_;
+};
+
+}  // namespace mrroc::kinematics
