@@ -41,6 +41,7 @@ class PlannedCell : public CellTask, private RobotLink {
   const DesiredState& desired() const noexcept { return now_state_; }
 
   int pause_at = 1 << 30;
+  bool is_pausing() const noexcept { return asked_ > pause_at; }
   /// The operator's speed; 1 without it.
   std::function<double(Tick)> speed_at;
   /// The desired state, the one a tick before it, and the command in execution.

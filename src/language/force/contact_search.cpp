@@ -80,18 +80,20 @@ void ContactSearch::enter(Phase phase) noexcept {
 void ContactSearch::next_state() {
   update();
   ++steps_;
-  const double most = probing_.acceleration * robot_->step_duration();
+  const double most = probing_.acceleration * robot_->step_duration(), scale = robot_->task().operator_speed();
   Eigen::Vector3d wanted = Eigen::Vector3d::Zero();
   const Eigen::Vector3d place = robot_->state().pose.translation();
   if (phase_ == Phase::along) {
     // along the line from the start, and straight back onto it after a deviation
     const Eigen::Vector3d off = probe().start - place;
-    wanted = probing_.speed * probe().direction + kTravelGain * (off - off.dot(probe().direction) * probe().direction);
+    wanted = scale * probing_.speed * probe().direction +
+             kTravelGain * (off - off.dot(probe().direction) * probe().direction);
   } else if (phase_ == Phase::out || phase_ == Phase::back) {
     const Eigen::Vector3d way = probe().start - place;
     const double left = way.norm();
     if (left > 0)
-      wanted = way / left * approach_speed(left, probing_.travel_speed, 0.5 * probing_.acceleration, kTravelGain);
+      wanted =
+          way / left * approach_speed(left, scale * probing_.travel_speed, 0.5 * probing_.acceleration, kTravelGain);
   }
   velocity_ = stepped(velocity_, wanted, most);
   command(velocity_);
@@ -148,7 +150,10 @@ void ContactSearch::command(const Eigen::Vector3d& velocity) {
   command.kind = CommandKind::force;
   command.twist.head<3>() = to_tool * velocity;
   command.twist.tail<3>() = kTurnGain * rotation_vector(to_tool * orientation_);
-  guard(command.force, direction * (probes ? probing_.speed : probing_.travel_speed), probing_.force);
+  const double speed = probes ? probing_.speed : probing_.travel_speed;
+  // while it presses, the force settles as fast as at full speed
+  const double scale = phase_ == Phase::pressing ? 1 : robot_->task().operator_speed();
+  guard(command.force, direction * (scale * speed), probing_.force);
   for (int i = 0; i < 3; ++i) {
     if (command.force.behaviour[static_cast<std::size_t>(i)] != AxisBehaviour::guarded) continue;
     if (phase_ == Phase::pressing)

@@ -1,5 +1,7 @@
 #include "mrroc/generators/force_control.hpp"
 
+#include "mrroc/task.hpp"
+
 namespace mrroc {
 
 ForceControl::ForceControl(Robot& robot, const ForceLaw& law, const Eigen::Vector3d& linear,
@@ -12,7 +14,7 @@ ForceControl::ForceControl(Robot& robot, const ForceLaw& law, const Eigen::Vecto
 void ForceControl::next_state() {
   RobotCommand& command = robot_->command();
   command.kind = CommandKind::force;
-  command.twist = velocity_;
+  command.twist = robot_->task().operator_speed() * velocity_;
   command.force = law_;
 }
 

@@ -1,8 +1,11 @@
 #include "mrroc/generators/guarded_motion.hpp"
 
+#include <algorithm>
+
 #include "core/require.hpp"
 #include "language/conditions/guard.hpp"
 #include "language/force/force_step.hpp"
+#include "mrroc/task.hpp"
 
 namespace mrroc {
 
@@ -31,11 +34,13 @@ bool GuardedMotion::terminal_condition() {
 }
 
 void GuardedMotion::next_state() {
-  commanded_ = stepped(commanded_, velocity_, acceleration_ * robot_->step_duration());
+  const Eigen::Vector3d velocity = robot_->task().operator_speed() * velocity_;
+  commanded_ = stepped(commanded_, velocity, acceleration_ * robot_->step_duration());
   RobotCommand& command = robot_->command();
   command.kind = CommandKind::force;
   command.twist.head<3>() = commanded_;
-  guard(command.force, velocity_, contact_force_);
+  // while it slows down, the guard is that of the present velocity
+  guard(command.force, std::max(1.0, commanded_.norm() / velocity.norm()) * velocity, contact_force_);
 }
 
 }  // namespace mrroc

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/require.hpp"
+#include "mrroc/task.hpp"
 
 namespace mrroc {
 
@@ -19,11 +20,11 @@ Eigen::Vector2d SpiralSearch::spiral(double angle) const noexcept {
 }
 
 void SpiralSearch::next_state() {
-  const double duration = robot_->step_duration();
+  const double duration = robot_->step_duration(), speed = robot_->task().operator_speed() * speed_;
   const Eigen::Vector2d before = spiral(angle_);
   const double growth = pitch_ / (2 * std::numbers::pi);
   // the angle's rate at the middle of the macrostep (Runge and Kutta, second order)
-  const auto rate = [&](double angle) { return speed_ / (growth * std::hypot(angle, 1.0)); };
+  const auto rate = [&](double angle) { return speed / (growth * std::hypot(angle, 1.0)); };
   angle_ += duration * rate(angle_ + 0.5 * duration * rate(angle_));
   RobotCommand& command = robot_->command();
   command.kind = CommandKind::force;

@@ -5,6 +5,7 @@
 
 #include "core/require.hpp"
 #include "language/force/force_step.hpp"
+#include "mrroc/task.hpp"
 
 namespace mrroc {
 
@@ -86,7 +87,7 @@ void SurfaceFollowing::next_state() {
   update_contact(-felt[2]);
 
   Eigen::Vector3d wanted = Eigen::Vector3d::Zero();
-  if (touching_) wanted = path_.empty() ? velocity_ : along_path();
+  if (touching_) wanted = path_.empty() ? robot_->task().operator_speed() * velocity_ : along_path();
   commanded_ = stepped(commanded_, wanted, contact_.acceleration * step);
   const bool turns = contact_.turn_to_normal && touching_;
   const Eigen::Vector3d turn = turns ? turning(felt) : Eigen::Vector3d::Zero();
@@ -117,8 +118,8 @@ double SurfaceFollowing::approach_force() const {
 }
 
 Eigen::Vector3d SurfaceFollowing::along_path() {
-  const double step = robot_->step_duration();
-  const double allowed = approach_speed(length() - way_, speed_, contact_.acceleration, kPathGain);
+  const double step = robot_->step_duration(), speed = robot_->task().operator_speed() * speed_;
+  const double allowed = approach_speed(length() - way_, speed, contact_.acceleration, kPathGain);
   way_speed_ = std::min(allowed, way_speed_ + contact_.acceleration * step);
   way_ += way_speed_ * step;
   if (length() - way_ < 0.2 * kTolerance) way_ = length();
@@ -126,7 +127,7 @@ Eigen::Vector3d SurfaceFollowing::along_path() {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   const Eigen::Vector3d error = point_at(way_, direction) - tool.translation();
   // no faster back to the path than along it
-  const Eigen::Vector3d correction = stepped(Eigen::Vector3d::Zero(), kPathGain * error, speed_);
+  const Eigen::Vector3d correction = stepped(Eigen::Vector3d::Zero(), kPathGain * error, speed);
   Eigen::Vector3d velocity = tool.linear().transpose() * (way_speed_ * direction + correction);
   velocity.z() = 0;
   return velocity;

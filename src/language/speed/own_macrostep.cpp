@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mrroc/task.hpp"
 
@@ -9,6 +10,7 @@ namespace mrroc {
 
 namespace {
 
+constexpr double kHaltShare = 0.7;  // of the limits, for a change of the speed in motion at constant velocity
 constexpr double kRefusedLoad = 10;
 constexpr std::uint16_t kLeastLoadSamples = 8;
 constexpr double kOwnEnd = 1e-9;  // s: at its end
@@ -32,7 +34,7 @@ void OwnMacrostep::show(TimeScale scale) noexcept {
   RobotState& state = robot_->exchanged_state();
   hidden_ = {state.desired_joints, state.desired_velocity, state.desired_acceleration};
   hidden_pose_ = state.desired_pose;
-  if (kind_ == Kind::velocity && command_.kind == CommandKind::force) return;  // not in own time
+  if (kind_ == Kind::real_time) return;
   const DesiredState own = kind_ == Kind::path ? end_ : unscaled(scale);
   state.desired_joints = own.position;
   state.desired_velocity = own.velocity;
@@ -67,17 +69,15 @@ void OwnMacrostep::take(TimeScale scale) noexcept {
     }
     case CommandKind::joint_velocity:
     case CommandKind::twist:
-    case CommandKind::force:
       kind_ = Kind::velocity;
       return;
     default:
-      kind_ = Kind::none;
+      kind_ = Kind::real_time;
   }
 }
 
 void OwnMacrostep::remember(TimeScale scale) noexcept {
-  const bool own = kind_ == Kind::path || (kind_ == Kind::velocity && command_.kind != CommandKind::force);
-  robot_->time_scale() = own ? scale : TimeScale{};
+  robot_->time_scale() = kind_ == Kind::path || kind_ == Kind::velocity ? scale : TimeScale{};
 }
 
 DesiredState OwnMacrostep::piece_end(double time, TimeScale scale) const noexcept {
@@ -121,6 +121,21 @@ void OwnMacrostep::command(double time, TimeScale scale, std::uint16_t ticks, bo
   const int after = command_.motion_steps - command_.reply_step;  // ticks that the reply leaves for the next command
   command.motion_steps = ticks;
   command.reply_step = static_cast<std::uint16_t>(after < 0 ? ticks + 1 : std::max(ticks - after, 1));
+}
+
+RampBounds OwnMacrostep::halt_bounds(TimeScale scale) const noexcept {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  RampBounds bounds{kInfinity, kInfinity};
+  if (kind_ != Kind::path) return bounds;
+  const JointVector now = unscaled(scale).velocity;
+  for (Eigen::Index i = 0; i < now.size(); ++i) {
+    const AxisParameters& axis = robot_->parameters().axes[static_cast<std::size_t>(i)];
+    const double velocity = std::max(std::abs(now[i]), std::abs(end_.velocity[i]));
+    if (velocity == 0) continue;
+    bounds.rate = std::min(bounds.rate, kHaltShare * axis.acceleration_max / velocity);
+    bounds.change = std::min(bounds.change, kHaltShare * axis.jerk_max / velocity);
+  }
+  return bounds;
 }
 
 double OwnMacrostep::load(double time, TimeScale scale, std::uint16_t ticks) noexcept {

@@ -2,8 +2,8 @@
 
 #include "language/limit_check.hpp"
 #include "language/macrostep/macrostep_goal.hpp"
+#include "language/speed/speed_ramp.hpp"
 #include "mrroc/robot.hpp"
-#include "mrroc/time_scale.hpp"
 
 namespace mrroc {
 
@@ -14,10 +14,11 @@ class OwnMacrostep {
  public:
   /// Of which kind a command is, as far as the operator's speed is concerned.
   enum class Kind : std::uint8_t {
-    none,      ///< a hold, or nothing has been taken
-    path,      ///< leads to a state
-    velocity,  ///< keeps a velocity, or a force law with the velocity of its other axes
-    refused    ///< the EDP will refuse it, or the robot is not synchronised
+    none,       ///< nothing has been taken
+    path,       ///< leads to a state
+    velocity,   ///< keeps a velocity
+    real_time,  ///< a hold, or a force law: executed as commanded
+    refused     ///< the EDP will refuse it, or the robot is not synchronised
   };
 
   explicit OwnMacrostep(Robot& robot);
@@ -44,6 +45,8 @@ class OwnMacrostep {
 
   /// Commands the piece that ends at t = `time`, in `ticks`; `first`: it is the macrostep's first one.
   void command(double time, TimeScale scale, std::uint16_t ticks, bool first) noexcept;
+  /// Bounds under which the change of the speed alone takes most of the acceleration and jerk limits.
+  RampBounds halt_bounds(TimeScale scale) const noexcept;
   /// The largest part of an acceleration or jerk limit that this piece would take; above 1 also where its EDP would
   /// refuse the piece for another reason.
   double load(double time, TimeScale scale, std::uint16_t ticks) noexcept;

@@ -14,7 +14,7 @@ constexpr double kSameOwnTick = 1e-6;  // own ticks
 constexpr int kShortPiece = 25;        // ticks: for changes of the speed, and paths that are not of the joints
 constexpr double kFullLoad = 0.95;     // of the limits, by a change of the speed
 constexpr RampBounds kChange{1, 4};    // of the operator's changes: not felt as a jolt
-constexpr RampBounds kHalt{20, 400};   // of a halt: reduced to the limits of the robots
+constexpr RampBounds kHalt{20, 400};   // of a halt, at most
 constexpr double kFirmness[] = {1, 0.6, 0.36, 0.22, 0.13, 0.08, 0.05, 0.03};  // of the bounds
 constexpr double kCoasting[] = {1, 0.5, 0};                                   // of the present rate
 
@@ -139,7 +139,7 @@ SpeedOverride::Piece SpeedOverride::choose(double wanted) noexcept {
     }
     return part <= kFullLoad;
   };
-  const RampBounds bounds = wanted == 0 ? kHalt : kChange;
+  const RampBounds bounds = wanted == 0 ? halt_bounds() : kChange;
   for (const double firmness : kFirmness) {
     const Piece next = piece(true, [&](double duration) { return ramp(scale_, wanted, duration, bounds, firmness); });
     if (accepts(next)) return next;
@@ -150,6 +150,15 @@ SpeedOverride::Piece SpeedOverride::choose(double wanted) noexcept {
     if (accepts(next)) return next;
   }
   return best;
+}
+
+RampBounds SpeedOverride::halt_bounds() const noexcept {
+  RampBounds bounds = kHalt;
+  for (const OwnMacrostep& macrostep : macrosteps_) {
+    const RampBounds own = macrostep.halt_bounds(scale_);
+    bounds = {std::min(bounds.rate, own.rate), std::min(bounds.change, own.change)};
+  }
+  return bounds;
 }
 
 double SpeedOverride::load(const Piece& piece) noexcept {

@@ -62,6 +62,7 @@ class SpeedOverride {
   /// The piece whose scale at its end is `scale_after(duration)`.
   template <class ScaleAfter>
   Piece piece(bool changes, ScaleAfter scale_after) const noexcept;
+  RampBounds halt_bounds() const noexcept;
   double load(const Piece& piece) noexcept;
   /// The own time, s, of this macrostep at the piece's end: a robot that rests at its end is exactly there.
   double end_of(const OwnMacrostep& macrostep, const Piece& piece) const noexcept;
