@@ -90,9 +90,11 @@ export class Session {
     this.status_time = performance.now();
     this.status_due = false;
     this.status_asked = true;
+    const { changes } = store;
     void this.connection.request({ verb: 'status' }).then((reply) => {
       this.status_asked = false;
-      if (reply.ok && reply.data) store.apply_status(reply.data as RunStatus);
+      if (store.changes !== changes) this.status_due = true;
+      else if (reply.ok && reply.data) store.apply_status(reply.data as RunStatus);
       this.scheduler.ask();
     });
   }

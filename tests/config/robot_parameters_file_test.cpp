@@ -192,7 +192,7 @@ TEST_F(RobotParametersFileTest, PosturesAreWithinTheLimitsAndHomeIsOne) {
             "r.toml:26: postures.home: is the name of the key 'home', expected another name");
 }
 
-TEST(RobotParametersFile, HasNamedTools) {
+TEST_F(RobotParametersFileTest, ToolsHaveNames) {
   const RobotParameters robot = read(robot_text() + "[tools]\ngripper = [0.1, 0, 0.2, 0, 0, 1.5]\n");
   ASSERT_EQ(robot.tools.size(), 2u);
   EXPECT_TRUE(robot.tools.at("flange").isApprox(Pose::Identity()));

@@ -88,7 +88,7 @@ test('SocketsOfForeignPagesAreRefused', async () => {
 
 test('ReadOnlyBrowsersMayOnlyReadTheStatus', async () => {
   const watcher = await RawBrowser.open(run.watch_url);
-  const hello = (await watcher.next((frame) => frame.event === 'hello')) ?? watcher.frames[0];
+  const hello = await watcher.first((frame) => frame.event === 'hello');
   assert.equal(hello.may_command, false);
   const requests = [
     { verb: 'stop' },

@@ -87,6 +87,7 @@ export class QuestionDialog {
     }
     const reply = await this.session.request({ verb: 'answer', value, from: question.from });
     if (!reply.ok) return;
+    ++this.session.store.changes;
     this.pending = key_of(question); // until a status without it arrives
     this.session.store.questions = this.session.store.questions.filter((open) => key_of(open) !== this.pending);
     this.session.scheduler.ask_now();

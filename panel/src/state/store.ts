@@ -33,10 +33,14 @@ export class Store {
   /** The tick at which the present error of a robot, sensor or process was seen first. */
   readonly error_ticks = new Map<string, number>();
   questions: Question[] = [];
+  /** Number of changes that events have reported: a status that was requested before the newest one may be older. */
+  changes = 0;
   poses: Poses | null = null;
 
   /** The result says whether a new `status` is due: the event has changed what only a status shows. */
   apply(event: PanelEvent): boolean {
+    const jogged = event.event === 'command' && event.command === 'jog';
+    if (['question', 'command', 'commander'].includes(event.event) && !jogged) ++this.changes;
     switch (event.event) {
       case 'hello':
         this.hello = event;

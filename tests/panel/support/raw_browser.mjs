@@ -3,12 +3,16 @@ import { WebSocket } from './packages.mjs';
 
 export const socket_url = (url) => new URL('socket', url).href.replace(/^http/, 'ws');
 
-/** Resolves with the open socket, or with the status code of the refusal. */
-export function open_socket(address, { origin, ...options } = {}) {
+/**
+ * Resolves with the open socket, or with the status code of the refusal. `made` receives the socket at once: frames may
+ * come together with the answer that opens it.
+ */
+export function open_socket(address, { origin, ...options } = {}, made = (socket) => socket) {
   const own = new URL(address).origin.replace(/^ws/, 'http');
   return new Promise((resolve) => {
     const socket = new WebSocket(address, { origin: origin === undefined ? own : (origin ?? undefined), ...options });
-    socket.on('open', () => resolve({ socket, code: 101 }));
+    const result = made(socket);
+    socket.on('open', () => resolve({ socket: result, code: 101 }));
     socket.on('unexpected-response', (_request, response) => resolve({ socket: null, code: response.statusCode }));
     socket.on('error', () => resolve({ socket: null, code: 0 }));
   });
@@ -22,9 +26,10 @@ export class RawBrowser {
   #next_id = 1;
 
   static async open(url, options) {
-    const { socket, code } = await open_socket(socket_url(url), options);
+    const wrap = (socket) => new RawBrowser(socket);
+    const { socket, code } = await open_socket(socket_url(url), options, wrap);
     if (!socket) throw new Error(`the server refuses the socket with ${code}`);
-    return new RawBrowser(socket);
+    return socket;
   }
 
   constructor(socket) {
@@ -40,6 +45,11 @@ export class RawBrowser {
       for (const waits of this.#waiting) waits(null);
     });
     socket.on('error', () => undefined);
+  }
+
+  /** The first frame for which `holds` is true, also if it has come already. */
+  async first(holds) {
+    return this.frames.find(holds) ?? (await this.next(holds));
   }
 
   /** The next frame for which `holds` is true; null when the server closes the socket. */
