@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "mrroc/robot.hpp"
@@ -22,8 +23,12 @@ class CellTask : public Task {
   double servo_period() const noexcept override { return kPeriod; }
   double wall_seconds() const noexcept override { return 0; }
   OperatorRequest operator_request() noexcept override { return OperatorRequest::none; }
+  double operator_speed() const noexcept override { return speed_at ? speed_at(tick()) : 1; }
   bool take_trigger() noexcept override { return false; }
   StepObserver* observer() noexcept override { return nullptr; }
+
+  /// The operator's speed; 1 without it.
+  std::function<double(Tick)> speed_at;
 
  private:
   std::string name_ = "cell";

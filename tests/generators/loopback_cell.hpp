@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +34,9 @@ class LoopbackCell : public CellTask {
   RobotLink& robot_link(const std::string& name, const std::string&) override {
     return *cores_[static_cast<std::size_t>(std::stoi(name.substr(5)))];
   }
+  /// Called after every tick.
+  std::function<void()> on_tick;
+
   Tick tick() const noexcept override { return now_; }
   void sleep_until(Tick tick) override {
     while (now_ < tick) step();
@@ -89,6 +93,7 @@ class LoopbackCell : public CellTask {
   void step() {
     for (const auto& core : cores_) core->tick(now_);
     ++now_;
+    if (on_tick) on_tick();
   }
 
   Tick now_ = 0;

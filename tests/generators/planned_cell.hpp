@@ -34,16 +34,12 @@ class PlannedCell : public CellTask, private RobotLink {
     return asked >= pause_at && asked < pause_at + 3 ? OperatorRequest::pause : OperatorRequest::none;
   }
 
-  double operator_speed() const noexcept override { return speed_at ? speed_at(now_) : 1; }
-
   const ToolKinematics& kinematics() const noexcept { return tool_; }
   const std::vector<AxisParameters>& axes() const { return model_->parameters().axes; }
   const DesiredState& desired() const noexcept { return now_state_; }
 
   int pause_at = 1 << 30;
   bool is_pausing() const noexcept { return asked_ > pause_at; }
-  /// The operator's speed; 1 without it.
-  std::function<double(Tick)> speed_at;
   /// The desired state, the one a tick before it, and the command in execution.
   std::function<void(const DesiredState&, const DesiredState&, const RobotCommand&)> on_tick;
 
