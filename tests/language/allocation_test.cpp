@@ -92,6 +92,20 @@ TEST(Allocation, StepOfMoveDoesNotAllocate) {
   EXPECT_EQ(cell.observer.total, 0u);
 }
 
+TEST(Allocation, StepAtAChangingSpeedDoesNotAllocate) {
+  Cell cell;
+  JointLine first(*cell.a, JointVector::Constant(6, 1.5), 0.5);
+  ToolVelocity second(*cell.b, {0.01, 0.01, 0}, {0, 0, 0.1});
+  Together generator(first, second);
+  generator.until(When{"changes the speed", [&, steps = 0]() mutable {
+                         cell.task.speed = steps % 50 < 20 ? 1 : 0.3;
+                         return ++steps > 400;
+                       }});
+  Move({*cell.a, *cell.b}, {}, generator);
+  EXPECT_GE(cell.observer.steps, 400u);
+  EXPECT_EQ(cell.observer.total, 0u);
+}
+
 // the black box drops the steps of finished instructions
 TEST(Allocation, OverwritingStepsOfOtherInstructionsFreesNothing) {
   Cell cell;

@@ -195,6 +195,7 @@ class FakeTask : public Task {
     log.add({Action::sleep, "", until});
     time.reach(until);
   }
+  double operator_speed() const noexcept override { return speed; }
   OperatorRequest operator_request() noexcept override {
     log.add({Action::ask_operator, ""});
     return asked_ < requests.size() ? requests[asked_++] : OperatorRequest::none;
@@ -208,6 +209,7 @@ class FakeTask : public Task {
 
   FakeTime time;
   CallLog log;
+  double speed = 1;                       ///< that the operator wants
   std::vector<OperatorRequest> requests;  ///< one for each query of an instruction; then none
   int triggers = 0;
   StepObserver* step_observer = nullptr;

@@ -166,6 +166,23 @@ class LiveOperator(unittest.TestCase):
         self.assertIn("no deployment", output_of("list"))
         self.expect_same_run_in_lockstep(STOPPED)
 
+    def test_speed_is_changed_during_a_motion(self):
+        with LiveRun(self.folder, *self.noting()) as run:
+            run.await_state(lambda state: any(p["instruction"] == 2 for p in state["processes"]), "in motion")
+            for wrong in ("0", "101", "fast"):
+                self.assertIn("expected percent from 1 to 100", output_of("speed", wrong, code=1))
+            output_of("speed", "30")
+            self.assertEqual(run.state()["speed"], 0.3)
+            run.pass_ticks(200)
+            output_of("pause")
+            run.pass_ticks(100)
+            output_of("resume")
+            output_of("speed", "70")
+            run.pass_ticks(100)
+            output_of("speed", "100")
+            self.assertEqual(run.end(), 0)
+        self.expect_same_run_in_lockstep(0)
+
     def test_run_that_is_held_can_be_stopped(self):
         with LiveRun(self.folder, "--hold", *self.noting()) as run:
             run.await_task("held")

@@ -22,6 +22,13 @@ OwnMacrostep::OwnMacrostep(Robot& robot)
 
 double OwnMacrostep::period() const noexcept { return robot_->task().servo_period(); }
 
+DesiredState OwnMacrostep::own_state(TimeScale scale) const noexcept {
+  const RobotState& state = robot_->state();
+  if (kind_ == Kind::path) return end_;
+  if (kind_ == Kind::real_time) return {state.desired_joints, state.desired_velocity, state.desired_acceleration};
+  return unscaled(scale);
+}
+
 DesiredState OwnMacrostep::unscaled(TimeScale scale) const noexcept {
   const RobotState& state = robot_->state();
   const double s = scale.factor;
@@ -34,8 +41,7 @@ void OwnMacrostep::show(TimeScale scale) noexcept {
   RobotState& state = robot_->exchanged_state();
   hidden_ = {state.desired_joints, state.desired_velocity, state.desired_acceleration};
   hidden_pose_ = state.desired_pose;
-  if (kind_ == Kind::real_time) return;
-  const DesiredState own = kind_ == Kind::path ? end_ : unscaled(scale);
+  const DesiredState own = own_state(scale);
   state.desired_joints = own.position;
   state.desired_velocity = own.velocity;
   state.desired_acceleration = own.acceleration;
@@ -52,7 +58,7 @@ void OwnMacrostep::hide() noexcept {
 }
 
 void OwnMacrostep::take(TimeScale scale) noexcept {
-  from_ = kind_ == Kind::path ? end_ : unscaled(scale);
+  from_ = own_state(scale);
   command_ = robot_->command();
   switch (command_.kind) {
     case CommandKind::joint:
@@ -112,6 +118,7 @@ void OwnMacrostep::command(double time, TimeScale scale, std::uint16_t ticks, bo
     if (kind_ == Kind::velocity) {
       command.joint_velocity *= scale.factor;
       command.twist *= scale.factor;
+      command.twist_acceleration *= scale.factor * scale.factor;
     }
   }
   if (!first) {

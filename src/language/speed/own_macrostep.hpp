@@ -52,6 +52,8 @@ class OwnMacrostep {
   double load(double time, TimeScale scale, std::uint16_t ticks) noexcept;
 
  private:
+  /// The desired state at the end of this macrostep.
+  DesiredState own_state(TimeScale scale) const noexcept;
   DesiredState unscaled(TimeScale scale) const noexcept;
   DesiredState piece_end(double time, TimeScale scale) const noexcept;
   double period() const noexcept;

@@ -91,6 +91,9 @@ void SpeedOverride::take() noexcept {
     if (macrostep.kind() == Kind::path && !macrostep.ends_at_rest()) rests_ = false;
     if (macrostep.needs_short_pieces()) short_ = true;
   }
+  // a robot whose shorter macrostep ends in motion would be late: that is left to the EDP
+  for (const OwnMacrostep& macrostep : macrosteps_)
+    if (macrostep.kind() == Kind::path && !macrostep.ends_at_rest() && macrostep.steps() != steps_) stretches_ = false;
   first_ = true;
   if (stretches_) return;
   place_ = 0;

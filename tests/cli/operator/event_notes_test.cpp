@@ -23,6 +23,7 @@ TEST(EventNotes, NotedEventsAreReadAgain) {
       {.tick = 0, .command = "start"},
       {.tick = 5, .command = "pause"},
       {.tick = 5, .command = "estop"},
+      {.tick = 6, .command = "speed", .value = 12.5},
       {.tick = 6, .command = "answer", .asker = "parts", .value = 3, .question = 1},
       {.tick = 7, .command = "answer", .asker = "mp", .value = 0.1 + 0.2, .question = 2},
       {.tick = 8, .command = "jog", .order = {"arm", "column", "axes", "", -0.1}},

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/operator/operator_rig.hpp"
+#include "cli/operator/operator_state.hpp"
 
 namespace mrroc::cli {
 namespace {
@@ -67,6 +68,40 @@ TEST(OperatorService, EveryPhaseAcceptsItsVerbs) {
       EXPECT_TRUE(rig.received().empty()) << verb;
     }
   }
+}
+
+TEST(OperatorService, SpeedReachesTheTaskAndTheStatus) {
+  OperatorRig rig(asking_deployment(config::ClockMode::paced), true);
+  rig.next_tick();
+  EXPECT_NE(rig.request(kA, "status").back().data.find("\"speed\":1.0"), std::string::npos);
+  rig.request(kA, "speed 30");
+  rig.next_tick();
+  links::TaskCommand command;
+  ASSERT_TRUE(rig.task.take(command)) << "before the start, too";
+  EXPECT_EQ(command.kind, TaskCommandKind::speed);
+  EXPECT_EQ(command.speed, 0.3);
+  EXPECT_NE(rig.published.back().find("\"value\":30.0"), std::string::npos) << rig.published.back();
+  EXPECT_EQ(rig.noted.back().value, 30);
+  const std::string state = rig.request(kA, "status").back().data;
+  EXPECT_NE(state.find("\"speed\":0.3"), std::string::npos) << state;
+  EXPECT_NE(state_text(state).find("30 %"), std::string::npos);
+  rig.request(kA, "speed 100");
+  rig.next_tick();
+  EXPECT_EQ(state_text(rig.request(kA, "status").back().data).find("%"), std::string::npos);
+}
+
+TEST(OperatorService, RefusesInvalidSpeeds) {
+  OperatorRig rig;
+  rig.next_tick();
+  rig.received();
+  for (const char* line :
+       {"speed 0", "speed 101", "speed fast", "speed", "speed -5", "speed nan", "speed 0.5", "speed 5 6"}) {
+    const VerbReply reply = rig.request(kA, line).back();
+    EXPECT_EQ(reply.refusal, Refusal::invalid_argument) << line;
+    EXPECT_FALSE(reply.expected.empty()) << line;
+  }
+  rig.next_tick();
+  EXPECT_TRUE(rig.received().empty());
 }
 
 TEST(OperatorService, TaskStoppedBeforeItsStartGetsNoCommand) {

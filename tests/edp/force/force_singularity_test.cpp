@@ -6,8 +6,8 @@
 
 #include "edp/every_robot.hpp"
 #include "edp/force/damped_inverse.hpp"
-#include "geometry/joint_motion.hpp"
 #include "force_rig.hpp"
+#include "geometry/joint_motion.hpp"
 #include "singular_postures.hpp"
 
 namespace mrroc::edp {

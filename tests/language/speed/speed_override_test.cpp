@@ -53,14 +53,12 @@ struct Commands : StepObserver {
 
 struct Rig : FakeTask {
   Rig() { step_observer = &recorded; }
-  double operator_speed() const noexcept override { return speed; }
   std::vector<RobotCommand> run(Generator& generator, std::uint64_t steps) {
     recorded.commands.clear();
     Move({*arm}, {}, generator.until(ElapsedSteps{steps}));
     return recorded.commands;
   }
   Commands recorded;
-  double speed = 1;
   std::unique_ptr<Robot> arm = robot("arm");
 };
 
