@@ -49,8 +49,8 @@ Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Gen
       sensors_(sensors.begin(), sensors.end()),
       generator_(generator),
       condition_(std::move(condition)),
+      task_(&task_of(robots_, sensors_)),
       speed_(robots_, generator_) {
-  task_ = &task_of(robots_, sensors_);
   if (condition_) condition_->append_leaves(leaves_);
 }
 

@@ -95,7 +95,7 @@ TEST(Allocation, StepOfMoveDoesNotAllocate) {
 TEST(Allocation, StepAtAChangingSpeedDoesNotAllocate) {
   Cell cell;
   JointLine first(*cell.a, JointVector::Constant(6, 1.5), 0.5);
-  ToolVelocity second(*cell.b, {0.01, 0.01, 0}, {0, 0, 0.1});
+  JointLine second(*cell.b, JointVector::Constant(6, -1.5), 0.3);
   Together generator(first, second);
   generator.until(When{"changes the speed", [&, steps = 0]() mutable {
                          cell.task.speed = steps % 50 < 20 ? 1 : 0.3;

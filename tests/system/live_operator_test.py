@@ -170,7 +170,7 @@ class LiveOperator(unittest.TestCase):
         with LiveRun(self.folder, *self.noting()) as run:
             run.await_state(lambda state: any(p["instruction"] == 2 for p in state["processes"]), "in motion")
             for wrong in ("0", "101", "fast"):
-                self.assertIn("expected percent from 1 to 100", output_of("speed", wrong, code=1))
+                self.assertIn("expected percent from 1 to 100", output_of("speed", wrong, code=2))
             output_of("speed", "30")
             self.assertEqual(run.state()["speed"], 0.3)
             run.pass_ticks(200)

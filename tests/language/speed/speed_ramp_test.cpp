@@ -43,7 +43,8 @@ TEST(SpeedRamp, ReturnsToASpeedThatItHasToPass) {
         RC_ASSERT(scale.factor <= 1);
       }
     }
-    for (int i = 0; i < 1500 && scale.factor != 0.5; ++i) scale = ramp(scale, 0.5, 0.01, kBounds, 1);
+    for (int i = 0; i < 1500 && !(scale.factor == 0.5 && scale.rate == 0); ++i)
+      scale = ramp(scale, 0.5, 0.01, kBounds, 1);
     RC_ASSERT(scale.factor == 0.5);
     RC_ASSERT(scale.rate == 0);
   });

@@ -55,7 +55,9 @@ inline bool same(const SensorReading& a, const SensorReading& b) {
 inline bool same(const Message& a, const Message& b) {
   return a.label == b.label && a.fingerprint == b.fingerprint && a.size == b.size && a.content == b.content;
 }
-inline bool same(const TaskCommand& a, const TaskCommand& b) { return a.kind == b.kind && same(a.parcel, b.parcel); }
+inline bool same(const TaskCommand& a, const TaskCommand& b) {
+  return a.kind == b.kind && same(a.parcel, b.parcel) && std::memcmp(&a.speed, &b.speed, sizeof a.speed) == 0;
+}
 inline bool same(const TaskStatus& a, const TaskStatus& b) {
   return a.state == b.state && same(a.error, b.error) && a.process == b.process && a.device == b.device &&
          a.step == b.step && a.error_tick == b.error_tick && a.tick == b.tick && same(a.parcel, b.parcel);
@@ -219,7 +221,8 @@ template <>
 struct Arbitrary<mrroc::links::TaskCommand> {
   static Gen<mrroc::links::TaskCommand> arbitrary() {
     using T = mrroc::links::TaskCommand;
-    return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::links::TaskCommandKind::message)), gen::set(&T::parcel));
+    return gen::build<T>(gen::set(&T::kind, any_enum(mrroc::links::TaskCommandKind::speed)), gen::set(&T::parcel),
+                         gen::set(&T::speed));
   }
 };
 

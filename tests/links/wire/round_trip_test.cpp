@@ -143,7 +143,7 @@ TEST(Malformed, Sensor) {
 }
 
 TEST(Malformed, Task) {
-  expect_dropped<TaskCommand>({{"kind", [](auto& w) { w.command_kind = 7; }},
+  expect_dropped<TaskCommand>({{"kind", [](auto& w) { w.command_kind = 8; }},
                                {"label", [](auto& w) { fill(w.parcel.label); }},
                                {"size", [](auto& w) { w.parcel.size = 513; }}});
   expect_dropped<TaskStatus>({{"state", [](auto& w) { w.state = 6; }},
