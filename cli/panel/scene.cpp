@@ -125,7 +125,8 @@ bool slides(const mjModel* model, const std::string& joint) {
 
 Json robot_of(const mjModel* model, const config::RobotEntry& robot) {
   const RobotParameters parameters = config::read_robot_parameters(config::Table::load(robot.files().parameters));
-  Json axes = Json::array(), motors = Json::array(), postures = Json::array(), bodies = Json::array();
+  Json axes = Json::array(), motors = Json::array(), postures = Json::array(), tools = Json::array(),
+       bodies = Json::array();
   for (const AxisParameters& axis : parameters.axes) {
     motors.push_back(axis.name);
     axes.push_back({{"name", axis.name},
@@ -135,6 +136,7 @@ Json robot_of(const mjModel* model, const config::RobotEntry& robot) {
                     {"velocity", axis.velocity_max}});
   }
   for (const auto& [name, posture] : parameters.postures) postures.push_back(name);
+  for (const auto& [name, frame] : parameters.tools) tools.push_back(name);
   for (int i = 0; model != nullptr && i < model->nbody; ++i) {
     const std::string name = model->names + model->name_bodyadr[i];
     if (name == robot.name || name.starts_with(robot.name + "/")) bodies.push_back(i);
@@ -145,6 +147,7 @@ Json robot_of(const mjModel* model, const config::RobotEntry& robot) {
           {"axes", axes},
           {"motors", motors},
           {"postures", postures},
+          {"tools", tools},
           {"bodies", bodies},
           {"force_sensor", !robot.force_sensor.empty()},
           {"tool_frame", index_of(model, mjOBJ_SITE, robot.name + "/tool")},

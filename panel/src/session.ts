@@ -6,6 +6,7 @@ import { Store } from './state/store';
 
 const STATUS_PERIOD = 1000; // ms: counters of processes are in no event
 const STATUS_SHORTEST = 500; // ms between two requests of the status
+const STATUS_AGAIN = 100; // ms after a status that may be out of date
 
 export type Listener = (event: PanelEvent) => void;
 
@@ -82,6 +83,12 @@ export class Session {
     this.scheduler.ask_now();
   }
 
+  /** The reply may be older than an event that has come meanwhile. */
+  private ask_again(): void {
+    this.status_due = true;
+    this.status_time = performance.now() - STATUS_SHORTEST + STATUS_AGAIN;
+  }
+
   private poll_status(): void {
     const { store } = this;
     if (!store.connected || store.ended || this.status_asked || document.hidden) return;
@@ -93,7 +100,7 @@ export class Session {
     const { changes } = store;
     void this.connection.request({ verb: 'status' }).then((reply) => {
       this.status_asked = false;
-      if (store.changes !== changes) this.status_due = true;
+      if (store.changes !== changes) this.ask_again();
       else if (reply.ok && reply.data) store.apply_status(reply.data as RunStatus);
       this.scheduler.ask();
     });

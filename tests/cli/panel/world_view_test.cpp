@@ -143,6 +143,7 @@ TEST(SceneTest, DescribesTheComposedWorld) {
   EXPECT_EQ(arm.at("axes").size(), 6U);
   EXPECT_EQ(arm.at("axes").at(0).at("unit"), "rad");
   EXPECT_EQ(arm.at("postures"), Json::parse(R"(["home","raised"])"));
+  EXPECT_EQ(arm.at("tools"), Json::parse(R"(["flange","standard"])"));
   EXPECT_EQ(scene.at("frames").at(arm.at("tool_frame").get<std::size_t>()).at("name"), "arm/tool");
   EXPECT_EQ(scene.at("sensors").at(0).at("channels").size(), 6U);
   for (const Json& geom : scene.at("geoms")) {
