@@ -65,12 +65,6 @@ JointMatrix ChainModel::transmission(const JointVector&) const noexcept {
 
 double ChainModel::joint_period(int joint) const noexcept { return chain_.slides(joint) ? 0 : kTurn; }
 
-/// The first roll of a wrist, and the last axis where three others are parallel, are free where axes align.
-int ChainModel::kept_joint() const noexcept {
-  if (!closed_form_) return -1;
-  return closed_form_.structure() == Structure::three_parallel ? 5 : 3;
-}
-
 void ChainModel::unwrap(const JointVector& near, JointVector& joints) const noexcept {
   for (int i = 0; i < joints.size(); ++i)
     if (!chain_.slides(i)) joints[i] += kTurn * std::round((near[i] - joints[i]) / kTurn);

@@ -29,7 +29,6 @@ class ChainModel final : public RobotModel {
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override;
   void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept override;
   double joint_period(int joint) const noexcept override;
-  int kept_joint() const noexcept override;
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
     return chain_.jacobian(joints, offset);
   }

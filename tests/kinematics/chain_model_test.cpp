@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "allocations.hpp"
 #include "kinematics/chains.hpp"
 
 namespace mrroc::kinematics {
@@ -106,6 +107,30 @@ TEST(ChainModel, PosesBeyondTheReachAreRefused) {
     Pose nowhere = model.flange(near);
     nowhere.translation()[0] = std::nan("");
     EXPECT_EQ(model.inverse(nowhere, near, joints), ErrorCode::out_of_workspace);
+  }
+}
+
+/// The servo thread and the steps of a Move call these.
+TEST(ChainModel, NothingIsAllocated) {
+  std::mt19937_64 random(4);
+  std::printf("seed 4\n");
+  for (const SerialChain& chain : {ur5e(), puma560(), panda(), random_chain(random, 8, true)}) {
+    const ChainModel model = model_of(chain);
+    for (int round = 0; round < 100; ++round) {
+      const JointVector q = random_joints(random, chain.size());
+      const Pose pose = model.flange(q), beyond = Eigen::Translation3d(9, 0, 0) * pose;
+      Receiver receiver(model, pose, 2.8);
+      JointVector joints = q;
+      {
+        const mrroc::test::Counting counting;
+        model.inverse(pose, q, joints);
+        model.inverse(beyond, q, joints);
+        model.branches(pose, q, receiver);
+        joints += model.jacobian(q, Eigen::Vector3d::UnitX()).row(0).transpose();
+        joints += model.transmission(q) * q;
+      }
+      ASSERT_EQ(mrroc::test::Counting::counted(), 0U) << chain.size() << " axes, round " << round;
+    }
   }
 }
 
