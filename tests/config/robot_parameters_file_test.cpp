@@ -202,7 +202,8 @@ TEST_F(RobotParametersFileTest, ToolsHaveNames) {
   for (const auto& [text, error] :
        {std::pair{"gripper = [0, 0]", "has 2 values, expected an array of 6 numbers"},
         {"gripper = [11, 0, 0, 0, 0, 0]", "11 is out of range, expected a number from -10 to 10 (m)"},
-        {"gripper = [0, 0, 0, 7, 0, 0]", "7 is out of range, expected a number from -6.2831853 to 6.2831853 (rad)"},
+        {"gripper = [0, 0, 0, 7, 0, 0]",
+         "7 is out of range, expected a number from -6.283185307179586 to 6.283185307179586 (rad)"},
         {"flange = [0, 0, 0, 0, 0, 0]", "is the name of the flange frame itself, expected another name"}}) {
     const std::string name = std::string{text}.substr(0, std::string{text}.find(' '));
     EXPECT_EQ(message(robot_text() + "[tools]\n" + text + "\n"), "r.toml:26: tools." + name + ": " + error);
