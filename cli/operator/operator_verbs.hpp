@@ -21,6 +21,7 @@ struct OperatorVerb {
   std::string_view effect;  ///< one sentence for the reply when it has taken effect
   std::span<const VerbArgument> arguments;
   bool commands = false;  ///< only the commander may use it, and it is refused while another client holds command
+  bool lasts = false;     ///< the reply comes when the robot has finished
 };
 
 /// All verbs, in the order of their description. Any thread.

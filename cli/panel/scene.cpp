@@ -91,8 +91,8 @@ Json geoms_of(const mjModel& model) {
 Json meshes_of(const mjModel& model) {
   Json meshes = Json::array();
   for (int i = 0; i < model.nmesh; ++i) {
-    const auto vertices = static_cast<std::size_t>(3 * model.mesh_vertnum[i]);
-    const auto triangles = static_cast<std::size_t>(3 * model.mesh_facenum[i]);
+    const auto vertices = 3 * static_cast<std::size_t>(model.mesh_vertnum[i]);
+    const auto triangles = 3 * static_cast<std::size_t>(model.mesh_facenum[i]);
     meshes.push_back({{"vertices", base64_of(model.mesh_vert + 3 * model.mesh_vertadr[i], vertices)},
                       {"triangles", base64_of(model.mesh_face + 3 * model.mesh_faceadr[i], triangles)}});
   }

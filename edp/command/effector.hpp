@@ -69,6 +69,8 @@ class Effector {
   bool peek(RobotState& state) noexcept;
 
   const CommandCounters& counters() const noexcept { return counters_; }
+  /// A motion of the task that is not executed, because the robot is no longer where the task left it.
+  void count_late_command() noexcept { ++counters_.late; }
   /// The last snapshot of the servo; null before its first tick. Valid until the next call of this object.
   const Snapshot* snapshot() noexcept {
     refresh();

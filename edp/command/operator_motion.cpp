@@ -44,6 +44,14 @@ bool OperatorMotion::accept_of_task(const RobotCommand& command, std::uint64_t n
     }
   }
   last_task_command_ = now;
+  const bool moving = phase_ == Phase::jog || phase_ == Phase::travel || phase_ == Phase::stop;
+  // it was planned from where the robot no longer is: as after a late command, the task plans anew when the robot rests
+  if (moving && command.kind != CommandKind::hold && !is_change(command.kind)) {
+    effector_.count_late_command();
+    if (phase_ != Phase::stop) stop();
+    task_hold_ = TaskHold{number, now + command.reply_step};
+    return true;
+  }
   // the reply to the last macrostep ends it; the task's command follows, or the robot brakes
   if (phase_ == Phase::jog || phase_ == Phase::travel || phase_ == Phase::stop) phase_ = Phase::yielded;
   return false;

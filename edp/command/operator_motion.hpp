@@ -20,7 +20,8 @@ namespace mrroc::edp {
 /// as the limits demand, and `hold` ends it at any time. The reply comes at its end.
 ///
 /// `set_outputs` changes the one output `choice`: a digital one, or behind those an analogue one. All other kinds are
-/// passed to the effector, one at a time. A command of a task ends the operator's motion.
+/// passed to the effector, one at a time. A command of a task ends the operator's motion; if it is a motion, it counts
+/// as late: the robot comes to rest, then the task plans anew.
 ///
 /// A paused task holds its robots with `hold` commands. An order with `choice` kTaskPaused (jog and travel) is
 /// executed nevertheless; while the robot moves by it, the task's `hold` commands are answered here, at their tick v.

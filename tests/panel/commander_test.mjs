@@ -66,7 +66,7 @@ test('QuestionsAreAnsweredInTheirDialog', () =>
     await await_answer(page, 'the answer is given');
     await page.waitForSelector('#question', { state: 'hidden' });
     assert_no_problems(page);
-  }));
+  }, '# a person answers\n'));
 
 test('EmergencyStopByButtonAndSpaceBarIsResetAndRecovered', () =>
   with_run(PRESS, async (run, browser) => {

@@ -375,7 +375,7 @@ class LiveOperator(unittest.TestCase):
         text = pathlib.Path(PRESS).read_text(encoding="utf-8").replace('"press.xml"', f'"{SOURCE}/tasks/press/press.xml"')
         output_of("keys", f"{self.folder}/keys")
         kinds = {
-            "plant_model": text.replace('"mujoco"', '"loopback"'),
+            "plant_model": '[deployment]\nname = "press"\n[robots.arm]\ntype = "irb6"\nhardware = "loopback"\n',
             "bus": text.replace('"mujoco"', '"socketcan"\nsynchronised = false')
             + f'\n[robots.arm.can]\nsimulated = true\ninterface = "unix:{self.folder}/bus"\n',
             "keys": text + f'\n[network]\nkeys = "{self.folder}/keys"\n',
@@ -394,7 +394,7 @@ class LiveOperator(unittest.TestCase):
                     before = robot_state("arm")["joints"]
                     output_of("jog", "arm", "column", "-0.2")
                     run.pass_ticks(300)
-                    self.assertLess(robot_state("arm")["joints"][0], before[0] - 0.01)
+                    self.assertLess(robot_state("arm")["joints"][0], before[0] - 0.01, kind)
                     output_of("step", "arm", "z", "0.02", "--in", "base")
                     output_of("step", "arm", "1", "-0.05")
                     output_of("go", "arm", "home")

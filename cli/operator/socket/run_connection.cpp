@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/operator/operator_verbs.hpp"
 #include "cli/operator/socket/operator_socket.hpp"
 #include "cli/operator/socket/socket_folder.hpp"
 #include "clock/wall/monotonic.hpp"
@@ -77,8 +78,9 @@ VerbReply RunConnection::request(std::string_view verb, const std::map<std::stri
   json["verb"] = verb;
   if (!send_line(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)))
     throw std::runtime_error(deployment_ + ": the connection to the run is lost");
+  const OperatorVerb* const known = find_verb(verb);
   for (;;) {
-    const std::optional<std::string> answer = next_line(kReplyTimeout);
+    const std::optional<std::string> answer = next_line(known != nullptr && known->lasts ? -1 : kReplyTimeout);
     if (!answer) throw std::runtime_error(deployment_ + ": the run has ended");
     if (const std::optional<VerbReply> reply = parse_reply(*answer)) return *reply;
   }

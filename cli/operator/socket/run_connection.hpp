@@ -31,7 +31,8 @@ class RunConnection {
   const std::string& client() const noexcept { return client_; }
   /// Becomes readable when the run has sent something that `next_line` does not yet have.
   int descriptor() const noexcept { return fd_; }
-  /// Sends a request and returns its reply. Throws std::runtime_error when none comes within 10 s.
+  /// Sends a request and returns its reply. Throws std::runtime_error at the end of the connection, and when no reply
+  /// comes within 10 s; that of a verb that lasts may come later.
   VerbReply request(std::string_view verb, const std::map<std::string, std::string>& arguments = {});
   /// Sends one line of the protocol, without its end. It waits while the run reads this client slowly; false at the end
   /// of the connection. Another thread than that of `next_line` may call it.

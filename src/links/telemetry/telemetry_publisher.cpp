@@ -45,8 +45,11 @@ template <class T>
 void TelemetryPublisher<T>::publish() noexcept {
   dds_publication_matched_status_t matched{};
   dds_get_publication_matched_status(impl_->writer.get(), &matched);
-  impl_->wanted.store(matched.current_count > 0, std::memory_order_relaxed);
-  if (matched.current_count == 0 || !impl_->slot.load(impl_->sample)) return;
+  const bool wanted = matched.current_count > 0;
+  const bool before = impl_->wanted.exchange(wanted, std::memory_order_relaxed);
+  if (!wanted || !impl_->slot.load(impl_->sample)) return;
+  // what was stored for the last watcher is old
+  if (!before) impl_->published = impl_->sample.header.number;
   if (impl_->sample.header.number == impl_->published) return;
   impl_->published = impl_->sample.header.number;
   dds_write(impl_->writer.get(), &impl_->sample);  // a lost one is followed by a newer one

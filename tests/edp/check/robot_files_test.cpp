@@ -94,9 +94,9 @@ TEST_P(RobotFiles, UnchangedFilesAndTheirDescriptionsAreValid) {
 }
 
 TEST_P(RobotFiles, NoNumberMayBeMissing) {
-  const std::vector<std::string> optional{
-      "current_max_time", "encoder_increments", "regulator_output_max",
-      "stuck_current",    "stuck_max",          "raised"};  // the last one is a posture
+  const std::vector<std::string> optional{"current_max_time", "encoder_increments", "regulator_output_max",
+                                          "stuck_current",    "stuck_max",          "raised",
+                                          "standard"};  // the last two are a posture and a tool
   int numbers = 0;
   for (const Entry& entry : entries(file_.lines(), kNumber + "|" + kNumbers)) {
     if (std::find(optional.begin(), optional.end(), entry.key) != optional.end()) continue;

@@ -44,6 +44,33 @@ TEST(Telemetry, ReaderGetsTheNewestStateAndNothingIsSentWithoutOne) {
   }));
 }
 
+/// A publisher that was watched before still has the state of that time.
+TEST(Telemetry, NextWatcherGetsNoStateOfTheLastOne) {
+  TestDomain net;
+  TelemetryPublisher<RobotState> publisher(net.domain, "t/arm/telemetry");
+  const auto await = [&](bool wanted) {
+    return eventually([&] {
+      publisher.publish();
+      return publisher.wanted() == wanted;
+    });
+  };
+  RobotState state, received;
+  {
+    TelemetryReader<RobotState> reader(net.domain, "t/arm/telemetry");
+    ASSERT_TRUE(await(true));
+    state.tick = 1;
+    publisher.store(state);  // nobody reads it any more
+  }
+  ASSERT_TRUE(await(false));
+  TelemetryReader<RobotState> reader(net.domain, "t/arm/telemetry");
+  ASSERT_TRUE(await(true));
+  state.tick = 2;
+  publisher.store(state);
+  publisher.publish();
+  ASSERT_TRUE(eventually([&] { return reader.take(received); }));
+  EXPECT_EQ(received.tick, 2U);
+}
+
 TEST(Telemetry, ReadingThatIsNoNumberTravelsUnchanged) {
   TestDomain net;
   TelemetryPublisher<SensorReading> publisher(net.domain, "t/gate/telemetry");
