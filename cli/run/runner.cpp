@@ -71,7 +71,7 @@ Runner::~Runner() {
 }
 
 process::ExitCode Runner::run() {
-  check_somebody_answers(deployment_, input_.attended());
+  check_somebody_answers(deployment_, input_.attended() || options_.panel.has_value());
   if (const std::string warning = check_network(deployment_.network); !warning.empty()) progress_.error(warning);
   // before anything is started: a run without its outputs would be useless
   bool waits = false;

@@ -12,22 +12,6 @@
 namespace mrroc::edp {
 namespace {
 
-TEST(OperatorMotion, TaskTakesTheRobotAndHasItUntilItIsIdle) {
-  Operated robot;
-  robot.give(jog(0, 0.3));
-  robot.run(50);
-  RobotCommand command = joint_command(axis(0, 0.3), 500, 500);
-  robot.task_command(command);
-  robot.give(jog(0, 0.3));
-  EXPECT_EQ(robot.last_error(), ErrorCode::busy);
-  robot.run(1500);
-  ASSERT_EQ(robot.replies.size(), 1U);
-  EXPECT_EQ(robot.replies[0].state.error.code, ErrorCode::none) << "it is planned from the end of the braking";
-  EXPECT_EQ(robot.position()[0], 0.3);
-  robot.give(jog(0, -0.3));
-  EXPECT_EQ(robot.last_error(), ErrorCode::none);
-}
-
 /// The task of a pause: holds, one after the other.
 void hold_for(
     Operated& robot, int macrosteps, const std::function<void()>& each = [] {}) {
@@ -41,6 +25,34 @@ void hold_for(
     for (int tick = 0; tick < 40 && robot.replies.size() == before; ++tick) robot.tick();
     ASSERT_EQ(robot.replies.size(), before + 1) << "every hold is answered";
     EXPECT_EQ(robot.replies.back().state.error.code, ErrorCode::none);
+  }
+}
+
+/// Wherever in a macrostep of the jog the task's motion comes: it counts as late and is not executed, the robot comes
+/// to rest, and the next one is executed.
+TEST(OperatorMotion, TaskTakesTheRobotAndHasItUntilItIsIdle) {
+  for (int moment = 0; moment < 25; ++moment) {
+    Operated robot;
+    robot.give(jog(0, 0.3));
+    robot.run(40 + moment);
+    const RobotCommand command = joint_command(axis(0, 0.3), 500, 500);
+    robot.task_command(command);
+    robot.give(jog(0, 0.3));
+    EXPECT_EQ(robot.last_error(), ErrorCode::busy);
+    robot.run(600);
+    ASSERT_EQ(robot.replies.size(), 1U);
+    EXPECT_EQ(robot.replies[0].state.error.code, ErrorCode::none) << moment;
+    EXPECT_EQ(robot.replies[0].state.late_commands, 1U);
+    EXPECT_EQ(robot.velocity()[0], 0) << moment;
+    EXPECT_LT(robot.position()[0], 0.1) << moment;
+    hold_for(robot, 1);
+    robot.task_command(command);
+    robot.run(1000);
+    EXPECT_EQ(robot.replies.back().state.error.code, ErrorCode::none);
+    EXPECT_EQ(robot.replies.back().state.late_commands, 1U);
+    EXPECT_EQ(robot.position()[0], 0.3);
+    robot.give(jog(0, -0.3));
+    EXPECT_EQ(robot.last_error(), ErrorCode::none);
   }
 }
 
