@@ -54,6 +54,13 @@ class Effector {
   /// The robot has a force sensor, whose frame is at `mount` in the flange frame. Before the first command.
   void use_force_sensor(const Pose& mount) noexcept { mount_ = mount; }
 
+  /// A motion of the task that is not executed, because the robot is no longer where the task left it.
+  void count_late_command() noexcept { ++counters_.late; }
+  /// Whether a motion can be taken now: one may run and one wait.
+  bool has_place() noexcept {
+    refresh();
+    return free_place() != nullptr;
+  }
   /// Takes command number `number` (the caller's, for the reply). True: `reply` is the answer; false: `poll` will give
   /// it. Call `poll` until false before; in lockstep, both after the servo's tick.
   bool accept(const RobotCommand& command, std::uint64_t number, Reply& reply) noexcept;
@@ -69,8 +76,6 @@ class Effector {
   bool peek(RobotState& state) noexcept;
 
   const CommandCounters& counters() const noexcept { return counters_; }
-  /// A motion of the task that is not executed, because the robot is no longer where the task left it.
-  void count_late_command() noexcept { ++counters_.late; }
   /// The last snapshot of the servo; null before its first tick. Valid until the next call of this object.
   const Snapshot* snapshot() noexcept {
     refresh();

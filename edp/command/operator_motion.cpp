@@ -44,17 +44,20 @@ bool OperatorMotion::accept_of_task(const RobotCommand& command, std::uint64_t n
     }
   }
   last_task_command_ = now;
-  const bool moving = phase_ == Phase::jog || phase_ == Phase::travel || phase_ == Phase::stop;
-  // it was planned from where the robot no longer is: as after a late command, the task plans anew when the robot rests
-  if (moving && command.kind != CommandKind::hold && !is_change(command.kind)) {
-    effector_.count_late_command();
-    if (phase_ != Phase::stop) stop();
-    task_hold_ = TaskHold{number, now + command.reply_step};
-    return true;
+  if (phase_ != Phase::jog && phase_ != Phase::travel && phase_ != Phase::stop) return false;
+  if (is_change(command.kind)) {
+    phase_ = Phase::yielded;  // the reply to the last macrostep ends it
+    return false;
   }
-  // the reply to the last macrostep ends it; the task's command follows, or the robot brakes
-  if (phase_ == Phase::jog || phase_ == Phase::travel || phase_ == Phase::stop) phase_ = Phase::yielded;
-  return false;
+  // planned from where the robot no longer is: it comes to rest and holds, and the task plans anew
+  effector_.count_late_command();
+  if (phase_ != Phase::stop) stop();
+  RobotCommand hold;
+  hold.kind = CommandKind::hold;
+  hold.motion_steps = command.motion_steps;
+  hold.reply_step = command.reply_step;
+  task_motion_ = TaskMotion{hold, number};
+  return true;
 }
 
 /// A hold of the task may run and another one wait: then the motion begins after the first.
@@ -72,6 +75,13 @@ bool OperatorMotion::update(Tick now, Reply& reply) noexcept {
   answer(*awaited_, error, reply);
   awaited_.reset();
   return true;
+}
+
+bool OperatorMotion::pass_on(Reply& reply) noexcept {
+  if (!task_motion_ || phase_ != Phase::idle || !effector_.has_place()) return false;
+  const bool answered = effector_.accept(task_motion_->command, task_motion_->number, reply);
+  task_motion_.reset();
+  return answered;
 }
 
 bool OperatorMotion::poll_hold(Tick now, Reply& reply) noexcept {

@@ -20,8 +20,8 @@ namespace mrroc::edp {
 /// as the limits demand, and `hold` ends it at any time. The reply comes at its end.
 ///
 /// `set_outputs` changes the one output `choice`: a digital one, or behind those an analogue one. All other kinds are
-/// passed to the effector, one at a time. A command of a task ends the operator's motion; if it is a motion, it counts
-/// as late: the robot comes to rest, then the task plans anew.
+/// passed to the effector, one at a time. A command of a task ends the operator's motion;
+/// a motion counts as late: the robot comes to rest and holds instead, and the task plans anew.
 ///
 /// A paused task holds its robots with `hold` commands. An order with `choice` kTaskPaused (jog and travel) is
 /// executed nevertheless; while the robot moves by it, the task's `hold` commands are answered here, at their tick v.
@@ -45,8 +45,11 @@ class OperatorMotion {
   /// refused, and `reply` is the answer to its order.
   bool update(Tick now, Reply& reply) noexcept;
   /// A task's command number `number` has been received at tick `now`. True: it holds the robot while the operator
-  /// moves it, and `poll_hold` will give the answer; false: it is for the effector.
+  /// moves it, and `poll_hold` will give the answer, or it waits for `pass_on`; false: it is for the effector.
   bool accept_of_task(const RobotCommand& command, std::uint64_t number, Tick now) noexcept;
+  /// Lets the robot hold for a late motion of the task when the operator's has ended. Call it after every wake-up.
+  /// True: that is refused, and `reply` is the answer to the task.
+  bool pass_on(Reply& reply) noexcept;
   /// The answer to such a command when it is due.
   bool poll_hold(Tick now, Reply& reply) noexcept;
   /// Takes command number `number` of the operator. True: `reply` is the answer; false: `take` will give it.
@@ -85,7 +88,12 @@ class OperatorMotion {
   };
   bool begins_ = false;                // the effector had two macrosteps already
   std::optional<TaskHold> task_hold_;  // without an answer so far
-  RobotCommand velocity_;              // of the jog
+  struct TaskMotion {
+    RobotCommand command;
+    std::uint64_t number = 0;
+  };
+  std::optional<TaskMotion> task_motion_;  // late: a hold, after the operator's motion
+  RobotCommand velocity_;                  // of the jog
   Tick valid_until_ = 0;
   std::optional<std::uint64_t> awaited_;        // the operator's number of the travel or change under way
   Macrostep travel_;                            // the whole path; too large for a small stack

@@ -31,6 +31,7 @@ class Operated : public Rig<Gantry> {
         answers.push_back(reply);
     }
     if (motion.update(seen().tick, reply)) answers.push_back(reply);
+    if (motion.pass_on(reply)) replies.push_back(reply);
     if (motion.poll_hold(seen().tick, reply)) replies.push_back(reply);
     ++now;
     check_limits();

@@ -28,28 +28,29 @@ void hold_for(
   }
 }
 
-/// Wherever in a macrostep of the jog the task's motion comes: it counts as late and is not executed, the robot comes
-/// to rest, and the next one is executed.
+/// Wherever in a macrostep of the jog the task's motion comes: it counts as late, the robot comes to rest and holds
+/// instead, and the next one is executed.
 TEST(OperatorMotion, TaskTakesTheRobotAndHasItUntilItIsIdle) {
   for (int moment = 0; moment < 25; ++moment) {
     Operated robot;
     robot.give(jog(0, 0.3));
-    robot.run(40 + moment);
+    robot.run(static_cast<Tick>(40 + moment));
     const RobotCommand command = joint_command(axis(0, 0.3), 500, 500);
     robot.task_command(command);
     robot.give(jog(0, 0.3));
     EXPECT_EQ(robot.last_error(), ErrorCode::busy);
-    robot.run(600);
-    ASSERT_EQ(robot.replies.size(), 1U);
+    robot.run(1000);
+    ASSERT_EQ(robot.replies.size(), 1U) << moment;
     EXPECT_EQ(robot.replies[0].state.error.code, ErrorCode::none) << moment;
     EXPECT_EQ(robot.replies[0].state.late_commands, 1U);
-    EXPECT_EQ(robot.velocity()[0], 0) << moment;
+    EXPECT_EQ(robot.replies[0].state.tick, robot.replies[0].state.macrostep_start + 500) << moment;
+    EXPECT_TRUE(robot.at_rest()) << moment;
     EXPECT_LT(robot.position()[0], 0.1) << moment;
-    hold_for(robot, 1);
     robot.task_command(command);
     robot.run(1000);
-    EXPECT_EQ(robot.replies.back().state.error.code, ErrorCode::none);
-    EXPECT_EQ(robot.replies.back().state.late_commands, 1U);
+    ASSERT_EQ(robot.replies.size(), 2U) << moment;
+    EXPECT_EQ(robot.replies[1].state.error.code, ErrorCode::none);
+    EXPECT_EQ(robot.replies[1].state.late_commands, 1U);
     EXPECT_EQ(robot.position()[0], 0.3);
     robot.give(jog(0, -0.3));
     EXPECT_EQ(robot.last_error(), ErrorCode::none);
