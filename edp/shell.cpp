@@ -220,7 +220,7 @@ class Shell {
       if (effector_.accept(command_, sequence, reply_)) responder_.reply(reply_.state, sequence);
     }
     if (operator_motion_.update(process_.clock().tick(), reply_)) operator_.reply(reply_.state, reply_.command);
-    if (operator_motion_.pass_on(reply_)) responder_.reply(reply_.state, reply_.command);
+    if (operator_motion_.hold_for_late_motion(reply_)) responder_.reply(reply_.state, reply_.command);
     if (operator_motion_.poll_hold(process_.clock().tick(), reply_)) responder_.reply(reply_.state, reply_.command);
     while (operator_.take(command_, sequence)) {
       if (operator_motion_.accept(command_, sequence, process_.clock().tick(), reply_))

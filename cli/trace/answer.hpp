@@ -23,8 +23,9 @@ struct Answer {
   bool stopped_first() const noexcept { return from.moving && to.macrostep != end_before; }
   /// The desired state at the macrostep's start is that of `from`.
   bool continues() const noexcept { return !after_force && !late && !stopped_first(); }
-  /// The robot may have held instead: the operator had moved it before the late command.
-  bool may_have_held() const noexcept { return late && !to.moving; }
+  /// The robot has held instead: the operator had moved it meanwhile. A late command to a robot that had rested has no
+  /// other reason.
+  bool held_instead() const noexcept { return late && !from.moving && !to.moving; }
   /// The state is from after the macrostep, and describes a stop instead of the macrostep's end.
   bool braked() const noexcept { return to.tick > to.macrostep + command.motion_steps && to.desired_tick > to.tick; }
 };

@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "edp/safety/error_report.hpp"
-#include "geometry/rigid_motion.hpp"
 
 namespace mrroc::edp {
 
 namespace {
 
-constexpr double kMargin = 1.1;       // pieces of a path take a little more than the whole path
 constexpr int kSlowings = 4;          // by half, near a limit
 constexpr double kDifference = 1e-3;  // s, of a motor velocity
 
@@ -28,35 +26,41 @@ ErrorReport busy(const char* reason) noexcept { return make_report(ErrorClass::n
 }  // namespace
 
 OperatorMotion::OperatorMotion(Effector& effector, const ModelSet& models, double period)
-    : effector_(effector), models_(models), period_(period), planner_(models.at(0), period) {}
+    : effector_(effector), models_(models), period_(period), travel_(models, period) {}
 
 Tick OperatorMotion::ticks(double seconds) const noexcept { return static_cast<Tick>(std::lround(seconds / period_)); }
 
 bool OperatorMotion::accept_of_task(const RobotCommand& command, std::uint64_t number, Tick now) noexcept {
-  if (command.kind == CommandKind::query) return false;
+  const bool moves = phase_ == Phase::jog || phase_ == Phase::travel || phase_ == Phase::stop;
+  if (command.kind == CommandKind::query) {
+    if (!moves) return false;
+    // the task plans from the state that it gets: from rest
+    end_motion();
+    task_hold_ = TaskHold{number, 0, true};
+    return true;
+  }
   if (command.kind == CommandKind::hold && phase_ != Phase::yielded) {
     RobotState state;
     const bool moved_here = phase_ != Phase::idle;
-    if (moved_here) task_hold_ = TaskHold{number, now + command.reply_step};
+    if (moved_here) task_hold_ = TaskHold{number, now + command.reply_step, false};
     if (moved_here || (effector_.peek(state) && state.at_rest())) {
       last_task_hold_ = now;
       return moved_here;
     }
   }
   last_task_command_ = now;
-  if (phase_ != Phase::jog && phase_ != Phase::travel && phase_ != Phase::stop) return false;
+  if (!moves) return false;
   if (is_change(command.kind)) {
     phase_ = Phase::yielded;  // the reply to the last macrostep ends it
     return false;
   }
-  // planned from where the robot no longer is: it comes to rest and holds, and the task plans anew
+  // planned from where the robot no longer is: it comes to rest and holds, and the task plans again
   effector_.count_late_command();
-  if (phase_ != Phase::stop) stop();
-  RobotCommand hold;
-  hold.kind = CommandKind::hold;
-  hold.motion_steps = command.motion_steps;
-  hold.reply_step = command.reply_step;
-  task_motion_ = TaskMotion{hold, number};
+  end_motion();
+  late_motion_ = LateMotion{{}, number};
+  late_motion_->hold.kind = CommandKind::hold;
+  late_motion_->hold.motion_steps = command.motion_steps;
+  late_motion_->hold.reply_step = command.reply_step;
   return true;
 }
 
@@ -77,15 +81,15 @@ bool OperatorMotion::update(Tick now, Reply& reply) noexcept {
   return true;
 }
 
-bool OperatorMotion::pass_on(Reply& reply) noexcept {
-  if (!task_motion_ || phase_ != Phase::idle || !effector_.has_place()) return false;
-  const bool answered = effector_.accept(task_motion_->command, task_motion_->number, reply);
-  task_motion_.reset();
+bool OperatorMotion::hold_for_late_motion(Reply& reply) noexcept {
+  if (!late_motion_ || phase_ != Phase::idle || !effector_.has_place()) return false;
+  const bool answered = effector_.accept(late_motion_->hold, late_motion_->number, reply);
+  late_motion_.reset();
   return answered;
 }
 
 bool OperatorMotion::poll_hold(Tick now, Reply& reply) noexcept {
-  if (!task_hold_ || now < task_hold_->due) return false;
+  if (!task_hold_ || (task_hold_->until_rest ? phase_ != Phase::idle : now < task_hold_->due)) return false;
   answer(task_hold_->number, {}, reply);
   task_hold_.reset();
   return true;
@@ -98,11 +102,11 @@ bool OperatorMotion::accept(const RobotCommand& command, std::uint64_t number, T
     return true;
   }
   if (command.kind == CommandKind::hold) {
-    if (phase_ == Phase::jog || phase_ == Phase::travel) stop();
+    end_motion();
   } else if (is_velocity(command)) {
     error = jog(command, now);
   } else if (is_travel(command)) {
-    error = plan_travel(command);
+    error = travel_.plan(command, effector_);
     if (!bad(error)) error = begin(next_travel_step());
     if (!bad(error)) phase_ = Phase::travel;
     if (!bad(error)) awaited_ = number;
@@ -181,34 +185,6 @@ ErrorReport OperatorMotion::next_jog_step(Tick begin) noexcept {
   return error;
 }
 
-/// The duration follows from the limits; the path is kept, and commanded in pieces.
-ErrorReport OperatorMotion::plan_travel(const RobotCommand& command) noexcept {
-  RobotState state;
-  if (!effector_.peek(state)) return busy("the servo has not ticked yet");
-  if (!state.at_rest()) return busy("the robot moves");
-  planner_.use(ToolKinematics(models_.at(effector_.snapshot()->model), state.tool));
-  planner_.stand_on(effector_.snapshot()->switches);
-  RobotCommand whole = command;
-  whole.motion_steps = kSteps;
-  whole.reply_step = 1;
-  whole.joint_velocity.resize(0);
-  whole.joint_acceleration.resize(0);
-  whole.twist.setZero();
-  whole.start_tick = 0;
-  if (command.kind == CommandKind::pose && command.relative && !command.twist.isZero(0)) {
-    whole.relative = false;
-    whole.pose = state.desired_pose;
-    whole.pose.translation() += command.twist.head<3>();
-    whole.pose.linear() = exp_rotation(command.twist.tail<3>()) * state.desired_pose.linear();
-  }
-  const DesiredState from = DesiredState::resting_at(state.desired_joints);
-  if (const ErrorReport error = planner_.plan(whole, from, Pace::stretched, travel_); bad(error)) return error;
-  slowness_ = kMargin;
-  duration_ = static_cast<std::uint32_t>(std::ceil(travel_.steps * slowness_));
-  travelled_ = 0;
-  return {};
-}
-
 /// The present outputs with the one that the operator changes.
 RobotCommand OperatorMotion::with_one_output(const RobotCommand& command) noexcept {
   RobotCommand changed = command;
@@ -224,25 +200,14 @@ RobotCommand OperatorMotion::with_one_output(const RobotCommand& command) noexce
 }
 
 ErrorReport OperatorMotion::next_travel_step() noexcept {
-  const std::uint32_t steps = std::min<std::uint32_t>(kSteps, duration_ - travelled_);
-  const std::uint32_t end = travelled_ + steps;
-  step_ = RobotCommand{};
-  step_.kind = CommandKind::joint;
-  step_.motion_steps = static_cast<std::uint16_t>(steps);
-  step_.reply_step = static_cast<std::uint16_t>(end == duration_ ? steps + 1 : std::max<std::uint32_t>(1, steps - 2));
-  DesiredState goal = travel_.to;
-  if (end < duration_) {
-    const double t = end * period_ / slowness_;
-    if (const ErrorCode code = travel_.path.at(t, travel_.from.position, goal); code != ErrorCode::none)
-      return make_report(ErrorClass::non_fatal, code, "on the path, at tick %u", end);
-    step_.joint_velocity = goal.velocity / slowness_;
-    step_.joint_acceleration = goal.acceleration / (slowness_ * slowness_);
-  }
-  step_.joints = goal.position;
-  if (const ErrorReport error = send(step_); bad(error)) return error;
-  travel_.from.position = goal.position;  // the inverse kinematics continues from there
-  travelled_ = end;
-  return {};
+  ErrorReport error = travel_.write(step_);
+  if (!bad(error)) error = send(step_);
+  if (!bad(error)) travel_.commanded();
+  return error;
+}
+
+void OperatorMotion::end_motion() noexcept {
+  if (phase_ == Phase::jog || phase_ == Phase::travel) stop();
 }
 
 /// When the effector has two macrosteps already, the reply to the later one tries again.
@@ -271,7 +236,7 @@ bool OperatorMotion::take(Reply& reply) noexcept {
       if (!ends && (reply.state.desired_tick >= valid_until_ || bad(next_jog_step(reply.state.desired_tick)))) stop();
       return false;
     case Phase::travel:
-      if (!ends && travelled_ < duration_) {
+      if (!ends && !travel_.over()) {
         error = next_travel_step();
         if (!bad(error)) return false;
         stop();

@@ -4,7 +4,7 @@
 
 #include "edp/check/model_set.hpp"
 #include "edp/command/effector.hpp"
-#include "edp/command/planner.hpp"
+#include "edp/command/operator_travel.hpp"
 #include "mrroc/robot_command.hpp"
 
 namespace mrroc::edp {
@@ -15,13 +15,15 @@ namespace mrroc::edp {
 /// the velocity within its limits. A jog is valid for kJogValidity; when no other one comes within that time, the robot
 /// brakes within its limits (dead-man). Near a limit the jog becomes slower, then it ends.
 ///
-/// Travel: `joint`, `motor` or `pose`, absolute or relative, from rest to rest. A relative `pose` with a `twist` is a
-/// displacement in base axes: p + v, exp(w) R. The whole path is planned and checked before it begins; it takes as long
-/// as the limits demand, and `hold` ends it at any time. The reply comes at its end.
+/// Travel: `joint`, `motor` or `pose`, from rest to rest (OperatorTravel). The reply comes at its end; `hold` ends it
+/// at any time.
 ///
 /// `set_outputs` changes the one output `choice`: a digital one, or behind those an analogue one. All other kinds are
-/// passed to the effector, one at a time. A command of a task ends the operator's motion;
-/// a motion counts as late: the robot comes to rest and holds instead, and the task plans anew.
+/// passed to the effector, one at a time.
+///
+/// A task has priority: its query, with which every Move and Wait begins, ends the operator's motion and is answered
+/// when the robot rests. A motion that comes nevertheless, from a task that was paused, counts as late: the robot comes
+/// to rest and holds instead, and the task plans again.
 ///
 /// A paused task holds its robots with `hold` commands. An order with `choice` kTaskPaused (jog and travel) is
 /// executed nevertheless; while the robot moves by it, the task's `hold` commands are answered here, at their tick v.
@@ -32,7 +34,7 @@ class OperatorMotion {
  public:
   static constexpr double kJogValidity = 0.2;  ///< s
   static constexpr double kTaskIdle = 0.1;     ///< s after a task's last command in which the robot is the task's
-  static constexpr std::uint16_t kSteps = 10;  ///< ticks of a macrostep
+  static constexpr std::uint16_t kSteps = OperatorTravel::kSteps;  ///< ticks of a macrostep
   static constexpr std::uint8_t kTaskPaused = 1;
 
   /// All outlive it. `period` in s.
@@ -44,13 +46,13 @@ class OperatorMotion {
   /// Begins a motion that had to wait for the end of a macrostep of the task. Call it after every wake-up. True: it is
   /// refused, and `reply` is the answer to its order.
   bool update(Tick now, Reply& reply) noexcept;
-  /// A task's command number `number` has been received at tick `now`. True: it holds the robot while the operator
-  /// moves it, and `poll_hold` will give the answer, or it waits for `pass_on`; false: it is for the effector.
+  /// A task's command number `number` has been received at tick `now`. True: the operator moves the robot, and
+  /// `poll_hold` or the effector will give the answer; false: it is for the effector.
   bool accept_of_task(const RobotCommand& command, std::uint64_t number, Tick now) noexcept;
   /// Lets the robot hold for a late motion of the task when the operator's has ended. Call it after every wake-up.
   /// True: that is refused, and `reply` is the answer to the task.
-  bool pass_on(Reply& reply) noexcept;
-  /// The answer to such a command when it is due.
+  bool hold_for_late_motion(Reply& reply) noexcept;
+  /// The answer to a hold or query of the task when it is due.
   bool poll_hold(Tick now, Reply& reply) noexcept;
   /// Takes command number `number` of the operator. True: `reply` is the answer; false: `take` will give it.
   bool accept(const RobotCommand& command, std::uint64_t number, Tick now, Reply& reply) noexcept;
@@ -65,11 +67,12 @@ class OperatorMotion {
   ErrorReport refusal(const RobotCommand& command, Tick now) const noexcept;
   ErrorReport jog(const RobotCommand& command, Tick now) noexcept;
   ErrorReport begin(const ErrorReport& error) noexcept;
-  ErrorReport plan_travel(const RobotCommand& command) noexcept;
   ErrorReport next_jog_step(Tick begin) noexcept;
   RobotCommand with_one_output(const RobotCommand& command) noexcept;
   ErrorReport next_travel_step() noexcept;
   void stop() noexcept;
+  /// Brakes what moves.
+  void end_motion() noexcept;
   /// Passes a macrostep to the effector.
   ErrorReport send(const RobotCommand& command) noexcept;
   void answer(std::uint64_t number, const ErrorReport& error, Reply& reply) noexcept;
@@ -78,27 +81,25 @@ class OperatorMotion {
   Effector& effector_;
   const ModelSet& models_;
   const double period_;
-  Planner planner_;
+  OperatorTravel travel_;
   Phase phase_ = Phase::idle;
   std::uint64_t sent_ = 0;  // own number of the last command to the effector
   std::optional<Tick> last_task_command_, last_task_hold_;
   struct TaskHold {
     std::uint64_t number = 0;
     Tick due = 0;
+    bool until_rest = false;  // instead: a query
   };
   bool begins_ = false;                // the effector had two macrosteps already
   std::optional<TaskHold> task_hold_;  // without an answer so far
-  struct TaskMotion {
-    RobotCommand command;
+  struct LateMotion {
+    RobotCommand hold;  // executed instead
     std::uint64_t number = 0;
   };
-  std::optional<TaskMotion> task_motion_;  // late: a hold, after the operator's motion
-  RobotCommand velocity_;                  // of the jog
+  std::optional<LateMotion> late_motion_;
+  RobotCommand velocity_;  // of the jog
   Tick valid_until_ = 0;
-  std::optional<std::uint64_t> awaited_;        // the operator's number of the travel or change under way
-  Macrostep travel_;                            // the whole path; too large for a small stack
-  double slowness_ = 1;                         // of the travel: by how much it is slower than planned
-  std::uint32_t travelled_ = 0, duration_ = 0;  // ticks of it
+  std::optional<std::uint64_t> awaited_;  // the operator's number of the travel or change under way
   RobotCommand step_;
   Reply ignored_;
 };

@@ -1,145 +1,8 @@
 // Each rule at a suitable place: exactly this rule is reported, with the expected value.
-#include <gtest/gtest.h>
-
-#include "cli/trace/trace_text.hpp"
+#include "cli/trace/trace_rule.hpp"
 
 namespace mrroc::cli::trace {
 namespace {
-
-/// Places in the example: the first line of an instruction.
-std::size_t begin_of(const TraceText& trace, const std::string& process, std::uint64_t instruction) {
-  for (std::size_t i = 0; i < trace.items.size(); ++i)
-    if (trace.is_line(i) && trace.line(i).process == process && trace.line(i).instruction == instruction) return i;
-  throw std::logic_error("no such instruction");
-}
-
-class TraceRule : public testing::Test {
- protected:
-  Line& line(const std::string& process, std::uint64_t instruction, std::size_t step) {
-    return trace.line(begin_of(trace, process, instruction) + step);
-  }
-  RobotEntry& arm(std::uint64_t instruction, std::size_t step) { return line("arm", instruction, step).robots.front(); }
-
-  /// `rule` is found, and its text contains `text`.
-  void expect(const std::string& rule, const std::string& text = "") const {
-    const Found found = check_text(trace.text());
-    EXPECT_TRUE(found.rules.contains(rule)) << found.text();
-    EXPECT_NE(found.text().find(text), std::string::npos) << found.text();
-  }
-  void expect_only(const std::string& rule, const std::string& text = "") const {
-    expect(rule, text);
-    EXPECT_EQ(check_text(trace.text()).rules, std::set<std::string>{rule});
-  }
-  void expect_none() const { EXPECT_EQ(check_text(trace.text()).text(), ""); }
-
-  void erase(std::size_t i) { trace.items.erase(trace.items.begin() + static_cast<std::ptrdiff_t>(i)); }
-
-  TraceText trace = example_trace();
-};
-
-TEST_F(TraceRule, LineOrder) {
-  const auto first = trace.items.begin() + static_cast<std::ptrdiff_t>(begin_of(trace, "mp", 1));
-  std::rotate(trace.items.begin(), first, first + 1);
-  expect_only("line-order", "a line not before tick ");
-}
-
-TEST_F(TraceRule, LineTick) {
-  ++line("arm", 1, 1).tick;
-  expect_only("line-tick", "the newest in the line");
-}
-
-TEST_F(TraceRule, TicksContinueFromOneInstructionToTheNext) {
-  arm(2, 0).macrostep = 1;
-  expect_only("ticks-go-on", "macrostep 1 of robot arm, expected at least ");
-}
-
-TEST_F(TraceRule, ReadingsContinue) {
-  line("arm", 8, 1).sensors[0].tick = line("arm", 8, 0).sensors[0].tick - 1;
-  expect_only("readings-go-on", "of sensor eye, expected at least ");
-}
-
-TEST_F(TraceRule, OneOfTwoSimultaneousInstructionsMayHoldAnOlderReading) {
-  Line other = line("arm", 6, 2);
-  other.instruction = 9;
-  other.step = 0;
-  other.sensors = line("arm", 8, 2).sensors;
-  other.tick = ++other.sensors[0].tick;
-  trace.items.insert(trace.items.begin() + static_cast<std::ptrdiff_t>(begin_of(trace, "arm", 8)) + 2, other);
-  for (auto& item : trace.items)
-    if (auto* remark = std::get_if<Remark>(&item); remark != nullptr && remark->process == "arm") ++remark->lines;
-  expect_none();
-}
-
-TEST_F(TraceRule, EveryLine) {
-  std::get<Remark>(trace.items.back()).lines += 2;
-  expect_only("every-line", "11, as many as it has written");
-}
-
-TEST_F(TraceRule, InstructionCount) {
-  const std::size_t first = begin_of(trace, "mp", 2);
-  for (std::size_t i = first; trace.is_line(i); ++i) trace.line(i).instruction = 4;
-  expect_only("instruction-count", "instruction 4, expected instruction 2");
-}
-
-TEST_F(TraceRule, StepCount) {
-  for (std::size_t step = 2; step <= 4; ++step) ++line("arm", 2, step).step;
-  expect("step-count", "step 3, expected step 2");
-}
-
-TEST_F(TraceRule, RepeatedStepIsOneWhoseExchangeWasInterrupted) {
-  line("arm", 8, 3).ending = StepEnding::generator;
-  expect("step-count", "step 2, expected step 3");
-}
-
-TEST_F(TraceRule, OneForm) {
-  line("arm", 3, 2).name = "ToolVelocities";
-  expect_only("one-form", "ToolVelocities");
-}
-
-TEST_F(TraceRule, Lists) {
-  line("arm", 1, 1).sensors.push_back(line("arm", 1, 1).sensors.front());
-  expect("lists", "sensor gate twice");
-}
-
-TEST_F(TraceRule, InstructionEndsBeforeTheNextOneWithItsRobotBegins) {
-  erase(begin_of(trace, "arm", 2) - 1);
-  expect("lists", "the end of instruction 1 before");
-}
-
-TEST_F(TraceRule, InstructionsWithOtherRobotsMayRunAtTheSameTime) {
-  const std::size_t end = begin_of(trace, "arm", 6) - 1;
-  std::swap(trace.items[end], trace.items[end + 1]);
-  trace.line(end + 1).tick = trace.line(end).tick;
-  expect_none();
-}
-
-TEST_F(TraceRule, NothingAfterEnd) {
-  const std::size_t end = begin_of(trace, "arm", 2) - 1;
-  trace.items.insert(trace.items.begin() + static_cast<std::ptrdiff_t>(end), trace.items[end]);
-  expect("nothing-after-end");
-}
-
-TEST_F(TraceRule, AllEnd) {
-  const std::size_t last = trace.items.size() - 2;
-  erase(last);
-  --std::get<Remark>(trace.items.back()).lines;
-  expect_only("all-end", "without end=");
-}
-
-TEST_F(TraceRule, ProcessWithoutARemarkWasKilled) {
-  trace.items.pop_back();
-  erase(trace.items.size() - 1);
-  const Found found = check_text(trace.text());
-  EXPECT_TRUE(found.violations.empty()) << found.text();
-  EXPECT_NE(found.text().find("note: the trace of process mp stops here: it was killed, in instruction 2"),
-            std::string::npos)
-      << found.text();
-}
-
-TEST_F(TraceRule, RemarkIsLast) {
-  std::swap(trace.items[trace.items.size() - 2], trace.items.back());
-  expect("remark-is-last");
-}
 
 TEST_F(TraceRule, EndOrCommand) {
   arm(1, 2).command.reset();
@@ -193,6 +56,22 @@ TEST_F(TraceRule, HoldStays) {
 TEST_F(TraceRule, JointTarget) {
   arm(2, 1).command->target[1] += 1e-15;
   expect_only("joint-target", ", as commanded");
+}
+
+/// The operator has moved the robot meanwhile. A robot that was moving executes a late command.
+TEST_F(TraceRule, LateCommandToARobotAtRestMayBeReplacedByAHold) {
+  const auto target_is_missed = [this](bool moved, bool moves) {
+    arm(2, 1).moving = moved;
+    arm(2, 2).moving = moves;
+    return check_text(trace.text()).rules.contains("joint-target");
+  };
+  arm(2, 1).command->target[1] += 0.1;
+  EXPECT_TRUE(target_is_missed(false, false)) << "it is not late";
+  for (std::size_t i = begin_of(trace, "arm", 2) + 2; i < begin_of(trace, "arm", 3); ++i)
+    trace.line(i).robots[0].late = 1;
+  EXPECT_FALSE(target_is_missed(false, false));
+  EXPECT_TRUE(target_is_missed(true, false));
+  EXPECT_TRUE(target_is_missed(false, true));
 }
 
 TEST_F(TraceRule, RelativeJointTarget) {

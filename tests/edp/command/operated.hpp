@@ -31,7 +31,7 @@ class Operated : public Rig<Gantry> {
         answers.push_back(reply);
     }
     if (motion.update(seen().tick, reply)) answers.push_back(reply);
-    if (motion.pass_on(reply)) replies.push_back(reply);
+    if (motion.hold_for_late_motion(reply)) replies.push_back(reply);
     if (motion.poll_hold(seen().tick, reply)) replies.push_back(reply);
     ++now;
     check_limits();
