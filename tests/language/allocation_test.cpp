@@ -161,8 +161,13 @@ TEST(Allocation, SensorGeneratorsComputeTheNextStateWithoutAllocation) {
       *cell.a, [&] { return aside; }, PositionServo::In::base, Pose::Identity());
   ImageServo image(
       *cell.a, [&] { return seen; }, wanted, ImageDepths::Constant(1, 4, 0.5));
+  // all seen at one place: the equations have rank 2
+  ImageServo one_place(
+      *cell.a, [&]() -> std::optional<ImagePoints> { return seen.col(0).replicate(1, 3); }, wanted.leftCols(3),
+      ImageDepths::Constant(1, 3, 0.5));
   SpiralSearch spiral(*cell.a, ForceLaw{}, 0.001, 0.01, 0.01);
-  for (Generator* generator : std::initializer_list<Generator*>{&approach, &track, &position, &image, &spiral}) {
+  for (Generator* generator :
+       std::initializer_list<Generator*>{&approach, &track, &position, &image, &one_place, &spiral}) {
     generator->start();
     const std::uint64_t before = test::allocations();
     for (int step = 0; step < 300 && !generator->terminal_condition(); ++step) generator->next_state();

@@ -1,9 +1,9 @@
 #include "mrroc/generators/image_servo.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
+#include "geometry/least_norm.hpp"
 #include "geometry/rigid_motion.hpp"
 #include "language/servoing/visual_servo.hpp"
 
@@ -78,7 +78,7 @@ void ImageServo::next_state() {
     matrix.middleRows<2>(2 * i) = point_interaction((*seen_)(0, i), (*seen_)(1, i), depths_[i]);
     error.segment<2>(2 * i) = seen_->col(i) - wanted_.col(i);
   }
-  const Twist camera = -servo_->gain() * Eigen::CompleteOrthogonalDecomposition<Interaction>(matrix).solve(error);
+  const Twist camera = -servo_->gain() * least_norm_solution(matrix, error);
   Twist tool = rotate_twist(camera_.linear(), camera);
   tool.head<3>() -= tool.tail<3>().cross(camera_.translation());
   servo_->step(tool);
