@@ -19,7 +19,10 @@ Json numbers(std::span<const double> values) {
 }  // namespace
 
 void WorldFeed::watch(bool wanted) noexcept {
-  if (memory_ != nullptr) memory_->watched.store(wanted ? 1 : 0, std::memory_order_relaxed);
+  if (memory_ == nullptr) return;
+  const bool before = memory_->watched.exchange(wanted ? 1 : 0, std::memory_order_relaxed) != 0;
+  // what was stored for the last watcher is old
+  if (wanted && !before && memory_->snapshot.load(snapshot_)) taken_ = snapshot_.tick;
 }
 
 std::optional<std::string> WorldFeed::take() {
