@@ -23,16 +23,13 @@
 #include "clock/participant.hpp"
 #include "clock/wall/monotonic.hpp"
 #include "clock/wall/realtime.hpp"
-#include "edp/command/effector.hpp"
-#include "edp/drivers/loopback_hardware.hpp"
-#include "edp/servo/servo.hpp"
+#include "edp_without_grid.hpp"
 #include "links/exchange/bare_ping_pong.hpp"
 #include "links/exchange/robot_requester.hpp"
 #include "links/exchange/robot_responder.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 #include "one_robot_task.hpp"
-#include "robots/irb6/irb6_model.hpp"
 #include "round_times.hpp"
 
 namespace mrroc {
@@ -58,8 +55,6 @@ struct Options {
   std::string keys;  // folder; empty: without the secured ping-pong
 };
 
-RobotModels load_models() { return load_irb6(MRROC_SOURCE_DIR "/robots/irb6/irb6.toml"); }
-
 /// The second domain of a process, with DDS Security; empty without keys.
 std::unique_ptr<links::Domain> secured_domain(const Options& options) {
   if (options.keys.empty()) return nullptr;
@@ -75,36 +70,6 @@ void prepare_process(const Options& options) {
 
 // ---- EDP
 // -------------------------------------------------------------------------------------------------------------
-
-/// All of an EDP but its links and its grid.
-class Edp {
- public:
-  explicit Edp(double period)
-      : hardware_(*models_.front(), period),
-        servo_(model_set_, hardware_, period, channel_),
-        effector_(model_set_, period, channel_) {
-    effector_.enable(true);
-    servo_.tick(tick_);
-  }
-
-  /// `reply(state, number)` is called for each answer.
-  template <class Reply>
-  void execute(const RobotCommand& command, std::uint64_t number, Reply reply) {
-    if (effector_.accept(command, number, answer_)) return reply(answer_.state, number);
-    servo_.tick(++tick_);
-    while (effector_.poll(answer_)) reply(answer_.state, answer_.command);
-  }
-
- private:
-  RobotModels models_ = load_models();
-  edp::ModelSet model_set_{models_};
-  edp::LoopbackHardware hardware_;
-  edp::ServoChannel channel_;
-  edp::Servo servo_;
-  edp::Effector effector_;
-  Tick tick_ = 0;
-  edp::Reply answer_;
-};
 
 class EdpSide {
  public:
@@ -125,21 +90,6 @@ class EdpSide {
   Edp edp_;
   links::RobotResponder responder_;
   RobotCommand command_;
-};
-
-/// A robot's link to an EDP in the same thread.
-class NoLink final : public RobotLink {
- public:
-  explicit NoLink(double period) : edp_(period) {}
-  void send(const RobotCommand& command) override {
-    edp_.execute(command, ++number_, [this](const RobotState& state, std::uint64_t) { state_ = state; });
-  }
-  void receive(RobotState& state) override { state = state_; }
-
- private:
-  Edp edp_;
-  std::uint64_t number_ = 0;
-  RobotState state_;
 };
 
 int run_edp(int clock_fd, const Options& options) {

@@ -32,15 +32,6 @@ std::string line_of(const nlohmann::ordered_json& json) {
 
 }  // namespace
 
-std::optional<WatchedStates> watched_of(std::string_view argument) noexcept {
-  if (argument.empty() || argument == "changes") return WatchedStates{};
-  if (argument == "robots") return WatchedStates{.robots = true};
-  if (argument == "readings") return WatchedStates{.readings = true};
-  if (argument == "world") return WatchedStates{.world = true};
-  if (argument == "all") return WatchedStates{.robots = true, .readings = true, .world = true};
-  return std::nullopt;
-}
-
 OperatorService::OperatorService(const config::Deployment& deployment) : deployment_(deployment) {}
 
 void OperatorService::connect(OperatorEvents& events, Questions& questions, RobotOrders& robots) {

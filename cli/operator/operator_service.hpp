@@ -13,17 +13,11 @@
 #include "cli/operator/robot_orders.hpp"
 #include "cli/operator/verb_reply.hpp"
 #include "cli/operator/verb_request.hpp"
+#include "cli/operator/watched_states.hpp"
 #include "config/deployment.hpp"
 #include "links/wire/process_status.hpp"
 
 namespace mrroc::cli {
-
-/// What a watching client sees beside messages, questions and changes.
-struct WatchedStates {
-  bool robots = false, readings = false, world = false;
-};
-/// Of an argument of `echo`; null when it is unknown. Any thread.
-std::optional<WatchedStates> watched_of(std::string_view argument) noexcept;
 
 /// Executes the operator's verbs for all clients, one commander at a time, and replies when a command has taken effect
 /// or why it did not. The verbs act through OperatorEvents: they reach the processes at tick boundaries. Main thread.
