@@ -50,7 +50,7 @@ void Browser::receive(std::string_view message) {
   }
   Json request = Json::parse(message, nullptr, false);
   if (!request.is_object()) {
-    publish(refusal({}, "malformed", "the message is no JSON object", R"({"verb":"...", ...})"));
+    publish(refusal({}, "malformed", "the message is not a JSON object", R"({"verb":"...", ...})"));
     return;
   }
   const auto found = request.find("verb");

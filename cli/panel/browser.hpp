@@ -16,7 +16,7 @@ namespace mrroc::cli {
 
 /// One browser that shows the panel. It is a client of the run by a connection of its own: it holds command for itself,
 /// and what it sends reaches the run only as fast as the run reads. Its writer is a thread of its own: a browser that
-/// does not read delays nobody else.
+/// does not read delays no other browser.
 class Browser {
  public:
   /// Sends one message; false when the browser is gone. It may wait.

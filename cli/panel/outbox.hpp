@@ -10,7 +10,7 @@
 namespace mrroc::cli {
 
 /// What one browser is to be sent: lines in order, and of states the newest of each kind. Bounded: a browser that is
-/// read too slowly is told by `overflowed`. Any thread.
+/// read too slowly is reported by `overflowed`. Any thread.
 class Outbox {
  public:
   static constexpr std::size_t kMaxBytes = 1 << 20;

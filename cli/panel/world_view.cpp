@@ -79,7 +79,7 @@ void WorldView::take(std::string_view event) {
       if (joints.size() != robot->second.joints.count()) return;
       robot->second.joints.place(*model_, data, Eigen::Map<const JointVector>(joints.data(), std::ssize(joints)));
     };
-    // the simulated world tells where its robots are, at its own tick
+    // the simulated world reports where its robots are, at its own tick
     if (!simulated_ || !robot->second.in_world) place("joints", *actual_);
     place("desired", *desired_);
   }

@@ -38,7 +38,7 @@ ChainModel::ChainModel(RobotParameters parameters, const SerialChain& chain, con
   if (count != chain.size() || count != gear.size())
     throw std::invalid_argument(std::to_string(chain.size()) + " joints and " + std::to_string(gear.size()) +
                                 " gears, expected " + std::to_string(count) + " of each");
-  if ((gear.array() == 0).any() || !gear.allFinite()) throw std::invalid_argument("a gear that is no ratio");
+  if ((gear.array() == 0).any() || !gear.allFinite()) throw std::invalid_argument("a gear that is zero or not finite");
   range_.min = range_.max = JointVector::Zero(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const AxisParameters& axis = parameters_.axes[static_cast<std::size_t>(i)];

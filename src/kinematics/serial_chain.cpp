@@ -32,24 +32,27 @@ SerialChain::SerialChain(const std::vector<ChainJoint>& joints, const Pose& flan
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const ChainJoint& joint = joints[i];
     if (!is_rigid(joint.frame))
-      throw std::invalid_argument("the frame of joint " + std::to_string(i + 1) + " is no rigid motion");
+      throw std::invalid_argument("the frame of joint " + std::to_string(i + 1) + " is not a rigid motion");
     if (!joint.axis.allFinite() || std::abs(joint.axis.norm() - 1) > kRigid)
       throw std::invalid_argument("the axis of joint " + std::to_string(i + 1) + " has not unit length");
     const Eigen::Matrix3d turned = to_axis(joint.axis);
     links_[i] = {back * joint.frame.linear() * turned, back * joint.frame.translation(), joint.slides};
     back = turned.transpose();
   }
-  if (!is_rigid(flange)) throw std::invalid_argument("the frame of the flange is no rigid motion");
+  if (!is_rigid(flange)) throw std::invalid_argument("the frame of the flange is not a rigid motion");
   flange_ = Eigen::Translation3d(back * flange.translation()) * Pose(back * flange.linear());
 }
 
-Pose SerialChain::flange(const JointVector& joints) const noexcept {
+template <class Visit>
+Pose SerialChain::walk(const JointVector& joints, Visit visit) const noexcept {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   for (int i = 0; i < size_; ++i) {
-    const Link& link = links_[static_cast<std::size_t>(i)];
+    const auto index = static_cast<std::size_t>(i);
+    const Link& link = links_[index];
     position.noalias() += rotation * link.translation;
     rotation = (rotation * link.rotation).eval();
+    visit(index, position, rotation.col(2));
     if (link.slides) {
       position += joints[i] * rotation.col(2);
       continue;
@@ -66,28 +69,16 @@ Pose SerialChain::flange(const JointVector& joints) const noexcept {
   return flange;
 }
 
+Pose SerialChain::flange(const JointVector& joints) const noexcept {
+  return walk(joints, [](std::size_t, const Eigen::Vector3d&, const Eigen::Vector3d&) noexcept {});
+}
+
 void SerialChain::compute(const JointVector& joints, Axes& axes) const noexcept {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  for (int i = 0; i < size_; ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    const Link& link = links_[index];
-    position.noalias() += rotation * link.translation;
-    rotation = (rotation * link.rotation).eval();
-    axes.origin[index] = position;
-    axes.axis[index] = rotation.col(2);
-    if (link.slides) {
-      position += joints[i] * rotation.col(2);
-      continue;
-    }
-    const double c = std::cos(joints[i]), s = std::sin(joints[i]);
-    const Eigen::Vector3d x = rotation.col(0);
-    rotation.col(0) = c * x + s * rotation.col(1);
-    rotation.col(1) = c * rotation.col(1) - s * x;
-  }
-  axes.flange.linear().noalias() = rotation * flange_.linear();
-  axes.flange.translation() = position + rotation * flange_.translation();
-  axes.flange.makeAffine();
+  axes.flange =
+      walk(joints, [&axes](std::size_t i, const Eigen::Vector3d& origin, const Eigen::Vector3d& axis) noexcept {
+        axes.origin[i] = origin;
+        axes.axis[i] = axis;
+      });
 }
 
 Jacobian SerialChain::jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept {

@@ -20,7 +20,7 @@ struct ChainJoint {
 class SerialChain {
  public:
   /// `flange`: in the last joint's frame. Throws std::invalid_argument: no or too many joints, an axis that has not
-  /// unit length, a frame that is no rigid motion.
+  /// unit length, a frame that is not a rigid motion.
   SerialChain(const std::vector<ChainJoint>& joints, const Pose& flange);
 
   int size() const noexcept { return size_; }
@@ -38,6 +38,10 @@ class SerialChain {
   Jacobian jacobian(const Axes& axes, const Eigen::Vector3d& offset) const noexcept;
 
  private:
+  /// The flange; `visit(joint, origin, axis)` for each joint on the way, in the base frame.
+  template <class Visit>
+  Pose walk(const JointVector& joints, Visit visit) const noexcept;
+
   /// A joint whose axis is z: turning is a combination of two columns.
   struct Link {
     Eigen::Matrix3d rotation;

@@ -49,7 +49,7 @@ struct JointMeasurement {
   ControllerIo inputs;  ///< of the robot's controller
 };
 
-/// sim -> VSPs that render the world (cameras), every tick if there is one, and the runner while somebody watches the
+/// sim -> VSPs that render the world (cameras), every tick if there is one, and the runner while a client watches the
 /// world (`WorldMemory::watched`): the state from which a picture is drawn.
 /// The poses of bodies follow from it and the model, which every process composes from the deployment. An endless belt
 /// is always at its origin here, independent of its travel.
@@ -67,7 +67,7 @@ struct WorldMemory {
   std::array<core::SharedSlot<JointMeasurement>, kMaxRobots> measurements;
   std::array<core::SharedSlot<RawReading>, kMaxSensors> readings;  ///< sim -> VSP, every tick
   core::SharedSlot<WorldSnapshot> snapshot;
-  std::atomic<std::uint32_t> watched{0};  ///< runner -> sim: not 0 while somebody watches the snapshots
+  std::atomic<std::uint32_t> watched{0};  ///< runner -> sim: not 0 while a client watches the snapshots
   clock::Gate driven;                     ///< real time: opened after each store into `drives`
   clock::Gate measured;                   ///< real time: opened when a tick's measurements and readings are stored
 };

@@ -25,9 +25,10 @@ function store(theme: Theme): void {
 export function theme_switch(changed: () => void): HTMLElement {
   let theme = stored();
   const node = button('', { id: 'theme', class: 'plain' });
+  const dark = matchMedia('(prefers-color-scheme: dark)');
   const show = () => {
-    if (theme === 'system') set_attribute(document.documentElement, 'data-theme', null);
-    else set_attribute(document.documentElement, 'data-theme', theme);
+    const shown = theme === 'system' ? (dark.matches ? 'dark' : 'light') : theme;
+    set_attribute(document.documentElement, 'data-theme', shown);
     set_text(node, `Theme: ${theme}`);
     changed();
   };
@@ -36,12 +37,11 @@ export function theme_switch(changed: () => void): HTMLElement {
     store(theme);
     show();
   });
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', changed);
+  dark.addEventListener('change', show);
   show();
   return node;
 }
 
 export function is_dark(): boolean {
-  const chosen = document.documentElement.dataset['theme'];
-  return chosen ? chosen === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+  return document.documentElement.dataset['theme'] === 'dark';
 }

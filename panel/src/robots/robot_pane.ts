@@ -8,8 +8,7 @@ import type { Session } from '../session';
 import { robot_advice } from '../state/advice';
 import { class_of, error_text } from '../state/errors';
 import { io_pane } from './io_pane';
-import { posture_row } from './posture_row';
-import { tool_row } from './tool_row';
+import { posture_row, tool_row } from './name_row';
 
 /** Everything of one robot. Hooks: `#robot-NAME`, `[data-robot-state]`, buttons with `data-verb` and `data-robot`. */
 export function robot_pane(session: Session, jog: JogSession, robot: Robot): { node: HTMLElement; update(): void } {

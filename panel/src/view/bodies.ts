@@ -38,7 +38,7 @@ export class Bodies {
     this.groups.forEach((group, index) => place(group, poses, index));
   }
 
-  /** Shows the ghosts at `poses`, but not of the bodies in `without`; without poses there is none. */
+  /** Shows the ghosts at `poses`, but not of the bodies in `without`; without poses no ghost is shown. */
   move_ghosts(poses: number[] | undefined, without: Set<number>): void {
     for (const [index, ghost] of this.ghosts) {
       ghost.visible = poses !== undefined && !without.has(index);
@@ -55,7 +55,7 @@ export class Bodies {
     this.floor.color = new Color(colour);
   }
 
-  /** Where the robots are; everything but planes if there is none. */
+  /** Where the robots are; everything but planes without a robot. */
   extent(): Box3 {
     this.actual.updateMatrixWorld(true);
     const box = new Box3();

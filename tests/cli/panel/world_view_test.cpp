@@ -51,7 +51,7 @@ TEST(WorldViewTest, ShowsTheSimulatedWorld) {
   simulation.publish_initial();
   WorldFeed feed(memory.get());
   WorldView view(deployment);
-  EXPECT_FALSE(feed.take().has_value()) << "nobody watches";
+  EXPECT_FALSE(feed.take().has_value()) << "no client watches";
   feed.watch(true);
   for (Tick tick = 1; tick <= 100; ++tick) {
     simulation.step(tick);

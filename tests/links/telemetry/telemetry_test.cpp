@@ -59,7 +59,7 @@ TEST(Telemetry, NextWatcherGetsNoStateOfTheLastOne) {
     TelemetryReader<RobotState> reader(net.domain, "t/arm/telemetry");
     ASSERT_TRUE(await(true));
     state.tick = 1;
-    publisher.store(state);  // nobody reads it any more
+    publisher.store(state);  // no reader is left
   }
   ASSERT_TRUE(await(false));
   TelemetryReader<RobotState> reader(net.domain, "t/arm/telemetry");
