@@ -74,6 +74,13 @@ TEST(WorldViewTest, ShowsTheSimulatedWorld) {
   feed.watch(false);
   simulation.step(101);
   EXPECT_FALSE(feed.take().has_value());
+  feed.watch(true);
+  simulation.step(102);  // this watcher leaves before it takes the state
+  feed.watch(false);
+  feed.watch(true);
+  EXPECT_FALSE(feed.take().has_value()) << "of the last watcher's time";
+  simulation.step(103);
+  EXPECT_TRUE(feed.take().has_value());
 }
 
 /// Robots with any hardware, by their joints alone: the tool is where MuJoCo's kinematics of the robot's own file say.
