@@ -49,6 +49,7 @@ bool OperatorMotion::accept_of_task(const RobotCommand& command, std::uint64_t n
     }
   }
   last_task_command_ = now;
+  if (next_travel_) next_travel_->ended = true;
   if (!moves) return false;
   if (is_change(command.kind)) {
     phase_ = Phase::yielded;  // the reply to the last macrostep ends it
@@ -71,6 +72,13 @@ ErrorReport OperatorMotion::begin(const ErrorReport& error) noexcept {
 }
 
 bool OperatorMotion::update(Tick now, Reply& reply) noexcept {
+  if (next_travel_ && (next_travel_->ended || phase_ == Phase::idle)) {
+    const NextTravel next = *std::exchange(next_travel_, std::nullopt);
+    const ErrorReport error =
+        next.ended ? busy("the motion was ended before it began") : travel(next.command, next.number);
+    if (bad(error)) answer(next.number, error, reply);
+    return bad(error);
+  }
   if (!begins_ || (phase_ != Phase::jog && phase_ != Phase::travel)) return false;
   const ErrorReport error = begin(phase_ == Phase::jog ? next_jog_step(now) : next_travel_step());
   if (!bad(error)) return false;
@@ -106,10 +114,11 @@ bool OperatorMotion::accept(const RobotCommand& command, std::uint64_t number, T
   } else if (is_velocity(command)) {
     error = jog(command, now);
   } else if (is_travel(command)) {
-    error = travel_.plan(command, effector_);
-    if (!bad(error)) error = begin(next_travel_step());
-    if (!bad(error)) phase_ = Phase::travel;
-    if (!bad(error)) awaited_ = number;
+    if (phase_ == Phase::stop) {
+      next_travel_ = NextTravel{command, number, false};
+      return false;
+    }
+    error = travel(command, number);
   } else {
     step_ = command.kind == CommandKind::set_outputs ? with_one_output(command) : command;
     if (effector_.accept(step_, kOwn | ++sent_, reply)) {
@@ -133,8 +142,19 @@ ErrorReport OperatorMotion::refusal(const RobotCommand& command, Tick now) const
   if (command.kind == CommandKind::hold || command.kind == CommandKind::set_outputs) return {};
   if (phase_ == Phase::change) return busy("a change of the robot is under way");
   if (phase_ == Phase::travel) return busy("the robot travels to its goal");
+  if (next_travel_) return busy("the robot comes to rest, then it travels");
+  if (phase_ == Phase::stop && is_travel(command)) return {};
   if (awaited_) return busy("the robot comes to rest");
   if (!is_velocity(command) && phase_ != Phase::idle) return busy("the robot jogs");
+  return {};
+}
+
+ErrorReport OperatorMotion::travel(const RobotCommand& command, std::uint64_t number) noexcept {
+  ErrorReport error = travel_.plan(command, effector_);
+  if (!bad(error)) error = begin(next_travel_step());
+  if (bad(error)) return error;
+  phase_ = Phase::travel;
+  awaited_ = number;
   return {};
 }
 
@@ -207,6 +227,7 @@ ErrorReport OperatorMotion::next_travel_step() noexcept {
 }
 
 void OperatorMotion::end_motion() noexcept {
+  if (next_travel_) next_travel_->ended = true;
   if (phase_ == Phase::jog || phase_ == Phase::travel) stop();
 }
 

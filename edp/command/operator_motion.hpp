@@ -16,7 +16,7 @@ namespace mrroc::edp {
 /// brakes within its limits (dead-man). Near a limit the jog becomes slower, then it ends.
 ///
 /// Travel: `joint`, `motor` or `pose`, from rest to rest (OperatorTravel). The reply comes at its end; `hold` ends it
-/// at any time.
+/// at any time. While the robot comes to rest after another motion of the operator, a travel waits for that.
 ///
 /// `set_outputs` changes the one output `choice`: a digital one, or behind those an analogue one. All other kinds are
 /// passed to the effector, one at a time.
@@ -43,8 +43,8 @@ class OperatorMotion {
   /// Whether a number is of a command of this object.
   static bool is_own(std::uint64_t number) noexcept { return (number & kOwn) != 0; }
 
-  /// Begins a motion that had to wait for the end of a macrostep of the task. Call it after every wake-up. True: it is
-  /// refused, and `reply` is the answer to its order.
+  /// Begins a motion that had to wait for the end of a macrostep of the task, or for rest. Call it after every wake-up.
+  /// True: it is refused, and `reply` is the answer to its order.
   bool update(Tick now, Reply& reply) noexcept;
   /// A task's command number `number` has been received at tick `now`. True: the operator moves the robot, and
   /// `poll_hold` or the effector will give the answer; false: it is for the effector.
@@ -67,11 +67,12 @@ class OperatorMotion {
   ErrorReport refusal(const RobotCommand& command, Tick now) const noexcept;
   ErrorReport jog(const RobotCommand& command, Tick now) noexcept;
   ErrorReport begin(const ErrorReport& error) noexcept;
+  ErrorReport travel(const RobotCommand& command, std::uint64_t number) noexcept;
   ErrorReport next_jog_step(Tick begin) noexcept;
   RobotCommand with_one_output(const RobotCommand& command) noexcept;
   ErrorReport next_travel_step() noexcept;
   void stop() noexcept;
-  /// Brakes what moves.
+  /// Brakes what moves; a travel that waits for rest will not begin.
   void end_motion() noexcept;
   /// Passes a macrostep to the effector.
   ErrorReport send(const RobotCommand& command) noexcept;
@@ -97,7 +98,13 @@ class OperatorMotion {
     std::uint64_t number = 0;
   };
   std::optional<LateMotion> late_motion_;
-  RobotCommand velocity_;  // of the jog
+  struct NextTravel {
+    RobotCommand command;
+    std::uint64_t number = 0;
+    bool ended = false;  // before it began
+  };
+  std::optional<NextTravel> next_travel_;  // begins at rest
+  RobotCommand velocity_;                  // of the jog
   Tick valid_until_ = 0;
   std::optional<std::uint64_t> awaited_;  // the operator's number of the travel or change under way
   RobotCommand step_;

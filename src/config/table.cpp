@@ -253,7 +253,7 @@ std::vector<Table> Table::tables(std::string_view key) const {
 }
 
 std::vector<std::string> Table::table_names() const {
-  const auto names = keys();
+  auto names = keys();
   for (const auto& name : names) table(name);
   return names;
 }
@@ -263,6 +263,7 @@ std::vector<std::string> Table::keys() const {
   for (const auto& [key, value] : *node_->table) places.emplace_back(key.source().begin, key.str());
   std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> names;
+  names.reserve(places.size());
   for (auto& [place, name] : places) names.push_back(std::move(name));
   return names;
 }

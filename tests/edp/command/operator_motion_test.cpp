@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "edp/command/operated.hpp"
@@ -140,6 +141,55 @@ TEST(OperatorMotion, HoldEndsATravelAndAnswersIt) {
   robot.give(go(axis(0, 0.4)));
   robot.run(2000);
   EXPECT_EQ(robot.position()[0], 0.4);
+}
+
+/// At every moment of the braking.
+TEST(OperatorMotion, TravelThatComesWhileTheRobotBrakesBeginsAtRest) {
+  for (Tick after = 0; after < braking_ticks(1) + 10; ++after) {
+    SCOPED_TRACE(after);
+    Operated robot;
+    robot.give(jog(0, 0.5));
+    robot.run(60);
+    EXPECT_GT(robot.velocity()[0], 0);
+    robot.give(order(CommandKind::hold));
+    robot.run(after);
+    const std::uint64_t number = robot.give(go(axis(0, -0.05), true));
+    double farthest = robot.position()[0];
+    for (Tick i = 0; i < 2000 && robot.answers.back().command != number; ++i) {
+      robot.tick();
+      farthest = std::max(farthest, robot.position()[0]);
+    }
+    EXPECT_EQ(robot.answers.back().command, number);
+    EXPECT_EQ(robot.last_error(), ErrorCode::none);
+    EXPECT_TRUE(robot.at_rest());
+    EXPECT_NEAR(robot.position()[0], farthest - 0.05, 1e-9);
+    EXPECT_EQ(robot.effector.counters().late, 0U);
+  }
+}
+
+TEST(OperatorMotion, WhatWaitsForRestIsEndedByHoldByATaskAndRefusedBeyondALimit) {
+  enum class Ended { by_hold, by_task, by_limit };
+  for (const Ended ended : {Ended::by_hold, Ended::by_task, Ended::by_limit}) {
+    SCOPED_TRACE(static_cast<int>(ended));
+    Operated robot;
+    robot.give(go(axis(0, 0.4)));
+    robot.run(60);
+    robot.give(order(CommandKind::hold));
+    robot.run(5);
+    EXPECT_GT(robot.velocity()[0], 0);
+    const std::uint64_t number = robot.give(go(axis(0, ended == Ended::by_limit ? 100 : 0.3)));
+    robot.give(go(axis(0, 0.2)));
+    EXPECT_EQ(robot.last_error(), ErrorCode::busy) << "one waits already";
+    if (ended == Ended::by_hold) robot.give(order(CommandKind::hold));
+    if (ended == Ended::by_task) robot.task_command(order(CommandKind::query));
+    robot.run(1000);
+    const auto answer = std::find_if(robot.answers.begin(), robot.answers.end(),
+                                     [&](const Reply& reply) { return reply.command == number; });
+    ASSERT_NE(answer, robot.answers.end());
+    EXPECT_EQ(answer->state.error.code, ended == Ended::by_limit ? ErrorCode::joint_limit : ErrorCode::busy);
+    EXPECT_TRUE(robot.at_rest());
+    EXPECT_LT(robot.position()[0], 0.2);
+  }
 }
 
 }  // namespace

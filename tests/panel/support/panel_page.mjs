@@ -47,8 +47,15 @@ export async function open_panel(browser, url, options = {}) {
   return page;
 }
 
-export const await_shown = (page, selector, text) =>
-  page.waitForFunction(([where, what]) => document.querySelector(where)?.textContent.includes(what), [selector, text]);
+export async function await_shown(page, selector, text) {
+  const shown = ([where, what]) => document.querySelector(where)?.textContent.includes(what);
+  try {
+    await page.waitForFunction(shown, [selector, text]);
+  } catch (error) {
+    const instead = await page.evaluate((where) => document.querySelector(where)?.textContent, selector);
+    throw new Error(`${selector}: '${instead}', expected '${text}'`, { cause: error });
+  }
+}
 
 export const await_task_shown = (page, task) => await_shown(page, '#task', task);
 
