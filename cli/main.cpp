@@ -32,9 +32,9 @@ int fail(ExitCode code, const std::exception& error) {
 int main(int argc, char** argv) {
   mrroc::process::open_standard_files();
   signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
-  CLI::App app;
-  int exit_code = 0;
   try {
+    CLI::App app;
+    int exit_code = 0;
     mrroc::cli::describe_command(app, exit_code);
     return mrroc::command::parse_command(app, argc, argv).value_or(exit_code);
   } catch (const mrroc::Error& error) {

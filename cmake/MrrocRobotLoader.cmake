@@ -1,12 +1,15 @@
 # mrroc_robot_loader(NAME): a source with load_robots() (bench/kinematics/robots.hpp), in NAME_SOURCE, and its
-# libraries, in NAME_LIBRARIES. Every folder of robots/ is included automatically: robots/NAME/NAME_model.hpp declares
-# load_NAME().
+# libraries, in NAME_LIBRARIES. Every type of robots/ is included automatically: robots/NAME/NAME_model.hpp declares
+# load_NAME(). A type has a parameter file NAME.toml.
 function(mrroc_robot_loader variable)
   set(robots_folder ${PROJECT_SOURCE_DIR}/robots)
   file(GLOB parts RELATIVE ${robots_folder} CONFIGURE_DEPENDS ${robots_folder}/*/CMakeLists.txt)
   list(SORT parts)
   foreach(part ${parts})
     cmake_path(GET part PARENT_PATH name)
+    if(NOT EXISTS ${robots_folder}/${name}/${name}.toml)
+      continue()
+    endif()
     string(APPEND includes "#include \"robots/${name}/${name}_model.hpp\"\n")
     string(APPEND loads "      load_${name}(),\n")
     list(APPEND libraries mrroc_robot_${name})

@@ -17,6 +17,7 @@
 #include "edp/drivers/injected_hardware.hpp"
 #include "edp/drivers/loopback_hardware.hpp"
 #include "edp/drivers/mujoco_hardware.hpp"
+#include "edp/drivers/regulated_loopback.hpp"
 #include "edp/force/wrist_sensor.hpp"
 #include "edp/servo/servo.hpp"
 #include "edp/servo/servo_thread.hpp"
@@ -112,7 +113,7 @@ class Shell {
   }
 
   RobotModels load_models(const ModelFactory& factory) const {
-    RobotModels models = factory(place_.entry.parameters);
+    RobotModels models = factory(place_.entry.own_edp() ? place_.entry.parameters : place_.entry.files().parameters);
     check_robot(models, place_.entry.type, place_.entry.files());
     return models;
   }
@@ -127,6 +128,13 @@ class Shell {
                                          place_.entry.synchronised);
   }
 
+  template <class Loopback>
+  std::unique_ptr<Hardware> open_loopback() const {
+    auto loopback = std::make_unique<Loopback>(*models_.front(), process_.clock().period(), place_.entry.synchronised);
+    if (place_.entry.emergency_stop) loopback->close(*place_.entry.emergency_stop);
+    return loopback;
+  }
+
   std::unique_ptr<Hardware> open_hardware() {
     std::unique_ptr<Hardware> hardware;
     if (place_.entry.can) {
@@ -136,11 +144,10 @@ class Shell {
           process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::real;
       hardware =
           std::make_unique<MujocoHardware>(*models_.front(), world(), place_.index, timing, place_.entry.synchronised);
+    } else if (models_.front()->parameters().drives.regulate_themselves()) {
+      hardware = open_loopback<RegulatedLoopback>();
     } else {
-      auto loopback =
-          std::make_unique<LoopbackHardware>(*models_.front(), process_.clock().period(), place_.entry.synchronised);
-      if (place_.entry.emergency_stop) loopback->close(*place_.entry.emergency_stop);
-      hardware = std::move(loopback);
+      hardware = open_loopback<LoopbackHardware>();
     }
     if (auto faults = process_.faults().of(process_.name(), process_.clock()); !faults.empty())
       hardware =

@@ -8,7 +8,8 @@
 
 namespace mrroc::edp {
 
-/// Loads a robot's models from its parameter file; an empty path is the installed file of its type.
+/// Loads a robot's models from its parameter file; an empty path is the installed file of its type. An EDP that serves
+/// several types gets the path of every file.
 using ModelFactory = std::function<RobotModels(const std::filesystem::path& parameters)>;
 
 /// main() of an EDP: the process that owns one robot. It checks the robot's files (robot_check.hpp), opens the hardware

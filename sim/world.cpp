@@ -96,7 +96,7 @@ void World::evaluate_forces() {
   mj_factorM(model_.get(), data_.get());
   if (mj_isDual(model_.get())) mj_projectConstraint(model_.get(), data_.get());  // J M^-1 J^T of the changed M
   mj_passive(model_.get(), data_.get());                                         // the drives' damping may be new
-  for (const DrivenJoints& robot : robots_) robot.apply_torque(*data_);
+  for (DrivenJoints& robot : robots_) robot.apply_torque(*model_, *data_, model_->opt.timestep);
   mj_fwdActuation(model_.get(), data_.get());
   mj_fwdAcceleration(model_.get(), data_.get());
   mj_fwdConstraint(model_.get(), data_.get());
@@ -113,7 +113,7 @@ void World::step(Tick tick) {
       evaluate_forces();
       for (const DrivenJoints& robot : robots_) robot.add_damping(*data_, model_->opt.timestep);
       mj_Euler(model_.get(), data_.get());
-      for (DrivenJoints& robot : robots_) robot.finish(*data_);
+      for (DrivenJoints& robot : robots_) robot.finish(*data_, model_->opt.timestep);
       evaluate_motion();
       check(time_before, tick);
     }

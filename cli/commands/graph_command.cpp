@@ -25,8 +25,10 @@ namespace {
 std::filesystem::path find_program(const std::string& name) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (access((folder + "/" + name).c_str(), X_OK) == 0) return folder + "/" + name;
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::filesystem::path program = std::filesystem::path(folder) / name;
+    if (access(program.c_str(), X_OK) == 0) return program;
+  }
   throw std::runtime_error("graph: no program '" + name +
                            "': install Graphviz, or leave --output away to get its input");
 }

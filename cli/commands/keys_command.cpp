@@ -18,7 +18,7 @@ std::string name_of_deployment(const std::filesystem::path& file) {
   const config::DeploymentText source = config::read_deployment_text(file);
   const config::Table general =
       config::Table::parse(source.is_file ? file : source.file, source.text).table("deployment");
-  const std::string name = general.text("name");
+  std::string name = general.text("name");
   config::check_name(general, "name", name);
   return name;
 }

@@ -27,6 +27,7 @@ struct PanelRequest {
   words.insert(words.begin(), panel_program());
   if (!request.deployment.empty()) words.push_back(request.deployment);
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execv(arguments.front(), arguments.data());

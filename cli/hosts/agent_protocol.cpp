@@ -26,7 +26,8 @@ int number_in(const std::string& line, std::int64_t most) {
 
 std::vector<std::string> to_lines(const AgentOrder& order) {
   std::vector<std::string> lines{"host " + order.host, "deployment " + order.deployment.string()};
-  for (const auto& [key, hash] : order.files) lines.push_back("file " + key + " " + hash);
+  for (const auto& [key, hash] : order.files)
+    lines.push_back(std::string("file ").append(key).append(" ").append(hash));
   lines.push_back("domain " + std::to_string(order.domain));
   for (const std::string& machine : order.machines) lines.push_back("machine " + machine);
   lines.push_back("beat_port " + std::to_string(order.beat_port));

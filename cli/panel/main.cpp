@@ -82,16 +82,16 @@ int main(int argc, char** argv) {
   using namespace mrroc;
   process::open_standard_files();
   signal(SIGPIPE, SIG_IGN);
-  const int stop = cli::stop_signals();
-  cli::PanelArguments arguments;
-  CLI::App app{"Serves the operator's panel of a run to browsers."};
-  app.add_option("DEPLOYMENT", arguments.run, "Name of the deployment, or NAME-PID; default: the only run");
-  app.add_option("--socket", arguments.socket, "Socket of the run, instead of its name");
-  command::add_number(app, "--port", arguments.address.port, 0, 65535, "Port; 0: any free one");
-  app.add_option("--interface", arguments.interface, "Network device or own address; default: this machine only");
-  app.add_option("--certificate", arguments.address.certificate, "PEM file with certificate and private key: TLS")
-      ->check(CLI::ExistingFile);
   try {
+    const int stop = cli::stop_signals();
+    cli::PanelArguments arguments;
+    CLI::App app{"Serves the operator's panel of a run to browsers."};
+    app.add_option("DEPLOYMENT", arguments.run, "Name of the deployment, or NAME-PID; default: the only run");
+    app.add_option("--socket", arguments.socket, "Socket of the run, instead of its name");
+    command::add_number(app, "--port", arguments.address.port, 0, 65535, "Port; 0: any free one");
+    app.add_option("--interface", arguments.interface, "Network device or own address; default: this machine only");
+    app.add_option("--certificate", arguments.address.certificate, "PEM file with certificate and private key: TLS")
+        ->check(CLI::ExistingFile);
     if (const auto exit_code = command::parse_command(app, argc, argv)) return *exit_code;
     cli::serve(arguments, stop);
   } catch (const std::exception& error) {

@@ -22,6 +22,7 @@ std::vector<PlannedProcess> plan_processes(const config::Deployment& deployment)
 
 std::vector<std::string> names_of(const std::vector<PlannedProcess>& processes) {
   std::vector<std::string> names;
+  names.reserve(processes.size());
   for (const PlannedProcess& process : processes) names.push_back(process.name);
   return names;
 }

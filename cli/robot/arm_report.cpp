@@ -72,7 +72,7 @@ class WithinLimits final : public BranchReceiver {
 std::string report_of(const UrdfArm& arm, int postures) {
   const RobotParameters parameters = parameters_of(arm);
   const auto count = std::ssize(arm.axes);
-  const ChainModel model(parameters, arm.chain, JointVector::Ones(count), Pose::Identity());
+  const ChainModel model("nominal", parameters, arm.chain, JointVector::Ones(count));
   std::mt19937_64 random(kSeed);
   const auto posture = [&] {
     JointVector joints(count);

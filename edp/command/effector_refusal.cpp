@@ -17,7 +17,7 @@ ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
   if (command.start_tick > snapshot_->tick + kMaxMotionSteps)
     return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "start_tick %llu, expected at most %llu",
                        static_cast<unsigned long long>(command.start_tick),
-                       static_cast<unsigned long long>(snapshot_->tick + kMaxMotionSteps));
+                       static_cast<unsigned long long>(snapshot_->tick) + kMaxMotionSteps);
   if (is_change(command.kind)) return refusal_of_change(command);
   if (command.with_outputs)
     if (const ErrorReport report = refusal_of_outputs(command.outputs); bad(report)) return report;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace mrroc::edp {
 
@@ -16,6 +17,7 @@ Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 MujocoHardware::MujocoHardware(const RobotModel& model, world::WorldMemory& memory, std::size_t slot, Timing timing,
                                bool synchronised, double patience)
     : model_(model),
+      drives_(model.parameters().drives),
       memory_(memory),
       slot_(slot),
       timing_(timing),
@@ -23,7 +25,7 @@ MujocoHardware::MujocoHardware(const RobotModel& model, world::WorldMemory& memo
       encoders_(model.parameters(), synchronised) {
   const int count = model.joint_count();
   joints_ = model.parameters().home;
-  velocity_ = current_ = shafts_ = JointVector::Zero(count);
+  velocity_ = current_ = shafts_ = set_position_ = set_velocity_ = JointVector::Zero(count);
 }
 
 /// Takes the measurement of tick `tick`. In real time it waits for it, and gets a later one where the world has
@@ -50,6 +52,7 @@ void MujocoHardware::read(Tick tick, HardwareInput& input) noexcept {
       joints_[i] = measurement.position[static_cast<std::size_t>(i)];
       velocity_[i] = measurement.velocity[static_cast<std::size_t>(i)];
     }
+    if (drives_.regulate_themselves()) measure_torques(measurement);
     JointVector shafts;
     if (model_.joints_to_motors(joints_, shafts) == ErrorCode::none)
       shafts_ = shafts;
@@ -60,7 +63,36 @@ void MujocoHardware::read(Tick tick, HardwareInput& input) noexcept {
   input.current = current_;
 }
 
+/// i = G^-T tau / k_t.
+void MujocoHardware::measure_torques(const world::JointMeasurement& measurement) noexcept {
+  JointVector torque(joints_.size());
+  for (Eigen::Index i = 0; i < torque.size(); ++i) torque[i] = measurement.torque[static_cast<std::size_t>(i)];
+  const JointMatrix ratio = model_.transmission(joints_).inverse();
+  current_ = ratio.transpose() * torque;
+  for (std::size_t i = 0; i < model_.parameters().axes.size(); ++i)
+    current_[index(i)] /= model_.parameters().axes[i].torque_constant;
+}
+
+void MujocoHardware::set_points(const JointVector& position, const JointVector& velocity) noexcept {
+  set_position_ = encoders_.shafts(position);
+  set_velocity_ = velocity;
+}
+
 void MujocoHardware::write(Tick tick, const JointVector& current) noexcept {
+  world::JointDrive drive{};
+  drive.tick = tick;
+  drive.joint_count = static_cast<std::uint32_t>(joints_.size());
+  drive.enabled = enabled_ ? 1 : 0;
+  drive.outputs = outputs_;
+  if (drives_.regulate_themselves())
+    write_set_points(drive);
+  else
+    write_currents(current, drive);
+  memory_.drives[slot_].store(drive);
+  if (timing_ != Timing::lockstep) memory_.driven.open();
+}
+
+void MujocoHardware::write_currents(const JointVector& current, world::JointDrive& drive) noexcept {
   const auto& axes = model_.parameters().axes;
   const Eigen::Index count = joints_.size();
   JointVector torque(count), inertia(count), friction(count);
@@ -79,12 +111,6 @@ void MujocoHardware::write(Tick tick, const JointVector& current) noexcept {
   const JointVector tau = g.transpose() * torque;
   const JointVector shaft_acceleration = difference * velocity_ / (2 * kDifferenceTime);
   const JointVector c = g.transpose() * inertia.cwiseProduct(shaft_acceleration);
-
-  world::JointDrive drive{};
-  drive.tick = tick;
-  drive.joint_count = static_cast<std::uint32_t>(count);
-  drive.enabled = enabled_ ? 1 : 0;
-  drive.outputs = outputs_;
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto row = static_cast<std::size_t>(i);
     drive.torque[row] = tau[i];
@@ -95,8 +121,24 @@ void MujocoHardware::write(Tick tick, const JointVector& current) noexcept {
       drive.damping[entry] = d(i, j);
     }
   }
-  memory_.drives[slot_].store(drive);
-  if (timing_ != Timing::lockstep) memory_.driven.open();
+}
+
+void MujocoHardware::write_set_points(world::JointDrive& drive) const noexcept {
+  const bool velocities = drives_.interface == DriveParameters::Interface::velocity;
+  drive.kind = velocities ? world::JointDrive::Kind::velocity : world::JointDrive::Kind::position;
+  drive.bandwidth = 2 * std::numbers::pi * drives_.bandwidth;
+  JointVector position = joints_;
+  // a set-point beyond the transmission's reach holds the robot where it is; the servo has seen it, too
+  const bool reached = model_.motors_to_joints(set_position_, position) == ErrorCode::none;
+  JointVector velocity = JointVector::Zero(joints_.size());
+  if (reached) velocity = model_.transmission(position).inverse() * set_velocity_;
+  if (velocities && reached) velocity += drives_.position_gain * (position - joints_);
+  for (Eigen::Index i = 0; i < joints_.size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    drive.position[row] = position[i];
+    drive.velocity[row] = velocity[i];
+    drive.torque_max[row] = model_.parameters().axes[row].torque_max;
+  }
 }
 
 }  // namespace mrroc::edp

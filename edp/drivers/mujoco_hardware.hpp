@@ -17,6 +17,9 @@ namespace mrroc::edp {
 /// from J dw/dt = k_t i - b w - (torque to the gears) at w = G dq/dt. dG/dt is the central difference of G along dq/dt.
 /// B is up to 158^2 times a rotor: more than the links themselves, so it may not be left out.
 ///
+/// Drives that regulate on their own are simulated in the world (`sim::JointServo`): they get the set-points, and their
+/// torques are measured as the currents that cause them.
+///
 /// The controller's terminals are wired to the world by name (`sim::ControllerWiring`).
 ///
 /// `Encoders` computes positions from the shafts. Currents follow the regulator at once, cut at current_max.
@@ -39,7 +42,8 @@ class MujocoHardware : public Hardware {
   void enable(bool on) noexcept override { enabled_ = on; }
   /// The world waits for the drives of every tick.
   bool waits() const noexcept override { return true; }
-  bool follows_current() const noexcept override { return true; }
+  bool follows_current() const noexcept override { return !drives_.regulate_themselves(); }
+  void set_points(const JointVector& position, const JointVector& velocity) noexcept override;
   /// Fault `hardware_silent`: the world has not reached the tick (then the last motor positions are returned); in real
   /// time there is no further wait before it has continued. `drive_fault`: the joints are where the transmission cannot
   /// reach.
@@ -50,8 +54,12 @@ class MujocoHardware : public Hardware {
 
  private:
   bool await(Tick tick, world::JointMeasurement& measurement) noexcept;
+  void measure_torques(const world::JointMeasurement& measurement) noexcept;
+  void write_currents(const JointVector& current, world::JointDrive& drive) noexcept;
+  void write_set_points(world::JointDrive& drive) const noexcept;
 
   const RobotModel& model_;
+  const DriveParameters drives_;
   world::WorldMemory& memory_;
   std::size_t slot_;
   Timing timing_;
@@ -61,8 +69,9 @@ class MujocoHardware : public Hardware {
   bool silent_ = false;    ///< the last wait timed out
   Tick silent_since_ = 0;  ///< the world's tick then
   ControllerIo outputs_;
-  JointVector shafts_, current_;   ///< as last known, as last commanded
-  JointVector joints_, velocity_;  ///< as last measured
+  JointVector shafts_, current_;             ///< as last known, as last commanded
+  JointVector joints_, velocity_;            ///< as last measured
+  JointVector set_position_, set_velocity_;  ///< of the shafts
 };
 
 }  // namespace mrroc::edp

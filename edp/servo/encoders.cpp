@@ -47,6 +47,12 @@ void Encoders::read(const JointVector& shafts, HardwareInput& input) noexcept {
   started_ = true;
 }
 
+JointVector Encoders::shafts(const JointVector& motors) const noexcept {
+  JointVector shafts = motors;
+  for (std::size_t i = 0; i < count_; ++i) shafts[static_cast<Eigen::Index>(i)] -= axes_[i].offset;
+  return shafts;
+}
+
 void Encoders::set_origin(const JointVector& shift) noexcept {
   for (std::size_t i = 0; i < count_; ++i) axes_[i].offset += shift[static_cast<Eigen::Index>(i)];
   synchronised_ = true;

@@ -21,6 +21,8 @@ class Encoders {
 
   /// Fills motors, switches, zero pulses and `synchronised` of `input` for the true shaft positions `shafts`.
   void read(const JointVector& shafts, HardwareInput& input) noexcept;
+  /// True shaft positions that are read as `motors`.
+  JointVector shafts(const JointVector& motors) const noexcept;
   /// As `Hardware::set_origin`.
   void set_origin(const JointVector& shift) noexcept;
 

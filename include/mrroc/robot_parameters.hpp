@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
@@ -9,8 +10,23 @@
 
 namespace mrroc {
 
+/// How the drives of a robot are commanded (table `[drives]`).
+struct DriveParameters {
+  enum class Interface : std::uint8_t {
+    current,   ///< the EDP regulates: the drives follow the currents of its regulators
+    position,  ///< they regulate on their own and follow set-points of the positions
+    velocity   ///< they regulate on their own and follow set-points of the velocities; the EDP corrects the positions
+  };
+  Interface interface = Interface::current;
+  double bandwidth = 0;      ///< Hz, of drives that regulate on their own: what the simulated ones have
+  double position_gain = 0;  ///< 1/s, interface velocity: velocity per rad or m of position error
+
+  bool regulate_themselves() const noexcept { return interface != Interface::current; }
+};
+
 /// One axis: a joint, the motor that drives it, its servo regulator and its plant model. Data only, from
-/// robots/TYPE/TYPE.toml. Units: rad or m at the joint, rad at the motor shaft.
+/// robots/TYPE/TYPE.toml. Units: rad or m at the joint, rad at the motor shaft. Of drives that regulate on their own a
+/// shaft is the joint where the file says nothing else: 1 rad is 1 rad or 1 m, 1 A is 1 N m or 1 N.
 struct AxisParameters {
   std::string name;
   // joint limits: apply at every tick, to every source of set-points; infinite positions: the axis rotates endlessly
@@ -34,6 +50,8 @@ struct AxisParameters {
   /// A: by how much the drive's current may change before a resting shaft moves (static friction).
   double stuck_current = std::numeric_limits<double>::infinity();
   double following_error_max = 0;  ///< rad of the shaft
+  /// N m or N at the joint, of drives that regulate on their own; the default: unknown
+  double torque_max = std::numeric_limits<double>::infinity();
   // servo regulator (original's algorithm 0, `mrrocpp` 4.1)
   double regulator_a = 0;
   double regulator_b0 = 0;
@@ -56,6 +74,8 @@ struct RegulatorSet {
 /// All numbers of one robot type.
 struct RobotParameters {
   std::string type;
+  std::string edp;  ///< program of the EDP; empty: TYPE_edp
+  DriveParameters drives;
   std::vector<AxisParameters> axes;
   std::vector<RegulatorSet> regulators;         ///< the first is "standard": the axes as they are
   JointVector home;                             ///< joint position in which the simulated robot starts

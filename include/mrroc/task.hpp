@@ -37,7 +37,8 @@ class Task {
   /// such robot.
   virtual std::string robot_name(const std::string& requested) const = 0;
   /// The parameter file that the deployment names for robot `name` of type `type`. Empty: the file of the type. Also
-  /// empty when the deployment has no such robot, which `robot_link` reports.
+  /// empty when the deployment has no such robot, which `robot_link` reports. With `type` empty: the file of the robot
+  /// of any type, also when the deployment names none.
   virtual std::filesystem::path robot_parameters(const std::string& /*name*/, const std::string& /*type*/) const {
     return {};
   }

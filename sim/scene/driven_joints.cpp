@@ -49,7 +49,7 @@ void place_followers(const mjModel& model, mjData& data, int leader) {
 }  // namespace
 
 DrivenJoints::DrivenJoints(mjModel& model, const std::string& robot, const std::vector<std::string>& names)
-    : robot_(robot), count_(names.size()) {
+    : robot_(robot), count_(names.size()), servo_(model) {
   if (names.size() > kMaxJoints) {
     refuse(robot, std::to_string(names.size()) + " joints", "at most " + std::to_string(kMaxJoints));
   }
@@ -59,13 +59,12 @@ DrivenJoints::DrivenJoints(mjModel& model, const std::string& robot, const std::
     if (model.jnt_type[joint] != mjJNT_HINGE && model.jnt_type[joint] != mjJNT_SLIDE) {
       refuse(robot, "joint \"" + names[i] + "\" is neither", "a hinge or a slide");
     }
-    joints_[i] = {.dof = model.jnt_dofadr[joint],
-                  .position = model.jnt_qposadr[joint],
-                  .endless = is_endless(model, robot, joint)};
-    model.dof_armature[joints_[i].dof] = 0;
-    model.dof_damping[joints_[i].dof] = 0;
+    joints_[i].endless = is_endless(model, robot, joint);
+    places_[i] = {.dof = model.jnt_dofadr[joint], .position = model.jnt_qposadr[joint]};
+    model.dof_armature[places_[i].dof] = 0;
+    model.dof_damping[places_[i].dof] = 0;
     // "simple" dofs are factored as if M were diagonal, which B need not be
-    model.dof_simplenum[joints_[i].dof] = 0;
+    model.dof_simplenum[places_[i].dof] = 0;
     model.body_simple[model.jnt_bodyid[joint]] = 0;
   }
   disable_actuators(model);
@@ -77,8 +76,9 @@ void DrivenJoints::disable_actuators(mjModel& model) const {
   for (int a = 0; a < model.nu; ++a) {
     if (model.actuator_trntype[a] != mjTRN_JOINT && model.actuator_trntype[a] != mjTRN_JOINTINPARENT) continue;
     const int dof = model.jnt_dofadr[model.actuator_trnid[2 * a]];
-    const auto end = joints_.begin() + static_cast<std::ptrdiff_t>(count_);
-    if (std::none_of(joints_.begin(), end, [dof](const Joint& joint) { return joint.dof == dof; })) continue;
+    const auto end = places_.begin() + static_cast<std::ptrdiff_t>(count_);
+    if (std::none_of(places_.begin(), end, [dof](const JointServo::Joint& joint) { return joint.dof == dof; }))
+      continue;
     mju_zero(model.actuator_gainprm + mjNGAIN * a, mjNGAIN);
     mju_zero(model.actuator_biasprm + mjNBIAS * a, mjNBIAS);
   }
@@ -89,9 +89,9 @@ void DrivenJoints::find_addresses(const mjModel& model) {
   for (std::size_t i = 0; i < count_; ++i) {
     for (std::size_t j = 0; j < count_; ++j) {
       // row `dof` of M holds the entries of dof, its parent, its grandparent, ...
-      int address = model.dof_Madr[joints_[i].dof];
-      for (int dof = joints_[i].dof; dof >= 0; dof = model.dof_parentid[dof], ++address) {
-        if (dof != joints_[j].dof) continue;
+      int address = model.dof_Madr[places_[i].dof];
+      for (int dof = places_[i].dof; dof >= 0; dof = model.dof_parentid[dof], ++address) {
+        if (dof != places_[j].dof) continue;
         addresses_[i * kMaxJoints + j] = addresses_[j * kMaxJoints + i] = address;
       }
     }
@@ -102,7 +102,7 @@ void DrivenJoints::find_travel_sensors(const mjModel& model) {
   for (int sensor = 0; sensor < model.nsensor; ++sensor) {
     if (model.sensor_type[sensor] != mjSENS_JOINTPOS) continue;
     for (std::size_t i = 0; i < count_; ++i) {
-      const bool its_own = model.jnt_dofadr[model.sensor_objid[sensor]] == joints_[i].dof;
+      const bool its_own = model.jnt_dofadr[model.sensor_objid[sensor]] == places_[i].dof;
       if (joints_[i].endless && its_own) travel_sensors_.push_back({model.sensor_adr[sensor], i});
     }
   }
@@ -114,16 +114,16 @@ void DrivenJoints::place(const mjModel& model, mjData& data, const JointVector& 
     const double value = position[static_cast<Eigen::Index>(i)];
     joint.travel = joint.endless ? value : 0;
     joint.held = joint.endless ? 0 : value;
-    data.qpos[joint.position] = joint.held;
-    data.qvel[joint.dof] = 0;
-    place_followers(model, data, joint.position);
+    data.qpos[places_[i].position] = joint.held;
+    data.qvel[places_[i].dof] = 0;
+    place_followers(model, data, places_[i].position);
   }
   braked_ = true;
 }
 
 int DrivenJoints::find_not_finite(const world::JointDrive& drive) const noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
-    double sum = drive.torque[i] + drive.bias[i];
+    double sum = drive.torque[i] + drive.bias[i] + drive.position[i] + drive.velocity[i] + drive.bandwidth;
     for (std::size_t j = 0; j < count_; ++j) sum += entry(drive.rotor_inertia, i, j) + entry(drive.damping, i, j);
     if (!std::isfinite(sum)) return static_cast<int>(i);
   }
@@ -143,17 +143,20 @@ bool DrivenJoints::couples_one_chain(const world::JointDrive& drive) const noexc
 void DrivenJoints::drive(mjModel& model, const world::JointDrive& drive) noexcept {
   drive_ = drive;
   braked_ = false;
-  for (std::size_t i = 0; i < count_; ++i) model.dof_damping[joints_[i].dof] = entry(drive.damping, i, i);
+  elapsed_ = 0;
+  for (std::size_t i = 0; i < count_; ++i) drive_.position[i] -= joints_[i].travel;
+  for (std::size_t i = 0; i < count_; ++i) model.dof_damping[places_[i].dof] = entry(drive.damping, i, i);
 }
 
 void DrivenJoints::brake(mjModel& model, mjData& data) noexcept {
   if (braked_) return;
   braked_ = true;
   drive_ = {};
+  torque_.fill(0);
   for (std::size_t i = 0; i < count_; ++i) {
-    joints_[i].held = data.qpos[joints_[i].position];
-    data.qvel[joints_[i].dof] = 0;
-    model.dof_damping[joints_[i].dof] = 0;
+    joints_[i].held = data.qpos[places_[i].position];
+    data.qvel[places_[i].dof] = 0;
+    model.dof_damping[places_[i].dof] = 0;
   }
 }
 
@@ -167,13 +170,18 @@ void DrivenJoints::add_inertia(mjData& data) const noexcept {
   }
 }
 
-void DrivenJoints::apply_torque(mjData& data) const noexcept {
+void DrivenJoints::apply_torque(const mjModel& model, mjData& data, double h) noexcept {
+  if (drive_.kind != world::JointDrive::Kind::torque) {
+    servo_.compute(model, data, drive_, places_.data(), count_, elapsed_, h, torque_);
+    for (std::size_t i = 0; i < count_; ++i) data.qfrc_applied[places_[i].dof] = torque_[i];
+    return;
+  }
   for (std::size_t i = 0; i < count_; ++i) {
     double torque = drive_.torque[i] - drive_.bias[i];
     for (std::size_t j = 0; j < count_; ++j) {
-      if (j != i) torque -= entry(drive_.damping, i, j) * data.qvel[joints_[j].dof];
+      if (j != i) torque -= entry(drive_.damping, i, j) * data.qvel[places_[j].dof];
     }
-    data.qfrc_applied[joints_[i].dof] = torque;
+    data.qfrc_applied[places_[i].dof] = torque;
   }
 }
 
@@ -186,15 +194,17 @@ void DrivenJoints::add_damping(mjData& data, double h) const noexcept {
   }
 }
 
-void DrivenJoints::finish(mjData& data) noexcept {
+void DrivenJoints::finish(mjData& data, double h) noexcept {
+  elapsed_ += h;
   for (std::size_t i = 0; i < count_; ++i) {
     Joint& joint = joints_[i];
     if (braked_) {
-      data.qpos[joint.position] = joint.held;
-      data.qvel[joint.dof] = 0;
+      data.qpos[places_[i].position] = joint.held;
+      data.qvel[places_[i].dof] = 0;
     } else if (joint.endless) {
-      joint.travel += data.qpos[joint.position];
-      data.qpos[joint.position] = 0;
+      joint.travel += data.qpos[places_[i].position];
+      drive_.position[i] -= data.qpos[places_[i].position];
+      data.qpos[places_[i].position] = 0;
     }
   }
 }
@@ -205,8 +215,9 @@ void DrivenJoints::add_travel(mjData& data) const noexcept {
 
 void DrivenJoints::measure(const mjData& data, world::JointMeasurement& measurement) const noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
-    measurement.position[i] = joints_[i].travel + data.qpos[joints_[i].position];
-    measurement.velocity[i] = data.qvel[joints_[i].dof];
+    measurement.position[i] = joints_[i].travel + data.qpos[places_[i].position];
+    measurement.velocity[i] = data.qvel[places_[i].dof];
+    measurement.torque[i] = torque_[i];
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mrroc/types.hpp"
+#include "sim/scene/joint_servo.hpp"
 #include "sim/scene/model.hpp"
 #include "world/world_memory.hpp"
 
@@ -17,7 +18,7 @@ namespace mrroc::sim {
 /// with B, D, tau, c of the robot's `world::JointDrive`, constant within a tick. B is added to MuJoCo's sparse inertia
 /// matrix before it is factored; D acts implicitly in the integration, as MuJoCo's own joint damping does. Armature and
 /// damping that the MJCF gives these joints only scale its constraints (they were used for invweight0): they are set to
-/// zero.
+/// zero. Drives that regulate on their own add the torques of `JointServo` instead.
 ///
 /// With brakes on, the joints stay where they were when the brakes engaged, under any load: they get an inertia
 /// of 1e10, so that contact forces and force sensors see a rigid robot, and their positions are restored after the
@@ -54,12 +55,13 @@ class DrivenJoints {
   // ----------------------------------------------------------------------
   /// M += B, after mj_fwdPosition.
   void add_inertia(mjData& data) const noexcept;
-  /// qfrc_applied = tau - c - (what of D dq/dt couples joints); its diagonal is MuJoCo's joint damping.
-  void apply_torque(mjData& data) const noexcept;
+  /// qfrc_applied = tau - c - (what of D dq/dt couples joints); its diagonal is MuJoCo's joint damping. `h`: of the
+  /// step, s.
+  void apply_torque(const mjModel& model, mjData& data, double h) noexcept;
   /// M += h D off its diagonal, which mj_Euler adds itself.
   void add_damping(mjData& data, double h) const noexcept;
-  /// After the integration: holds braked joints, rolls endless ones back.
-  void finish(mjData& data) noexcept;
+  /// After the integration of a step of `h` s: holds braked joints, rolls endless ones back.
+  void finish(mjData& data, double h) noexcept;
   /// After mj_sensorPos: replaces its values for endless joints by their travel.
   void add_travel(mjData& data) const noexcept;
 
@@ -67,8 +69,6 @@ class DrivenJoints {
 
  private:
   struct Joint {
-    int dof = 0;
-    int position = 0;  ///< index into qpos
     bool endless = false;
     double travel = 0;  ///< of an endless joint
     double held = 0;    ///< position where the brakes engaged
@@ -87,9 +87,13 @@ class DrivenJoints {
   std::string robot_;
   std::size_t count_ = 0;
   std::array<Joint, kMaxJoints> joints_{};
+  std::array<JointServo::Joint, kMaxJoints> places_{};
   std::array<int, kMaxJoints * kMaxJoints> addresses_{};  ///< (i, j) in MuJoCo's sparse M; -1: not on one chain
   std::vector<TravelSensor> travel_sensors_;
   world::JointDrive drive_{};
+  JointServo servo_;
+  double elapsed_ = 0;                       ///< s of the tick
+  std::array<double, kMaxJoints> torque_{};  ///< of drives that regulate on their own
   bool braked_ = true;
 };
 

@@ -55,9 +55,11 @@ struct RobotEntry {
   /// In the world, or in the frame of the carrier's site `tool`: `position = [x, y, z]` (m), `rotation = [r, p, y]`
   /// (rad, fixed axes x y z).
   Pose base = Pose::Identity();
-  std::string edp_program;  ///< the type's `<type>_edp`, absolute path
+  std::string edp_program;  ///< key `edp` of its parameter file, else `<type>_edp`; absolute path
 
   RobotFiles files() const { return robot_files(type, parameters); }
+  /// Whether the EDP is the type's own; else it serves several types.
+  bool own_edp() const { return std::filesystem::path(edp_program).filename() == type + "_edp"; }
   /// Names of the processes of its EDP and of its simulated drives.
   std::string edp_process() const { return name + "_edp"; }
   std::string drives_process() const { return name + "_drives"; }

@@ -65,7 +65,22 @@ std::vector<std::string> types(const char* kind) {
 
 }  // namespace
 
-std::vector<fs::path> share_directories() { return folders(kShare, {prefix() / "share" / "mrroc"}); }
+fs::path user_share() {
+  const auto folder = [](const char* name) {
+    const char* value = std::getenv(name);
+    return fs::path(value != nullptr && fs::path(value).is_absolute() ? value : "");
+  };
+  if (const fs::path data = folder("XDG_DATA_HOME"); !data.empty()) return data / "mrroc";
+  const fs::path home = folder("HOME");
+  return home.empty() ? home : home / ".local" / "share" / "mrroc";
+}
+
+std::vector<fs::path> share_directories() {
+  std::vector<fs::path> own{prefix() / "share" / "mrroc"};
+  std::error_code none;
+  if (const fs::path user = user_share(); fs::is_directory(user, none)) own.push_back(user);
+  return folders(kShare, own);
+}
 
 std::vector<fs::path> program_directories() {
   std::vector<fs::path> own{executable_folder()};

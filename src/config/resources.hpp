@@ -9,8 +9,12 @@
 /// the requested item is used.
 namespace mrroc::config {
 
+/// The user's own folder, as the XDG Base Directory Specification places it: $XDG_DATA_HOME/mrroc, else
+/// ~/.local/share/mrroc; empty without a home.
+std::filesystem::path user_share();
+
 /// Folders with robots/TYPE/ and sensors/TYPE/: $MRROC_SHARE, else share/mrroc of the prefix under which the
-/// running executable is in bin/ or libexec/mrroc/.
+/// running executable is in bin/ or libexec/mrroc/, then the user's folder if there is one.
 std::vector<std::filesystem::path> share_directories();
 
 /// Folders of executables: $MRROC_PROGRAMS, else that of the running one, then libexec/mrroc of the same prefix.

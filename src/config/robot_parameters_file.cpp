@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "config/axis_file.hpp"
 #include "config/resources.hpp"
 #include "config/text/message_text.hpp"
 #include "geometry/rigid_motion.hpp"
@@ -11,75 +12,6 @@
 namespace mrroc::config {
 
 namespace {
-
-constexpr double kUsualStuck = 0.08;  // of the maximum following error; up to 0.022 occurs, with or without contact
-
-double positive(const Table& table, std::string_view key) {
-  const double value = table.number(key);
-  if (!(value > 0)) table.fail(key, number_text(value) + " is not positive", "a number above 0");
-  return value;
-}
-
-double positive_or(const Table& table, std::string_view key, double fallback) {
-  return table.has(key) ? positive(table, key) : fallback;
-}
-
-double not_negative_or(const Table& table, std::string_view key, double fallback) {
-  const double value = table.number_or(key, fallback);
-  if (!(value >= 0)) table.fail(key, number_text(value) + " is negative", "0 or a number above 0");
-  return value;
-}
-
-/// `max_key`, which must lie above the value of `min_key`.
-double above(const Table& table, std::string_view max_key, double min, const std::string& min_key) {
-  const double max = table.limit(max_key);
-  if (!(max > min)) {
-    table.fail(max_key, number_text(max) + " is not above " + min_key, "a number above " + number_text(min));
-  }
-  return max;
-}
-
-AxisParameters read_axis(const Table& table) {
-  AxisParameters axis;
-  axis.name = table.text("name");
-  if (axis.name.empty() || axis.name.size() > kNameLength) {
-    table.fail("name", in_quotes(axis.name) + " is not a valid name",
-               "1 to " + std::to_string(kNameLength) + " characters");
-  }
-  axis.position_min = table.limit("position_min");
-  axis.position_max = above(table, "position_max", axis.position_min, "position_min");
-  axis.velocity_max = positive(table, "velocity_max");
-  axis.acceleration_max = positive(table, "acceleration_max");
-  axis.jerk_max = positive(table, "jerk_max");
-  axis.motor_min = table.limit("motor_min");
-  axis.motor_max = above(table, "motor_max", axis.motor_min, "motor_min");
-  axis.motor_synchro = table.number("motor_synchro", {axis.motor_min, axis.motor_max});
-  axis.synchro_coarse = table.number_or("synchro_coarse", 0);
-  axis.synchro_fine = table.number_or("synchro_fine", 0);
-  if (axis.synchro_coarse * axis.synchro_fine > 0 || (axis.synchro_coarse == 0) != (axis.synchro_fine == 0)) {
-    table.fail("synchro_fine", number_text(axis.synchro_fine) + " does not have the opposite sign of synchro_coarse",
-               axis.synchro_coarse == 0  ? "0"
-               : axis.synchro_coarse > 0 ? "a number below 0"
-                                         : "a number above 0");
-  }
-  axis.encoder_increments = positive_or(table, "encoder_increments", axis.encoder_increments);
-  axis.current_max = positive(table, "current_max");
-  axis.current_max_time = positive_or(table, "current_max_time", axis.current_max_time);
-  axis.following_error_max = positive(table, "following_error_max");
-  axis.stuck_max = positive_or(table, "stuck_max", kUsualStuck * axis.following_error_max);
-  axis.stuck_current = not_negative_or(table, "stuck_current", 0);
-  axis.regulator_a = table.number("regulator_a");
-  axis.regulator_b0 = table.number("regulator_b0");
-  axis.regulator_b1 = table.number("regulator_b1");
-  axis.regulator_eps = table.number("regulator_eps");
-  axis.regulator_output_max = positive_or(table, "regulator_output_max", axis.regulator_output_max);
-  axis.regulator_current_gain = positive(table, "regulator_current_gain");
-  axis.torque_constant = positive(table, "torque_constant");
-  axis.rotor_inertia = positive(table, "rotor_inertia");
-  axis.viscous_friction = positive(table, "viscous_friction");
-  table.finish();
-  return axis;
-}
 
 /// Refuses a second axis with the name of the last one.
 void check_name_is_new(const std::vector<AxisParameters>& axes, const Table& table) {
@@ -138,7 +70,6 @@ std::vector<RegulatorSet> read_regulator_sets(const Table& file, const std::vect
   return sets;
 }
 
-/// Joint positions within the limits of the axes.
 constexpr Range kPlace{-10, 10};                                     // m, of a tool
 constexpr Range kTurn{-2 * std::numbers::pi, 2 * std::numbers::pi};  // rad
 
@@ -161,6 +92,7 @@ std::map<std::string, Pose> read_tools(const Table& file) {
   return tools;
 }
 
+/// Joint positions within the limits of the axes.
 JointVector read_posture(const Table& table, const std::string& key, const std::vector<AxisParameters>& axes) {
   const auto values = table.numbers(key, axes.size());
   JointVector posture(static_cast<Eigen::Index>(values.size()));
@@ -178,12 +110,14 @@ JointVector read_posture(const Table& table, const std::string& key, const std::
 RobotParameters read_robot_parameters(const Table& file) {
   RobotParameters parameters;
   parameters.type = file.text("type");
+  parameters.edp = file.optional_text("edp").value_or("");
+  parameters.drives = read_drives(file);
   const auto tables = file.tables("axes");
   if (tables.empty() || tables.size() > kMaxJoints) {
     file.fail("axes", std::to_string(tables.size()) + " axes", "1 to " + std::to_string(kMaxJoints) + " axes");
   }
   for (const auto& table : tables) {
-    parameters.axes.push_back(read_axis(table));
+    parameters.axes.push_back(read_axis(table, parameters.drives));
     check_name_is_new(parameters.axes, table);
   }
   parameters.regulators = read_regulator_sets(file, parameters.axes);

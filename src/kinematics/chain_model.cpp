@@ -32,8 +32,8 @@ bool is_pose(const Pose& pose) noexcept {
 
 }  // namespace
 
-ChainModel::ChainModel(RobotParameters parameters, const SerialChain& chain, const JointVector& gear, const Pose& tool)
-    : parameters_(std::move(parameters)), chain_(chain), closed_form_(chain), gear_(gear), tool_(tool) {
+ChainModel::ChainModel(std::string name, RobotParameters parameters, const SerialChain& chain, const JointVector& gear)
+    : name_(std::move(name)), parameters_(std::move(parameters)), chain_(chain), closed_form_(chain), gear_(gear) {
   const auto count = std::ssize(parameters_.axes);
   if (count != chain.size() || count != gear.size())
     throw std::invalid_argument(std::to_string(chain.size()) + " joints and " + std::to_string(gear.size()) +

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "kinematics/closed_form.hpp"
 #include "kinematics/newton.hpp"
 #include "kinematics/serial_chain.hpp"
@@ -18,13 +21,13 @@ class ChainModel final : public RobotModel {
   static constexpr int kSearches = 60;        ///< from random postures, until one is within the limits
 
   /// `gear`: one number for each axis. Throws std::invalid_argument: the numbers of axes differ, a gear of zero.
-  ChainModel(RobotParameters parameters, const SerialChain& chain, const JointVector& gear, const Pose& tool);
+  ChainModel(std::string name, RobotParameters parameters, const SerialChain& chain, const JointVector& gear);
 
+  std::string_view name() const noexcept override { return name_; }
   const RobotParameters& parameters() const noexcept override { return parameters_; }
   ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept override;
   ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept override;
   JointMatrix transmission(const JointVector& joints) const noexcept override;
-  Pose default_tool() const noexcept override { return tool_; }
   Pose flange(const JointVector& joints) const noexcept override { return chain_.flange(joints); }
   ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override;
   void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept override;
@@ -43,12 +46,12 @@ class ChainModel final : public RobotModel {
   bool is_singular(const JointVector& joints) const noexcept;
   void search(const Pose& flange, BranchReceiver& receiver) const noexcept;
 
+  std::string name_;
   RobotParameters parameters_;
   SerialChain chain_;
   ClosedForm closed_form_;
   JointVector gear_;
   JointRange range_;
-  Pose tool_;
 };
 
 }  // namespace mrroc::kinematics

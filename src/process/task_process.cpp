@@ -45,8 +45,11 @@ TaskProcess::TaskProcess(Process& process, const std::string& superior_topic)
 TaskProcess::~TaskProcess() = default;
 
 std::filesystem::path TaskProcess::robot_parameters(const std::string& name, const std::string& type) const {
-  for (const config::RobotEntry& robot : process_.deployment().robots)
-    if (robot.name == name && robot.type == type) return robot.parameters;
+  for (const config::RobotEntry& robot : process_.deployment().robots) {
+    if (robot.name != name) continue;
+    if (type.empty()) return robot.files().parameters;
+    if (robot.type == type) return robot.parameters;
+  }
   return {};
 }
 

@@ -29,8 +29,10 @@ inline constexpr std::size_t kMaxSnapshotValues = 1024;
 inline constexpr double kPatienceWithDrives = 0.5;
 inline constexpr double kPatienceWithWorld = 2.0;
 
-/// EDP -> sim, every tick. At the joints: M(q) + B is the inertia, tau - D dq/dt - c the torque that the drives add.
+/// EDP -> sim, every tick. Drives that follow a current, at the joints: M(q) + B is the inertia, tau - D dq/dt - c the
+/// torque that the drives add. Drives that regulate on their own: their set-points (`sim::JointServo`).
 struct JointDrive {
+  enum class Kind : std::uint32_t { torque, position, velocity };
   Tick tick = 0;  ///< tick in which it was computed; 0: never attached
   std::uint32_t joint_count = 0;
   std::uint32_t enabled = 0;                ///< 0: brakes on
@@ -39,6 +41,11 @@ struct JointDrive {
   std::array<double, kMaxJoints> bias{};    ///< c = G^T J dG/dt dq/dt
   std::array<double, kMaxJoints * kMaxJoints> rotor_inertia{};  ///< B = G^T J G, row major
   std::array<double, kMaxJoints * kMaxJoints> damping{};        ///< D = G^T b G, row major
+  Kind kind = Kind::torque;
+  std::array<double, kMaxJoints> position{};    ///< set-points at the beginning of the tick, rad or m
+  std::array<double, kMaxJoints> velocity{};    ///< rad/s or m/s, during the tick
+  std::array<double, kMaxJoints> torque_max{};  ///< N m or N
+  double bandwidth = 0;                         ///< rad/s
 };
 
 /// sim -> EDP, every tick.
@@ -46,7 +53,8 @@ struct JointMeasurement {
   Tick tick = 0;
   std::array<double, kMaxJoints> position{};
   std::array<double, kMaxJoints> velocity{};
-  ControllerIo inputs;  ///< of the robot's controller
+  std::array<double, kMaxJoints> torque{};  ///< of drives that regulate on their own, N m or N
+  ControllerIo inputs;                      ///< of the robot's controller
 };
 
 /// sim -> VSPs that render the world (cameras), every tick if there is one, and the runner while a client watches the

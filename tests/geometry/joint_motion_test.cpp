@@ -23,7 +23,7 @@ kinematics::ChainModel model_of(const kinematics::SerialChain& chain) {
   RobotParameters parameters;
   parameters.axes.resize(static_cast<std::size_t>(chain.size()));
   for (AxisParameters& axis : parameters.axes) axis.position_max = 3;
-  return {parameters, chain, JointVector::Ones(chain.size()), Pose::Identity()};
+  return {"nominal", parameters, chain, JointVector::Ones(chain.size())};
 }
 
 /// At any rank of the Jacobian: seven axes, six, fewer, aligned ones. Bit for bit what Eigen's own solution is.

@@ -27,7 +27,7 @@ RobotParameters parameters_of(const SerialChain& chain, double limit) {
 }
 
 ChainModel model_of(const SerialChain& chain, double limit = 2.8) {
-  return {parameters_of(chain, limit), chain, JointVector::Ones(chain.size()), Pose::Identity()};
+  return {"nominal", parameters_of(chain, limit), chain, JointVector::Ones(chain.size())};
 }
 
 /// Counts postures, and looks for one within +-limit.
@@ -137,17 +137,15 @@ TEST(ChainModel, NothingIsAllocated) {
 TEST(ChainModel, MotorsTurnByTheGears) {
   const SerialChain chain = ur5e();
   const JointVector gear = (JointVector(6) << 100, -100, 101, 50, 50, 1).finished();
-  const ChainModel model(parameters_of(chain, 2), chain, gear, Pose::Identity());
+  const ChainModel model("geared", parameters_of(chain, 2), chain, gear);
   const JointVector q = JointVector::LinSpaced(6, -1, 1);
   JointVector motors, joints;
   ASSERT_EQ(model.joints_to_motors(q, motors), ErrorCode::none);
   ASSERT_EQ(model.motors_to_joints(motors, joints), ErrorCode::none);
   EXPECT_LT((joints - q).norm(), 1e-15);
   EXPECT_LT((motors - model.transmission(q) * q).norm(), 1e-12);
-  EXPECT_THROW(ChainModel(parameters_of(chain, 2), chain, JointVector::Zero(6), Pose::Identity()),
-               std::invalid_argument);
-  EXPECT_THROW(ChainModel(parameters_of(chain, 2), chain, JointVector::Ones(5), Pose::Identity()),
-               std::invalid_argument);
+  EXPECT_THROW(ChainModel("nominal", parameters_of(chain, 2), chain, JointVector::Zero(6)), std::invalid_argument);
+  EXPECT_THROW(ChainModel("nominal", parameters_of(chain, 2), chain, JointVector::Ones(5)), std::invalid_argument);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
     robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, ControllerIo::kDigital - 1));
   read_force(table, robot);
   robot.program = table.optional_text("program").value_or(robot.program);
-  robot.edp_program = robot.type + "_edp";
+  robot.edp_program = Table::load(robot.files().parameters).optional_text("edp").value_or(robot.type + "_edp");
   const bool here = robot.host == deployment.here;
   // the runner asks the programs for their behaviours when the MP runs a state machine
   if (here || (deployment.here.empty() && !deployment.mp.states.empty()))

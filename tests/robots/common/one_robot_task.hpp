@@ -18,7 +18,7 @@ class OneRobotTask : public Task, private RobotLink {
   const std::string& process_name() const noexcept override { return name_; }
   std::string robot_name(const std::string& requested) const override { return requested.empty() ? name_ : requested; }
   std::filesystem::path robot_parameters(const std::string&, const std::string& type) const override {
-    return type == type_ ? parameters_ : std::filesystem::path();
+    return type.empty() || type == type_ ? parameters_ : std::filesystem::path();
   }
   RobotLink& robot_link(const std::string& name, const std::string& type) override {
     if (name != name_ || type != type_) throw NonFatalError(ErrorCode::invalid_argument, "no " + type + " " + name);

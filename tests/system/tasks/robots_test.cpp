@@ -43,7 +43,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, Demo, testing::ValuesIn(demos()), name_of);
 std::vector<std::string> types() {
   std::vector<std::string> types;
   for (const auto& entry : std::filesystem::directory_iterator(kRobots))
-    if (entry.is_directory()) types.push_back(entry.path().filename().string());
+    if (const auto type = entry.path().filename().string(); exists(entry.path() / (type + ".toml")))
+      types.push_back(type);
   std::sort(types.begin(), types.end());
   return types;
 }
