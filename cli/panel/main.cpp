@@ -63,13 +63,14 @@ void serve(const PanelArguments& arguments, int stop) {
   const auto status = nlohmann::json::parse(run.request("status").data);
   const config::Deployment deployment = config::load_deployment(status.at("file").get<std::string>());
   std::optional<WorldView> view = view_of(deployment);
+  CameraPictures pictures(deployment);
   auto files = load_page(config::type_file("panel", "page", "index.html").parent_path());
   const mjModel* const model = view ? &view->model() : nullptr;
-  files["scene.json"] = {media_type("scene.json"), scene_json(model, deployment), ""};
-  PanelServer server(address, run.path(), std::move(files));
+  files["scene.json"] = {media_type("scene.json"), scene_json(model, deployment, pictures.cameras()), ""};
+  PanelServer server(address, run.path(), std::move(files), pictures);
   command::print("panel: " + server.url(PanelRight::command) + "\n");
   command::print("panel, to watch only: " + server.url(PanelRight::watch) + "\n");
-  RunFeed(run, view ? &*view : nullptr, server).serve(stop);
+  RunFeed(run, view ? &*view : nullptr, pictures, server).serve(stop);
   // nothing is left to be saved, and a browser that does not read would be waited for
   std::fflush(stdout);
   _exit(0);

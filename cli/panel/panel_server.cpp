@@ -47,6 +47,25 @@ int send_text(mg_connection& connection, const char* status, const std::string& 
   return 1;
 }
 
+/// Header of a picture: the tick whose state it shows.
+constexpr const char* kTickHeader = "Mrroc-Tick";
+constexpr std::string_view kPictures = "pictures/", kPng = ".png";
+
+/// "pictures/NAME.png": NAME; else empty.
+std::string_view camera_of(std::string_view name) {
+  if (!name.starts_with(kPictures) || !name.ends_with(kPng) || name.size() < kPictures.size() + kPng.size()) return "";
+  return name.substr(kPictures.size(), name.size() - kPictures.size() - kPng.size());
+}
+
+/// The picture, or why there is none.
+int send_picture(mg_connection& connection, const CameraPicture& picture, bool head) {
+  if (picture.png.empty()) return send_text(connection, "503 Service Unavailable", picture.reason);
+  const std::string tick = std::string{kTickHeader} + ": " + std::to_string(picture.tick) + "\r\n";
+  send_headers(connection, "200 OK", "image/png", picture.png.size(), tick.c_str());
+  if (!head) mg_write(&connection, picture.png.data(), picture.png.size());
+  return 1;
+}
+
 bool accepts_gzip(const mg_connection& connection) {
   const char* const encodings = mg_get_header(&connection, "Accept-Encoding");
   return encodings != nullptr && std::string_view{encodings}.find("gzip") != std::string_view::npos;
@@ -74,8 +93,12 @@ struct PanelServer::Callbacks {
   }
 };
 
-PanelServer::PanelServer(const PanelAddress& address, std::filesystem::path run, std::map<std::string, PageFile> files)
-    : run_(std::move(run)), files_(std::move(files)), access_(address.address, !address.certificate.empty()) {
+PanelServer::PanelServer(const PanelAddress& address, std::filesystem::path run, std::map<std::string, PageFile> files,
+                         CameraPictures& pictures)
+    : run_(std::move(run)),
+      files_(std::move(files)),
+      pictures_(pictures),
+      access_(address.address, !address.certificate.empty()) {
   const bool tls = !address.certificate.empty();
   mg_init_library(0);
   const std::string port = tls ? "127.0.0.1:0" : address.address + ":" + std::to_string(address.port);
@@ -122,6 +145,11 @@ int PanelServer::answer(mg_connection& connection) const {
   // no name contains an escaped character
   if (std::string_view{request.request_uri}.find('%') != std::string_view::npos)
     return send_text(connection, "404 Not Found", "no such file");
+  if (const std::string_view camera = camera_of(place.name); !camera.empty()) {
+    const auto picture = pictures_.picture(camera);
+    return picture != nullptr ? send_picture(connection, *picture, head)
+                              : send_text(connection, "404 Not Found", "no such camera");
+  }
   const auto found = files_.find(place.name.empty() ? "index.html" : std::string{place.name});
   if (found == files_.end()) return send_text(connection, "404 Not Found", "no such file");
   const PageFile& file = found->second;

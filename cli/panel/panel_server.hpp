@@ -11,6 +11,7 @@
 
 #include "cli/panel/beat.hpp"
 #include "cli/panel/browser.hpp"
+#include "cli/panel/camera_pictures.hpp"
 #include "cli/panel/page_files.hpp"
 #include "cli/panel/panel_access.hpp"
 #include "cli/panel/tls_door.hpp"
@@ -32,9 +33,10 @@ class PanelServer {
  public:
   static constexpr std::size_t kMaxBrowsers = 24;
 
-  /// `run`: the run's socket, to which every browser gets a connection. Throws std::runtime_error when it cannot listen
-  /// there.
-  PanelServer(const PanelAddress& address, std::filesystem::path run, std::map<std::string, PageFile> files);
+  /// `run`: the run's socket, to which every browser gets a connection; `pictures` outlives the server. Throws
+  /// std::runtime_error when it cannot listen there.
+  PanelServer(const PanelAddress& address, std::filesystem::path run, std::map<std::string, PageFile> files,
+              CameraPictures& pictures);
   ~PanelServer();
   PanelServer(const PanelServer&) = delete;
   PanelServer& operator=(const PanelServer&) = delete;
@@ -59,6 +61,7 @@ class PanelServer {
 
   std::filesystem::path run_;
   std::map<std::string, PageFile> files_;
+  CameraPictures& pictures_;
   PanelAccess access_;
   Beat beat_;
   mutable std::mutex mutex_;

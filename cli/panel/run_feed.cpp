@@ -38,6 +38,7 @@ void RunFeed::pass_on(const std::string& line) {
   if (event == "robot" || event == "world") {
     if (view_ != nullptr) view_->take(line);
   }
+  if (event == "world") pictures_.take(line);
   if (event == "robot" || event == "reading" || event == "process")
     server_.publish_state(event + "/" + json.value("name", ""), line);
   else if (!event.empty() && event != "world")

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/operator/socket/run_connection.hpp"
+#include "cli/panel/camera_pictures.hpp"
 #include "cli/panel/panel_server.hpp"
 #include "cli/panel/world_view.hpp"
 
@@ -14,7 +15,8 @@ namespace mrroc::cli {
 class RunFeed {
  public:
   /// `view` may be null. All outlive it.
-  RunFeed(RunConnection& run, WorldView* view, PanelServer& server) : run_(run), view_(view), server_(server) {}
+  RunFeed(RunConnection& run, WorldView* view, CameraPictures& pictures, PanelServer& server)
+      : run_(run), view_(view), pictures_(pictures), server_(server) {}
 
   /// Serves until the run ends or `stop`, a descriptor, becomes readable.
   void serve(int stop);
@@ -27,6 +29,7 @@ class RunFeed {
 
   RunConnection& run_;
   WorldView* view_;
+  CameraPictures& pictures_;
   PanelServer& server_;
   std::int64_t beat_ = -1;
   std::optional<bool> watching_;

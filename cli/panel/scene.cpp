@@ -158,30 +158,35 @@ Json robot_of(const mjModel* model, const config::RobotEntry& robot) {
 Json sensor_of(const mjModel* model, const config::SensorEntry& sensor) {
   Json channels = Json::array();
   for (const config::Channel& channel : sensor.channels) channels.push_back(channel.name);
-  const auto camera = sensor.texts.find("camera");
   const std::string site = sensor.robot.empty() ? sensor.name : sensor.robot + "/wrist";
   return {{"name", sensor.name},
           {"type", sensor.type},
           {"robot", sensor.robot.empty() ? Json() : Json(sensor.robot)},
           {"channels", channels},
-          {"frame", index_of(model, mjOBJ_SITE, site)},
-          {"camera", camera == sensor.texts.end() ? Json() : Json(camera->second)}};
+          {"frame", index_of(model, mjOBJ_SITE, site)}};
 }
 
 }  // namespace
 
-std::string scene_json(const mjModel* model, const config::Deployment& deployment) {
+std::string scene_json(const mjModel* model, const config::Deployment& deployment,
+                       std::span<const ShownCamera> cameras) {
   const Json none = Json::array();
   Json json{{"deployment", deployment.name},
             {"servo_period", deployment.servo_period},
             {"robots", none},
             {"sensors", none},
+            {"cameras", none},
             {"bodies", none},
             {"geoms", model != nullptr ? geoms_of(*model) : none},
             {"meshes", model != nullptr ? meshes_of(*model) : none},
             {"frames", model != nullptr ? frames_of(*model) : none}};
   for (const config::RobotEntry& robot : deployment.robots) json["robots"].push_back(robot_of(model, robot));
   for (const config::SensorEntry& sensor : deployment.sensors) json["sensors"].push_back(sensor_of(model, sensor));
+  for (const ShownCamera& camera : cameras)
+    json["cameras"].push_back({{"name", camera.name},
+                               {"width", camera.width},
+                               {"height", camera.height},
+                               {"reason", camera.reason.empty() ? Json() : Json(camera.reason)}});
   for (int i = 0; model != nullptr && i < model->nbody; ++i)
     json["bodies"].push_back(
         {{"name", model->names + model->name_bodyadr[i]}, {"parent", i == 0 ? -1 : model->body_parentid[i]}});

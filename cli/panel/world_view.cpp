@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/panel/world_event.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
 #include "sim/simulation.hpp"
@@ -70,8 +71,7 @@ void WorldView::take(std::string_view event) {
   const Json json = Json::parse(event, nullptr, false);
   if (!json.is_object()) return;
   const std::string kind = json.value("event", "");
-  if (kind == "world")
-    take_world(numbers(json, "positions"), numbers(json, "mocap_positions"), numbers(json, "mocap_quaternions"));
+  if (const auto world = world_of_event(json)) take_world(*world);
   const auto robot = kind == "robot" ? robots_.find(json.value("name", "")) : robots_.end();
   if (robot != robots_.end()) {
     const auto place = [&](const char* name, mjData& data) {
@@ -88,21 +88,22 @@ void WorldView::take(std::string_view event) {
   changed_ = true;
 }
 
-void WorldView::take_world(std::span<const double> positions, std::span<const double> mocap_positions,
-                           std::span<const double> mocap_quaternions) {
-  const auto mocaps = static_cast<std::size_t>(world_mocaps_);
-  if (positions.size() != static_cast<std::size_t>(world_positions_) || mocap_positions.size() != 3 * mocaps ||
-      mocap_quaternions.size() != 4 * mocaps)
+void WorldView::take_world(const world::WorldSnapshot& world) {
+  if (world.position_count != static_cast<std::uint32_t>(world_positions_) ||
+      world.mocap_count != static_cast<std::uint32_t>(world_mocaps_))
     return;
+  const double* const positions = world.values.data();
+  const double* const mocap_positions = positions + world.position_count;
+  const double* const mocap_quaternions = mocap_positions + static_cast<std::size_t>(3) * world.mocap_count;
   simulated_ = true;
   for (const Moved& joint : positions_) {
-    std::copy_n(positions.data() + joint.from, joint.count, actual_->qpos + joint.to);
-    if (!joint.of_robot) std::copy_n(positions.data() + joint.from, joint.count, desired_->qpos + joint.to);
+    std::copy_n(positions + joint.from, joint.count, actual_->qpos + joint.to);
+    if (!joint.of_robot) std::copy_n(positions + joint.from, joint.count, desired_->qpos + joint.to);
   }
   for (const auto& [from, to] : mocaps_)
     for (mjData* data : {actual_.get(), desired_.get()}) {
-      std::copy_n(mocap_positions.data() + 3 * from, 3, data->mocap_pos + 3 * to);
-      std::copy_n(mocap_quaternions.data() + 4 * from, 4, data->mocap_quat + 4 * to);
+      std::copy_n(mocap_positions + 3 * from, 3, data->mocap_pos + 3 * to);
+      std::copy_n(mocap_quaternions + 4 * from, 4, data->mocap_quat + 4 * to);
     }
 }
 

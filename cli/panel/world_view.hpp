@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "config/deployment.hpp"
 #include "sim/scene/driven_joints.hpp"
 #include "sim/scene/model.hpp"
+#include "world/world_memory.hpp"
 
 namespace mrroc::cli {
 
@@ -39,8 +39,7 @@ class WorldView {
     sim::DrivenJoints joints;
     bool in_world;  ///< of the simulation
   };
-  void take_world(std::span<const double> positions, std::span<const double> mocap_positions,
-                  std::span<const double> mocap_quaternions);
+  void take_world(const world::WorldSnapshot& world);
 
   sim::Model model_;
   sim::Data actual_, desired_;

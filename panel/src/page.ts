@@ -1,3 +1,4 @@
+import { cameras_pane } from './cameras/cameras_pane';
 import { element } from './dom/element';
 import { Tabs } from './dom/tabs';
 import { Announcer, gone_bar } from './header/announcer';
@@ -38,12 +39,14 @@ export function make_page(scene: Scene, open_socket: () => Socket): void {
   const plots = plots_pane(session);
   const processes = process_table(session);
   const messages = message_pane(session, log);
+  const cameras = cameras_pane(session);
   const tabs = new Tabs(
     'Details',
     [
       { id: 'plots', title: 'Plots', content: plots.node },
       { id: 'processes', title: 'Processes', content: processes.node },
       { id: 'messages', title: 'Messages', content: messages.node },
+      ...(cameras ? [{ id: 'cameras', title: 'Cameras', content: cameras.node }] : []),
     ],
     () => session.scheduler.ask_now(),
   );
@@ -54,6 +57,7 @@ export function make_page(scene: Scene, open_socket: () => Socket): void {
     plots.node,
     processes.node,
     messages.node,
+    ...(cameras ? [cameras.node] : []),
   );
   const version = element('span', { id: 'version', class: 'quiet' });
   const set_theme = () => {
@@ -110,6 +114,7 @@ export function make_page(scene: Scene, open_socket: () => Socket): void {
     messages.update();
   }, TEXT_PERIOD);
   scheduler.add(() => plots.update(), TEXT_PERIOD);
+  scheduler.add(() => cameras?.update(), TEXT_PERIOD);
   set_theme();
   session.start();
   scheduler.ask();

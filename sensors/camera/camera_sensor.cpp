@@ -4,6 +4,7 @@
 #include <opencv2/core/utility.hpp>
 #include <string>
 
+#include "sensors/camera/detection/make_detector.hpp"
 #include "sensors/camera/keys.hpp"
 #include "sensors/camera/pictures/hardware_camera.hpp"
 #include "sensors/camera/pictures/simulated_camera.hpp"

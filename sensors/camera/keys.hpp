@@ -1,12 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "config/deployment.hpp"
-#include "sensors/camera/detection/detection.hpp"
+#include "mrroc/types.hpp"
 
 /// The meaning of a deployment's keys of a camera (camera.toml declares them). All functions throw
 /// SystemError(configuration) naming the key, the value and the expected value.
@@ -20,8 +19,6 @@ std::optional<std::vector<double>> optional_numbers(const config::SensorEntry& e
                                                     std::size_t size);
 /// `position` and `rotation`; nothing when both are missing.
 std::optional<Pose> mount_pose(const config::SensorEntry& entry);
-/// `detect` and the keys of that detector.
-std::unique_ptr<Detector> make_detector(const config::SensorEntry& entry);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& names);
 

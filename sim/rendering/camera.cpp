@@ -74,7 +74,7 @@ Picture Renderer::render(const std::vector<double>& positions, const std::string
   update_poses();
   update_scene(camera);
   Picture picture;
-  draw_scene(picture);
+  draw_scene(width_, height_, picture);
   return picture;
 }
 
@@ -97,7 +97,7 @@ Pose Renderer::body_pose(int body) const {
   return pose;
 }
 
-void Renderer::draw(const Viewpoint& view, Picture& picture) {
+void Renderer::draw(const Viewpoint& view, int width, int height, Picture& picture) {
   const MujocoMessages messages;
   mjvCamera camera;
   mjv_defaultFreeCamera(&model_, &camera);
@@ -112,7 +112,7 @@ void Renderer::draw(const Viewpoint& view, Picture& picture) {
     eye.frustum_top = eye.frustum_near * static_cast<float>(std::tan(view.field_of_view / 2));
     eye.frustum_bottom = -eye.frustum_top;
   }
-  draw_scene(picture);
+  draw_scene(width, height, picture);
 }
 
 void Renderer::update_poses() {
@@ -129,15 +129,15 @@ void Renderer::update_scene(mjvCamera camera) {
   mjv_updateScene(&model_, data_.get(), &option, nullptr, &camera, mjCAT_ALL, &scene_);
 }
 
-void Renderer::draw_scene(Picture& picture) {
-  const mjrRect view{0, 0, width_, height_};
+void Renderer::draw_scene(int width, int height, Picture& picture) {
+  const mjrRect view{0, 0, width, height};
   mjr_render(view, &scene_, &context_);
-  picture.width = width_;
-  picture.height = height_;
-  picture.pixels.resize(3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  picture.width = width;
+  picture.height = height;
+  picture.pixels.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   mjr_readPixels(picture.pixels.data(), nullptr, view, &context_);
-  const auto row = static_cast<std::ptrdiff_t>(3) * width_;
-  for (int top = 0, bottom = height_ - 1; top < bottom; ++top, --bottom) {  // OpenGL's rows go upwards
+  const auto row = static_cast<std::ptrdiff_t>(3) * width;
+  for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom) {  // OpenGL's rows go upwards
     std::swap_ranges(picture.pixels.begin() + top * row, picture.pixels.begin() + (top + 1) * row,
                      picture.pixels.begin() + bottom * row);
   }

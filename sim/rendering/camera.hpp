@@ -47,13 +47,14 @@ class Renderer {
   bool place(const world::WorldSnapshot& snapshot);
   /// Of body `body` in the world.
   Pose body_pose(int body) const;
-  /// The placed state seen from `view`, into `picture`, which it allocates the first time.
-  void draw(const Viewpoint& view, Picture& picture);
+  /// The placed state seen from `view`, into `picture`, which it allocates the first time; of `width` x `height`
+  /// pixels, at most the size given at construction.
+  void draw(const Viewpoint& view, int width, int height, Picture& picture);
 
  private:
   void update_poses();
   void update_scene(mjvCamera camera);
-  void draw_scene(Picture& picture);
+  void draw_scene(int width, int height, Picture& picture);
 
   mjModel& model_;
   Data data_;

@@ -3,7 +3,7 @@
 #include <png.h>
 
 #include <cstddef>
-#include <span>
+#include <string>
 #include <vector>
 
 #include "command/write_file.hpp"
@@ -11,23 +11,23 @@
 
 namespace mrroc::sim {
 
-void write_png(const std::filesystem::path& file, const Picture& picture) {
+std::vector<std::byte> encode_png(const Picture& picture) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(picture.width);
   image.height = static_cast<png_uint_32>(picture.height);
   image.format = PNG_FORMAT_RGB;
-  // encode in memory: libpng would remove an unwritable output file, even a device
-  png_alloc_size_t size = 0;
-  std::vector<std::byte> bytes;
-  for (bool measured = false;; measured = true) {
-    bytes.resize(size);
-    void* const memory = measured ? bytes.data() : nullptr;
-    if (png_image_write_to_memory(&image, memory, &size, 0, picture.pixels.data(), 0, nullptr) == 0)
-      throw SystemError(ErrorCode::resources, "cannot encode " + file.string() + ": " + image.message);
-    if (measured) break;
-  }
-  command::write_file(file, std::span(bytes).first(size));
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);  // a bound: it is encoded once
+  std::vector<std::byte> bytes(size);
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.pixels.data(), 0, nullptr) == 0)
+    throw SystemError(ErrorCode::resources, std::string("cannot encode a picture: ") + image.message);
+  bytes.resize(size);
+  return bytes;
+}
+
+void write_png(const std::filesystem::path& file, const Picture& picture) {
+  // encoded in memory: libpng would remove an unwritable output file, even a device
+  command::write_file(file, encode_png(picture));
 }
 
 }  // namespace mrroc::sim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -12,6 +13,9 @@ struct Picture {
   int height = 0;
   std::vector<std::uint8_t> pixels;
 };
+
+/// The bytes of a PNG file. Throws SystemError (resources).
+std::vector<std::byte> encode_png(const Picture& picture);
 
 /// Throws SystemError (resources) when the file cannot be written.
 void write_png(const std::filesystem::path& file, const Picture& picture);

@@ -33,7 +33,13 @@ export interface Sensor {
   robot: string | null;
   channels: string[];
   frame: number | null;
-  camera: string | null;
+}
+
+export interface Camera {
+  name: string; // of the sensor
+  width: number; // pixels
+  height: number;
+  reason: string | null; // why it has no picture
 }
 
 export interface Body {
@@ -71,6 +77,7 @@ export interface Scene {
   servo_period: number;
   robots: Robot[];
   sensors: Sensor[];
+  cameras: Camera[];
   bodies: Body[];
   geoms: Geom[];
   meshes: Mesh[];
@@ -83,6 +90,7 @@ const EMPTY: Scene = {
   servo_period: 0.002,
   robots: [],
   sensors: [],
+  cameras: [],
   bodies: [],
   geoms: [],
   meshes: [],

@@ -1,6 +1,5 @@
 import { button, element, set_attribute } from '../dom/element';
 import type { Session } from '../session';
-import { camera_pictures } from './camera_pictures';
 import { OrbitCamera } from './orbit_camera';
 import { Renderer } from './renderer';
 import { WorldView, type Layer } from './world';
@@ -61,8 +60,6 @@ function drawn_view(
     button('+', { class: 'plain', 'aria-label': 'Zoom in' }, () => camera.zoom(1 / 1.2)),
     button('Reset', { class: 'plain', id: 'reset-view', 'aria-label': 'Reset the view' }, () => camera.reset()),
   );
-  const pictures = camera_pictures(session.scene.sensors);
-  stage.append(pictures.node);
   new ResizeObserver(() => {
     const { clientWidth, clientHeight } = stage;
     if (clientWidth === 0 || clientHeight === 0) return;

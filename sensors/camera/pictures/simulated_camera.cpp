@@ -3,7 +3,6 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "sensors/camera/keys.hpp"
 #include "sim/simulation.hpp"
 #include "vsp/make_source.hpp"
 #include "vsp/parameters.hpp"
@@ -21,22 +20,6 @@ const world::WorldMemory& world_of(const SourceContext& context) {
   return *context.world;
 }
 
-void refuse_keys_of_hardware(const config::SensorEntry& entry) {
-  const char* expected = "source = 'hardware' beside it";
-  if (!text(entry, "device").empty()) refuse(entry, "device", "\"" + text(entry, "device") + "\"", expected);
-  for (const auto& [key, size] : {std::pair{"intrinsics", 4}, {"distortion", 5}}) {
-    if (optional_numbers(entry, key, static_cast<std::size_t>(size)))
-      refuse(entry, key, "of a simulated camera", expected);
-  }
-}
-
-double field_of_view(const config::SensorEntry& entry, const CameraMount& camera) {
-  const double given = number(entry, "field_of_view");
-  if (given > 0) return given;
-  if (camera.field_of_view > 0) return camera.field_of_view;
-  refuse(entry, "field_of_view", "0", "that of the picture's height, rad: the MJCF has no camera that gives it");
-}
-
 }  // namespace
 
 SimulatedCamera::SimulatedCamera(const SourceContext& context, cv::Mat& picture)
@@ -45,14 +28,10 @@ SimulatedCamera::SimulatedCamera(const SourceContext& context, cv::Mat& picture)
       noise_(context.entry.name),
       noise_deviation_(number(context.entry, "noise")),
       model_(sim::load_model(sim::compose(context.deployment))),
-      camera_(find_camera(*model_, context.entry)),
-      intrinsics_(Intrinsics::pinhole(whole(context.entry, "width"), whole(context.entry, "height"),
-                                      field_of_view(context.entry, camera_))),
-      field_of_view_(field_of_view(context.entry, camera_)),
-      renderer_(*model_, intrinsics_.width, intrinsics_.height, {.samples = 4, .shadows = false}),
-      picture_(&picture) {
-  refuse_keys_of_hardware(context.entry);
-}
+      view_(view_of(*model_, context.entry)),
+      intrinsics_(Intrinsics::pinhole(view_.width, view_.height, view_.field_of_view)),
+      renderer_(*model_, view_.width, view_.height, SimulatedView::kQuality),
+      picture_(&picture) {}
 
 SourceState SimulatedCamera::read(Tick wanted, RawReading& raw) noexcept {
   const bool there = slot_->load(snapshot_) || pictures_ > 0;  // during a write the previous state stays
@@ -75,9 +54,7 @@ SourceState SimulatedCamera::read(Tick wanted, RawReading& raw) noexcept {
 }
 
 void SimulatedCamera::draw() {
-  sim::Viewpoint view{renderer_.body_pose(camera_.body) * camera_.in_body, field_of_view_};
-  view.pose.linear() *= Eigen::Vector3d(1, -1, -1).asDiagonal();
-  renderer_.draw(view, drawn_);
+  view_.draw(renderer_, drawn_);
   *picture_ = cv::Mat(drawn_.height, drawn_.width, CV_8UC3, drawn_.pixels.data());
   if (noise_deviation_ <= 0) return;
   cv::RNG random(static_cast<std::uint64_t>(noise_.uniform(snapshot_.tick, kSeedStream) * 0x1p53));

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sensors/camera/camera_mount.hpp"
 #include "sensors/camera/pictures/picture_source.hpp"
+#include "sensors/camera/simulated_view.hpp"
 #include "sim/rendering/camera.hpp"
 #include "vsp/noise.hpp"
 #include "vsp/virtual_sensor.hpp"
@@ -19,7 +19,7 @@ class SimulatedCamera final : public PictureSource {
 
   SourceState read(Tick wanted, RawReading& raw) noexcept override;
   const Intrinsics& intrinsics() const noexcept override { return intrinsics_; }
-  const Pose& mount() const noexcept override { return camera_.mount; }
+  const Pose& mount() const noexcept override { return view_.camera.mount; }
 
  private:
   void draw();
@@ -29,9 +29,8 @@ class SimulatedCamera final : public PictureSource {
   Noise noise_;
   double noise_deviation_;
   sim::Model model_;
-  CameraMount camera_;
+  SimulatedView view_;
   Intrinsics intrinsics_;
-  double field_of_view_ = 0;
   sim::Renderer renderer_;
   world::WorldSnapshot snapshot_{};
   sim::Picture drawn_;

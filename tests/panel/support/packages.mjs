@@ -9,6 +9,7 @@ export const SOURCE = resolve(process.argv[3] ?? '.');
 export const PRESS = join(SOURCE, 'tasks/press/press.toml');
 export const TRANSFER = join(SOURCE, 'tasks/cooperative_transfer/cooperative_transfer.toml');
 export const POLISH = join(SOURCE, 'tasks/polish/polish.toml');
+export const INSPECT = join(SOURCE, 'tasks/inspect/inspect.toml');
 export const QUESTIONS = join(SOURCE, 'sensors/operator_input/demo.toml');
 
 const require = createRequire(join(SOURCE, 'panel/package.json'));

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "config/deployment.hpp"
+#include "mrroc/types.hpp"
+#include "sensors/camera/simulated_view.hpp"
+
+namespace mrroc::cli {
+
+/// A camera of the deployment, for the page.
+struct ShownCamera {
+  std::string name;           ///< of the sensor
+  int width = 0, height = 0;  ///< px
+  std::string reason;         ///< why it has no picture; empty: it has one
+};
+
+/// A picture of a camera, or the reason why there is none.
+struct CameraPicture {
+  Tick tick = 0;               ///< of the world's state that it shows
+  std::vector<std::byte> png;  ///< empty: `reason`
+  std::string reason;
+};
+
+/// Pictures of a deployment's simulated cameras, drawn in this process from the run's events "world": the same picture
+/// as the camera's own process draws, without its noise. The run does nothing for them. A picture is drawn when a
+/// browser asks for it, one after the other in a thread of low priority; all browsers receive the same one. Cameras of
+/// real hardware have none.
+class CameraPictures {
+ public:
+  /// Composes the world only if a camera is simulated. A camera that cannot be shown has a reason.
+  explicit CameraPictures(const config::Deployment& deployment);
+  ~CameraPictures();
+  CameraPictures(const CameraPictures&) = delete;
+  CameraPictures& operator=(const CameraPictures&) = delete;
+
+  /// The deployment's cameras, in its order. Any thread.
+  const std::vector<ShownCamera>& cameras() const noexcept { return cameras_; }
+  /// Takes the run's newest event "world". Any thread; it draws nothing.
+  void take(const std::string& event);
+  /// The picture of the newest state, seen by `camera`; null: no such camera. Waits for the
+  /// first state, and until the picture is drawn, for 3 s each at most.
+  /// Any thread.
+  std::shared_ptr<const CameraPicture> picture(std::string_view camera);
+
+ private:
+  struct Drawn {
+    bool wanted = false;
+    std::uint64_t event = 0;  ///< number of the event that `picture` shows
+    std::shared_ptr<const CameraPicture> picture;
+  };
+
+  void draw_pictures();
+
+  std::vector<ShownCamera> cameras_;
+  sim::Model model_;                                              ///< of the simulated world
+  std::map<std::string, vsp::SimulatedView, std::less<>> views_;  ///< of the cameras that have pictures
+  std::mutex mutex_;
+  std::condition_variable arrived_, asked_, drawn_;
+  std::map<std::string, Drawn, std::less<>> pictures_;
+  std::string newest_;        ///< event "world"
+  std::uint64_t events_ = 0;  ///< taken
+  bool ended_ = false;
+  std::thread thread_;  ///< from the first picture on
+};
+
+}  // namespace mrroc::cli
