@@ -32,7 +32,8 @@ class Contest {
   /// Measures everything once, in turn, in processor time of this thread. `forwards`: this project's before KDL's.
   void run_round(bool forwards);
 
-  const std::string& robot() const { return kinematics_.model().parameters().type; }
+  const RobotParameters& parameters() const { return kinematics_.model().parameters(); }
+  const std::string& robot() const { return parameters().type; }
   /// Why KDL does not take part; empty: it does.
   const std::string& without_kdl() const { return without_kdl_; }
   /// Postures that were drawn again because an inverse did not find them.
