@@ -27,20 +27,25 @@ class Urdf {
     Pose origin = Pose::Identity();                   ///< of the joint and of the child at position 0, in the parent
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit vector in the joint's frame
     std::optional<double> lower, upper, velocity;     ///< rad or m, 1/s; nothing: endless, or not in the file
+    std::optional<double> effort;                     ///< N m or N; nothing: not in the file
     std::optional<Mimic> mimic;
     int line = 0;
+    int limit_line = 0;  ///< of the element <limit>; 0: it is missing
   };
   /// Positions of joints by name, rad or m.
   using Positions = std::map<std::string, double>;
+
+  /// Whether a joint that moves without `<limit>`, or with an incomplete one, is refused or has no value there.
+  enum class Limits { required, optional };
 
   /// Reads a file. Defaults are those of the specification (http://wiki.ros.org/urdf/XML/joint): origin identity, axis
   /// 1 0 0, lower and upper limit 0, multiplier 1, offset 0. Elements without meaning for the type of a joint are not
   /// read: axis, limit, dynamics and mimic of a fixed joint, the range of a continuous one. Elements that the
   /// specification does not have are ignored. Throws ConfigurationError with file and line: what `read_xml` refuses, no
-  /// `<robot>`, xacro that is not expanded, a name twice, a joint of another type, a joint that moves without effort
-  /// and velocity, a joint's link that is not in the file, links that are not a tree, numbers that core::to_finite
-  /// refuses.
-  static Urdf load(const std::filesystem::path& file);
+  /// `<robot>`, xacro that is not expanded, a name twice, a joint of another type, with
+  /// Limits::required a joint that moves without effort and velocity, a joint's link that is not in the file, links
+  /// that are not a tree, numbers that core::to_finite refuses.
+  static Urdf load(const std::filesystem::path& file, Limits limits = Limits::required);
 
   const std::filesystem::path& file() const noexcept { return file_; }
   bool has_link(const std::string& name) const { return links_.contains(name); }
@@ -48,6 +53,8 @@ class Urdf {
   std::vector<std::string> links() const;
   /// Line of a link's element.
   int line_of_link(const std::string& name) const { return links_.at(name); }
+  /// In file order.
+  const std::vector<Joint>& joints() const noexcept { return joints_; }
   /// Null when it does not exist.
   const Joint* joint(const std::string& name) const;
   /// The joint that carries a link; null for the root.
