@@ -36,6 +36,13 @@ Pose pose_from_rpy(const Eigen::Vector3d& position, const Eigen::Vector3d& turns
   return frame;
 }
 
+Eigen::Vector3d rpy_of(const Eigen::Matrix3d& rotation) noexcept {
+  // any yaw is right where the pitch is +-pi/2: roll and pitch are those of the rotation that remains
+  const double yaw = std::atan2(rotation(1, 0), rotation(0, 0));
+  const Eigen::Matrix3d rest = Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()) * rotation;
+  return {std::atan2(-rest(1, 2), rest(1, 1)), std::atan2(-rest(2, 0), rest(0, 0)), yaw};
+}
+
 Twist rotate_twist(const Eigen::Matrix3d& rotation, const Twist& twist) noexcept {
   Twist result;
   result << rotation * twist.head<3>(), rotation * twist.tail<3>();

@@ -16,6 +16,10 @@ bool make_rigid(Pose& pose) noexcept;
 /// R = Rz(yaw) Ry(pitch) Rx(roll), as in URDF.
 Pose pose_from_rpy(const Eigen::Vector3d& position, const Eigen::Vector3d& turns) noexcept;
 
+/// Roll, pitch and yaw (rad) with which `pose_from_rpy` makes this rotation, within rounding for every rotation; where
+/// the pitch is +-pi/2, the yaw is one of those that are possible.
+Eigen::Vector3d rpy_of(const Eigen::Matrix3d& rotation) noexcept;
+
 /// The same twist of the same point in axes rotated by `rotation`: (R v, R w).
 Twist rotate_twist(const Eigen::Matrix3d& rotation, const Twist& twist) noexcept;
 
