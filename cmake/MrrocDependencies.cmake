@@ -22,6 +22,10 @@ if(MRROC_PANEL)
   target_link_libraries(mrroc_civetweb INTERFACE ${CIVETWEB})
 endif()
 find_package(tinyxml2 REQUIRED)
+find_package(assimp 5.2 REQUIRED)
+find_package(orocos_kdl REQUIRED) # sets variables only
+add_library(mrroc_kdl INTERFACE)
+target_link_libraries(mrroc_kdl INTERFACE ${orocos_kdl_LIBRARIES} Eigen3::Eigen)
 
 set(OpenGL_GL_PREFERENCE GLVND)
 find_package(OpenGL REQUIRED COMPONENTS EGL)
@@ -44,9 +48,6 @@ add_subdirectory(${MRROC_RUCKIG} ${CMAKE_BINARY_DIR}/ruckig EXCLUDE_FROM_ALL SYS
 # reference for our own kinematics in tests and benchmarks
 if(MRROC_TESTS OR MRROC_BENCH)
   find_package(urdfdom REQUIRED)
-  find_package(orocos_kdl REQUIRED) # sets variables only
-  add_library(mrroc_kdl INTERFACE)
-  target_link_libraries(mrroc_kdl INTERFACE ${orocos_kdl_LIBRARIES} Eigen3::Eigen)
 endif()
 if(MRROC_TESTS)
   find_package(GTest REQUIRED)

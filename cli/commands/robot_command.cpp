@@ -1,40 +1,63 @@
 #include "cli/commands/robot_command.hpp"
 
-#include <filesystem>
-#include <memory>
-#include <string>
+#include <unistd.h>
 
-#include "cli/robot/arm_report.hpp"
-#include "command/number_option.hpp"
-#include "command/print.hpp"
-#include "command/printable.hpp"
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/robot/robot_verbs.hpp"
+#include "config/resources.hpp"
 
 namespace mrroc::cli {
 
 namespace {
 
-struct ShownArm {
-  std::filesystem::path file;
-  std::string base, tip;
-  int postures = 2000;
-};
+constexpr const char* kProgram = "mrroc_robot";
+
+std::string robot_program() {
+  for (const std::filesystem::path& folder : config::program_directories())
+    if (const std::filesystem::path program = folder / kProgram; access(program.c_str(), X_OK) == 0)
+      return program.string();
+  throw std::runtime_error(std::string(kProgram) + " is not installed, expected it beside the programs of mrroc");
+}
+
+/// The words of a parsed verb.
+std::vector<std::string> words_of_verb(const CLI::App& verb) {
+  std::vector<std::string> words{verb.get_name()};
+  for (const CLI::Option* option : verb.get_options()) {
+    if (option->count() == 0) continue;
+    const std::string name = option->get_single_name();
+    for (const std::string& value : option->results()) {
+      if (option->get_positional()) continue;
+      words.push_back(option->get_expected_max() == 0 ? "--" + name : "--" + name + "=" + value);
+    }
+  }
+  words.emplace_back("--");
+  for (const CLI::Option* option : verb.get_options())
+    if (option->get_positional()) words.insert(words.end(), option->results().begin(), option->results().end());
+  return words;
+}
+
+[[noreturn]] void become_robot_program(const CLI::App& verb) {
+  std::vector<std::string> words = words_of_verb(verb);
+  words.insert(words.begin(), robot_program());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execv(arguments.front(), arguments.data());
+  throw std::runtime_error(words.front() + ": " + std::strerror(errno));
+}
 
 }  // namespace
 
-void add_robot_command(CLI::App& app, int& exit_code) {
-  CLI::App* const robot = app.add_subcommand("robot", "Look at the description of an arm");
-  robot->require_subcommand(1);
-  CLI::App* const show = robot->add_subcommand("show", "Show the axes, the inverse and the reach of an arm in a URDF");
-  auto arm = std::make_shared<ShownArm>();
-  show->add_option("FILE", arm->file, "URDF")->required();
-  show->add_option("--base", arm->base, "Link at the beginning of the arm; default: the root");
-  show->add_option("--tip", arm->tip, "Link at its end; default: the end of most axes");
-  command::add_number(*show, "--postures", arm->postures, 1, 1000000, "random postures of the check");
-  show->callback([arm, &exit_code] {
-    const edp::Urdf urdf = edp::Urdf::load(arm->file);
-    command::print(command::printable_lines(report_of(arm_of(urdf, arm->base, arm->tip), arm->postures)));
-    exit_code = 0;
-  });
+void add_robot_command(CLI::App& app, int&) {
+  CLI::App* const robot = app.add_subcommand("robot", "Make robot types of arms in URDFs, look at them, check them");
+  add_robot_verbs(*robot, {.add = [](const CLI::App& verb, const AddRequest&) { become_robot_program(verb); },
+                           .show = [](const CLI::App& verb, const ShowRequest&) { become_robot_program(verb); },
+                           .check = [](const CLI::App& verb, const CheckRequest&) { become_robot_program(verb); }});
 }
 
 }  // namespace mrroc::cli

@@ -91,7 +91,7 @@ UrdfArm arm_of(const Urdf& urdf, const std::string& base, const std::string& tip
     throw ConfigurationError(urdf.file(), urdf.line_of_link(to), "link " + in_quotes(to),
                              std::to_string(axes.size()) + " moving joints between it and link " + in_quotes(from),
                              "1 to " + std::to_string(kMaxJoints));
-  return {from, to, axes, kinematics::SerialChain(joints, fixed)};
+  return {from, to, axes, joints, fixed, kinematics::SerialChain(joints, fixed)};
 }
 
 }  // namespace mrroc::cli

@@ -10,8 +10,10 @@ namespace mrroc::cli {
 
 /// The arm in a URDF: the moving joints between two links, as a chain.
 struct UrdfArm {
-  std::string base, tip;               ///< links
-  std::vector<edp::Urdf::Joint> axes;  ///< from the base to the tip
+  std::string base, tip;                       ///< links
+  std::vector<edp::Urdf::Joint> axes;          ///< from the base to the tip
+  std::vector<kinematics::ChainJoint> joints;  ///< of the chain
+  Pose flange;                                 ///< the tip in the last joint's frame
   kinematics::SerialChain chain;
 };
 

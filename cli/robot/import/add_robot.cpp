@@ -1,0 +1,154 @@
+#include "cli/robot/import/add_robot.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "cli/robot/import/demo_files.hpp"
+#include "cli/robot/import/home.hpp"
+#include "cli/robot/import/import_checks.hpp"
+#include "cli/robot/import/names.hpp"
+#include "cli/robot/import/new_folder.hpp"
+#include "cli/robot/import/robot_mjcf.hpp"
+#include "cli/robot/import/robot_toml.hpp"
+#include "cli/robot/import/urdf_copy.hpp"
+#include "config/resources.hpp"
+#include "config/table.hpp"
+#include "config/text/message_text.hpp"
+
+namespace mrroc::cli {
+
+namespace fs = std::filesystem;
+using config::ConfigurationError;
+using config::in_quotes;
+
+namespace {
+
+constexpr double kArmatureOfInertia = 0.1, kLeastArmature = 1e-3;
+
+/// The type's name and folder. Throws for a name that is not one, a folder that exists, an installed type.
+fs::path target_of(const AddRequest& request, const std::string& type) {
+  if (type != type_name(type))
+    throw ConfigurationError(request.urdf, 0, "--name", in_quotes(type) + " is not the name of a type",
+                             "letters, digits and '_', first a letter");
+  const fs::path folder = fs::absolute(request.into.empty() ? config::user_share() / "robots" : request.into) / type;
+  if (fs::exists(folder) && !request.replace)
+    throw ConfigurationError(folder, 0, "", "exists", "another --name, or --replace");
+  const fs::path installed = config::type_file("robots", type, type + ".toml");
+  std::error_code none;
+  if (fs::is_regular_file(installed, none) && !fs::equivalent(installed.parent_path(), folder, none))
+    throw ConfigurationError(request.urdf, 0, "--name",
+                             in_quotes(type) + " is the type in " + installed.parent_path().string(), "another name");
+  return folder;
+}
+
+/// Inertia of rotor and gear, which no URDF has.
+std::map<std::string, double> armature_of(const std::vector<AxisLimits>& axes, const JointVector& inertia) {
+  std::map<std::string, double> armature;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    double largest = 0;
+    for (std::size_t j = 0; j < axes.size(); ++j)
+      if (axes[j].slides == axes[i].slides) largest = std::max(largest, inertia[static_cast<Eigen::Index>(j)]);
+    const double own = inertia[static_cast<Eigen::Index>(i)];
+    armature[axes[i].name] = std::max(kArmatureOfInertia * own, kLeastArmature * largest);
+  }
+  return armature;
+}
+
+/// One import: the parts in the order in which they are made.
+class Import {
+ public:
+  explicit Import(const AddRequest& request)
+      : request_(request),
+        findings_(request.urdf),
+        urdf_(edp::Urdf::load(request.urdf, edp::Urdf::Limits::optional)),
+        bodies_(read_urdf_bodies(request.urdf, findings_)),
+        arm_(arm_of(urdf_, request.base, request.tip)),
+        given_(request.limits.empty() ? LimitsFile() : LimitsFile::load(request.limits)),
+        type_(request.name.empty() ? type_name(bodies_.robot) : request.name),
+        target_(target_of(request, type_)),
+        axes_(limits_of_axes(urdf_, arm_, given_, request.accept_guesses, findings_)),
+        reach_(reach_of(arm_, axes_)) {
+    check_reach(arm_, urdf_, reach_, request.reach);
+    note_nearly_parallel(arm_, findings_);
+  }
+
+  std::string run() {
+    NewFolder folder(target_);
+    MeshPaths paths(request_.urdf, findings_);
+    MeshStore meshes(folder.path() / "meshes");
+    LinkShapes shapes(request_.urdf, length_of(arm_), paths, meshes, findings_);
+    const RobotMjcf mjcf(urdf_, bodies_, arm_, axes_, shapes, findings_);
+    const kinematics::ChainModel model = chain_model_of(arm_, axes_);
+    folder.write("demo.xml", demo_scene(type_, reach_));
+    const auto write_mjcf = [&](const MjcfExtras& extras) {
+      folder.write(type_ + ".xml", mjcf_header() + sim::write(mjcf.mjcf(type_, extras)).text);
+    };
+    const auto world = [&] {
+      return ArmWorld(folder.path() / "demo.xml", demo_height(reach_), folder.path() / (type_ + ".xml"), names());
+    };
+    MjcfExtras extras;
+    write_mjcf(extras);
+    ArmWorld draft = world();
+    extras.excluded = always_touching(axes_, draft);
+    const JointVector home = find_home(
+        model, axes_, [&](const JointVector& joints) { return is_free_around(joints, axes_, extras.excluded, draft); });
+    for (const BodyPair& pair : draft.contacts(home))
+      if (!pair.first.empty()) extras.excluded.insert(pair);
+    extras.armature = armature_of(axes_, draft.inertia(home));
+    note_pairs(extras);
+    write_mjcf(extras);
+    ArmWorld checked = world();
+    check_model(arm_, axes_, folder.path() / (type_ + ".xml"), checked);
+    folder.write(type_ + ".toml", robot_toml(type_, request_.urdf.filename().string(), arm_, axes_, home));
+    folder.write(type_ + ".urdf", urdf_copy(request_.urdf, shapes.files()));
+    folder.write("demo.toml", demo_deployment(type_, reach_));
+    folder.keep();
+    return report(model);
+  }
+
+ private:
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const AxisLimits& axis : axes_) names.push_back(axis.name);
+    return names;
+  }
+
+  std::string mjcf_header() const {
+    return "<!-- Made by mrroc robot add from " + plain_name(request_.urdf.filename().string()) +
+           ". Root \"base\" is the arm's base link. -->\n";
+  }
+
+  void note_pairs(const MjcfExtras& extras) {
+    for (const auto& [one, other] : extras.excluded)
+      findings_.guess("links that touch by design or at home do not collide", one + " and " + other, 0);
+    findings_.guess("inertia of rotor and gear: a tenth of the axis's inertia at home", "armature of all axes", 0);
+    findings_.guess("regulates = \"itself\", interface = \"position\", bandwidth = 20 Hz", "[drives]", 0);
+  }
+
+  std::string report(const kinematics::ChainModel& model) const {
+    std::string text = fmt::format("{}: {} axes from link {} to link {}, reach {:.3f} m\n", target_.string(),
+                                   axes_.size(), arm_.base, arm_.tip, reach_);
+    text += fmt::format("inverse: {}\n", model.closed_form()
+                                             ? fmt::format("closed form: {}", name_of(model.closed_form().structure()))
+                                             : std::string{"numeric, within the limits"});
+    text += findings_.text();
+    text += "next: mrroc run " + (target_ / "demo.toml").string() + "\n";
+    return text;
+  }
+
+  const AddRequest& request_;
+  Findings findings_;
+  edp::Urdf urdf_;
+  UrdfBodies bodies_;
+  UrdfArm arm_;
+  LimitsFile given_;
+  std::string type_;
+  fs::path target_;
+  std::vector<AxisLimits> axes_;
+  double reach_;
+};
+
+}  // namespace
+
+std::string add_robot(const AddRequest& request) { return Import(request).run(); }
+
+}  // namespace mrroc::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "cli/robot/type/type_files.hpp"
+
+namespace mrroc::cli {
+
+/// The worst difference between an arm's kinematics and that of others at random postures.
+struct TypeCheck {
+  static constexpr double kAllowed = 1e-9;  ///< m and rad
+  int postures = 0;
+  double kdl = 0, mujoco = 0;     ///< m and rad, the larger
+  double typical = 0, worst = 0;  ///< time of an inverse: median, largest, microseconds
+  int found = 0;                  ///< postures that the inverse finds from their poses and a posture nearby
+  bool passed() const noexcept { return kdl <= kAllowed && mujoco <= kAllowed; }
+};
+
+/// Compares the chain in the parameter file with KDL on the URDF and MuJoCo on the MJCF at `postures` random postures
+/// within the limits; computes as many inverses. Throws config::ConfigurationError: a file that cannot be used, a URDF
+/// with another number of axes.
+TypeCheck check_type(const ChainType& type, int postures);
+
+/// Lines for people.
+std::string text_of(const TypeCheck& check);
+
+}  // namespace mrroc::cli
