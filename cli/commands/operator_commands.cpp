@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -46,6 +47,9 @@ ExitCode execute(const OperatorVerb& verb, const GivenArguments& arguments) {
   std::map<std::string, std::string> given;
   for (const auto& [name, value] : arguments.values)
     if (!value.empty()) given.emplace(name, value);
+  for (const VerbArgument& argument : verb.arguments)  // the run has another working folder
+    if (const auto path = given.find(std::string{argument.name}); argument.file && path != given.end())
+      path->second = std::filesystem::absolute(path->second).string();
   const VerbReply reply = run.request(verb.name, given);
   const std::string name = run.deployment() + ": ";
   if (!reply.ok()) {

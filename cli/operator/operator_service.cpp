@@ -60,6 +60,7 @@ VerbReply OperatorService::execute(const OperatorClient& client, const VerbReque
                     "changes, robots, readings, world or all");
     return done("messages, questions and changes follow");
   }
+  if (verb == "record") return record(client, std::string{request.argument("file")});
   if (verb == "command") return take_command(client);
   if (verb == "release") {
     if (!holder_.release(client))
@@ -212,6 +213,21 @@ VerbReply OperatorService::report() const {
                         .processes = statuses_,
                         .questions = questions_});
   return reply;
+}
+
+/// No command: a watcher may record, and the trace stays the same.
+VerbReply OperatorService::record(const OperatorClient& client, const std::string& file) const try {
+  if (!record_) return not_now("this run cannot record", "");
+  VerbReply reply = done(record_(file));
+  if (events_ != nullptr) reply.tick = events_->tick();
+  const std::string text = "record by " + client.name + ": " + reply.text;
+  publish_(message_event(text), client.number == 0 ? "" : text);
+  return reply;
+} catch (const std::logic_error& nothing) {
+  return not_now(nothing.what(), "a task that has started, in a run without --black-box=");
+} catch (const std::runtime_error& error) {
+  return refuse(Refusal::invalid_argument, std::string{"file: "} + error.what(),
+                "a new file in a folder that can be written");
 }
 
 void OperatorService::leave(const OperatorClient& client) {

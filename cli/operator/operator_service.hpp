@@ -41,6 +41,11 @@ class OperatorService {
   /// The effect of `stop` while the processes are being started.
   void end_with(std::function<void()> end) { end_ = std::move(end); }
 
+  /// Writes the last steps of the tasks to this file for `record`, and returns what was written. Throws
+  /// std::logic_error when there is nothing to be written, std::runtime_error when the file cannot be written.
+  using Record = std::function<std::string(const std::string& file)>;
+  void record_with(Record record) { record_ = std::move(record); }
+
   /// Executes a request; calls `reply`, which may be empty, at once or from a later `poll`.
   void request(const OperatorClient& client, const VerbRequest& request, Reply reply);
   /// The client has disconnected: it gives command back and gets no more replies.
@@ -82,6 +87,7 @@ class OperatorService {
   void order_given(const OperatorEvents::Performed& performed, Pending pending);
   void take_answer(const RobotOrders::Answer& answer);
   VerbReply report() const;
+  VerbReply record(const OperatorClient& client, const std::string& file) const;
   /// Why the verb has no effect in the present phase; ok when it has one.
   VerbReply check_phase(std::string_view verb) const;
   void reply_to(const OperatorEvents::Performed& performed);
@@ -94,6 +100,7 @@ class OperatorService {
   Publish publish_ = [](const std::string&, const std::string&) {};
   Note note_;
   std::function<void()> end_ = [] {};
+  Record record_;
   CommandHolder holder_;
   std::map<std::uint64_t, Pending> pending_;  // by ticket
   std::map<std::string, Ordered> ordered_;    // by robot: the order without an answer so far

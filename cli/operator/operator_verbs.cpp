@@ -33,6 +33,8 @@ constexpr VerbArgument kRobotArguments[]{kRobot};
 constexpr VerbArgument kOutputArguments[]{
     kRobot, VerbArgument{"output", "0 to 15: a digital output; a0 to a7: an analogue one", true},
     VerbArgument{"value", "0 or 1 of a digital output; a number of an analogue one", true}};
+constexpr VerbArgument kRecordArguments[]{
+    VerbArgument{"file", "A file that does not exist; a relative path begins in the folder of the caller", true, true}};
 
 constexpr OperatorVerb kVerbs[]{
     OperatorVerb{
@@ -71,6 +73,8 @@ constexpr OperatorVerb kVerbs[]{
     OperatorVerb{"output", "Set one output of a robot's controller", "the output is set", kOutputArguments, true},
     OperatorVerb{"tool", "Change the tool frame to which poses of a robot refer", "the tool frame is changed",
                  kToolArguments, true},
+    OperatorVerb{"record", "Write the last steps of all tasks to a file, as a black box, while the run continues", "",
+                 kRecordArguments, false},
     OperatorVerb{
         "stop", "Bring the robots to rest and end the run", "the robots come to rest, then the run ends", {}, false},
     OperatorVerb{"estop",

@@ -11,6 +11,7 @@ struct VerbArgument {
   std::string_view name;
   std::string_view summary;
   bool required = true;
+  bool file = false;  ///< a path; a relative one is in the working folder of the client, at the socket of the run
 };
 
 /// A verb of the operator. The typed lines of a run, the commands `mrroc VERB`, the manual page, the completion and the

@@ -13,8 +13,8 @@ namespace mrroc::cli {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
-constexpr std::size_t kLongestValue = 256;  // of an argument, bytes
-constexpr int kDeepest = 8;                 // nesting of a request
+constexpr std::size_t kLongestValue = 256, kLongestPath = 4096;  // of an argument, bytes
+constexpr int kDeepest = 8;                                      // nesting of a request
 
 std::string_view trimmed(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
@@ -49,21 +49,29 @@ std::string members_of(const OperatorVerb& verb) {
 bool check_arguments(const VerbRequest& request, VerbReply& refusal) {
   for (const auto& [name, value] : request.arguments) {
     const auto named = [&name = name](const VerbArgument& argument) { return argument.name == name; };
-    if (std::none_of(request.verb->arguments.begin(), request.verb->arguments.end(), named)) {
+    const auto known = std::find_if(request.verb->arguments.begin(), request.verb->arguments.end(), named);
+    if (known == request.verb->arguments.end()) {
       refusal =
           refuse(Refusal::invalid_argument, std::string{request.verb->name} + ": unknown argument " + shown_word(name),
                  members_of(*request.verb));
       return false;
     }
-    if (value.empty() || value.size() > kLongestValue) {
+    const std::size_t longest = known->file ? kLongestPath : kLongestValue;
+    if (value.empty() || value.size() > longest) {
       refusal =
           refuse(Refusal::invalid_argument,
                  std::string{request.verb->name} + ": " + name + " has " + std::to_string(value.size()) + " bytes",
-                 "1 to " + std::to_string(kLongestValue));
+                 "1 to " + std::to_string(longest));
       return false;
     }
   }
   for (const VerbArgument& argument : request.verb->arguments) {
+    if (argument.file && request.argument(argument.name).find('\0') != std::string_view::npos) {
+      refusal = refuse(Refusal::invalid_argument,
+                       std::string{request.verb->name} + ": " + std::string{argument.name} + " contains a zero byte",
+                       "a path");
+      return false;
+    }
     if (!argument.required || request.arguments.contains(argument.name)) continue;
     refusal = refuse(Refusal::invalid_argument,
                      std::string{request.verb->name} + ": " + std::string{argument.name} + " is missing",

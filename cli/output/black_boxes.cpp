@@ -1,9 +1,15 @@
 #include "cli/output/black_boxes.hpp"
 
+#include <cstring>
+#include <map>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "cli/output/trace.hpp"
 #include "process/record/black_box_file.hpp"
+#include "process/record/claimed_file.hpp"
 
 namespace mrroc::cli {
 
@@ -54,6 +60,47 @@ std::string BlackBoxes::save_rest() const try {
   return text;
 } catch (const std::exception& failure) {
   return failure.what();
+}
+
+std::string BlackBoxes::record(const std::filesystem::path& path) const {
+  if (boxes_.empty()) throw std::logic_error("this run keeps no last steps");
+  std::map<std::string, std::vector<process::TextLine>> steps;
+  std::string names, elsewhere;
+  std::size_t count = 0;
+  for (const Box& box : boxes_) {
+    if (!box.last_steps) elsewhere += (elsewhere.empty() ? "" : ", ") + box.process;
+    std::vector<process::TextLine> lines = box.last_steps ? box.last_steps->lines() : std::vector<process::TextLine>{};
+    if (lines.empty()) continue;
+    names += (names.empty() ? "" : ", ") + box.process;
+    count += lines.size();
+    steps.emplace(box.process, std::move(lines));
+  }
+  if (count == 0) throw std::logic_error("no task on this machine has made a step");
+  const std::filesystem::path file = std::filesystem::absolute(path).lexically_normal();
+  write_steps(file, steps);
+  return std::to_string(count) + " steps of " + names +
+         (elsewhere.empty() ? "" : ", without those on other hosts: " + elsewhere) + "; black box: " + file.string();
+}
+
+void BlackBoxes::write_steps(const std::filesystem::path& path,
+                             const std::map<std::string, std::vector<process::TextLine>>& steps) const {
+  std::map<std::string, std::string> remarks;
+  std::map<std::string, std::vector<std::string_view>> lines;
+  for (const auto& [process, own] : steps) {
+    std::vector<std::string_view>& views = lines[process];
+    for (const process::TextLine& line : own) views.push_back(line.view());
+    std::string& remark = remarks[process] = process::black_box_remark(process, own);
+    remark.pop_back();  // its end
+    views.push_back(remark);
+  }
+  process::ClaimedFile file = process::ClaimedFile::create(path, "the black box");
+  const bool simulated = deployment_.clock != config::ClockMode::real;
+  int problem = file.write(process::black_box_header(deployment_, simulated) + merge_lines(lines));
+  if (const int at_close = file.close(); problem == 0) problem = at_close;
+  if (problem == 0) return;
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  throw std::runtime_error("cannot write the black box " + path.string() + ": " + std::strerror(problem));
 }
 
 }  // namespace mrroc::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,8 +12,8 @@
 namespace mrroc::cli {
 
 /// The black boxes of a run's tasks. A task that fails writes its own. The last steps of the others are in memory of
-/// the runner, which writes them when the run has failed as a whole. Those of a task on another host are in memory
-/// there, and its agent sends them at the end. Main thread.
+/// the runner, which writes them when the run has failed as a whole, or on the operator's request. Those of a task on
+/// another host are in memory there, and its agent sends them at the end. Main thread.
 class BlackBoxes {
  public:
   /// `folder` empty: none is written. References must outlive it. Throws SystemError(resources) without memory.
@@ -28,6 +29,11 @@ class BlackBoxes {
   /// Call it when all processes have ended. Writes the black boxes of the tasks that made a step but have not written
   /// their own. Returns a line for the operator that names the files; empty when there is none.
   std::string save_rest() const;
+  /// Writes the last steps of all tasks on this machine as one black box, while they run. The file must not exist; a
+  /// relative path is in the working folder. Returns "100 steps of arm, mp; black box: /PATH". Throws std::logic_error
+  /// when there is no step to be written, std::runtime_error when the file exists or cannot be written; then no file
+  /// remains.
+  std::string record(const std::filesystem::path& path) const;
 
  private:
   struct Box {
@@ -37,6 +43,8 @@ class BlackBoxes {
   };
   /// The file that the task itself has written; empty when there is none.
   std::filesystem::path written(const Box& box) const;
+  void write_steps(const std::filesystem::path& path,
+                   const std::map<std::string, std::vector<process::TextLine>>& steps) const;
 
   const std::filesystem::path folder_;
   const config::Deployment& deployment_;

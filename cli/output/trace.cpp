@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
 #include "core/number_text.hpp"
 #include "mrroc/fnv.hpp"
@@ -30,7 +31,7 @@ void take_off_extras(std::string& text, bool first) {
 }
 
 /// A line without a tick belongs to the line before, as does one with an older tick.
-std::uint64_t tick_of(const std::string& text, std::uint64_t before) {
+std::uint64_t tick_of(std::string_view text, std::uint64_t before) {
   constexpr std::string_view key = "tick=";
   std::uint64_t tick = before;
   if (text.starts_with(key)) std::from_chars(text.data() + key.size(), text.data() + text.size(), tick);
@@ -79,6 +80,18 @@ void merge_traces(const std::vector<std::filesystem::path>& parts, config::Clock
     text.clear();
   }
   write(text);
+}
+
+std::string merge_lines(const std::map<std::string, std::vector<std::string_view>>& processes) {
+  std::vector<std::pair<std::uint64_t, std::string_view>> lines;  // with the newest tick of their process so far
+  for (const auto& [process, own] : processes) {
+    std::uint64_t newest = 0;
+    for (const std::string_view line : own) lines.emplace_back(newest = tick_of(line, newest), line);
+  }
+  std::stable_sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::string text;
+  for (const auto& [tick, line] : lines) text.append(line).push_back('\n');
+  return text;
 }
 
 std::string hash_trace(const std::filesystem::path& trace) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,9 @@ using process::kTraceHeader;
 /// of text. Throws std::runtime_error when a part cannot be read, and any exception of `write`.
 void merge_traces(const std::vector<std::filesystem::path>& parts, config::ClockMode clock,
                   const std::function<void(std::string_view text)>& write);
+
+/// The same of lines in memory, by process, without a first line and without line ends: the joined text. Any thread.
+std::string merge_lines(const std::map<std::string, std::vector<std::string_view>>& processes);
 
 /// FNV-1a (64 bit) of all lines below the first, as 16 hexadecimal digits. Throws std::runtime_error when the file
 /// cannot be read or is not a trace.

@@ -63,6 +63,13 @@ void Browser::receive(std::string_view message) {
     publish(refusal(request, "read_only", "this browser may watch only", "the panel's other URL"));
     return;
   }
+  if (verb == "record") {  // a browser, perhaps on another machine, names no folder of this one
+    const auto file = request.find("file");
+    if (file != request.end() && file->is_string() && file->get<std::string>().find('/') != std::string::npos) {
+      publish(refusal(request, "invalid_argument", "file: a browser cannot choose the folder", "a name without '/'"));
+      return;
+    }
+  }
   if (verb == "jog") {
     const auto number = request.find("beat");
     if (number == request.end() || !number->is_number_integer() || !beat_.is_recent(number->get<std::int64_t>())) {

@@ -85,6 +85,8 @@ void Memory::take(const Line& line) {
     // an instruction with the same robot is over, even without an end in the trace
     std::erase_if(process.open, [&line](const auto& other) { return share_a_robot(line, other.second.before); });
   }
+  if (began_before(line))  // with several processes in a black box, another one may have commanded these robots before
+    for (const RobotEntry& robot : line.robots) robots[robot.name].answered = robots[robot.name].forced = false;
   if (!line.cut) remember_robots(line, before(line), *this, process);
   for (const SensorEntry& sensor : line.sensors) process.sensors[sensor.name] = sensor;
   if (line.ends()) {

@@ -18,7 +18,8 @@ test('TaskIsStartedPausedResumedAndStoppedByThePage', async () => {
   const [noted, trace] = [run.path('noted.toml'), run.path('live.trace')];
   const browser = await launch();
   try {
-    await run.start(PRESS, '--hold', '--clock', 'paced', '--note-events', noted, '--trace', trace);
+    const outputs = ['--note-events', noted, '--trace', trace, '--black-box=boxes'];
+    await run.start(PRESS, '--hold', '--clock', 'paced', ...outputs);
     const page = await open_panel(browser, run.url);
     await await_task_shown(page, 'held');
     assert.equal(await page.getAttribute('header [data-verb="pause"]', 'title'), 'The task has not started.');
@@ -30,6 +31,12 @@ test('TaskIsStartedPausedResumedAndStoppedByThePage', async () => {
     await press_verb(page, 'pause');
     await await_task_shown(page, 'paused');
     assert.equal(run.status_by_command().task, 'paused');
+    await page.click('#tab-messages');
+    await page.click('[data-verb="record"]:not([aria-disabled])');
+    await await_answer(page, `black box: ${run.folder}/press_`);
+    const [, recorded] = /black box: (\S+\.trace)/.exec(await page.textContent('#answer'));
+    await await_shown(page, '#messages .hint', recorded);
+    assert.match(run.command('trace', 'check', recorded).text, /rules hold/);
     await press_verb(page, 'resume');
     await await_answer(page, 'the task continues');
     await await_task_shown(page, 'running');

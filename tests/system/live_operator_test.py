@@ -1,6 +1,6 @@
 """A run that is operated while it runs: from other terminals, at its own terminal, through its socket.
 
-live_operator_test.py BUILD_FOLDER SOURCE_FOLDER
+live_operator_test.py BUILD_FOLDER SOURCE_FOLDER [LiveOperator.TEST ...]
 """
 
 import contextlib
@@ -200,8 +200,8 @@ class LiveOperator(unittest.TestCase):
         self.assertEqual(output_of("trace", "hash", self.trace), output_of("trace", "hash", again))
         output_of("trace", "check", self.trace)
 
-    def noting(self):
-        return ["--clock", "paced", "--note-events", self.noted, "--trace", self.trace, "--black-box="]
+    def noting(self, black_boxes=""):
+        return ["--clock", "paced", "--note-events", self.noted, "--trace", self.trace, f"--black-box={black_boxes}"]
 
     def test_run_is_held_started_paused_resumed_and_stopped_from_another_terminal(self):
         with LiveRun(self.folder, "--hold", *self.noting()) as run:
@@ -218,6 +218,37 @@ class LiveOperator(unittest.TestCase):
             self.assertEqual(run.end(), STOPPED)
         self.assertIn("no deployment", output_of("list"))
         self.expect_same_run_in_lockstep(STOPPED)
+
+    def test_last_steps_are_recorded_while_the_task_runs(self):
+        elsewhere = f"{self.folder}/elsewhere"
+        os.mkdir(elsewhere)
+        with LiveRun(self.folder, "--hold", *self.noting(f"{self.folder}/boxes"), cwd=self.folder) as run:
+            run.await_task("held")
+            self.assertIn("no task on this machine has made a step", output_of("record", "early.trace", code=1))
+            output_of("start")
+            run.await_state(lambda state: any(p["instruction"] == 2 for p in state["processes"]), "in motion")
+            holder = Client(self.folder)
+            self.assertTrue(holder.request(verb="command")["ok"])
+            command = [MRROC, "record", "client.trace"]
+            done = subprocess.run(command, cwd=elsewhere, capture_output=True, text=True, timeout=TIMEOUT, check=False)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(f"black box: {elsewhere}/client.trace [tick ", done.stdout)
+            reply = holder.request(verb="record", file="socket.trace")
+            self.assertIn(f"steps of arm; black box: {self.folder}/socket.trace", reply["text"])
+            reply = holder.request(verb="record", file="socket.trace")
+            self.assertEqual((reply["ok"], reply["reason"]), (False, "invalid_argument"))
+            self.assertIn("exists", reply["text"])
+            self.assertIn("No such file", output_of("record", f"{elsewhere}/no/such.trace", code=2))
+            holder.close()
+            self.assertEqual(run.end(), 0)
+            self.assertIn("record by holder", run.text().replace("python3", "holder"))
+        for file in (f"{elsewhere}/client.trace", f"{self.folder}/socket.trace"):
+            self.assertIn("rules hold", output_of("trace", "check", file))
+            whole = pathlib.Path(self.trace).read_text(encoding="utf-8").splitlines()
+            steps = [line for line in pathlib.Path(file).read_text(encoding="utf-8").splitlines() if line[0] != "#"]
+            self.assertGreater(len(steps), 10)
+            self.assertLessEqual(set(steps), set(whole))
+        self.expect_same_run_in_lockstep(0)
 
     def test_speed_is_changed_during_a_motion(self):
         with LiveRun(self.folder, *self.noting()) as run:
@@ -312,7 +343,8 @@ class LiveOperator(unittest.TestCase):
 
     def test_keys_and_typed_verbs_at_the_terminal(self):
         terminal, slave = pty.openpty()
-        run = subprocess.Popen([MRROC, "run", PRESS, *self.noting()], stdin=slave, stdout=slave, stderr=slave,
+        arguments = self.noting(f"{self.folder}/boxes")
+        run = subprocess.Popen([MRROC, "run", PRESS, *arguments], stdin=slave, stdout=slave, stderr=slave,
                                start_new_session=True, preexec_fn=lambda: __import__("fcntl").ioctl(0, 0x540E, 0))
         os.close(slave)
         shown = ""
@@ -333,7 +365,10 @@ class LiveOperator(unittest.TestCase):
         await_shown("did you mean 'status'?")
         os.write(terminal, b"sta")
         await_shown("> sta")
-        os.write(terminal, b"\x15help\r")
+        os.write(terminal, f"\x15record {self.folder}/typed.trace\r".encode())
+        await_shown("steps of arm; black box:")
+        self.assertIn("rules hold", output_of("trace", "check", f"{self.folder}/typed.trace"))
+        os.write(terminal, b"help\r")
         await_shown("Bring the robots to rest and end the run")
         os.write(terminal, b" ")
         await_shown("resume: the task continues")
@@ -527,4 +562,4 @@ class LiveOperator(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)

@@ -3,12 +3,13 @@ import type { Session } from '../session';
 import { time_text } from '../format/units';
 import { black_box_of, type Message } from './message_buffer';
 import type { MessageLog } from './message_log';
+import { record_button } from './record_button';
 
 const SHOWN = 400; // the page stays fast; the filter finds older ones
 
 /**
  * The messages of the run: filter, pause of the scrolling, copy. Hooks: `#messages`, `#filter`, `#follow`, `#copy`,
- * `[data-kind]`.
+ * `[data-verb="record"]`, `[data-kind]`.
  */
 export function message_pane(session: Session, log: MessageLog): { node: HTMLElement; update(): void } {
   const filter = element('input', {
@@ -19,6 +20,7 @@ export function message_pane(session: Session, log: MessageLog): { node: HTMLEle
   });
   const follow = button('Pause', { id: 'follow', 'aria-pressed': 'false', title: 'Keep the list as it is' });
   const copy = button('Copy', { id: 'copy', title: 'Copy the messages that are shown' });
+  const record = record_button(session);
   const hint = element('p', { class: 'hint' });
   const list = element('div', {
     id: 'message-list',
@@ -31,7 +33,7 @@ export function message_pane(session: Session, log: MessageLog): { node: HTMLEle
   const node = element(
     'div',
     { id: 'messages', class: 'pane' },
-    element('div', { class: 'toolbar' }, filter, follow, copy),
+    element('div', { class: 'toolbar' }, filter, follow, copy, record.node),
     hint,
     list,
   );
@@ -52,7 +54,8 @@ export function message_pane(session: Session, log: MessageLog): { node: HTMLEle
     const file = black_box_of(message.text);
     if (file === '') return;
     set_hidden(hint, false);
-    set_text(hint, `Black box: ${file}, in the folder of the run. It is checked with: mrroc trace check ${file}`);
+    const where = file.startsWith('/') ? file : `${file}, in the folder of the run`;
+    set_text(hint, `Black box: ${where}. It is checked with: mrroc trace check ${file}`);
   };
   const refresh = () => {
     const messages = log.buffer.newest(filter.value, SHOWN);
@@ -67,6 +70,7 @@ export function message_pane(session: Session, log: MessageLog): { node: HTMLEle
     list.scrollTop = list.scrollHeight;
   };
   const update = () => {
+    record.update();
     const last = log.buffer.last;
     if (last === shown && filter.value === filtered) return;
     for (const message of log.buffer.newest('black box', 1)) show_hint(message);

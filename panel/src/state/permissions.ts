@@ -18,6 +18,7 @@ export function refusal_of(verb: string, now: Situation): string {
   if (now.ended) return 'The run has ended.';
   if (!now.connected) return 'The connection to the panel is lost.';
   if (!now.may_command) return 'This address is for watching only.';
+  if (verb === 'record') return ['starting', 'held'].includes(now.task) ? 'No task has made a step.' : '';
   if (verb === 'release') return now.commander === now.client ? '' : 'This browser does not hold command.';
   if (verb === 'command') return now.commander === now.client ? 'This browser holds command.' : '';
   if (!EVERYBODYS.has(verb) && now.commander !== null && now.commander !== now.client)

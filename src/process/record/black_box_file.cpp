@@ -1,12 +1,8 @@
 #include "process/record/black_box_file.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 
 #include "process/record/claimed_file.hpp"
@@ -21,17 +17,6 @@ namespace {
 const char* clock_of(const config::Deployment& deployment, bool simulated) noexcept {
   if (!simulated) return "real";
   return deployment.clock == config::ClockMode::paced ? "paced" : "lockstep";
-}
-
-/// Returns 0, or the errno of the write that failed.
-int write_all(int fd, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t size = ::write(fd, text.data(), text.size());
-    if (size < 0 && errno == EINTR) continue;
-    if (size <= 0) return size < 0 ? errno : EIO;
-    text.remove_prefix(static_cast<std::size_t>(size));
-  }
-  return 0;
 }
 
 }  // namespace
@@ -56,16 +41,24 @@ std::uint64_t write_black_box(const std::filesystem::path& folder, const std::ve
   std::filesystem::create_directories(folder, ignored);
   const auto name = [&](std::uint64_t number) { return black_box_path(folder, deployment, process, number); };
   ClaimedFile file = ClaimedFile::create(name, "the black box");
-  std::string text = std::string{kTraceHeader} + clock_of(deployment, simulated) + std::string{kBlackBoxMark} + "\n";
+  std::string text = black_box_header(deployment, simulated);
   for (const TextLine& line : lines) text.append(line.view()).append("\n");
-  const auto cut = std::count_if(lines.begin(), lines.end(), [](const TextLine& line) { return line.cut(); });
-  text += "# process=" + process + " lines=" + std::to_string(lines.size()) + " dropped=0 cut=" + std::to_string(cut) +
-          "\n";
-  int problem = write_all(file.fd(), text);
+  text += black_box_remark(process, lines);
+  int problem = file.write(text);
   if (const int at_close = file.close(); problem == 0) problem = at_close;
   if (problem == 0) return file.number();
   std::filesystem::remove(file.path(), ignored);
   throw std::runtime_error("cannot write the black box " + file.path().string() + ": " + std::strerror(problem));
+}
+
+std::string black_box_header(const config::Deployment& deployment, bool simulated) {
+  return std::string{kTraceHeader} + clock_of(deployment, simulated) + std::string{kBlackBoxMark} + "\n";
+}
+
+std::string black_box_remark(const std::string& process, const std::vector<TextLine>& lines) {
+  const auto cut = std::count_if(lines.begin(), lines.end(), [](const TextLine& line) { return line.cut(); });
+  return "# process=" + process + " lines=" + std::to_string(lines.size()) + " dropped=0 cut=" + std::to_string(cut) +
+         "\n";
 }
 
 }  // namespace mrroc::process

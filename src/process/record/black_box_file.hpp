@@ -26,4 +26,8 @@ std::uint64_t write_black_box(const std::filesystem::path& folder, const BlackBo
 std::uint64_t write_black_box(const std::filesystem::path& folder, const std::vector<TextLine>& lines,
                               const config::Deployment& deployment, const std::string& process, bool simulated);
 
+/// The parts of such a file: its first line, and the remark below the lines of a process; both with their ends.
+std::string black_box_header(const config::Deployment& deployment, bool simulated);
+std::string black_box_remark(const std::string& process, const std::vector<TextLine>& lines);
+
 }  // namespace mrroc::process

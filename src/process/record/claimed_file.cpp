@@ -22,6 +22,7 @@ namespace mrroc::process {
 namespace {
 
 constexpr int kToWrite = O_WRONLY | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+constexpr int kNew = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
 constexpr mode_t kMode = 0666;
 constexpr std::uint64_t kMostNumbers = 1'000'000;
 
@@ -126,15 +127,20 @@ ClaimedFile ClaimedFile::create(const std::function<std::filesystem::path(std::u
   for (std::uint64_t number = 1;; ++number) {
     file.path_ = name(number);
     file.number_ = number;
-    file.fd_ = file.lock_ = ::open(file.path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+    file.fd_ = file.lock_ = ::open(file.path_.c_str(), kNew, kMode);
     if (file.fd_ >= 0) break;
     if (errno != EEXIST || number == kMostNumbers) file.refuse(what, std::strerror(errno));
   }
-  struct stat status {};
-  if (fstat(file.fd_, &status) != 0) file.refuse(what, std::strerror(errno));
-  file.mode_ = status.st_mode;
-  file.identity_ = process::identity_of(file.fd_);
-  file.lock(what);
+  file.take_created(what);
+  return file;
+}
+
+ClaimedFile ClaimedFile::create(const std::filesystem::path& path, const std::string& what) {
+  ClaimedFile file;
+  file.path_ = path;
+  file.fd_ = file.lock_ = ::open(path.c_str(), kNew, kMode);
+  if (file.fd_ < 0) file.refuse(what, errno == EEXIST ? "is a file that exists" : std::strerror(errno));
+  file.take_created(what);
   return file;
 }
 
@@ -160,6 +166,14 @@ ClaimedFile::ClaimedFile(ClaimedFile&& other) noexcept
       mode_(other.mode_),
       identity_(other.identity_) {}
 
+void ClaimedFile::take_created(const std::string& what) {
+  struct stat status {};
+  if (fstat(fd_, &status) != 0) refuse(what, std::strerror(errno));
+  mode_ = status.st_mode;
+  identity_ = process::identity_of(fd_);
+  lock(what);
+}
+
 void ClaimedFile::lock(const std::string& what) {
   if (S_ISCHR(mode_) || S_ISSOCK(mode_)) return;
   while (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
@@ -180,6 +194,16 @@ void ClaimedFile::refuse(const std::string& what, const std::string& why) {
 }
 
 bool ClaimedFile::in_place() const noexcept { return process::identity_of(path_) == identity_; }
+
+int ClaimedFile::write(std::string_view text) const noexcept {
+  while (!text.empty()) {
+    const ssize_t size = ::write(fd_, text.data(), text.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) return size < 0 ? errno : EIO;
+    text.remove_prefix(static_cast<std::size_t>(size));
+  }
+  return 0;
+}
 
 int ClaimedFile::close() noexcept {
   if (lock_ >= 0 && lock_ != fd_) ::close(lock_);

@@ -8,6 +8,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace mrroc::process {
 
@@ -38,6 +39,8 @@ class ClaimedFile {
   /// Creates the first of `name(1)`, `name(2)`, ... that does not exist. Throws std::runtime_error when this fails.
   static ClaimedFile create(const std::function<std::filesystem::path(std::uint64_t number)>& name,
                             const std::string& what);
+  /// Creates this file. Throws std::runtime_error when it exists or cannot be created.
+  static ClaimedFile create(const std::filesystem::path& path, const std::string& what);
   /// A folder that exists: the caller must separate the files that are written into it under other names.
   static ClaimedFile folder(std::filesystem::path path, const std::string& what);
   ~ClaimedFile();
@@ -56,11 +59,14 @@ class ClaimedFile {
   mode_t mode() const noexcept { return mode_; }
   /// Whether the path still leads to this file: it has not been removed or replaced.
   bool in_place() const noexcept;
+  /// Writes the whole text. Returns 0, or the errno.
+  int write(std::string_view text) const noexcept;
   /// Closes it, which may be when a file system reports a full disk. Returns 0, or the errno.
   int close() noexcept;
 
  private:
   ClaimedFile() = default;
+  void take_created(const std::string& what);
   void lock(const std::string& what);
   [[noreturn]] void refuse(const std::string& what, const std::string& why);
 

@@ -26,6 +26,8 @@ struct SharedBlackBox::Memory {
 
 namespace {
 
+constexpr int kAttempts = 100;  // to copy the newest line while the process records
+
 [[noreturn]] void refuse(const std::string& what) {
   throw SystemError(ErrorCode::resources, "memory of a black box: " + what);
 }
@@ -69,7 +71,8 @@ SharedBlackBox::SharedBlackBox(SharedBlackBox&& other) noexcept
 
 void SharedBlackBox::record(const TextLine& line) noexcept {
   memory_->lines[memory_->written.load(std::memory_order_relaxed) % memory_->lines.size()] = line;
-  memory_->written.fetch_add(1, std::memory_order_release);
+  // also before the next line: a reader detects by it that the line is being replaced
+  memory_->written.fetch_add(1, std::memory_order_acq_rel);
 }
 
 void SharedBlackBox::note_file(std::uint64_t number) noexcept { memory_->file.store(number); }
@@ -79,10 +82,21 @@ std::uint64_t SharedBlackBox::file() const noexcept { return memory_->file.load(
 std::size_t SharedBlackBox::memory_size() noexcept { return sizeof(Memory); }
 
 std::vector<TextLine> SharedBlackBox::lines() const {
-  const std::uint64_t written = memory_->written.load(std::memory_order_acquire);
   std::vector<TextLine> found;
-  for (std::uint64_t i = written - std::min<std::uint64_t>(written, BlackBox::kSteps); i < written; ++i)
-    found.push_back(memory_->lines[i % memory_->lines.size()]);
+  for (int attempt = 0; found.empty() && attempt < kAttempts; ++attempt) {
+    const std::uint64_t written = memory_->written.load(std::memory_order_acquire);
+    const std::uint64_t kept = std::min<std::uint64_t>(written, BlackBox::kSteps);
+    // the newest first: it is replaced last
+    for (std::uint64_t age = 1; age <= kept; ++age) {
+      found.push_back(memory_->lines[(written - age) % memory_->lines.size()]);
+      const std::uint64_t now = memory_->written.fetch_add(0, std::memory_order_acq_rel);  // not before the copy
+      if (now - (written - age) < memory_->lines.size()) continue;
+      found.pop_back();  // it and the older ones are being replaced
+      break;
+    }
+    if (written == 0) break;
+  }
+  std::reverse(found.begin(), found.end());
   return found;
 }
 

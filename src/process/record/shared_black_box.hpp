@@ -33,8 +33,8 @@ class SharedBlackBox {
   /// Bytes of memory of each.
   static std::size_t memory_size() noexcept;
 
-  /// The last complete lines, at most BlackBox::kSteps, the oldest first. Any thread, after the writing process has
-  /// ended.
+  /// The last complete lines, at most BlackBox::kSteps, the oldest first. While the process records, lines that it
+  /// replaces meanwhile are left out: those that remain are whole, without a gap. Any thread; never delays the process.
   std::vector<TextLine> lines() const;
 
  private:

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "cli/trace/trace_text.hpp"
 
@@ -22,6 +23,33 @@ TEST(BlackBoxOfATrace, EveryPartOfATraceKeepsTheRules) {
                                                        << box.text();
         }
       }
+    }
+  }
+}
+
+/// The end of each process's part, of its own length: between them, lines of the other one may be missing.
+TEST(BlackBoxOfATrace, TheLastLinesOfSeveralProcessesKeepTheRules) {
+  const TraceText whole = example_trace();
+  const std::size_t arm = line_count(whole, "arm"), mp = line_count(whole, "mp");
+  for (std::size_t of_arm = 0; of_arm <= arm; ++of_arm) {
+    for (std::size_t of_mp = 0; of_mp <= mp; ++of_mp) {
+      std::map<std::string, std::size_t> skipped{{"arm", arm - of_arm}, {"mp", mp - of_mp}};
+      TraceText box;
+      box.clock = "lockstep black_box";
+      for (const Item& item : whole.items) {
+        if (std::holds_alternative<Line>(item)) {
+          std::size_t& left_out = skipped[std::get<Line>(item).process];
+          if (left_out > 0)
+            --left_out;
+          else
+            box.items.push_back(item);
+          continue;
+        }
+        Remark remark = std::get<Remark>(item);
+        remark.lines = remark.process == "arm" ? of_arm : of_mp;
+        box.items.emplace_back(remark);
+      }
+      ASSERT_EQ(check_text(box.text()).text(), "") << of_arm << " of arm, " << of_mp << " of mp\n" << box.text();
     }
   }
 }

@@ -34,7 +34,8 @@ export class LiveRun {
 
   /** `mrroc run FILE ...` with a panel; its URLs are `this.url` and `this.watch_url`. */
   async start(file, ...options) {
-    this.process = this.#spawn('run', ['run', file, '--panel', '0', '--black-box=', ...options]);
+    const black_boxes = options.some((option) => option.startsWith('--black-box')) ? [] : ['--black-box='];
+    this.process = this.#spawn('run', ['run', file, '--panel', '0', ...black_boxes, ...options]);
     this.exit = new Promise((resolve) => this.process.once('exit', (code) => resolve(code)));
     [this.url, this.watch_url] = await this.#urls('run');
     return this;

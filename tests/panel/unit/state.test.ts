@@ -24,6 +24,13 @@ test('StopsAreEverybodysAndOtherVerbsTheHolders', () => {
   assert.equal(refusal_of('pause', { ...SITUATION, commander: 'panel 1' }), '');
 });
 
+test('TheLastStepsAreRecordedWithoutCommand', () => {
+  assert.equal(refusal_of('record', { ...SITUATION, commander: 'panel 2' }), '');
+  assert.match(refusal_of('record', { ...SITUATION, task: 'held' }), /No task has made a step/);
+  assert.match(refusal_of('record', { ...SITUATION, may_command: false }), /watching only/);
+  assert.equal(black_box_of('record: 90 steps of arm; black box: /home/lab/press_120.trace'), '/home/lab/press_120.trace');
+});
+
 test('VerbsOfTheTaskDependOnItsState', () => {
   assert.equal(refusal_of('start', { ...SITUATION, task: 'held' }), '');
   assert.match(refusal_of('start', SITUATION), /has started/);

@@ -49,7 +49,8 @@ TEST(SharedBlackBox, OutlivesAProcessThatIsKilledWhileItRecords) {
       SharedBlackBox there = SharedBlackBox::attach(here.fd());
       for (std::uint64_t number = 0;; ++number) there.record(line_of(number));
     }
-    while (here.lines().size() < BlackBox::kSteps) usleep(100);
+    for (std::vector<TextLine> lines; lines.empty() || number_of(lines.back()) < BlackBox::kSteps; lines = here.lines())
+      usleep(100);
     usleep(static_cast<useconds_t>(100 * i));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
@@ -58,6 +59,28 @@ TEST(SharedBlackBox, OutlivesAProcessThatIsKilledWhileItRecords) {
     const std::uint64_t first = number_of(lines.front());
     for (std::size_t k = 0; k < lines.size(); ++k) ASSERT_EQ(number_of(lines[k]), first + k);
   }
+}
+
+TEST(SharedBlackBox, LinesOfAProcessThatRecordsAreWholeAndWithoutAGap) {
+  const SharedBlackBox here = SharedBlackBox::create();
+  const pid_t child = fork();
+  if (child == 0) {
+    SharedBlackBox there = SharedBlackBox::attach(here.fd());
+    for (std::uint64_t number = 0;; ++number) there.record(line_of(number));
+  }
+  std::uint64_t newest = 0, several = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const std::vector<TextLine> lines = here.lines();
+    several += lines.size() > 1 ? 1 : 0;
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      ASSERT_EQ(number_of(lines[k]), number_of(lines.front()) + k) << "copy " << i;
+    if (lines.empty()) continue;  // it had not begun
+    ASSERT_GE(number_of(lines.back()), newest);
+    newest = number_of(lines.back());
+  }
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  EXPECT_GT(several, 100U);
 }
 
 TEST(SharedBlackBox, CorruptedMemoryIsReadWithinItsBounds) {
