@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
        .check =
            [&passed](const CLI::App&, const cli::CheckRequest& request) {
              const auto check = check_type(cli::load_chain_type(request.type), request.postures);
-             mrroc::command::print(text_of(check));
+             mrroc::command::print(check_report(check));
              passed = check.passed();
            }});
   try {

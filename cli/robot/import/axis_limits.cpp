@@ -51,7 +51,7 @@ class LimitFinder {
   void check() const {
     if (accept_guesses_ || missing_.empty()) return;
     throw ConfigurationError(urdf_.file(), first_line_, first_key_,
-                             "is missing, as in every URDF, for " + missing_ + " (in brackets: guesses)",
+                             "is missing; missing limits with guesses in brackets: " + missing_,
                              "them in --limits FILE, or --accept-guesses");
   }
 

@@ -64,8 +64,7 @@ void LinkShapes::add_shape(const UrdfBody& body, const UrdfShape& shape, Use use
   if (use != Use::colliding && shape.colour) attributes.emplace_back("rgba", mjcf_numbers(*shape.colour));
   link.geoms.push_back(mjcf_element("geom", attributes));
   const Eigen::AlignedBox3d box = box_of(shape);
-  check_size(body, shape, box);
-  link.box.extend(box.transformed(shape.origin));
+  if (has_size_of_arm(body, shape, box)) link.box.extend(box.transformed(shape.origin));
 }
 
 void LinkShapes::add_mesh(const UrdfBody& body, const UrdfShape& shape, Use use, Link& link) {
@@ -84,17 +83,17 @@ void LinkShapes::add_mesh(const UrdfBody& body, const UrdfShape& shape, Use use,
     whole.extend(
         Eigen::AlignedBox3d(part.box).transformed(Eigen::Affine3d(Eigen::Scaling(Eigen::Vector3d(shape.scale)))));
   }
-  check_size(body, shape, whole);
-  link.box.extend(whole.transformed(shape.origin));
+  if (has_size_of_arm(body, shape, whole)) link.box.extend(whole.transformed(shape.origin));
 }
 
-void LinkShapes::check_size(const UrdfBody& body, const UrdfShape& shape, const Eigen::AlignedBox3d& box) {
+bool LinkShapes::has_size_of_arm(const UrdfBody& body, const UrdfShape& shape, const Eigen::AlignedBox3d& box) {
   const double ratio = box.sizes().maxCoeff() / std::max(arm_length_, kShortestArm);
-  if (ratio < kMuchLarger) return;
+  if (ratio < kMuchLarger) return true;
   findings_.warn("the shape is " + config::number_text(std::round(ratio)) +
                      " times as large as the arm is long: check the scale of the mesh" +
                      (ratio > kThousand ? ", perhaps millimetres: scale=\"0.001 0.001 0.001\"" : ""),
                  "link '" + body.name + "'", shape.line);
+  return false;
 }
 
 std::string LinkShapes::asset_of(const MeshPart& part, const Eigen::Vector3d& scale) {

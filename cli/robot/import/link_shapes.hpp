@@ -30,7 +30,7 @@ class LinkShapes {
 
   /// The geoms of a link that was added, in the link's frame.
   const std::vector<sim::Element>& geoms(const std::string& link) const { return links_.at(link).geoms; }
-  /// The box around the link's colliding shapes, without those around its visible ones; empty: no shapes.
+  /// The box around the link's colliding shapes, else its visible ones; empty: no shapes, or they are too large.
   const Eigen::AlignedBox3d& box(const std::string& link) const { return links_.at(link).box; }
   /// The elements `mesh` of the section `asset`.
   const std::vector<sim::Element>& assets() const noexcept { return assets_; }
@@ -45,7 +45,7 @@ class LinkShapes {
   enum class Use { visible, colliding, both };
   void add_shape(const UrdfBody& body, const UrdfShape& shape, Use use, Link& link);
   void add_mesh(const UrdfBody& body, const UrdfShape& shape, Use use, Link& link);
-  void check_size(const UrdfBody& body, const UrdfShape& shape, const Eigen::AlignedBox3d& box);
+  bool has_size_of_arm(const UrdfBody& body, const UrdfShape& shape, const Eigen::AlignedBox3d& box);
   std::string asset_of(const MeshPart& part, const Eigen::Vector3d& scale);
 
   std::filesystem::path urdf_;

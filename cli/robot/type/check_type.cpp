@@ -73,7 +73,7 @@ TypeCheck check_type(const ChainType& type, int postures) {
   return check;
 }
 
-std::string text_of(const TypeCheck& check) {
+std::string check_report(const TypeCheck& check) {
   std::string text = fmt::format("{} random postures within the limits\n", check.postures);
   text += fmt::format("{:<28} {:.1e} m or rad\n", "worst difference to KDL", check.kdl);
   text += fmt::format("{:<28} {:.1e} m or rad\n", "worst difference to MuJoCo", check.mujoco);

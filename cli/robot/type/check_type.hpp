@@ -22,6 +22,6 @@ struct TypeCheck {
 TypeCheck check_type(const ChainType& type, int postures);
 
 /// Lines for people.
-std::string text_of(const TypeCheck& check);
+std::string check_report(const TypeCheck& check);
 
 }  // namespace mrroc::cli

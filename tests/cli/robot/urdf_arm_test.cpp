@@ -6,7 +6,7 @@
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <random>
 
-#include "cli/robot/arm_report.hpp"
+#include "cli/robot/type/show_arm.hpp"
 #include "config/table.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
@@ -125,13 +125,17 @@ TEST_F(UrdfArmTest, RefusesWhatIsNoArm) {
 }
 
 /// The IRb-6 has a wrist whose axes meet behind parallel ones; its own limits are those of the report.
-TEST_F(UrdfArmTest, ReportNamesStructureAndReach) {
-  const UrdfArm arm = arm_of(Urdf::load(kRobots / "irb6/irb6.urdf"), "", "flange");
-  const std::string report = report_of(arm, 200);
+TEST(ShowArm, NamesStructureReachAndSingularities) {
+  ShowRequest request;
+  request.arm = kRobots / "irb6/irb6.urdf";
+  request.tip = "flange";
+  request.postures = 200;
+  const std::string report = show_arm(request);
   std::printf("%s", report.c_str());
   EXPECT_NE(report.find("6 axes from link "), std::string::npos);
+  EXPECT_NE(report.find("singular                     with wrist_roll at "), std::string::npos);
   EXPECT_NE(report.find("200 of 200 random poses within the limits are found"), std::string::npos);
-  EXPECT_EQ(report, report_of(arm, 200));
+  EXPECT_EQ(report, show_arm(request));
 }
 
 }  // namespace

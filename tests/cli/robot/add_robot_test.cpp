@@ -1,0 +1,191 @@
+#include "cli/robot/import/add_robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <sstream>
+
+#include "cli/robot/type/check_type.hpp"
+#include "cli/robot/urdf_arm.hpp"
+#include "config/table.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
+#include "robots/arm/arm_model.hpp"
+#include "text_of.hpp"
+
+namespace mrroc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using test::text_of;
+
+const fs::path kSpoilt = MRROC_SOURCE_DIR "/tests/cli/robot/spoilt";
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class AddRobot : public testing::Test {
+ protected:
+  AddRequest request(const fs::path& urdf) const {
+    AddRequest request;
+    request.urdf = urdf;
+    request.into = folder_ / "robots";
+    return request;
+  }
+  /// The report; the message of the error.
+  static std::string result_of(const AddRequest& request) {
+    try {
+      return add_robot(request);
+    } catch (const config::ConfigurationError& error) {
+      return error.what();
+    }
+  }
+  task_test::ScratchFolder folder_;
+};
+
+/// Line 1 of every file in spoilt/ has options, line 2 the text that the report or the error contains, or a file that
+/// is written.
+class SpoiltUrdf : public AddRobot, public testing::WithParamInterface<std::string> {
+ protected:
+  static std::string comment(const std::string& text, const std::string& key) {
+    const std::size_t begin = text.find("<!-- " + key + ": ") + key.size() + 7;
+    return text.substr(begin, text.find(" -->", begin) - begin);
+  }
+};
+
+TEST_P(SpoiltUrdf, IsRefusedOrWarnedOf) {
+  const fs::path urdf = kSpoilt / (GetParam() + ".urdf");
+  const std::string text = text_of(urdf), expected = comment(text, "expect");
+  AddRequest add = request(urdf);
+  std::istringstream options(comment(text, "options"));
+  for (std::string word; options >> word;) {
+    if (word == "guesses") add.accept_guesses = true;
+    if (word.starts_with("reach=")) add.reach = std::stod(word.substr(6));
+    if (word.starts_with("tip=")) add.tip = word.substr(4);
+  }
+  const std::string result = result_of(add);
+  const bool added = fs::exists(add.into / GetParam());
+  EXPECT_EQ(added,
+            expected.starts_with("warning: ") || expected.starts_with("guessed: ") || expected.starts_with("file: "));
+  if (expected.starts_with("file: ")) {
+    EXPECT_TRUE(fs::exists(add.into / GetParam() / expected.substr(6)));
+  } else {
+    EXPECT_NE(result.find(expected), std::string::npos) << result;
+  }
+  // complete, or nothing at all
+  if (fs::exists(add.into)) {
+    EXPECT_EQ(names_in(add.into).size(), added ? 1U : 0U);
+  }
+}
+
+std::vector<std::string> spoilt_files() {
+  std::vector<std::string> names;
+  for (const std::string& name : names_in(kSpoilt))
+    if (name.ends_with(".urdf")) names.push_back(fs::path(name).stem().string());
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(Files, SpoiltUrdf, testing::ValuesIn(spoilt_files()),
+                         [](const auto& each) { return each.param; });
+
+TEST_F(AddRobot, WritesACompleteType) {
+  AddRequest add = request(kSpoilt / "dae_collision.urdf");
+  add.accept_guesses = true;
+  const std::string report = add_robot(add);
+  const fs::path type = add.into / "dae_collision";
+  EXPECT_EQ(names_in(type), (std::vector<std::string>{"dae_collision.toml", "dae_collision.urdf", "dae_collision.xml",
+                                                      "demo.toml", "demo.xml", "meshes"}));
+  EXPECT_NE(report.find("next: mrroc run " + (type / "demo.toml").string()), std::string::npos);
+  EXPECT_NE(text_of(type / "dae_collision.urdf").find("filename=\"meshes/cube.stl\""), std::string::npos);
+  EXPECT_NE(text_of(type / "dae_collision.toml").find("velocity_max = 2.0  # URDF line "), std::string::npos);
+}
+
+/// irb6 and irb60 have models that were written by hand.
+TEST_F(AddRobot, HasTheKinematicsOfTheUrdf) {
+  std::mt19937_64 random(1);
+  std::printf("seed 1\n");
+  for (const std::string name : {"irb6", "irb60"}) {
+    AddRequest add = request(fs::path(MRROC_SOURCE_DIR "/robots") / name / (name + ".urdf"));
+    add.name = name + "_again";
+    add.tip = "flange";
+    add.accept_guesses = true;
+    add_robot(add);
+    const edp::Urdf urdf = edp::Urdf::load(add.urdf);
+    const UrdfArm arm = arm_of(urdf, "", "flange");
+    const RobotModels models = load_arm(add.into / add.name / (add.name + ".toml"));
+    for (int round = 0; round < 1000; ++round) {
+      JointVector joints(arm.chain.size());
+      edp::Urdf::Positions positions;
+      for (int i = 0; i < joints.size(); ++i) {
+        joints[i] = std::uniform_real_distribution(-3.0, 3.0)(random);
+        positions[arm.axes[static_cast<std::size_t>(i)].name] = joints[i];
+      }
+      const Pose expected = urdf.pose("flange", positions);
+      ASSERT_LT((models.front()->flange(joints).matrix() - expected.matrix()).cwiseAbs().maxCoeff(), 1e-12);
+    }
+  }
+}
+
+TEST_F(AddRobot, TakesLimitsFromAFile) {
+  AddRequest add = request(kSpoilt / "acceleration.urdf");
+  add.limits = folder_.write("limits.toml",
+                             "[all]\nacceleration_max = 4.0\njerk_max = 40.0\n[axes.lift]\njerk_max = 30.0\n"
+                             "position_min = -1.0\n");
+  add_robot(add);
+  const std::string text = text_of(add.into / "acceleration/acceleration.toml");
+  EXPECT_NE(text.find("acceleration_max = 4.0  # given: limits.toml line 2"), std::string::npos) << text;
+  EXPECT_NE(text.find("jerk_max = 30.0  # given: limits.toml line 5"), std::string::npos);
+  EXPECT_NE(text.find("position_min = -1.0  # given: limits.toml line 6"), std::string::npos);
+}
+
+TEST_F(AddRobot, RefusesInvalidLimits) {
+  AddRequest add = request(kSpoilt / "acceleration.urdf");
+  for (const auto& [text, expected] :
+       {std::pair{"[axes.lft]\njerk_max = 1.0\n", "limits.toml:1: axes.lft: no axis 'lft', expected perhaps 'lift'"},
+        {"[all]\njerk = 1.0\n", "limits.toml:2: all.jerk: "},
+        {"[all]\njerk_max = 0.0\n", "limits.toml:2: all.jerk_max: 0 is not positive"},
+        {"[all]\nposition_min = 1.0\nposition_max = 0.5\n", "limits.toml:3: all.position_max: 0.5 is not above"}}) {
+    add.limits = folder_.write("limits.toml", text);
+    const std::string result = result_of(add);
+    EXPECT_NE(result.find(expected), std::string::npos) << result;
+  }
+}
+
+TEST_F(AddRobot, KeepsAFolderThatExists) {
+  AddRequest add = request(kSpoilt / "parallel.urdf");
+  add.accept_guesses = true;
+  const fs::path own = folder_.write("robots/parallel/own.txt", "mine");
+  EXPECT_NE(result_of(add).find("parallel: exists, expected another --name, or --replace"), std::string::npos);
+  EXPECT_EQ(names_in(add.into / "parallel"), std::vector<std::string>{"own.txt"});
+  add.replace = true;
+  add_robot(add);
+  EXPECT_FALSE(fs::exists(own));
+  EXPECT_EQ(names_in(add.into), std::vector<std::string>{"parallel"});
+}
+
+TEST_F(AddRobot, RefusesANameThatIsNotOne) {
+  AddRequest add = request(kSpoilt / "parallel.urdf");
+  add.accept_guesses = true;
+  add.name = "../arm";
+  EXPECT_NE(result_of(add).find("--name: '../arm' is not the name of a type"), std::string::npos);
+}
+
+TEST_F(AddRobot, AgreesWithKdlAndMujoco) {
+  AddRequest add = request(kSpoilt / "mimic.urdf");
+  add.accept_guesses = true;
+  add.tip = "tool";
+  add_robot(add);
+  setenv("MRROC_SHARE", folder_.path().c_str(), 1);
+  const TypeCheck check = check_type(load_chain_type("mimic"), 200);
+  unsetenv("MRROC_SHARE");
+  EXPECT_TRUE(check.passed()) << check_report(check);
+  EXPECT_NE(
+      text_of(add.into / "mimic/mimic.xml").find("<joint joint1=\"right\" joint2=\"left\" polycoef=\"0 1 0 0 0\"/>"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace mrroc::cli
