@@ -127,6 +127,8 @@ void HostLink::take(const Heartbeat& beat, std::int64_t now) {
   peer_sequence_ = beat.sequence;
   peer_sent_ = beat.sent;
   if (!is_runner_) follow(emergency_stop_, beat);
+  peer_presses_ = beat.presses;
+  peer_resets_ = beat.resets;
   if (beat.echo != 0) clock_.add({beat.echo, now, beat.sent, beat.held});
   if (watched_since_ != 0)
     figures_.longest_silence = std::max(figures_.longest_silence, now - std::max(heard_at_, watched_since_));

@@ -49,6 +49,10 @@ class HostLink {
   bool lost() const noexcept { return lost_.load(); }
   /// Becomes readable when the link is lost.
   int event_fd() const noexcept { return event_; }
+  /// Whether the peer's emergency stop has been pressed and reset as often as the runner's; asked at the runner.
+  bool peer_follows() const noexcept {
+    return peer_presses_ >= emergency_stop_.presses() && peer_resets_ >= emergency_stop_.resets();
+  }
   /// The peer's clock; nothing during the first 128 beats.
   std::optional<clock::ClockOffset> offset() const;
   LinkFigures figures() const;
@@ -81,6 +85,7 @@ class HostLink {
   std::string warning_;
   std::int64_t watched_since_ = 0;  // 0: not watched
   std::atomic<bool> lost_{false};
+  std::atomic<std::uint32_t> peer_presses_{0}, peer_resets_{0};
   std::atomic<bool> ended_{false};
   std::thread thread_;
 };

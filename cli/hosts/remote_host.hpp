@@ -62,6 +62,8 @@ class RemoteHost {
   std::int64_t traced_at() const noexcept { return traced_at_; }
   /// The error bound of its clock, ns; 0 while the clock is unknown.
   std::int64_t clock_error_ns() const;
+  /// Whether every press and reset of the runner's emergency stop has arrived there.
+  bool follows_emergency_stop() const noexcept { return link_.peer_follows(); }
   /// One line about link and clock, for the report.
   std::string summary() const;
 

@@ -146,4 +146,9 @@ std::vector<std::string> RemoteHosts::summaries() const {
   return lines;
 }
 
+bool RemoteHosts::follow_emergency_stop() const noexcept {
+  return std::all_of(hosts_.begin(), hosts_.end(),
+                     [](const RemoteHost& host) { return host.follows_emergency_stop(); });
+}
+
 }  // namespace mrroc::cli

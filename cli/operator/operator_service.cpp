@@ -235,6 +235,8 @@ void OperatorService::leave(const OperatorClient& client) {
     if (pending.client.number == client.number) pending.reply = nullptr;
   for (auto& [robot, ordered] : ordered_)
     if (ordered.pending.client.number == client.number) ordered.pending.reply = nullptr;
+  for (auto& [pending, tick] : resets_)
+    if (pending.client.number == client.number) pending.reply = nullptr;
   if (holder_.release(client)) publish_holder();
 }
 
@@ -247,6 +249,7 @@ void OperatorService::poll() {
     reply_to(performed);
     if (note_) note_(performed.event);
   }
+  reply_to_resets();
   for (const RobotOrders::Answer& answer : answers) take_answer(answer);
   const OpenQuestion* const first = questions_->find("");
   const std::string key = first == nullptr ? "" : first->asker + " " + std::to_string(first->number);
@@ -273,11 +276,27 @@ void OperatorService::reply_to(const OperatorEvents::Performed& performed) {
     pending_.erase(pending);
     return;
   }
+  if (performed.event.command == "reset") {
+    resets_.emplace_back(std::move(pending->second), performed.event.tick);
+    pending_.erase(pending);
+    return;
+  }
   VerbReply reply = done(std::string{find_verb(performed.event.command)->effect});
   reply.tick = performed.event.tick;
   reply.id = pending->second.id;
   if (pending->second.reply) pending->second.reply(reply);
   pending_.erase(pending);
+}
+
+/// A robot of another host refuses `recover` before the reset has arrived there.
+void OperatorService::reply_to_resets() {
+  if (resets_.empty() || !reset_arrived_()) return;
+  for (const auto& [pending, tick] : std::exchange(resets_, {})) {
+    VerbReply reply = done(std::string{find_verb("reset")->effect});
+    reply.tick = tick;
+    reply.id = pending.id;
+    if (pending.reply) pending.reply(reply);
+  }
 }
 
 void OperatorService::end(int exit_code, const std::string& reason) {
@@ -287,6 +306,7 @@ void OperatorService::end(int exit_code, const std::string& reason) {
     if (pending.reply) pending.reply(reply);
   };
   for (const auto& [ticket, pending] : std::exchange(pending_, {})) refuse_pending(pending);
+  for (const auto& [pending, tick] : std::exchange(resets_, {})) refuse_pending(pending);
   for (const auto& [robot, ordered] : std::exchange(ordered_, {})) refuse_pending(ordered.pending);
   publish_(line_of({{"event", "end"}, {"exit_code", exit_code}, {"reason", reason}}), "");
 }

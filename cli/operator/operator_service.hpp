@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "cli/operator/command_holder.hpp"
 #include "cli/operator/operator_events.hpp"
@@ -45,6 +47,9 @@ class OperatorService {
   /// std::logic_error when there is nothing to be written, std::runtime_error when the file cannot be written.
   using Record = std::function<std::string(const std::string& file)>;
   void record_with(Record record) { record_ = std::move(record); }
+
+  /// Whether a reset of the emergency stop has reached every host: then `reset` is answered.
+  void reset_arrives_when(std::function<bool()> arrived) { reset_arrived_ = std::move(arrived); }
 
   /// Executes a request; calls `reply`, which may be empty, at once or from a later `poll`.
   void request(const OperatorClient& client, const VerbRequest& request, Reply reply);
@@ -91,6 +96,7 @@ class OperatorService {
   /// Why the verb has no effect in the present phase; ok when it has one.
   VerbReply check_phase(std::string_view verb) const;
   void reply_to(const OperatorEvents::Performed& performed);
+  void reply_to_resets();
   void publish_holder();
 
   const config::Deployment& deployment_;
@@ -101,9 +107,11 @@ class OperatorService {
   Note note_;
   std::function<void()> end_ = [] {};
   Record record_;
+  std::function<bool()> reset_arrived_ = [] { return true; };
   CommandHolder holder_;
-  std::map<std::uint64_t, Pending> pending_;  // by ticket
-  std::map<std::string, Ordered> ordered_;    // by robot: the order without an answer so far
+  std::map<std::uint64_t, Pending> pending_;      // by ticket
+  std::vector<std::pair<Pending, Tick>> resets_;  // performed, but perhaps not on every host
+  std::map<std::string, Ordered> ordered_;        // by robot: the order without an answer so far
   std::map<std::string, links::ProcessStatus> statuses_;
   std::string published_question_;
 };

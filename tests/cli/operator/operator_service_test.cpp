@@ -146,6 +146,31 @@ TEST(OperatorService, OneClientHoldsCommandAndStopIsEverybodys) {
   EXPECT_EQ(rig.received(), Kinds{TaskCommandKind::stop});
 }
 
+TEST(OperatorService, ResetIsAnsweredWhenItHasReachedEveryHost) {
+  OperatorRig rig;
+  bool arrived = false;
+  rig.service.reset_arrives_when([&arrived] { return arrived; });
+  rig.next_tick();
+  rig.request(kA, "estop");
+  rig.next_tick();
+  rig.request(kA, "reset");
+  rig.next_tick();
+  rig.next_tick();
+  ASSERT_EQ(rig.replies[kA.number].size(), 1U) << "only estop";
+  EXPECT_EQ(rig.clock.emergency_stop().resets(), 1U);
+  arrived = true;
+  rig.next_tick();
+  ASSERT_EQ(rig.replies[kA.number].size(), 2U);
+  EXPECT_TRUE(rig.replies[kA.number].back().ok());
+  EXPECT_EQ(rig.replies[kA.number].back().tick, 2) << "it took effect before";
+  arrived = false;
+  rig.request(kA, "estop");
+  rig.request(kA, "reset");
+  rig.next_tick();
+  rig.service.end(0, "");
+  EXPECT_EQ(rig.replies[kA.number].back().refusal, Refusal::ended);
+}
+
 TEST(OperatorService, EveryClientRecordsWithoutCommandAndNothingIsNoted) {
   OperatorRig rig;
   EXPECT_EQ(rig.request(kA, "record a.trace").back().refusal, Refusal::not_allowed) << "the run has no black boxes";
