@@ -5,6 +5,7 @@ traces are equal. The watchers' own time is in it: they share the processors.
 """
 
 import argparse
+import contextlib
 import os
 import pathlib
 import statistics
@@ -14,25 +15,29 @@ import tempfile
 import time
 
 DEPLOYMENT = pathlib.Path(__file__).resolve().parent.parent / "tasks/press/press.toml"
+START = 40000  # ticks: the watchers have joined, and the traces have the same ticks
 
 
 def run(mrroc, folder, watchers):
-    """Seconds of wall time of the task, and the hash of its trace."""
+    """Seconds of wall time from the first answer of the run to its end, and the hash of its trace."""
     environment = {**os.environ, "MRROC_RUNTIME_DIR": f"{folder}/run"}
-    trace = f"{folder}/trace"
-    with subprocess.Popen([mrroc, "run", DEPLOYMENT, "--clock", "lockstep", "--hold", "--quiet", "--black-box=", "--trace", trace],
-                          env=environment, stdout=subprocess.DEVNULL) as command:
+    trace, events = f"{folder}/trace", pathlib.Path(folder) / "start.toml"
+    events.write_text(f'[[events]]\ntick = {START}\ncommand = "start"\n', encoding="utf-8")
+    with contextlib.ExitStack() as stack:
+        command = stack.enter_context(subprocess.Popen(
+            [mrroc, "run", DEPLOYMENT, "--clock", "lockstep", "--hold", "--events", events, "--quiet", "--black-box=", "--trace", trace],
+            env=environment, stdout=subprocess.DEVNULL))
         while subprocess.run([mrroc, "status"], env=environment, capture_output=True, check=False).returncode != 0:
-            time.sleep(0.05)
-        echoes = [subprocess.Popen([mrroc, "echo", "--of", "all", "--json"], env=environment, stdout=subprocess.DEVNULL) for _ in range(watchers)]
-        time.sleep(0.5)
+            if command.poll() is not None:
+                raise RuntimeError(f"the run ended with {command.returncode} before it answered")
+            time.sleep(0.01)
         start = time.monotonic()
-        while subprocess.run([mrroc, "start"], env=environment, capture_output=True, check=False).returncode == 1:
-            time.sleep(0.05)
-        command.wait()
+        for _ in range(watchers):
+            stack.enter_context(subprocess.Popen([mrroc, "echo", "--of", "all", "--json"], env=environment, stdout=subprocess.DEVNULL))
+        code = command.wait()
         seconds = time.monotonic() - start
-        for echo in echoes:
-            echo.wait()
+    if code != 0:
+        raise RuntimeError(f"the run ended with {code}")
     return seconds, subprocess.run([mrroc, "trace", "hash", trace], capture_output=True, text=True, check=True).stdout.strip()
 
 
