@@ -7,6 +7,7 @@
 #include "config/table.hpp"
 #include "config/text/message_text.hpp"
 #include "core/nearest_word.hpp"
+#include "geometry/rigid_motion.hpp"
 
 namespace mrroc::cli {
 
@@ -65,6 +66,15 @@ std::string end_of(const Urdf& urdf, const std::string& base) {
                            config::alternatives(longest));
 }
 
+constexpr double kFarthest = 1e4;  // m, between two joints
+
+/// Refuses frames that are too far for any arm, among them those with which rounding or overflow spoils a pose.
+void check_distance(const Urdf& urdf, const Urdf::Joint& joint, const Pose& frame) {
+  if (frame.translation().cwiseAbs().maxCoeff() <= kFarthest && is_rigid(frame)) return;
+  throw ConfigurationError(urdf.file(), joint.line, "joint " + in_quotes(joint.name),
+                           "is not at a place of an arm, from the joint before", "at most 10 km");
+}
+
 }  // namespace
 
 UrdfArm arm_of(const Urdf& urdf, const std::string& base, const std::string& tip) {
@@ -83,10 +93,12 @@ UrdfArm arm_of(const Urdf& urdf, const std::string& base, const std::string& tip
       throw ConfigurationError(urdf.file(), joint->line, "joint " + in_quotes(joint->name),
                                "follows joint " + in_quotes(joint->mimic->joint) + " and is between base and tip",
                                "a tip before it");
+    check_distance(urdf, *joint, fixed);
     axes.push_back(*joint);
     joints.push_back({fixed, joint->axis, joint->type == Urdf::Type::prismatic});
     fixed = Pose::Identity();
   }
+  check_distance(urdf, path.empty() ? urdf.joints().front() : *path.back(), fixed);
   if (axes.empty() || axes.size() > static_cast<std::size_t>(kMaxJoints))
     throw ConfigurationError(urdf.file(), urdf.line_of_link(to), "link " + in_quotes(to),
                              std::to_string(axes.size()) + " moving joints between it and link " + in_quotes(from),

@@ -19,7 +19,8 @@ struct UrdfArm {
 
 /// The arm from link `base` (empty: the root) to link `tip` (empty: the end of the longest arm). Throws
 /// config::ConfigurationError with file and line: no such link, a tip that is not on the base, no moving joint or more
-/// than kMaxJoints between them, one that follows another joint, several arms of the same length and no `tip`.
+/// than kMaxJoints between them, one that follows another joint, one more than
+/// 10 km from the joint before, several arms of the same length and no `tip`.
 UrdfArm arm_of(const edp::Urdf& urdf, const std::string& base, const std::string& tip);
 
 }  // namespace mrroc::cli

@@ -1,5 +1,6 @@
 #include "cli/robot/import/axis_limits.hpp"
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -17,6 +18,8 @@ using config::number_text;
 using edp::Urdf;
 
 constexpr double kGuessedTurn = std::numbers::pi / 2, kGuessedSlide = 0.25;  // rad/s, m/s
+constexpr double kEndless = 1e4;                                             // rad, m: a position limit beyond is none
+constexpr double kFastest = 1e9;                                             // of velocity, acceleration, jerk
 constexpr double kPerVelocity = 2.5, kPerAcceleration = 10;                  // 1/s: in 0.4 s, in 0.1 s
 
 SourcedNumber from_urdf(double value, int line) { return {value, "URDF line " + std::to_string(line)}; }
@@ -42,6 +45,11 @@ class LimitFinder {
         given_or_guess(joint, name, "acceleration_max", limits.velocity.value * kPerVelocity, "velocity_max / 0.4 s");
     limits.jerk = given_or_guess(joint, name, "jerk_max", limits.acceleration.value * kPerAcceleration,
                                  "acceleration_max / 0.1 s");
+    for (const auto& [key, limit] : {std::pair{"velocity_max", &limits.velocity},
+                                     {"acceleration_max", &limits.acceleration},
+                                     {"jerk_max", &limits.jerk}})
+      if (limit->value > kFastest)
+        fail(joint, name, key, number_text(limit->value) + " is too large", "at most " + number_text(kFastest));
     limits.torque = given_.find(name, "torque_max");
     if (!limits.torque && joint.effort && *joint.effort > 0) limits.torque = from_urdf(*joint.effort, joint.limit_line);
     return limits;
@@ -62,6 +70,9 @@ class LimitFinder {
     if (joint.type == Urdf::Type::continuous)
       return {sign * std::numeric_limits<double>::infinity(),
               "URDF line " + std::to_string(joint.line) + ": continuous"};
+    if (in_file && std::abs(*in_file) > kEndless)
+      return {sign * std::numeric_limits<double>::infinity(),
+              "URDF line " + std::to_string(joint.limit_line) + ": " + number_text(*in_file)};
     if (in_file) return from_urdf(*in_file, joint.limit_line);
     fail(joint, name, key, "is missing: no <limit " + attribute + ">",
          "it in the URDF or in --limits FILE, or a continuous joint");

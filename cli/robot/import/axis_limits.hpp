@@ -19,10 +19,11 @@ struct AxisLimits {
   std::optional<SourcedNumber> torque;  ///< nothing: not in the file
 };
 
-/// The limits of an arm's axes: those of `given`, then those of the URDF. Those that are in neither are guessed with
-/// `accept_guesses`: a velocity of pi/2 rad/s or 0.25 m/s, an acceleration of the velocity / 0.4 s, a jerk of the
-/// acceleration / 0.1 s. Throws config::ConfigurationError with file and line: a missing limit that may not be guessed,
-/// with the guess; an empty range; a range without limits of a joint that is not continuous.
+/// The limits of an arm's axes: those of `given`, then those of the URDF, where a position beyond 10,000 is no limit.
+/// Those that are in neither are guessed with `accept_guesses`: a velocity of pi/2 rad/s or 0.25 m/s, an acceleration
+/// of the velocity / 0.4 s, a jerk of the acceleration / 0.1 s. Throws config::ConfigurationError with file and line: a
+/// missing limit that may not be guessed, with the guess; a velocity, acceleration or jerk above 1e9; an empty range; a
+/// range without limits of a joint that is not continuous.
 std::vector<AxisLimits> limits_of_axes(const edp::Urdf& urdf, const UrdfArm& arm, const LimitsFile& given,
                                        bool accept_guesses, Findings& findings);
 
