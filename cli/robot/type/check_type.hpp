@@ -11,7 +11,7 @@ struct TypeCheck {
   static constexpr double kAllowed = 1e-9;  ///< m and rad
   int postures = 0;
   double kdl = 0, mujoco = 0;     ///< m and rad, the larger
-  double typical = 0, worst = 0;  ///< time of an inverse: median, largest, microseconds
+  double typical = 0, worst = 0;  ///< processor time of an inverse: median, largest, us
   int found = 0;                  ///< postures that the inverse finds from their poses and a posture nearby
   bool passed() const noexcept { return kdl <= kAllowed && mujoco <= kAllowed; }
 };

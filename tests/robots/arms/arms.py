@@ -69,8 +69,8 @@ class Arm:
                                 "--into", self.share / "robots")
         self.axes = re.search(r"(\d+) axes", self.added).group(1)
         self.inverse = re.search(r"inverse: (.*)", self.added).group(1)
-        guesses = re.findall(r"guessed: [^:]*(?::\d+)?: (.*)", self.added)
-        self.bodies = sum("box around" in text or "a ball of" in text for text in guesses)
+        guesses = [line for line in self.added.splitlines() if "box around" in line or "a ball of" in line]
+        self.bodies = sum(line.count("link '") + int((re.findall(r"and (\d+) more", line) or [0])[0]) for line in guesses)
 
     def check(self):
         text = self.mrroc("robot", "check", self.name)
@@ -98,7 +98,7 @@ def page(arms, options):
              "Reference. Every arm below was added by one `mrroc robot add FILE.urdf --accept-guesses`, without a program. Made by",
              "`tests/robots/arms/arms.py`, which fetches the packages; none of them is part of this repository.", "",
              "Differences: the worst of 10,000 random postures between the chain and KDL, MuJoCo, in m or rad. Inverse: of",
-             "10,000 poses from a posture within 0.1 rad or m, found; median and largest time on a loaded machine. Bodies: links whose",
+             "10,000 poses from a posture within 0.1 rad or m, found; median and largest processor time. Bodies: links whose",
              "inertia had to be guessed. Demo: the beginning of the SHA-256 of the trace, equal in all runs.", "",
              "| arm | package | axes | inverse | KDL | MuJoCo | found | µs | bodies | demo |", "|---|---|---|---|---|---|---|---|---|---|"]
     for arm in arms:
