@@ -17,7 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::chrono::seconds kLongestWait{3};
 constexpr int kNiceness = 10;  // the run's processes come first
 
 std::shared_ptr<const CameraPicture> no_picture(std::string reason) {
@@ -75,7 +74,8 @@ class PictureDrawer {
 
 }  // namespace
 
-CameraPictures::CameraPictures(const config::Deployment& deployment) {
+CameraPictures::CameraPictures(const config::Deployment& deployment, std::chrono::seconds longest_wait)
+    : longest_wait_(longest_wait) {
   for (const config::SensorEntry& sensor : deployment.sensors) {
     if (!is_camera(sensor)) continue;
     ShownCamera& camera = cameras_.emplace_back(ShownCamera{
@@ -112,7 +112,7 @@ std::shared_ptr<const CameraPicture> CameraPictures::picture(std::string_view na
   if (camera == cameras_.end()) return nullptr;
   if (!camera->reason.empty()) return no_picture(camera->reason);
   std::unique_lock lock(mutex_);
-  if (!arrived_.wait_for(lock, kLongestWait, [this] { return events_ > 0; }))
+  if (!arrived_.wait_for(lock, longest_wait_, [this] { return events_ > 0; }))
     return no_picture("the simulated world has sent no state yet");
   Drawn& drawn = pictures_.find(name)->second;
   if (drawn.event == events_) return drawn.picture;
@@ -120,8 +120,8 @@ std::shared_ptr<const CameraPicture> CameraPictures::picture(std::string_view na
   drawn.wanted = true;
   if (!thread_.joinable()) thread_ = std::thread([this] { draw_pictures(); });
   asked_.notify_one();
-  if (!drawn_.wait_for(lock, kLongestWait, [&] { return drawn.event != before; }))
-    return no_picture("a picture takes longer than 3 s on this machine");
+  if (!drawn_.wait_for(lock, longest_wait_, [&] { return drawn.event != before; }))
+    return no_picture("a picture takes longer than " + std::to_string(longest_wait_.count()) + " s on this machine");
   return drawn.picture;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -38,8 +39,11 @@ struct CameraPicture {
 /// real hardware have none.
 class CameraPictures {
  public:
-  /// Composes the world only if a camera is simulated. A camera that cannot be shown has a reason.
-  explicit CameraPictures(const config::Deployment& deployment);
+  static constexpr std::chrono::seconds kLongestWait{3};
+
+  /// Composes the world only if a camera is simulated. A camera that cannot be shown has a reason. `longest_wait`: for
+  /// the first state, and for a picture.
+  explicit CameraPictures(const config::Deployment& deployment, std::chrono::seconds longest_wait = kLongestWait);
   ~CameraPictures();
   CameraPictures(const CameraPictures&) = delete;
   CameraPictures& operator=(const CameraPictures&) = delete;
@@ -49,7 +53,7 @@ class CameraPictures {
   /// Takes the run's newest event "world". Any thread; it draws nothing.
   void take(const std::string& event);
   /// The picture of the newest state, seen by `camera`; null: no such camera. Waits for the
-  /// first state, and until the picture is drawn, for 3 s each at most.
+  /// first state, and until the picture is drawn, for `longest_wait` each at most.
   /// Any thread.
   std::shared_ptr<const CameraPicture> picture(std::string_view camera);
 
@@ -62,6 +66,7 @@ class CameraPictures {
 
   void draw_pictures();
 
+  std::chrono::seconds longest_wait_;
   std::vector<ShownCamera> cameras_;
   sim::Model model_;                                              ///< of the simulated world
   std::map<std::string, vsp::SimulatedView, std::less<>> views_;  ///< of the cameras that have pictures

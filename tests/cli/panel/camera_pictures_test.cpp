@@ -17,6 +17,8 @@
 namespace mrroc::cli {
 namespace {
 
+constexpr std::chrono::seconds kWait{120};  // a sanitizer makes pictures slow
+
 /// The camera's demo with cameras of two sizes: one in the arm's hand, one beside the table.
 config::Deployment two_cameras() {
   config::Deployment deployment = config::load_deployment(MRROC_SOURCE_DIR "/sensors/camera/demo.toml");
@@ -52,7 +54,7 @@ struct Seen {
 
 TEST(CameraPicturesTest, PicturesAreThoseOfTheCamerasOwnProcess) {
   Seen seen;
-  CameraPictures pictures(seen.deployment);
+  CameraPictures pictures(seen.deployment, kWait);
   ASSERT_EQ(pictures.cameras().size(), 2U);
   for (Tick tick = 1; tick <= 3; ++tick) {
     pictures.take(seen.event_of(tick));
@@ -96,7 +98,7 @@ TEST(CameraPicturesTest, CamerasWithoutPicturesHaveAReason) {
 }
 
 TEST(CameraPicturesTest, StatesOfAnotherWorldAreNotDrawn) {
-  CameraPictures pictures(two_cameras());
+  CameraPictures pictures(two_cameras(), kWait);
   for (const char* event : {"", "{", "[]", R"({"event":"world"})", R"({"event":"world","tick":1,"positions":"all"})",
                             R"({"event":"world","tick":1,"positions":[1],"mocap_positions":[],"mocap_quaternions":[]})",
                             R"({"event":"world","positions":[],"mocap_positions":[1],"mocap_quaternions":[]})"}) {
