@@ -119,7 +119,7 @@ class Import {
 
   void note_pairs(const MjcfExtras& extras) {
     for (const auto& [one, other] : extras.excluded)
-      findings_.guess("links that touch by design or at home do not collide", one + " and " + other, 0);
+      findings_.guess("links that touch by design or at home do not collide", one + (" and " + other), 0);
     findings_.guess("inertia of rotor and gear: a tenth of the axis's inertia at home", "armature of all axes", 0);
     findings_.guess("regulates = \"itself\", interface = \"position\", bandwidth = 20 Hz", "[drives]", 0);
   }
