@@ -9,12 +9,13 @@ find_dependency(tinyxml2)
 include(${CMAKE_CURRENT_LIST_DIR}/mrrocLibraries.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/MrrocTargets.cmake)
 
-# the same commands in the project's bin/: they find its robots, sensors and programs, and then those of the framework
+# the same commands in the project's bin/: they find its robots, sensors and programs, then those of the
+# framework, then the user's own types
 get_filename_component(mrroc_PREFIX ${CMAKE_CURRENT_LIST_DIR}/../../.. ABSOLUTE)
 foreach(command mrroc mrroc_render)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/bin/${command} @ONLY CONTENT [[#!/bin/sh
 export MRROC_PROGRAMS="@CMAKE_BINARY_DIR@/bin:@mrroc_PREFIX@/libexec/mrroc:@mrroc_PREFIX@/bin"
-export MRROC_SHARE="@CMAKE_BINARY_DIR@/share/mrroc:@mrroc_PREFIX@/share/mrroc"
+export MRROC_SHARE="@CMAKE_BINARY_DIR@/share/mrroc:@mrroc_PREFIX@/share/mrroc:${XDG_DATA_HOME:-$HOME/.local/share}/mrroc"
 exec "@mrroc_PREFIX@/bin/@command@" "$@"
 ]])
   file(CHMOD ${CMAKE_BINARY_DIR}/bin/${command} FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE

@@ -1,8 +1,9 @@
-"""Follows docs/tutorials/first-task.md: writes its files into an empty folder, runs its commands, and compares what they print.
+"""Follows a tutorial: writes its files into an empty folder, runs its commands, and compares what they print.
 
-A line `...` in an expected output stands for any lines. docs/examples/swing has the same files.
+A line `...` in an expected output stands for any lines. The tutorial's example has the same files, and those that the
+page links, which the reader downloads. The folder is also the reader's home.
 
-Usage: check_tutorial.py SOURCE_DIR BINARY_DIR [-Dcache=entry ...]
+Usage: check_tutorial.py SOURCE_DIR BINARY_DIR PAGE EXAMPLE [-Dcache=entry ...]
 """
 
 import os
@@ -31,19 +32,23 @@ def matches(expected, printed):
 
 def main():
     source, binary = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
-    text = (source / "docs/tutorials/first-task.md").read_text(encoding="utf-8")
-    files = files_of(text)
-    example = source / "docs/examples/swing"
+    page, example = (source / "docs" / folder / name for folder, name in zip(("tutorials", "examples"), sys.argv[3:5]))
+    text = page.read_text(encoding="utf-8")
+    files = files_of(text) + [(path.name, path.read_text(encoding="utf-8")) for path in sorted(example.iterdir())
+                              if f"](../examples/{example.name}/{path.name})" in text]
     problems = []
     for name, content in files:
         if not (example / name).is_file() or (example / name).read_text(encoding="utf-8") != content:
-            problems.append(f"docs/examples/swing/{name} differs from the tutorial's")
-    problems += [f"docs/examples/swing/{path.relative_to(example)} is not in the tutorial" for path in example.rglob("*")
+            problems.append(f"{example}/{name} differs from the tutorial's")
+    problems += [f"{path} is not in the tutorial" for path in example.rglob("*")
                  if path.is_file() and path.relative_to(example).as_posix() not in dict(files)]
     environment = {name: value for name, value in os.environ.items() if not name.startswith("MRROC_")}
     environment["mrroc"] = str(binary)
+    environment["PATH"] = f"{binary}/bin:{environment['PATH']}"
+    environment.pop("XDG_DATA_HOME", None)
     ran = 0
     with tempfile.TemporaryDirectory(prefix="mrroc_tutorial_") as scratch:
+        environment["HOME"] = scratch
         for name, content in files:
             path = pathlib.Path(scratch) / name
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -52,7 +57,7 @@ def main():
             if problems:
                 break
             ran += 1
-            options = " ".join(sys.argv[3:]) if command.startswith("cmake -B") else ""
+            options = " ".join(sys.argv[5:]) if command.startswith("cmake -B") else ""
             done = subprocess.run(f"{command} {options}", shell=True, cwd=scratch, env=environment, stdin=subprocess.DEVNULL,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
             if done.returncode != 0 or not matches(expected, done.stdout):
