@@ -164,18 +164,25 @@ Element RobotMjcf::body_of(const std::string& link, const MjcfExtras& extras) co
   if (above != nullptr && above->type != Urdf::Type::fixed) parts.push_back(joint_of(*above, extras));
   const std::vector<Element>& geoms = shapes_.geoms(link);
   parts.insert(parts.end(), geoms.begin(), geoms.end());
+  if (link == arm_.axes.back().child) parts.push_back(wrist());
   if (link == arm_.tip) {
-    const std::vector<Element> sites{mjcf_element("site", {{"name", "wrist"}}),
-                                     mjcf_element("site", {{"name", "tool"}})};
-    if (tool_body_.empty())
-      parts.insert(parts.end(), sites.begin(), sites.end());
-    else
-      parts.push_back(mjcf_element("body", {{"name", tool_body_}}, sites));
+    const Element tool = mjcf_element("site", {{"name", "tool"}});
+    parts.push_back(tool_body_.empty() ? tool : mjcf_element("body", {{"name", tool_body_}}, {tool}));
   }
   const auto below = below_.find(link);
   if (below != below_.end())
     for (const Urdf::Joint* joint : below->second) parts.push_back(body_of(joint->child, extras));
   return mjcf_element("body", attributes, parts);
+}
+
+/// At the tip, in the body of the last axis: the sensor there feels all that this axis carries.
+Element RobotMjcf::wrist() const {
+  Pose tip = Pose::Identity();
+  for (std::string link = arm_.tip; link != arm_.axes.back().child; link = urdf_.joint_above(link)->parent)
+    tip = urdf_.joint_above(link)->origin * tip;
+  Attributes attributes{{"name", "wrist"}};
+  add_mjcf_pose(attributes, tip);
+  return mjcf_element("site", attributes);
 }
 
 Element RobotMjcf::mimics() const {

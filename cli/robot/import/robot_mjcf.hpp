@@ -40,6 +40,7 @@ class RobotMjcf {
   void take_joint(const edp::Urdf::Joint& joint);
   sim::Element body_of(const std::string& link, const MjcfExtras& extras) const;
   sim::Element joint_of(const edp::Urdf::Joint& joint, const MjcfExtras& extras) const;
+  sim::Element wrist() const;
   sim::Element mimics() const;
   bool is_axis(const std::string& joint) const;
 

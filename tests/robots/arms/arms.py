@@ -9,6 +9,7 @@ the demo runs N times in lockstep and every trace must be the same. With --table
 
 import argparse
 import hashlib
+import math
 import os
 import pathlib
 import re
@@ -20,6 +21,26 @@ import zipfile
 
 PLATFORMS = ("manylinux2014_x86_64", "manylinux_2_28_x86_64", "any")
 TIMEOUT = 600  # s, of one command
+FORCE = (10, 16)  # N: the task stops when it measures the first
+SCENE = """<mujoco><compiler angle="radian"/><option timestep="0.001" cone="elliptic"/><worldbody>{}</worldbody></mujoco>"""
+# as soft as the workpiece of the task press
+PAD = """<body name="pad" pos="{} {} {}"><joint name="pad" type="slide" axis="0 0 1" stiffness="5000" damping="60"/>
+<geom type="cylinder" size="0.1 0.01" mass="0.1" solref="0.004 1"/></body>"""
+PRESS = """[deployment]
+name = "press"
+clock = "lockstep"
+[robots.arm]
+type = "{}"
+program = "{}"
+hardware = "mujoco"
+force_sensor = "wrist"
+[sensors.wrist]
+type = "force_torque"
+robot = "arm"
+mode = "interactive"
+[sim]
+scene = "press.xml"
+"""
 
 
 def fetch(name, package, cache):
@@ -52,7 +73,7 @@ class Arm:
         self.version = packages[self.package]["version"]
         self.options = options
         self.urdf = fetch(self.package, packages[self.package], options.cache) / arm["urdf"]
-        self.tip = arm.get("tip")
+        self.tip, self.pad = arm.get("tip"), arm.get("press")
         self.share = options.cache / "share"
         build = options.mrroc.resolve().parent.parent
         self.environment = dict(os.environ, MRROC_SHARE=f"{self.share}:{build / 'share/mrroc'}")
@@ -87,6 +108,29 @@ class Arm:
         if len(hashes) > 1:
             raise RuntimeError(f"{self.name}: {self.options.runs} runs of the demo have {len(hashes)} different traces")
         self.hash = next(iter(hashes), "")
+
+    def press(self):
+        """The program of the task press, for any arm: down from home onto a pad that is `press` m below the tip."""
+        if self.pad is None:
+            return
+        folder = self.options.cache / "press" / self.name
+        folder.mkdir(parents=True, exist_ok=True)
+        trace = folder / "trace"
+
+        def steps(program, *bodies):
+            (folder / "press.xml").write_text(SCENE.format("".join(bodies)), encoding="utf-8")
+            (folder / "press.toml").write_text(PRESS.format(self.name, program), encoding="utf-8")
+            self.mrroc("run", folder / "press.toml", "--quiet", "--trace", trace)
+            return [{key: [float(number) for number in values.split(",")] for key, values in re.findall(r" (pose|wrench)=(\S+)", line)}
+                    for line in trace.read_text(encoding="utf-8").splitlines()]
+
+        x, y, z = next(step["pose"][:3] for step in steps("mrroc_arm_demo") if "pose" in step)
+        program = self.options.mrroc.parent.parent / "tests/press_at_home_ecp"
+        forces = [step["wrench"][:3] for step in steps(program, PAD.format(x, y, z - self.pad)) if "wrench" in step]
+        force = max(math.dist(each, forces[0]) for each in forces)  # without the weight behind the sensor
+        if not FORCE[0] <= force <= FORCE[1]:
+            raise RuntimeError(f"{self.name}: pressed with {force:.1f} N, expected {FORCE[0]} to {FORCE[1]} N")
+        print(f"{self.name}: pressed with {force:.1f} N", flush=True)
 
     def picture(self):
         self.options.pictures.mkdir(parents=True, exist_ok=True)
@@ -126,7 +170,7 @@ def main():
             continue
         arm = Arm(entry, description["packages"], options)
         try:
-            for step in (arm.add, arm.check, arm.demo):
+            for step in (arm.add, arm.check, arm.demo, arm.press):
                 step()
             if options.table:
                 arm.picture()
