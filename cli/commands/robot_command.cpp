@@ -29,11 +29,10 @@ std::vector<std::string> words_of_verb(const CLI::App& verb) {
   std::vector<std::string> words{verb.get_name()};
   for (const CLI::Option* option : verb.get_options()) {
     if (option->count() == 0) continue;
-    const std::string name = option->get_single_name();
-    for (const std::string& value : option->results()) {
-      if (option->get_positional()) continue;
-      words.push_back(option->get_expected_max() == 0 ? "--" + name : "--" + name + "=" + value);
-    }
+    if (option->get_positional()) continue;
+    const std::string name = "--" + option->get_single_name();
+    for (const std::string& value : option->results())
+      words.push_back(option->get_expected_max() == 0 ? name : std::string(name).append("=").append(value));
   }
   words.emplace_back("--");
   for (const CLI::Option* option : verb.get_options())
@@ -45,6 +44,7 @@ std::vector<std::string> words_of_verb(const CLI::App& verb) {
   std::vector<std::string> words = words_of_verb(verb);
   words.insert(words.begin(), robot_program());
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execv(arguments.front(), arguments.data());

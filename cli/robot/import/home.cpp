@@ -2,7 +2,6 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -19,12 +18,10 @@ using kinematics::ChainModel;
 
 constexpr std::uint64_t kHomeSeed = 1;
 constexpr int kPostures = 2000, kAsked = 300;
-constexpr double kMiddle = 0.85;                      // of a range
-constexpr double kDownFirst = 10;                     // of the score: the tool points down
-constexpr double kFarTurn = std::numbers::pi;         // rad: beyond, an axis without limits is wound up
-constexpr double kRound = 1000;                       // of 1 rad, 1 m: home is a round number
-constexpr std::array kDistances{0.4, 0.5, 0.6, 0.7};  // of the reach
-constexpr std::array kHeights{0.1, 0.2, 0.3, 0.45};
+constexpr double kMiddle = 0.85;               // of a range
+constexpr double kDownFirst = 10;              // of the score: the tool points down
+constexpr double kFarTurn = std::numbers::pi;  // rad: beyond, an axis without limits is wound up
+constexpr double kRound = 1000;                // of 1 rad, 1 m: home is a round number
 
 struct Candidate {
   JointVector joints;
@@ -70,8 +67,8 @@ double score_of(const ChainModel& model, const JointVector& joints, double reach
 void add_down_poses(const ChainModel& model, const std::vector<AxisLimits>& axes, double reach,
                     std::vector<Candidate>& candidates) {
   const JointVector zero = JointVector::Zero(std::ssize(axes));
-  for (const double distance : kDistances) {
-    for (const double height : kHeights) {
+  for (const double distance : {0.4, 0.5, 0.6, 0.7}) {  // of the reach
+    for (const double height : {0.1, 0.2, 0.3, 0.45}) {
       for (int turn = 0; turn < 4; ++turn) {
         const Pose pose =
             pose_from_rpy({distance * reach, 0, height * reach}, {std::numbers::pi, 0, turn * std::numbers::pi / 2});

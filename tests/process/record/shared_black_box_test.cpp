@@ -68,8 +68,9 @@ TEST(SharedBlackBox, LinesOfAProcessThatRecordsAreWholeAndWithoutAGap) {
     SharedBlackBox there = SharedBlackBox::attach(here.fd());
     for (std::uint64_t number = 0;; ++number) there.record(line_of(number));
   }
+  while (here.lines().empty()) usleep(100);  // it begins
   std::uint64_t newest = 0, several = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 2000 || (several <= 100 && i < 2'000'000); ++i) {
     const std::vector<TextLine> lines = here.lines();
     several += lines.size() > 1 ? 1 : 0;
     for (std::size_t k = 0; k < lines.size(); ++k)
