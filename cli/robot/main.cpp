@@ -31,19 +31,20 @@ int main(int argc, char** argv) {
   namespace cli = mrroc::cli;
   mrroc::process::open_standard_files();
   signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
-  CLI::App app{"Robot types of arms in URDFs", "mrroc_robot"};
   bool passed = true;
-  cli::add_robot_verbs(
-      app,
-      {.add = [](const CLI::App&, const cli::AddRequest& request) { mrroc::command::print(cli::add_robot(request)); },
-       .show = [](const CLI::App&, const cli::ShowRequest& request) { mrroc::command::print(cli::show_arm(request)); },
-       .check =
-           [&passed](const CLI::App&, const cli::CheckRequest& request) {
-             const auto check = check_type(cli::load_chain_type(request.type), request.postures);
-             mrroc::command::print(check_report(check));
-             passed = check.passed();
-           }});
   try {
+    CLI::App app{"Robot types of arms in URDFs", "mrroc_robot"};
+    cli::add_robot_verbs(
+        app,
+        {.add = [](const CLI::App&, const cli::AddRequest& request) { mrroc::command::print(cli::add_robot(request)); },
+         .show = [](const CLI::App&,
+                    const cli::ShowRequest& request) { mrroc::command::print(cli::show_arm(request)); },
+         .check =
+             [&passed](const CLI::App&, const cli::CheckRequest& request) {
+               const auto check = check_type(cli::load_chain_type(request.type), request.postures);
+               mrroc::command::print(check_report(check));
+               passed = check.passed();
+             }});
     if (const auto code = mrroc::command::parse_command(app, argc, argv)) return *code;
   } catch (const mrroc::Error& error) {
     return report(mrroc::process::exit_code(error.error_class()), error);

@@ -29,7 +29,7 @@ fs::path target_of(const AddRequest& request, const std::string& type) {
   if (type != type_name(type))
     throw ConfigurationError(request.urdf, 0, "--name", in_quotes(type) + " is not the name of a type",
                              "letters, digits and '_', first a letter");
-  const fs::path folder = fs::absolute(request.into.empty() ? config::user_share() / "robots" : request.into) / type;
+  fs::path folder = fs::absolute(request.into.empty() ? config::user_share() / "robots" : request.into) / type;
   if (fs::exists(folder) && !request.replace)
     throw ConfigurationError(folder, 0, "", "exists", "another --name, or --replace");
   const fs::path installed = config::type_file("robots", type, type + ".toml");
@@ -119,7 +119,7 @@ class Import {
 
   void note_pairs(const MjcfExtras& extras) {
     for (const auto& [one, other] : extras.excluded)
-      findings_.guess("links that touch by design or at home do not collide", one + (" and " + other), 0);
+      findings_.guess("links that touch by design or at home do not collide", fmt::format("{} and {}", one, other), 0);
     findings_.guess("inertia of rotor and gear: a tenth of the axis's inertia at home", "armature of all axes", 0);
     findings_.guess("regulates = \"itself\", interface = \"position\", bandwidth = 20 Hz", "[drives]", 0);
   }

@@ -56,7 +56,7 @@ fs::path MeshPaths::find(const std::string& reference, int line) {
     if (reference.starts_with(scheme))
       return in_package(reference, reference.substr(std::string_view(scheme).size()), line);
   const std::string plain = reference.starts_with("file://") ? reference.substr(7) : reference;
-  const fs::path file = (urdf_.parent_path() / plain).lexically_normal();
+  fs::path file = (urdf_.parent_path() / plain).lexically_normal();
   if (!is_file(file))
     throw ConfigurationError(urdf_, line, kMesh, in_quotes(reference) + ": no file " + file.string(), "a mesh");
   return file;

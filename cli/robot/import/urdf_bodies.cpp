@@ -102,7 +102,7 @@ class BodyReader {
   }
 
   Eigen::Vector3d box_size(const UrdfElement& box) const {
-    const Eigen::Vector3d size = reader_.numbers<3>(box, "size", Eigen::Vector3d::Zero());
+    Eigen::Vector3d size = reader_.numbers<3>(box, "size", Eigen::Vector3d::Zero());
     if (!(size.minCoeff() > 0)) reader_.fail(box, "size", "is not positive", "three numbers above 0");
     return size;
   }

@@ -27,7 +27,7 @@ KDL::Segment segment_of(const Urdf::Joint& joint) {
 }  // namespace
 
 struct KdlArm::Solver {
-  explicit Solver(KDL::Chain made) : chain(std::move(made)), forward(chain), joints(chain.getNrOfJoints()) {}
+  explicit Solver(const KDL::Chain& made) : chain(made), forward(chain), joints(chain.getNrOfJoints()) {}
   KDL::Chain chain;
   KDL::ChainFkSolverPos_recursive forward;
   KDL::JntArray joints;
@@ -39,7 +39,7 @@ KdlArm::KdlArm(const Urdf& urdf, const std::string& base, const std::string& tip
   for (std::string link = arm.tip; link != arm.base; link = path.back()->parent) path.push_back(urdf.joint_above(link));
   KDL::Chain chain;
   for (auto joint = path.rbegin(); joint != path.rend(); ++joint) chain.addSegment(segment_of(**joint));
-  solver_ = std::make_unique<Solver>(std::move(chain));
+  solver_ = std::make_unique<Solver>(chain);
 }
 
 KdlArm::~KdlArm() = default;
