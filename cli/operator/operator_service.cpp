@@ -1,6 +1,5 @@
 #include "cli/operator/operator_service.hpp"
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -13,24 +12,6 @@
 #include "process/answer_text.hpp"
 
 namespace mrroc::cli {
-
-namespace {
-
-VerbReply done(std::string text) {
-  VerbReply reply;
-  reply.text = std::move(text);
-  return reply;
-}
-
-VerbReply not_now(std::string text, std::string expected) {
-  return refuse(Refusal::not_allowed, std::move(text), std::move(expected));
-}
-
-std::string line_of(const nlohmann::ordered_json& json) {
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
-}  // namespace
 
 OperatorService::OperatorService(const config::Deployment& deployment) : deployment_(deployment) {}
 
@@ -87,7 +68,7 @@ VerbReply OperatorService::take_command(const OperatorClient& client) {
   if (holder_.held_by(client)) return done("this client holds command");
   if (!holder_.take(client)) {
     const std::string text = client.name + " asks for command, " + holder_.name() + " holds it";
-    publish_(line_of({{"event", "command_wanted"}, {"by", client.name}, {"commander", holder_.name()}}), text);
+    publish_(command_wanted_event(client.name, holder_.name()), text);
     return refuse(Refusal::not_commander, holder_.name() + " holds command and has received the request",
                   "'release' there, or the end of its connection");
   }
@@ -175,33 +156,6 @@ VerbReply OperatorService::check_answered(const config::Event& event) const {
                  "its end, or 'hold' before");
 }
 
-/// The robot answers the newest order only.
-void OperatorService::order_given(const OperatorEvents::Performed& performed, Pending pending) {
-  const std::string& robot = performed.event.order.robot;
-  if (const auto earlier = ordered_.find(robot); earlier != ordered_.end()) {
-    VerbReply reply = not_now("ended by '" + performed.event.command + "'", "");
-    if (earlier->second.command == "jog") reply = done(std::string{find_verb("jog")->effect});
-    reply.id = earlier->second.pending.id;
-    if (earlier->second.pending.reply) earlier->second.pending.reply(reply);
-  }
-  ordered_[robot] = {performed.number, performed.event.command, std::move(pending)};
-}
-
-void OperatorService::take_answer(const RobotOrders::Answer& answer) {
-  const auto ordered = ordered_.find(answer.robot);
-  if (ordered == ordered_.end() || ordered->second.number != answer.number) return;
-  const ErrorReport& error = answer.state.error;
-  VerbReply reply = error.error_class == ErrorClass::none
-                        ? done(std::string{find_verb(ordered->second.command)->effect})
-                        : not_now(answer.robot + ": " + std::string{describe(error.code)} +
-                                      (error.detail.empty() ? "" : ": " + std::string{error.detail.view()}),
-                                  "");
-  reply.tick = answer.state.tick;
-  reply.id = ordered->second.pending.id;
-  if (ordered->second.pending.reply) ordered->second.pending.reply(reply);
-  ordered_.erase(ordered);
-}
-
 VerbReply OperatorService::report() const {
   VerbReply reply = done(std::string{"the task is "} + name_of(phase()));
   reply.data = to_json({.deployment = deployment_,
@@ -257,60 +211,6 @@ void OperatorService::poll() {
   published_question_ = key;
 }
 
-void OperatorService::reply_to(const OperatorEvents::Performed& performed) {
-  const auto pending = pending_.find(performed.ticket);
-  const std::string by = pending == pending_.end() ? "an event of the deployment" : pending->second.client.name;
-  const bool repeated = performed.event.command == "jog";  // many times a second
-  const bool shown = repeated || pending == pending_.end() || pending->second.client.number == 0;
-  nlohmann::ordered_json json{{"event", "command"},
-                              {"command", performed.event.command},
-                              {"by", by},
-                              {"tick", performed.event.tick},
-                              {"task", name_of(phase())}};
-  if (performed.event.command == "speed") json["value"] = performed.event.value;
-  publish_(line_of(json),
-           shown ? "" : performed.event.command + " by " + by + " at tick " + std::to_string(performed.event.tick));
-  if (pending == pending_.end()) return;
-  if (performed.number != 0) {
-    order_given(performed, std::move(pending->second));
-    pending_.erase(pending);
-    return;
-  }
-  if (performed.event.command == "reset") {
-    resets_.emplace_back(std::move(pending->second), performed.event.tick);
-    pending_.erase(pending);
-    return;
-  }
-  VerbReply reply = done(std::string{find_verb(performed.event.command)->effect});
-  reply.tick = performed.event.tick;
-  reply.id = pending->second.id;
-  if (pending->second.reply) pending->second.reply(reply);
-  pending_.erase(pending);
-}
-
-/// A robot of another host refuses `recover` before the reset has arrived there.
-void OperatorService::reply_to_resets() {
-  if (resets_.empty() || !reset_arrived_()) return;
-  for (const auto& [pending, tick] : std::exchange(resets_, {})) {
-    VerbReply reply = done(std::string{find_verb("reset")->effect});
-    reply.tick = tick;
-    reply.id = pending.id;
-    if (pending.reply) pending.reply(reply);
-  }
-}
-
-void OperatorService::end(int exit_code, const std::string& reason) {
-  const auto refuse_pending = [](const Pending& pending) {
-    VerbReply reply = refuse(Refusal::ended, "the run has ended before the command");
-    reply.id = pending.id;
-    if (pending.reply) pending.reply(reply);
-  };
-  for (const auto& [ticket, pending] : std::exchange(pending_, {})) refuse_pending(pending);
-  for (const auto& [pending, tick] : std::exchange(resets_, {})) refuse_pending(pending);
-  for (const auto& [robot, ordered] : std::exchange(ordered_, {})) refuse_pending(ordered.pending);
-  publish_(line_of({{"event", "end"}, {"exit_code", exit_code}, {"reason", reason}}), "");
-}
-
 void OperatorService::update(const links::ProcessStatus& status) {
   links::ProcessStatus& known = statuses_[std::string{status.process.view()}];
   const bool changed = known.process.empty() || known.state != status.state ||
@@ -322,8 +222,7 @@ void OperatorService::update(const links::ProcessStatus& status) {
 void OperatorService::message(const std::string& line) { publish_(message_event(line), ""); }
 
 void OperatorService::publish_holder() {
-  publish_(line_of({{"event", "commander"},
-                    {"commander", holder_.free() ? nullptr : nlohmann::ordered_json(holder_.name())}}),
+  publish_(commander_event(holder_.free() ? "" : holder_.name()),
            holder_.free() ? "command is free" : holder_.name() + " holds command");
 }
 

@@ -183,4 +183,23 @@ std::string event_text(const std::string& line) try {
   return "";
 }
 
+std::string command_event(const config::Event& event, const std::string& by, TaskPhase phase) {
+  Json json{
+      {"event", "command"}, {"command", event.command}, {"by", by}, {"tick", event.tick}, {"task", name_of(phase)}};
+  if (event.command == "speed") json["value"] = event.value;
+  return dump(json);
+}
+
+std::string commander_event(const std::string& name) {
+  return dump({{"event", "commander"}, {"commander", name.empty() ? Json(nullptr) : Json(name)}});
+}
+
+std::string command_wanted_event(const std::string& by, const std::string& holder) {
+  return dump({{"event", "command_wanted"}, {"by", by}, {"commander", holder}});
+}
+
+std::string end_event(int exit_code, const std::string& reason) {
+  return dump({{"event", "end"}, {"exit_code", exit_code}, {"reason", reason}});
+}
+
 }  // namespace mrroc::cli

@@ -22,7 +22,7 @@ struct OperatorState {
   const Questions* questions = nullptr;                          ///< null: the links are not open yet
 };
 
-/// The state as JSON, the data of `status`: docs/reference/operator-protocol.md. Any thread.
+/// The state as JSON, the data of `status`: docs/reference/operator.md. Any thread.
 std::string to_json(const OperatorState& state);
 /// The same data as lines for people; `json` comes from `to_json`. Throws std::runtime_error for another text.
 std::string state_text(const std::string& json);
@@ -30,10 +30,18 @@ std::string state_text(const std::string& json);
 /// One line about a run for `mrroc list`. Throws as `state_text`.
 std::string run_line(const std::string& deployment, int pid, const std::string& json);
 
-/// One line of JSON for watchers, with "event" as its first member: "process", "question", "message". Any thread.
+/// One line of JSON for watchers, with "event" as its first member: "process", "question", "message",
+/// "command", "commander", "command_wanted", "end". Any thread.
 std::string process_event(const links::ProcessStatus& status);
 std::string question_event(const OpenQuestion& question);
 std::string message_event(const std::string& text);
+/// A command has been performed, given by the client `by`; `phase`: of the task after it.
+std::string command_event(const config::Event& event, const std::string& by, TaskPhase phase);
+/// `name` holds command; empty: it is free.
+std::string commander_event(const std::string& name);
+/// The client `by` asks for the command that `holder` holds.
+std::string command_wanted_event(const std::string& by, const std::string& holder);
+std::string end_event(int exit_code, const std::string& reason);
 /// The same for people; empty for an event that is not known. Any thread; does not throw.
 std::string event_text(const std::string& json);
 

@@ -32,12 +32,22 @@ const char* name_of(Refusal refusal) noexcept {
   return "?";
 }
 
+VerbReply done(std::string text) {
+  VerbReply reply;
+  reply.text = std::move(text);
+  return reply;
+}
+
 VerbReply refuse(Refusal refusal, std::string text, std::string expected) {
   VerbReply reply;
   reply.refusal = refusal;
   reply.text = std::move(text);
   reply.expected = std::move(expected);
   return reply;
+}
+
+VerbReply not_now(std::string text, std::string expected) {
+  return refuse(Refusal::not_allowed, std::move(text), std::move(expected));
 }
 
 std::string to_json(const VerbReply& reply) {

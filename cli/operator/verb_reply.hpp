@@ -34,8 +34,12 @@ struct VerbReply {
   bool ok() const noexcept { return refusal == Refusal::none; }
 };
 
+/// A reply that says what happened. Any thread.
+VerbReply done(std::string text);
 /// A reply that refuses a request. Any thread.
 VerbReply refuse(Refusal refusal, std::string text, std::string expected = "");
+/// `refuse` for a request that another state of the deployment would allow.
+VerbReply not_now(std::string text, std::string expected);
 
 /// One line of JSON without its end: {"id", "ok", "tick", "text", "data"} or {"id", "ok", "reason", "text",
 /// "expected"}; bytes that are not UTF-8 are replaced. Any thread.
