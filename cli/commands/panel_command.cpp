@@ -1,14 +1,11 @@
 #include "cli/commands/panel_command.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <memory>
-#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "cli/commands/become_program.hpp"
 #include "cli/run/panel_process.hpp"
 #include "command/number_option.hpp"
 
@@ -21,17 +18,10 @@ struct PanelRequest {
   PanelOptions options;
 };
 
-/// Becomes the panel's server: no process waits for it.
 [[noreturn]] void become_server(const PanelRequest& request) {
   std::vector<std::string> words = panel_arguments(request.options);
-  words.insert(words.begin(), panel_program());
   if (!request.deployment.empty()) words.push_back(request.deployment);
-  std::vector<char*> arguments;
-  arguments.reserve(words.size() + 1);
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  execv(arguments.front(), arguments.data());
-  throw std::runtime_error(words.front() + ": " + std::strerror(errno));
+  become_program(panel_program(), std::move(words));
 }
 
 }  // namespace

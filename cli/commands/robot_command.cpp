@@ -1,13 +1,11 @@
 #include "cli/commands/robot_command.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "cli/commands/become_program.hpp"
 #include "cli/robot/robot_verbs.hpp"
 #include "config/resources.hpp"
 
@@ -18,9 +16,7 @@ namespace {
 constexpr const char* kProgram = "mrroc_robot";
 
 std::string robot_program() {
-  for (const std::filesystem::path& folder : config::program_directories())
-    if (const std::filesystem::path program = folder / kProgram; access(program.c_str(), X_OK) == 0)
-      return program.string();
+  if (const std::filesystem::path program = config::find_program(kProgram); !program.empty()) return program;
   throw std::runtime_error(std::string(kProgram) + " is not installed, expected it beside the programs of mrroc");
 }
 
@@ -40,16 +36,7 @@ std::vector<std::string> words_of_verb(const CLI::App& verb) {
   return words;
 }
 
-[[noreturn]] void become_robot_program(const CLI::App& verb) {
-  std::vector<std::string> words = words_of_verb(verb);
-  words.insert(words.begin(), robot_program());
-  std::vector<char*> arguments;
-  arguments.reserve(words.size() + 1);
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  execv(arguments.front(), arguments.data());
-  throw std::runtime_error(words.front() + ": " + std::strerror(errno));
-}
+[[noreturn]] void become_robot_program(const CLI::App& verb) { become_program(robot_program(), words_of_verb(verb)); }
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 #include "cli/run/panel_process.hpp"
 
 #include <poll.h>
-#include <unistd.h>
 
 #include <stdexcept>
 #include <utility>
@@ -31,9 +30,7 @@ std::vector<std::string> panel_arguments(const PanelOptions& options) {
 }
 
 std::string panel_program() {
-  for (const std::filesystem::path& folder : config::program_directories())
-    if (const std::filesystem::path program = folder / "mrroc_panel"; access(program.c_str(), X_OK) == 0)
-      return program.string();
+  if (const std::filesystem::path program = config::find_program("mrroc_panel"); !program.empty()) return program;
   throw std::runtime_error("the panel is not installed here, expected mrroc_panel of 'make panel'");
 }
 

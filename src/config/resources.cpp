@@ -1,5 +1,7 @@
 #include "config/resources.hpp"
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <set>
 #include <sstream>
@@ -88,6 +90,12 @@ std::vector<fs::path> program_directories() {
   std::error_code none;
   if (own.front() != installed && fs::is_directory(installed, none)) own.push_back(installed);
   return folders(kPrograms, own);
+}
+
+fs::path find_program(const std::string& name) {
+  for (const fs::path& folder : program_directories())
+    if (fs::path program = folder / name; access(program.c_str(), X_OK) == 0) return program;
+  return {};
 }
 
 std::vector<std::string> robot_types() { return types("robots"); }

@@ -20,6 +20,9 @@ std::vector<std::filesystem::path> share_directories();
 /// Folders of executables: $MRROC_PROGRAMS, else that of the running one, then libexec/mrroc of the same prefix.
 std::vector<std::filesystem::path> program_directories();
 
+/// Path of the executable of this name in one of them; empty: in no folder.
+std::filesystem::path find_program(const std::string& name);
+
 /// Names of the installed robot (sensor) types, sorted.
 std::vector<std::string> robot_types();
 std::vector<std::string> sensor_types();
