@@ -1,5 +1,6 @@
 #include "mrroc/robots/arm.hpp"
 
+#include "geometry/tool_down.hpp"
 #include "mrroc/task.hpp"
 #include "robots/arm/arm_model.hpp"
 
@@ -19,11 +20,6 @@ RobotModels models_of(const Task& task, const std::string& name) {
 
 Arm::Arm(Task& task, const std::string& name) : Robot(task, name, models_of(task, task.robot_name(name))) {}
 
-Pose Arm::tool_down(double x, double y, double z) {
-  Pose pose = Pose::Identity();
-  pose.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();  // x as the base, y and z reversed
-  pose.translation() = Eigen::Vector3d(x, y, z);
-  return pose;
-}
+Pose Arm::tool_down(double x, double y, double z) { return mrroc::tool_down(x, y, z); }
 
 }  // namespace mrroc

@@ -1,5 +1,6 @@
 #include "mrroc/robots/serial_parallel.hpp"
 
+#include "geometry/tool_down.hpp"
 #include "robots/serial_parallel/serial_parallel_model.hpp"
 
 namespace mrroc {
@@ -7,11 +8,6 @@ namespace mrroc {
 SerialParallel::SerialParallel(Task& task, const std::string& name)
     : Robot(task, name, "serial_parallel", load_serial_parallel) {}
 
-Pose SerialParallel::tool_down(double x, double y, double z) {
-  Pose pose = Pose::Identity();
-  pose.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();  // x as the base, y and z reversed
-  pose.translation() = Eigen::Vector3d(x, y, z);
-  return pose;
-}
+Pose SerialParallel::tool_down(double x, double y, double z) { return mrroc::tool_down(x, y, z); }
 
 }  // namespace mrroc

@@ -8,29 +8,13 @@
 #include "edp/check/robot_check.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 #include "robots/arm/arm_fixture.hpp"
-#include "text_of.hpp"
+#include "robots/common/changed_file.hpp"
 
 namespace mrroc {
 namespace {
 
-/// The error of loading bench_arm.toml with `from` replaced by `to`; empty: it loads.
 std::string error_with(const std::string& from, const std::string& to) {
-  std::string changed = test::text_of(kBenchArm);
-  const auto at = changed.find(from);
-  if (at == std::string::npos) throw std::runtime_error("no \"" + from + "\" in bench_arm.toml");
-  changed.replace(at, from.size(), to);
-  const task_test::ScratchFolder folder;
-  try {
-    load_arm(folder.write("bench_arm.toml", changed));
-  } catch (const config::ConfigurationError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-testing::AssertionResult names(const std::string& error, const std::string& key) {
-  if (error.find(key) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "\"" << error << "\" does not name " << key;
+  return error_of_changed(load_arm, kBenchArm, from, to);
 }
 
 TEST(ArmModel, IsTheProductOfItsJoints) {

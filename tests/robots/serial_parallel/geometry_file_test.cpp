@@ -1,33 +1,13 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include "fixture.hpp"
-#include "mrroc/testing/scratch_folder.hpp"
-#include "text_of.hpp"
+#include "robots/common/changed_file.hpp"
 
 namespace mrroc {
 namespace {
 
-/// The error of loading serial_parallel.toml with `from` replaced by `to`; empty: it loads.
 std::string error_with(const std::string& from, const std::string& to) {
-  std::string changed = test::text_of(serial_parallel_source("serial_parallel.toml"));
-  const auto at = changed.find(from);
-  if (at == std::string::npos) throw std::runtime_error("no \"" + from + "\" in serial_parallel.toml");
-  changed.replace(at, from.size(), to);
-  const task_test::ScratchFolder folder;
-  try {
-    load_serial_parallel(folder.write("serial_parallel.toml", changed));
-  } catch (const config::ConfigurationError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-testing::AssertionResult names(const std::string& error, const std::string& key) {
-  if (error.find(key) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "\"" << error << "\" does not name " << key;
+  return error_of_changed(load_serial_parallel, serial_parallel_source("serial_parallel.toml"), from, to);
 }
 
 TEST(SerialParallelGeometryFile, ErrorsNameTheirKey) {
