@@ -24,10 +24,10 @@ class BlackBoxes {
   int fd_of(const std::string& process) const noexcept;
   /// A line of the last steps of a task on another host, the oldest first.
   void take(const std::string& process, const std::string& line);
-  /// The written ones, as text that follows the failure: "; black box: FILE"; empty when there is none.
+  /// The written ones, as text that follows the failure: "; black box: FILE"; empty without one.
   std::string reported() const;
   /// Call it when all processes have ended. Writes the black boxes of the tasks that made a step but have not written
-  /// their own. Returns a line for the operator that names the files; empty when there is none.
+  /// their own. Returns a line for the operator that names the files; empty without one.
   std::string save_rest() const;
   /// Writes the last steps of all tasks on this machine as one black box, while they run. The file must not exist; a
   /// relative path is in the working folder. Returns "100 steps of arm, mp; black box: /PATH". Throws std::logic_error
@@ -41,7 +41,7 @@ class BlackBoxes {
     std::optional<process::SharedBlackBox> last_steps;  ///< none: it is on another host
     std::vector<process::TextLine> reported;            ///< received from that host
   };
-  /// The file that the task itself has written; empty when there is none.
+  /// The file that the task itself has written; empty without one.
   std::filesystem::path written(const Box& box) const;
   void write_steps(const std::filesystem::path& path,
                    const std::map<std::string, std::vector<process::TextLine>>& steps) const;

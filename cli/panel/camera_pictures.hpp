@@ -26,7 +26,7 @@ struct ShownCamera {
   std::string reason;         ///< why it has no picture; empty: it has one
 };
 
-/// A picture of a camera, or the reason why there is none.
+/// A picture of a camera, or the reason why it is missing.
 struct CameraPicture {
   Tick tick = 0;               ///< of the world's state that it shows
   std::vector<std::byte> png;  ///< empty: `reason`

@@ -57,7 +57,7 @@ std::string_view camera_of(std::string_view name) {
   return name.substr(kPictures.size(), name.size() - kPictures.size() - kPng.size());
 }
 
-/// The picture, or why there is none.
+/// The picture, or why it is missing.
 int send_picture(mg_connection& connection, const CameraPicture& picture, bool head) {
   if (picture.png.empty()) return send_text(connection, "503 Service Unavailable", picture.reason);
   const std::string tick = std::string{kTickHeader} + ": " + std::to_string(picture.tick) + "\r\n";

@@ -1,5 +1,7 @@
 #include "cli/robot/import/axis_limits.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,9 +20,9 @@ using config::number_text;
 using edp::Urdf;
 
 constexpr double kGuessedTurn = std::numbers::pi / 2, kGuessedSlide = 0.25;  // rad/s, m/s
-constexpr double kEndless = 1e4;                                             // rad, m: a position limit beyond is none
-constexpr double kFastest = 1e9;                                             // of velocity, acceleration, jerk
-constexpr double kPerVelocity = 2.5, kPerAcceleration = 10;                  // 1/s: in 0.4 s, in 0.1 s
+constexpr double kEndless = 1e4;                             // rad, m: a position limit beyond counts as missing
+constexpr double kFastest = 1e9;                             // of velocity, acceleration, jerk
+constexpr double kPerVelocity = 2.5, kPerAcceleration = 10;  // 1/s: in 0.4 s, in 0.1 s
 
 SourcedNumber from_urdf(double value, int line) { return {value, "URDF line " + std::to_string(line)}; }
 
@@ -98,7 +100,7 @@ class LimitFinder {
       first_line_ = joint.line;
       first_key_ = key;
     }
-    missing_ += (missing_.empty() ? "" : ", ") + name + "." + key + " (" + number_text(value) + ")";
+    missing_ += (missing_.empty() ? "" : ", ") + name + "." + key + " (" + fmt::format("{:.4g}", value) + ")";
     findings_.guess(key + " = " + rule, name, joint.line);
     return {value, "guessed: " + rule};
   }

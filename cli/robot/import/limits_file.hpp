@@ -24,7 +24,7 @@ class LimitsFile {
   /// position_min that is not below position_max.
   static LimitsFile load(const std::filesystem::path& file);
 
-  /// Throws config::ConfigurationError when `[axes.NAME]` is none of `names`.
+  /// Throws config::ConfigurationError when the name of an `[axes.NAME]` is not among `names`.
   void check_names(const std::vector<std::string>& names) const;
 
   /// The limit `key` of an axis; nothing when it is not given.

@@ -32,7 +32,7 @@ export class CameraView {
     return this.camera.reason === null;
   }
 
-  /** Asks the server for the newest picture and shows it, or the reason why there is none. */
+  /** Asks the server for the newest picture and shows it, or the reason why it is missing. */
   async update(): Promise<void> {
     try {
       const answer = await fetch(`pictures/${this.camera.name}.png`, { cache: 'no-store' });
