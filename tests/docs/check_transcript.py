@@ -4,6 +4,7 @@ what the page shows, but for numbers.
 check_transcript.py SOURCE_DIR BINARY_DIR [--write]: --write puts the transcript into the page.
 """
 
+import difflib
 import json
 import os
 import pathlib
@@ -65,8 +66,14 @@ def await_that(holds, what):
 
 
 def task_state(binary, environment):
+    """Of the run; empty while a process of a task that goes on has not yet said that it runs, or the arm moves by no instruction."""
     done = subprocess.run([binary / "bin/mrroc", "status", "press", "--json"], env=environment, capture_output=True, text=True, check=False)
-    return json.loads(done.stdout)["task"] if done.returncode == 0 else ""
+    if done.returncode != 0:
+        return ""
+    state = json.loads(done.stdout)
+    running = all(process["state"] == "running" for process in state["processes"])
+    moving = any(process["name"] == "arm" and process["instruction"] > 0 for process in state["processes"])
+    return state["task"] if state["task"] == "held" or (running and moving) else ""
 
 
 def transcript(root, binary, folder):
@@ -106,6 +113,7 @@ def main():
         return 0
     shown = there.strip().removeprefix("```text\n").removesuffix("```")
     if normalised(shown) != normalised(seen):
+        print("\n".join(difflib.unified_diff(normalised(shown), normalised(seen), PAGE, "seen", lineterm="")))
         print(f"{PAGE}: the transcript differs, tests/docs/check_transcript.py . build --write. Seen:\n{seen}")
         return 1
     print(f"{len(SESSION)} commands")

@@ -11,6 +11,8 @@ const VALIDITY = 100; // ticks, 0.2 s
 const BRAKING = 200; // ticks from 0.3 rad/s with the axis' acceleration and jerk, and some more
 const MOVING = 0.05; // rad/s
 const AT_REST = 0.01; // rad/s
+const STOP = 800; // ticks for which a process is stopped
+const LAST_WORDS = 300; // ticks: what a stopped process had sent before arrives within them, on a busy machine, too
 
 const run = new LiveRun();
 const [noted, trace, motion] = ['noted.toml', 'live.trace', 'motion'].map((name) => run.path(name));
@@ -45,13 +47,20 @@ async function begin_jog(page) {
   throw new Error('no jog lasts');
 }
 
-/** Jogs, calls `end`, and waits for a second of the run. */
-async function jog_until(name, page, end) {
+/** Jogs, calls `end`, and waits for a second of the run. `silent`: ticks before the end of `end` without a jog. */
+async function jog_until(name, page, end, silent = 0) {
   const from = await begin_jog(page);
   await end();
   const to = (await run.status()).tick;
   await run.pass_ticks(600);
-  series.push({ name, from, to });
+  series.push({ name, from, to, silent });
+}
+
+/** Stops the processes for a while. */
+async function stop_for_a_while(pids) {
+  for (const pid of pids) process.kill(pid, 'SIGSTOP');
+  await run.pass_ticks(STOP);
+  for (const pid of pids) process.kill(pid, 'SIGCONT');
 }
 
 test('ReleaseEndsTheJog', async () => {
@@ -79,13 +88,9 @@ test('AFrozenPageEndsTheJogAndDoesNotBeginAnotherOne', async () => {
   );
   await await_shown(page, '#answer', 'frozen');
   await page.mouse.up();
-  await jog_until('stopped renderer', page, async () => {
-    const renderers = renderers_of(pid);
-    assert.ok(renderers.length > 0);
-    for (const renderer of renderers) process.kill(renderer, 'SIGSTOP');
-    await run.pass_ticks(800);
-    for (const renderer of renderers) process.kill(renderer, 'SIGCONT');
-  });
+  const renderers = renderers_of(pid);
+  assert.ok(renderers.length > 0);
+  await jog_until('stopped renderer', page, () => stop_for_a_while(renderers), STOP - LAST_WORDS);
   await await_shown(page, '#answer', 'jog ended');
   await page.mouse.up();
   await browser.close();
@@ -108,12 +113,7 @@ test('KillingTheBrowserEndsTheJog', async () => {
 test('AStoppedServerEndsTheJogAndQueuedRequestsMoveNothing', async () => {
   const browser = await launch();
   const page = await open(browser);
-  const server = run.panel_pid();
-  await jog_until('stopped server', page, async () => {
-    process.kill(server, 'SIGSTOP');
-    await run.pass_ticks(800);
-    process.kill(server, 'SIGCONT');
-  });
+  await jog_until('stopped server', page, () => stop_for_a_while([run.panel_pid()]), STOP - LAST_WORDS);
   await page.mouse.up();
   await browser.close();
 });
@@ -132,11 +132,14 @@ test('EverySeriesOfJogsEndsAtRestInTime', async () => {
   assert.equal(await run.exit, STOPPED);
   const speeds = column_speeds(motion);
   const jogs = jog_ticks(noted);
-  for (const { name, from, to } of series) {
+  for (const { name, from, to, silent } of series) {
     const mine = jogs.filter((tick) => tick >= from && tick <= to + 600);
     assert.ok(mine.length > 3, `${name}: ${mine.length} jogs`);
     const last = mine.at(-1);
-    assert.ok(speeds.get(last) > MOVING, `${name}: the column does not move at tick ${last}`);
+    assert.ok(last <= to - silent, `${name}: a jog at tick ${last}, the silence ended at ${to}`);
+    // on a busy machine a jog may come late: the arm brakes and begins once more
+    const fastest = Math.max(...mine.map((tick) => speeds.get(tick) ?? 0));
+    assert.ok(fastest > MOVING, `${name}: the column does not move at the jogs ${mine}`);
     for (let tick = last + VALIDITY + BRAKING; tick < last + 600; ++tick)
       assert.ok(
         (speeds.get(tick) ?? 0) < AT_REST,
