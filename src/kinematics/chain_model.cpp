@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kSingular = 1e-6;                 // smallest singular value of the Jacobian, m/rad and rad/rad
+constexpr double kBeside = 1.5;                    // rad or m, beside a posture that was found
 constexpr double kEndless = 2 * std::numbers::pi;  // range in which a search looks where a joint has no limit
 
 /// splitmix64: the same numbers for every call and machine.
@@ -33,7 +34,12 @@ bool is_pose(const Pose& pose) noexcept {
 }  // namespace
 
 ChainModel::ChainModel(std::string name, RobotParameters parameters, const SerialChain& chain, const JointVector& gear)
-    : name_(std::move(name)), parameters_(std::move(parameters)), chain_(chain), closed_form_(chain), gear_(gear) {
+    : name_(std::move(name)),
+      parameters_(std::move(parameters)),
+      chain_(chain),
+      closed_form_(chain),
+      similar_(chain, ClosedForm::kSimilar),
+      gear_(gear) {
   const auto count = std::ssize(parameters_.axes);
   if (count != chain.size() || count != gear.size())
     throw std::invalid_argument(std::to_string(chain.size()) + " joints and " + std::to_string(gear.size()) +
@@ -113,25 +119,32 @@ void ChainModel::branches(const Pose& flange, const JointVector& near, BranchRec
   const ErrorCode code = inverse(flange, near, first);
   if (code == ErrorCode::none || code == ErrorCode::singular) receiver.add(first, true);
   if (!is_pose(flange) || near.size() != chain_.size() || !near.allFinite()) return;
-  if (closed_form_) {
-    ClosedForm::Postures postures;
-    closed_form_.solve(flange, near, kTolerance, postures);
-    for (std::size_t i = 0; i < postures.count; ++i) {
-      unwrap(near, postures.joints[i]);
-      if (postures.joints[i] != first) receiver.add(postures.joints[i], true);
-    }
-  } else {
-    search(flange, receiver);
+  ClosedForm::Postures postures;
+  (closed_form_ ? closed_form_ : similar_).solve(flange, near, kTolerance, postures);
+  for (std::size_t i = 0; i < postures.count; ++i) {
+    unwrap(near, postures.joints[i]);
+    if (postures.joints[i] != first) receiver.add(postures.joints[i], true);
   }
+  if (!closed_form_) search(flange, near, receiver);
 }
 
-void ChainModel::search(const Pose& flange, BranchReceiver& receiver) const noexcept {
+void ChainModel::search(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept {
   std::uint64_t state = 1;
+  JointVector last;  // near a singularity two branches lie side by side: every other search begins beside the last one
   for (int i = 0; i < kSearches && !receiver.found(); ++i) {
+    const bool beside = i % 2 == 1 && last.size() > 0;
     JointVector posture(chain_.size());
-    for (int j = 0; j < chain_.size(); ++j)
-      posture[j] = range_.min[j] + next_uniform(state) * (range_.max[j] - range_.min[j]);
-    if (improve(chain_, flange, kTolerance, kIterations, posture, &range_)) receiver.add(posture, true);
+    for (int j = 0; j < chain_.size(); ++j) {
+      const double part = next_uniform(state);
+      posture[j] = beside ? std::clamp(last[j] + (2 * part - 1) * kBeside, range_.min[j], range_.max[j])
+                          : range_.min[j] + part * (range_.max[j] - range_.min[j]);
+    }
+    // the way to some branches leads through a limit
+    const JointRange* const range = i % 4 < 2 ? &range_ : nullptr;
+    if (!improve(chain_, flange, kTolerance, kSearchIterations, posture, range)) continue;
+    if (range == nullptr) unwrap(near, posture);
+    receiver.add(posture, true);
+    last = posture;
   }
 }
 

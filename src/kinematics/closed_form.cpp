@@ -11,6 +11,7 @@ namespace mrroc::kinematics {
 namespace {
 
 constexpr int kNewtonSteps = 8;
+constexpr int kManySteps = 40;     // from the posture of a similar arm
 constexpr double kAligned = 1e-7;  // sine of the angle between two axes that count as one
 constexpr double kSame = 1e-6;     // rad: two postures that are one
 
@@ -74,9 +75,12 @@ struct ClosedForm::Search {
   Postures& postures;
 };
 
-ClosedForm::ClosedForm(const SerialChain& chain) : chain_(chain) { structure_ = recognise(); }
+ClosedForm::ClosedForm(const SerialChain& chain, double distance)
+    : chain_(chain), steps_(distance > kTolerance ? kManySteps : kNewtonSteps) {
+  structure_ = recognise(distance);
+}
 
-Structure ClosedForm::recognise() {
+Structure ClosedForm::recognise(double tolerance) {
   if (chain_.size() != 6) return Structure::none;
   for (int i = 0; i < 6; ++i)
     if (chain_.slides(i)) return Structure::none;
@@ -85,10 +89,10 @@ Structure ClosedForm::recognise() {
   std::copy_n(axes.axis.begin(), 6, h_.begin());
   std::copy_n(axes.origin.begin(), 6, o_.begin());
   flange_rotation_ = axes.flange.linear();
-  const auto meet = [this](std::size_t i, std::size_t j, Eigen::Vector3d& point) {
+  const auto meet = [this, tolerance](std::size_t i, std::size_t j, Eigen::Vector3d& point) {
     if (parallel(h_[i], h_[j])) return false;
     point = nearest(o_[i], h_[i], o_[j], h_[j]);
-    return distance(point, o_[j], h_[j]) < kTolerance;
+    return distance(point, o_[j], h_[j]) < tolerance;
   };
   Eigen::Vector3d point;
   const bool last_meet = meet(4, 5, point);
@@ -97,7 +101,7 @@ Structure ClosedForm::recognise() {
     flange_offset_ = axes.flange.translation() - point;
     return Structure::three_parallel;
   }
-  if (!last_meet || parallel(h_[3], h_[4]) || distance(point, o_[3], h_[3]) >= kTolerance) return Structure::none;
+  if (!last_meet || parallel(h_[3], h_[4]) || distance(point, o_[3], h_[3]) >= tolerance) return Structure::none;
   o_[3] = o_[4] = o_[5] = point;
   flange_offset_ = axes.flange.translation() - point;
   if (parallel(h_[1], h_[2]) && !parallel(h_[0], h_[1])) return Structure::wrist_after_parallel;
@@ -247,7 +251,7 @@ void ClosedForm::add(Search& search, const std::array<double, 6>& joints) const 
   if (postures.count == kMaxPostures) return;
   JointVector& found = postures.joints[postures.count];
   found = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(joints.data());
-  if (!improve(chain_, search.flange, search.tolerance, kNewtonSteps, found)) return;
+  if (!improve(chain_, search.flange, search.tolerance, steps_, found)) return;
   for (double& joint : found) joint = wrapped(joint);
   for (std::size_t i = 0; i < postures.count; ++i) {
     double difference = 0;

@@ -20,11 +20,13 @@ enum class Structure {
 std::string_view name_of(Structure structure) noexcept;
 
 /// All postures of six turning axes for a flange pose, in closed form by subproblems (Elias and Wen, 2022). Geometry
-/// that is parallel or meeting within kTolerance counts as such; each posture is then improved by Newton's method on
-/// the chain itself. Any thread; allocates nothing, never throws.
+/// that is parallel or meeting within a tolerance counts as such; each posture is then improved by Newton's method on
+/// the chain itself. With a large tolerance it is the closed form of a similar arm, and finds most postures of an arm
+/// that has none. Any thread; allocates nothing, never throws.
 class ClosedForm {
  public:
   static constexpr double kTolerance = 1e-4;  ///< rad, m
+  static constexpr double kSimilar = 0.3;     ///< m, between axes that meet in a similar arm
   static constexpr std::size_t kMaxPostures = 8;
 
   struct Postures {
@@ -33,8 +35,8 @@ class ClosedForm {
     bool singular = false;  ///< a joint is free there; it has its value of `near`
   };
 
-  /// The chain is copied.
-  explicit ClosedForm(const SerialChain& chain);
+  /// The chain is copied. `distance`: m, between axes that count as meeting.
+  explicit ClosedForm(const SerialChain& chain, double distance = kTolerance);
   Structure structure() const noexcept { return structure_; }
   explicit operator bool() const noexcept { return structure_ != Structure::none; }
 
@@ -49,7 +51,7 @@ class ClosedForm {
   };
   struct Search;
 
-  Structure recognise();
+  Structure recognise(double tolerance);
   void solve_wrist(Search& search, double q1, double q2, double q3) const noexcept;
   void solve_arm(Search& search) const noexcept;
   void solve_three_parallel(Search& search) const noexcept;
@@ -57,6 +59,7 @@ class ClosedForm {
   void add(Search& search, const std::array<double, 6>& joints) const noexcept;
 
   SerialChain chain_;
+  int steps_;                             ///< of Newton's method
   std::array<Eigen::Vector3d, 6> h_, o_;  ///< axes, and points on them, at zero
   Eigen::Matrix3d flange_rotation_;       ///< at zero
   Eigen::Vector3d flange_offset_;         ///< from the centre of the wrist to the flange, at zero

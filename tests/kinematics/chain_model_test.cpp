@@ -88,6 +88,51 @@ TEST(ChainModel, PosturesWithinTheLimitsAreFound) {
   }
 }
 
+/// Looks for one posture.
+class Among final : public BranchReceiver {
+ public:
+  explicit Among(const JointVector& wanted) : wanted_(wanted) {}
+  void add(const JointVector& joints, bool) noexcept override {
+    double difference = 0;
+    for (int i = 0; i < joints.size(); ++i)
+      difference = std::max(difference, std::abs(std::remainder(joints[i] - wanted_[i], 2 * std::numbers::pi)));
+    found_ = found_ || difference < 1e-5;
+  }
+  bool found() noexcept override { return found_; }
+
+ private:
+  const JointVector& wanted_;
+  bool found_ = false;
+};
+
+/// Every posture within the limits is among the branches of its pose, with and without a closed form; the last arm has
+/// wrist axes 0.1 m apart.
+TEST(ChainModel, ThePostureIsAmongTheBranches) {
+  constexpr int kPostures = 2000;
+  constexpr double kLimit = 2.6;
+  std::mt19937_64 random(6);
+  std::printf("seed 6\n");
+  const SerialChain apart = chain_of({{0.267, 0, -kRight},
+                                      {0, 0.29, 0, -1.38},
+                                      {0, 0.0775, -kRight, 1.38},
+                                      {0.3425, 0, kRight},
+                                      {0, 0.1, -kRight},
+                                      {0.097, 0, 0}});
+  EXPECT_FALSE(ClosedForm(apart));
+  for (const SerialChain& chain : {ur5e(), puma560(), irb140(), apart}) {
+    const ChainModel model = model_of(chain, kLimit);
+    int among = 0;
+    for (int i = 0; i < kPostures; ++i) {
+      const JointVector q = kLimit / std::numbers::pi * random_joints(random, 6);
+      Among receiver(q);
+      model.branches(model.flange(q), JointVector::Zero(6), receiver);
+      among += receiver.found() ? 1 : 0;
+    }
+    std::printf("%d of %d\n", among, kPostures);
+    EXPECT_GE(among, kPostures * 998 / 1000);
+  }
+}
+
 TEST(ChainModel, PosesBeyondTheReachAreRefused) {
   std::mt19937_64 random(3);
   std::printf("seed 3\n");

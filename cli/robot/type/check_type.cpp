@@ -1,17 +1,16 @@
 #include "cli/robot/type/check_type.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <time.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <random>
 #include <vector>
 
 #include "cli/robot/import/arm_world.hpp"
 #include "cli/robot/type/kdl_arm.hpp"
+#include "cli/robot/type/processor_time.hpp"
+#include "cli/robot/type/random_posture.hpp"
 #include "config/table.hpp"
 #include "kinematics/newton.hpp"
 
@@ -21,25 +20,6 @@ namespace {
 
 constexpr std::uint64_t kTypeSeed = 4;
 constexpr double kNearby = 0.1;  // rad or m, from the posture where an inverse begins
-constexpr double kReached = 1e-8;
-
-JointVector posture_within(const RobotParameters& parameters, std::mt19937_64& random) {
-  JointVector joints(std::ssize(parameters.axes));
-  for (std::size_t i = 0; i < parameters.axes.size(); ++i) {
-    const AxisParameters& axis = parameters.axes[i];
-    const double min = std::isfinite(axis.position_min) ? axis.position_min : -std::numbers::pi;
-    const double max = std::isfinite(axis.position_max) ? axis.position_max : std::numbers::pi;
-    joints[static_cast<Eigen::Index>(i)] = std::uniform_real_distribution(min, max)(random);
-  }
-  return joints;
-}
-
-/// Of this thread: on a busy machine, too.
-std::int64_t processor_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return now.tv_sec * std::int64_t{1000000000} + now.tv_nsec;
-}
 
 double difference(const Pose& one, const Pose& other) {
   const Twist twist = kinematics::displacement(one, other);
@@ -58,11 +38,12 @@ TypeCheck check_type(const ChainType& type, int postures) {
   std::vector<std::string> names;
   for (const AxisParameters& axis : parameters.axes) names.push_back(axis.name);
   ArmWorld world(type.scene, 0, type.mjcf, names);
-  TypeCheck check{.postures = postures};
+  TypeCheck check;
+  check.postures = postures;
   std::mt19937_64 random(kTypeSeed);
   std::vector<double> times;
   for (int i = 0; i < postures; ++i) {
-    const JointVector joints = posture_within(parameters, random);
+    const JointVector joints = random_posture(parameters, random);
     const Pose pose = model.flange(joints);
     check.kdl = std::max(check.kdl, difference(pose, kdl.flange(joints)));
     check.mujoco = std::max(check.mujoco, difference(pose, world.tool(joints)));
@@ -73,11 +54,12 @@ TypeCheck check_type(const ChainType& type, int postures) {
     const ErrorCode code = model.inverse(pose, near, found);
     times.push_back(1e-3 * static_cast<double>(processor_ns() - begin));
     const bool solved = code == ErrorCode::none || code == ErrorCode::singular;
-    check.found += solved && difference(model.flange(found), pose) < kReached ? 1 : 0;
+    check.found += solved && difference(model.flange(found), pose) < BranchCheck::kReached ? 1 : 0;
   }
   std::sort(times.begin(), times.end());
   check.typical = times[times.size() / 2];
   check.worst = times.back();
+  check.branches = check_branches(model, 2 * postures);
   return check;
 }
 
@@ -87,7 +69,15 @@ std::string check_report(const TypeCheck& check) {
   text += fmt::format("{:<28} {:.1e} m or rad\n", "worst difference to MuJoCo", check.mujoco);
   text += fmt::format("{:<28} {} of {}, {:.1f} us, at most {:.1f} us\n", "inverse, from nearby", check.found,
                       check.postures, check.typical, check.worst);
-  return text + (check.passed() ? "ok\n" : fmt::format("FAILED: more than {:.0e}\n", TypeCheck::kAllowed));
+  const BranchCheck& branches = check.branches;
+  text += fmt::format("{:<28} {} of {}, {:.1f} us, at most {:.1f} us, {} outside the limits\n", "inverse, from home",
+                      branches.reached, branches.postures, branches.typical, branches.worst, branches.outside);
+  text += fmt::format("{:<28} {} of {}\n", "postures among the branches", branches.branches, branches.postures);
+  if (!check.agrees()) text += fmt::format("FAILED: a difference of more than {:.0e}\n", TypeCheck::kAllowed);
+  if (!branches.passed())
+    text += fmt::format("FAILED: fewer than {:g} % of the branches, or a posture outside the limits\n",
+                        100 * BranchCheck::kLeastBranches);
+  return check.passed() ? text + "ok\n" : text;
 }
 
 }  // namespace mrroc::cli

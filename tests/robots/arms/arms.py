@@ -96,7 +96,9 @@ class Arm:
     def check(self):
         text = self.mrroc("robot", "check", self.name)
         self.kdl, self.mujoco = (re.search(rf"to {other} +(\S+)", text).group(1) for other in ("KDL", "MuJoCo"))
-        self.found, self.typical, self.worst = re.search(r"nearby +(\d+) of \d+, (\S+) us, at most (\S+) us", text).groups()
+        self.near = re.search(r"nearby +(\d+) of \d+, (\S+) us, at most (\S+) us", text).groups()
+        self.home = re.search(r"home +(\d+) of \d+, (\S+) us, at most (\S+) us", text).groups()
+        self.branches = re.search(r"branches +(\d+) of", text).group(1)
 
     def demo(self):
         hashes = set()
@@ -141,15 +143,19 @@ def page(arms, options):
     lines = ["# Public arms", "",
              "Reference. Every arm below was added by one `mrroc robot add FILE.urdf --accept-guesses`, without a program. Made by",
              "`tests/robots/arms/arms.py`, which fetches the packages; none of them is part of this repository.", "",
-             "Differences: the worst of 10,000 random postures between the chain and KDL, MuJoCo, in m or rad. Inverse: of",
-             "10,000 poses from a posture within 0.1 rad or m, found; median and largest processor time. Bodies: links whose",
-             "inertia had to be guessed. Demo: the beginning of the SHA-256 of the trace, equal in all runs.", "",
-             "| arm | package | axes | inverse | KDL | MuJoCo | found | µs | bodies | demo |", "|---|---|---|---|---|---|---|---|---|---|"]
+             "KDL, MuJoCo: the worst difference of 10,000 random postures to the chain, in m or rad. Nearby: of 10,000 poses,",
+             "those that the inverse finds from a posture within 0.1 rad or m; median and largest processor time in µs. Home: the",
+             "same for 20,000 poses from home, as a motion in joint space asks, within the limits always. Branches: of these",
+             "20,000 postures, those among the branches of their poses (seven axes: poses reached). Guessed: axes whose",
+             "acceleration and jerk, links whose inertia. Demo: the beginning of the SHA-256 of the trace, equal in all runs.", "",
+             "| arm | package | axes | inverse | KDL | MuJoCo | nearby | µs | home | µs | branches | guessed | demo |",
+             "|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
     for arm in arms:
         name = f"[{arm.name}]({os.path.relpath(options.pictures / (arm.name + '.png'), options.table.parent)})"
         inverse = arm.inverse.replace("closed form: ", "").replace(", within the limits", "")
-        lines.append(f"| {name} | {arm.package} {arm.version} | {arm.axes} | {inverse} | {arm.kdl} | {arm.mujoco} | {arm.found}"
-                     f" | {arm.typical}, {arm.worst} | {arm.bodies} | `{arm.hash[:8]}` |")
+        lines.append(f"| {name} | {arm.package} {arm.version} | {arm.axes} | {inverse} | {arm.kdl} | {arm.mujoco} | {arm.near[0]}"
+                     f" | {arm.near[1]}, {arm.near[2]} | {arm.home[0]} | {arm.home[1]}, {arm.home[2]} | {arm.branches}"
+                     f" | {arm.axes} axes, {arm.bodies} links | `{arm.hash[:8]}` |")
     return "\n".join(lines) + "\n"
 
 
@@ -178,7 +184,7 @@ def main():
             print(f"{arm.name}: {error}", flush=True)
             failures += 1
             continue
-        print(f"{arm.name}: {arm.axes} axes, {arm.inverse}, KDL {arm.kdl}, MuJoCo {arm.mujoco}, {arm.typical} us, demo {arm.hash[:8]}", flush=True)
+        print(f"{arm.name}: {arm.axes} axes, {arm.inverse}, KDL {arm.kdl}, MuJoCo {arm.mujoco}, {arm.near[1]} us, branches {arm.branches}, demo {arm.hash[:8]}", flush=True)
         arms.append(arm)
     if options.table and not failures:
         options.table.write_text(page(arms, options), encoding="utf-8")
