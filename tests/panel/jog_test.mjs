@@ -86,7 +86,7 @@ test('AFrozenPageEndsTheJogAndDoesNotBeginAnotherOne', async () => {
       while (performance.now() - begin < 1500);
     }),
   );
-  await await_shown(page, '#answer', 'frozen');
+  await await_shown(page, '#answer', 'jog ended');
   await page.mouse.up();
   const renderers = renderers_of(pid);
   assert.ok(renderers.length > 0);
@@ -134,12 +134,13 @@ test('EverySeriesOfJogsEndsAtRestInTime', async () => {
   const jogs = jog_ticks(noted);
   for (const { name, from, to, silent } of series) {
     const mine = jogs.filter((tick) => tick >= from && tick <= to + 600);
-    assert.ok(mine.length > 3, `${name}: ${mine.length} jogs`);
+    assert.ok(mine.length > 0, `${name}: no jogs`);
     const last = mine.at(-1);
     assert.ok(last <= to - silent, `${name}: a jog at tick ${last}, the silence ended at ${to}`);
-    // on a busy machine a jog may come late: the arm brakes and begins once more
-    const fastest = Math.max(...mine.map((tick) => speeds.get(tick) ?? 0));
-    assert.ok(fastest > MOVING, `${name}: the column does not move at the jogs ${mine}`);
+    // on a busy machine there are few jogs, and one may come so late that the arm has braked and begins once more
+    let fastest = 0;
+    for (let tick = mine[0]; tick < last + VALIDITY; ++tick) fastest = Math.max(fastest, speeds.get(tick) ?? 0);
+    assert.ok(fastest > MOVING, `${name}: the column does not move with the jogs at the ticks ${mine}`);
     for (let tick = last + VALIDITY + BRAKING; tick < last + 600; ++tick)
       assert.ok(
         (speeds.get(tick) ?? 0) < AT_REST,
