@@ -39,7 +39,8 @@ async function begin_jog(page) {
     const from = (await run.status()).tick;
     await page.mouse.down();
     await run.pass_ticks(400);
-    if ((await page.locator('.jog.active').count()) > 0) return from;
+    const shown = (await page.locator('.jog.active').count()) > 0;
+    if (shown && jog_ticks(noted).at(-1) > from + 400 - VALIDITY) return from;
     await page.mouse.up(); // a busy machine has kept the page from its timer: that ends a jog, too
     console.log(`jog ended early: ${await page.textContent('#answer')}`);
     await run.pass_ticks(400);
