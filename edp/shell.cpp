@@ -21,6 +21,7 @@
 #include "edp/force/wrist_sensor.hpp"
 #include "edp/servo/servo.hpp"
 #include "edp/servo/servo_thread.hpp"
+#include "kinematics/loaded_model.hpp"
 #include "links/exchange/robot_responder.hpp"
 #include "links/telemetry/state_feed.hpp"
 #include "links/telemetry/telemetry_publisher.hpp"
@@ -115,7 +116,7 @@ class Shell {
   RobotModels load_models(const ModelFactory& factory) const {
     RobotModels models = factory(place_.entry.own_edp() ? place_.entry.parameters : place_.entry.files().parameters);
     check_robot(models, place_.entry.type, place_.entry.files());
-    return models;
+    return kinematics::with_load(std::move(models), place_.entry.load);
   }
 
   std::unique_ptr<Hardware> open_can(const config::CanEntry& can) const {

@@ -17,6 +17,9 @@ void add_add(CLI::App& robot, const RobotActions& actions) {
   add->add_option("--tip", request->tip, "Link at its end; default: the end of most axes");
   add->add_option("--limits", request->limits, "TOML file with limits that the URDF lacks, or that replace its own");
   add->add_flag("--accept-guesses", request->accept_guesses, "Guess the limits that are in no file");
+  add->add_option("--drives", request->drives, "What follows set-points: the arm itself, or its torques")
+      ->check(CLI::IsMember({"itself", "torque"}))
+      ->capture_default_str();
   add->add_option("--into", request->into, "Folder of robot types; default: the user's");
   add->add_flag("--replace", request->replace, "Replace the folder of the type");
   command::add_number(*add, "--reach", request->reach, 0.001, 100.0,

@@ -15,9 +15,10 @@ struct AddRequest {
   std::string base, tip;         ///< links; empty: as arm_of
   std::filesystem::path limits;  ///< empty: no file
   bool accept_guesses = false;
-  std::filesystem::path into;   ///< empty: the user's folder of robots
-  bool replace = false;         ///< an existing folder of the type
-  std::optional<double> reach;  ///< m, from the base to the tip: compared with that of the URDF
+  std::string drives = "itself";  ///< what moves the arm: "itself" or "torque"
+  std::filesystem::path into;     ///< empty: the user's folder of robots
+  bool replace = false;           ///< an existing folder of the type
+  std::optional<double> reach;    ///< m, from the base to the tip: compared with that of the URDF
 };
 
 /// The arguments of `mrroc robot show`.

@@ -18,7 +18,9 @@ struct DriveParameters {
     velocity   ///< they regulate on their own and follow set-points of the velocities; the EDP corrects the positions
   };
   Interface interface = Interface::current;
-  double bandwidth = 0;      ///< Hz, of drives that regulate on their own: what the simulated ones have
+  /// Hz: of drives that regulate on their own, what the simulated ones have; else the crossover of the regulators that
+  /// the framework designs, 0: it designs none
+  double bandwidth = 0;
   double position_gain = 0;  ///< 1/s, interface velocity: velocity per rad or m of position error
 
   bool regulate_themselves() const noexcept { return interface != Interface::current; }
@@ -52,6 +54,8 @@ struct AxisParameters {
   double following_error_max = 0;  ///< rad of the shaft
   /// N m or N at the joint, of drives that regulate on their own; the default: unknown
   double torque_max = std::numeric_limits<double>::infinity();
+  /// kg m^2 or kg at the joint, without the motor's: the least and the greatest within the limits; 0: unknown
+  double inertia_min = 0, inertia_max = 0;
   // servo regulator (original's algorithm 0, `mrrocpp` 4.1)
   double regulator_a = 0;
   double regulator_b0 = 0;
@@ -59,6 +63,7 @@ struct AxisParameters {
   double regulator_eps = 0;
   double regulator_output_max = 190;
   double regulator_current_gain = 0;  ///< A per unit of regulator output
+  double regulator_bandwidth = 0;     ///< Hz: the numbers above are designed for this crossover; 0: they are given
   // plant model of the drive
   double torque_constant = 0;   ///< N m / A
   double rotor_inertia = 0;     ///< kg m^2, at the shaft
@@ -82,6 +87,7 @@ struct RobotParameters {
   std::map<std::string, JointVector> postures;  ///< named joint positions for the operator; "home" is always there
   /// Named tool frames in the flange frame, for the operator; "flange", the flange frame itself, is always there.
   std::map<std::string, Pose> tools;
+  double load_max = std::numeric_limits<double>::infinity();  ///< kg, on the flange
   std::vector<int> synchro_order;  ///< the axes in the order of their synchronisation; empty: ascending
 };
 

@@ -10,6 +10,8 @@
 #include "config/text/message_text.hpp"
 #include "geometry/rigid_motion.hpp"
 #include "kinematics/chain_model.hpp"
+#include "regulation/regulator_design.hpp"
+#include "regulation/servo_loop.hpp"
 
 namespace mrroc {
 
@@ -21,7 +23,9 @@ using kinematics::ChainJoint;
 using kinematics::ChainModel;
 using kinematics::SerialChain;
 
-constexpr Range kPlace{-100, 100};  // m
+constexpr double kServoPeriod = 0.002;                        // s, for which the numbers of every regulator are
+constexpr double kLeastMargin = 20 * std::numbers::pi / 180;  // rad, of a designed loop's phase
+constexpr Range kPlace{-100, 100};                            // m
 constexpr Range kTurn{-2 * std::numbers::pi, 2 * std::numbers::pi};
 constexpr Range kGear{-1e6, 1e6};
 
@@ -88,6 +92,28 @@ Geometry read_variant(const Table& table, const RobotParameters& parameters, Geo
   return geometry;
 }
 
+/// The numbers of the regulators that the file leaves to the framework, in every set.
+void design_regulators(const Table& table, const JointVector& gear, RobotParameters& parameters) {
+  for (std::size_t i = 0; i < parameters.axes.size(); ++i) {
+    AxisParameters& axis = parameters.axes[i];
+    if (!(axis.regulator_bandwidth > 0)) continue;
+    const double ratio = gear[static_cast<Eigen::Index>(i)];
+    regulation::design_regulator(axis, ratio, kServoPeriod);
+    for (const double inertia : {axis.inertia_min, axis.inertia_max}) {
+      const regulation::ServoLoop loop(axis, regulation::shaft_inertia(axis, inertia, ratio), kServoPeriod);
+      const regulation::LoopMargins margins = loop.margins();
+      if (margins.stable && margins.phase_margin > kLeastMargin) continue;
+      table.tables("axes")[i].fail("inertia",
+                                   "with a bandwidth of " + config::number_text(axis.regulator_bandwidth) +
+                                       " Hz the loop is " + (margins.stable ? "hardly stable" : "unstable") + " at " +
+                                       config::number_text(inertia),
+                                   "a range with a smaller ratio, or a smaller bandwidth");
+    }
+    for (RegulatorSet& set : parameters.regulators)
+      if (set.axes[i].regulator_bandwidth > 0 && set.axes[i].regulator_b0 == 0) set.axes[i] = axis;
+  }
+}
+
 }  // namespace
 
 RobotModels load_arm(const std::filesystem::path& file) {
@@ -95,8 +121,9 @@ RobotModels load_arm(const std::filesystem::path& file) {
     throw config::ConfigurationError({}, 0, "parameters", "missing, and this program serves many types",
                                      "the parameter file of one");
   const Table table = Table::load(file);
-  const RobotParameters parameters = config::read_robot_parameters(table);
+  RobotParameters parameters = config::read_robot_parameters(table);
   const Geometry nominal = read_nominal(table.table("chain"), parameters);
+  design_regulators(table, nominal.gear, parameters);
   RobotModels models;
   const auto add = [&](const std::string& name, const Geometry& geometry) {
     models.push_back(

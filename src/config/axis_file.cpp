@@ -1,8 +1,10 @@
 #include "config/axis_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "config/text/message_text.hpp"
 
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double kUsualStuck = 0.08;      // of the maximum following error; up to 0.022 occurs, with or without contact
 constexpr Range kBandwidth{0.5, 200};     // Hz
+constexpr Range kInertia{1e-9, 1e6};      // kg m2, kg
 constexpr double kUsualCorrection = 0.2;  // position gain of velocity interfaces, of the bandwidth
 
 double not_negative_or(const Table& table, std::string_view key, double fallback) {
@@ -33,17 +36,20 @@ double above(const Table& table, std::string_view max_key, double min, const std
 class DriveKeys {
  public:
   DriveKeys(const Table& table, const DriveParameters& drives)
-      : table_(table), optional_(drives.regulate_themselves()) {}
+      : table_(table), optional_(drives.regulate_themselves()), bandwidth_(optional_ ? 0 : drives.bandwidth) {}
 
   bool left_out(std::string_view key) const { return optional_ && !table_.has(key); }
   double positive(std::string_view key, double fallback) const {
     return left_out(key) ? fallback : config::positive(table_, key);
   }
   double number(std::string_view key, double fallback) const { return left_out(key) ? fallback : table_.number(key); }
+  /// Hz; 0: no regulator is to be designed.
+  double bandwidth() const { return bandwidth_; }
 
  private:
   const Table& table_;
   bool optional_;
+  double bandwidth_;
 };
 
 void read_motor(const Table& table, const DriveKeys& keys, AxisParameters& axis) {
@@ -62,7 +68,26 @@ void read_motor(const Table& table, const DriveKeys& keys, AxisParameters& axis)
   }
 }
 
+/// One number, or the least and the greatest.
+void read_inertia(const Table& table, AxisParameters& axis) {
+  if (!table.has("inertia")) return;
+  const std::vector<double> range = table.numbers("inertia", 2, kInertia);
+  if (!(range[0] <= range[1]))
+    table.fail("inertia", number_text(range[0]) + " is above " + number_text(range[1]), "the least, the greatest");
+  axis.inertia_min = range[0];
+  axis.inertia_max = range[1];
+}
+
 void read_regulator(const Table& table, const DriveKeys& keys, AxisParameters& axis) {
+  constexpr std::array kNumbers{"regulator_a", "regulator_b0", "regulator_b1", "regulator_eps",
+                                "regulator_current_gain"};
+  const bool given = std::any_of(kNumbers.begin(), kNumbers.end(), [&](const char* key) { return table.has(key); });
+  if (!given && keys.bandwidth() > 0) {  // the type designs it, when it knows the gears
+    if (!(axis.inertia_max > 0))
+      table.fail("inertia", "missing, and the regulator is to be designed", "[the least, the greatest] at the joint");
+    axis.regulator_bandwidth = positive_or(table, "regulator_bandwidth", keys.bandwidth());
+    return;
+  }
   axis.regulator_a = keys.number("regulator_a", 0);
   axis.regulator_b0 = keys.number("regulator_b0", 0);
   axis.regulator_b1 = keys.number("regulator_b1", 0);
@@ -95,6 +120,11 @@ DriveParameters read_drives(const Table& file) {
     if (drives.interface == DriveParameters::Interface::velocity)
       drives.position_gain =
           positive_or(*table, "position_gain", kUsualCorrection * 2 * std::numbers::pi * drives.bandwidth);
+  } else if (table->has("bandwidth")) {
+    if (!file.has("chain"))
+      table->fail("bandwidth", "regulators are designed for arms with a table [chain] only",
+                  "numbers of the regulators in [[axes]]");
+    drives.bandwidth = table->number("bandwidth", kBandwidth);
   }
   table->finish();
   return drives;
@@ -114,6 +144,7 @@ AxisParameters read_axis(const Table& table, const DriveParameters& drives) {
   axis.acceleration_max = positive(table, "acceleration_max");
   axis.jerk_max = positive(table, "jerk_max");
   axis.torque_max = positive_or(table, "torque_max", axis.torque_max);
+  read_inertia(table, axis);
   read_motor(table, keys, axis);
   axis.encoder_increments = positive_or(
       table, "encoder_increments", keys.left_out("encoder_increments") ? kUsualIncrements : axis.encoder_increments);

@@ -10,12 +10,14 @@ namespace mrroc::config {
 /// Reads the table `[drives]` of a robot's parameter file: `regulates`, who closes the loops of the positions,
 /// "framework" (the default) or "itself": the robot's own controller; then `interface`, what it follows, "position"
 /// (the default) or "velocity", `bandwidth` (Hz, default kUsualBandwidth), and with velocities `position_gain` (1/s,
-/// default a fifth of the bandwidth in rad/s). Throws ConfigurationError.
+/// default a fifth of the bandwidth in rad/s). With "framework" a `bandwidth` lets it design the regulators of a
+/// chain's axes. Throws ConfigurationError.
 DriveParameters read_drives(const Table& file);
 inline constexpr double kUsualBandwidth = 20;  ///< Hz
 
 /// Reads one `[[axes]]` with the keys of AxisParameters. Always required: name, limits of position, velocity,
-/// acceleration and jerk. Motor, encoder, current and regulator are required where the framework regulates, too. Drives
+/// acceleration and jerk. Motor, encoder, current and regulator are required where the framework regulates, too; where
+/// it designs the regulators, `inertia` is in their place. Drives
 /// that regulate on their own have in their place, where a key is missing: the joint as the shaft, `torque_max` as
 /// `current_max`, an encoder of kUsualIncrements, a maximum following error of kUsualError, no regulator. Throws
 /// ConfigurationError.

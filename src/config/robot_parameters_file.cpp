@@ -130,6 +130,7 @@ RobotParameters read_robot_parameters(const Table& file) {
       parameters.postures[name] = read_posture(*postures, name, parameters.axes);
     }
   parameters.tools = read_tools(file);
+  parameters.load_max = positive_or(file, "load_max", parameters.load_max);
   return parameters;
 }
 

@@ -7,8 +7,8 @@
 namespace mrroc::config {
 
 /// Reads the general part of robots/TYPE/TYPE.toml: `type`, `home`, optionally `[postures]` (named joint positions for
-/// the operator, `front = [...]`) and `[tools]` (tool frames, `gripper = [x, y, z, roll, pitch, yaw]`, m and rad),
-/// and `[[axes]]` with the keys of AxisParameters (same names;
+/// the operator, `front = [...]`), `load_max` (kg) and `[tools]` (tool frames, `gripper = [x, y, z, roll, pitch, yaw]`,
+/// m and rad), and `[[axes]]` with the keys of AxisParameters (same names;
 /// `[regulators.SET.AXIS]` holds the values that differ in another regulator set: a, b0, b1, eps, output_max,
 /// current_gain; only `encoder_increments` and `regulator_output_max` may be left out). Position and motor limits may
 /// be infinite (`-inf`, `inf`, given explicitly): an axis that rotates endlessly. The `[geometry]` table

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kinematics/random_numbers.hpp"
+
 namespace mrroc::kinematics {
 
 namespace {
@@ -16,15 +18,6 @@ constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kSingular = 1e-6;                 // smallest singular value of the Jacobian, m/rad and rad/rad
 constexpr double kBeside = 1.5;                    // rad or m, beside a posture that was found
 constexpr double kEndless = 2 * std::numbers::pi;  // range in which a search looks where a joint has no limit
-
-/// splitmix64: the same numbers for every call and machine.
-double next_uniform(std::uint64_t& state) noexcept {
-  state += 0x9e3779b97f4a7c15U;
-  std::uint64_t z = state;
-  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ z >> 27) * 0x94d049bb133111ebU;
-  return static_cast<double>((z ^ z >> 31) >> 11) * 0x1p-53;
-}
 
 bool is_pose(const Pose& pose) noexcept {
   const Eigen::Matrix3d& r = pose.linear();

@@ -1,5 +1,6 @@
 #include "mrroc/robot.hpp"
 
+#include "kinematics/loaded_model.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {
@@ -11,7 +12,7 @@ Robot::Robot(Task& task, const std::string& name, const std::string& type,
 Robot::Robot(Task& task, const std::string& name, RobotModels models)
     : task_(&task),
       name_(task.robot_name(name)),
-      models_(std::move(models)),
+      models_(kinematics::with_load(std::move(models), task.robot_load(name_))),
       link_(&task.robot_link(name_, parameters().type)) {}
 
 ToolKinematics Robot::kinematics() const noexcept {

@@ -53,6 +53,12 @@ std::filesystem::path TaskProcess::robot_parameters(const std::string& name, con
   return {};
 }
 
+Load TaskProcess::robot_load(const std::string& name) const {
+  for (const config::RobotEntry& robot : process_.deployment().robots)
+    if (robot.name == name) return robot.load;
+  return {};
+}
+
 RobotLink& TaskProcess::robot_link(const std::string& name, const std::string& type) {
   find_entry(process_.deployment().robots, name, type, "robot", process_.name());
   if (!robots_.contains(name)) {

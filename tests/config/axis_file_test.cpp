@@ -78,6 +78,37 @@ TEST_F(AxisFile, TheFrameworkRegulatesUnlessSaidOtherwise) {
   EXPECT_TRUE(message(text("regulates = \"framework\"")).starts_with("r.toml:5: axes[0].motor_min: missing"));
 }
 
+/// A motor of an arm whose regulators the framework designs.
+constexpr const char* kMotor =
+    "motor_min = -2\nmotor_max = 3\nmotor_synchro = 0\ncurrent_max = 28\nfollowing_error_max = 0.2\n"
+    "torque_constant = 1\nrotor_inertia = 0.1\nviscous_friction = 0.1\n";
+
+TEST_F(AxisFile, RegulatorsMayBeLeftToTheFramework) {
+  const std::string drives = "regulates = \"framework\"\nbandwidth = 6", chain = "[chain]\n";
+  const AxisParameters axis = read(text(drives, std::string{kMotor} + "inertia = [0.5, 2]\n" + chain)).axes.front();
+  EXPECT_EQ(axis.regulator_bandwidth, 6);
+  EXPECT_EQ(axis.inertia_min, 0.5);
+  EXPECT_EQ(axis.inertia_max, 2);
+  EXPECT_EQ(read(text(drives, std::string{kMotor} + "inertia = [0.5, 2]\nregulator_bandwidth = 3\n" + chain))
+                .axes.front()
+                .regulator_bandwidth,
+            3);
+  const AxisParameters given =
+      read(text(drives, std::string{kMotor} +
+                            "regulator_a = 0.4\nregulator_b0 = 1\nregulator_b1 = 0.9\nregulator_eps = 0.01\n"
+                            "regulator_current_gain = 1\n" +
+                            chain))
+          .axes.front();
+  EXPECT_EQ(given.regulator_bandwidth, 0);
+  EXPECT_EQ(given.regulator_b0, 1);
+  EXPECT_TRUE(message(text(drives, kMotor + chain)).starts_with("r.toml:6: axes[0].inertia: missing"));
+  EXPECT_TRUE(message(text(drives, std::string{kMotor} + "regulator_a = 0.4\n" + chain))
+                  .starts_with("r.toml:6: axes[0].regulator_b0: missing"));
+  EXPECT_TRUE(message(text(drives, kMotor)).starts_with("r.toml:5: drives.bandwidth: regulators are designed"));
+  EXPECT_TRUE(message(text(drives, std::string{kMotor} + "inertia = [2, 1]\n" + chain))
+                  .starts_with("r.toml:21: axes[0].inertia: 2 is above 1"));
+}
+
 TEST_F(AxisFile, RefusesInvalidKeys) {
   EXPECT_TRUE(message(text("regulates = \"itelf\"")).starts_with("r.toml:4: drives.regulates: unknown value 'itelf'"));
   EXPECT_TRUE(message(text("bandwidth = 20")).starts_with("r.toml:3: drives.regulates: missing"));

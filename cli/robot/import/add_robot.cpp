@@ -66,7 +66,8 @@ class Import {
         type_(request.name.empty() ? type_name(bodies_.robot) : request.name),
         target_(target_of(request, type_)),
         axes_(limits_of_axes(urdf_, arm_, given_, request.accept_guesses, findings_)),
-        reach_(reach_of(arm_, axes_)) {
+        reach_(reach_of(arm_, axes_)),
+        kind_(request.drives == "torque" ? DriveKind::torque : DriveKind::itself) {
     check_reach(arm_, urdf_, reach_, request.reach);
     note_nearly_parallel(arm_, findings_);
   }
@@ -94,11 +95,14 @@ class Import {
     for (const BodyPair& pair : draft.contacts(home))
       if (!pair.first.empty()) extras.excluded.insert(pair);
     extras.armature = armature_of(axes_, draft.inertia(home));
+    const std::vector<AxisDrive> drives = drives_of(axes_, draft);
     note_pairs(extras);
+    note_drives(kind_, axes_, request_.urdf, findings_);
     write_mjcf(extras);
     ArmWorld checked = world();
     check_model(arm_, axes_, folder.path() / (type_ + ".xml"), checked);
-    folder.write(type_ + ".toml", robot_toml(type_, request_.urdf.filename().string(), arm_, axes_, home));
+    folder.write(type_ + ".toml",
+                 robot_toml(type_, request_.urdf.filename().string(), arm_, axes_, kind_, drives, home));
     folder.write(type_ + ".urdf", urdf_copy(request_.urdf, shapes.files()));
     folder.write("demo.toml", demo_deployment(type_, reach_));
     folder.keep();
@@ -120,8 +124,6 @@ class Import {
   void note_pairs(const MjcfExtras& extras) {
     for (const auto& [one, other] : extras.excluded)
       findings_.guess("links that touch by design or at home do not collide", fmt::format("{} and {}", one, other), 0);
-    findings_.guess("inertia of rotor and gear: a tenth of the axis's inertia at home", "armature of all axes", 0);
-    findings_.guess("regulates = \"itself\", interface = \"position\", bandwidth = 20 Hz", "[drives]", 0);
   }
 
   std::string report(const kinematics::ChainModel& model) const {
@@ -145,6 +147,7 @@ class Import {
   fs::path target_;
   std::vector<AxisLimits> axes_;
   double reach_;
+  DriveKind kind_;
 };
 
 }  // namespace

@@ -21,7 +21,10 @@ inline sim::Element mjcf_element(std::string name, Attributes attributes, std::v
 template <class Vector>
 std::string mjcf_numbers(const Vector& vector) {
   std::string text;
-  for (Eigen::Index i = 0; i < vector.size(); ++i) text += (i > 0 ? " " : "") + config::number_text(vector[i]);
+  for (Eigen::Index i = 0; i < vector.size(); ++i) {
+    if (i > 0) text += ' ';
+    text += config::number_text(vector[i]);
+  }
   return text;
 }
 

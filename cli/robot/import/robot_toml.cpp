@@ -2,29 +2,12 @@
 
 #include <cmath>
 
-#include "config/text/message_text.hpp"
+#include "cli/robot/import/toml_text.hpp"
 #include "geometry/rigid_motion.hpp"
 
 namespace mrroc::cli {
 
 namespace {
-
-using config::number_text;
-
-constexpr const char* kBandwidth = "20.0";  // Hz
-
-/// A number that TOML reads as one with a point.
-std::string toml_number(double value) {
-  const std::string text = number_text(value + 0.0);  // without a sign of zero
-  return text.find_first_of(".eni") == std::string::npos ? text + ".0" : text;
-}
-
-template <class Vector>
-std::string toml_array(const Vector& values) {
-  std::string text = "[";
-  for (Eigen::Index i = 0; i < values.size(); ++i) text += (i > 0 ? ", " : "") + toml_number(values[i]);
-  return text + "]";
-}
 
 std::string toml_text(const std::string& text) {
   std::string quoted = "\"";
@@ -59,13 +42,13 @@ std::string axis_text(const AxisLimits& axis) {
 }  // namespace
 
 std::string robot_toml(const std::string& type, const std::string& urdf, const UrdfArm& arm,
-                       const std::vector<AxisLimits>& axes, const JointVector& home) {
+                       const std::vector<AxisLimits>& axes, DriveKind kind, const std::vector<AxisDrive>& drives,
+                       const JointVector& home) {
   std::string text = "# Made by mrroc robot add from " + urdf + ". Lengths in m, angles in rad, times in s.\n";
   text += "type = " + toml_text(type) + "\nedp = \"mrroc_arm_edp\"\n";
   text += "home = " + toml_array(home) + "  # guessed: far from singularities, without collisions\n";
-  text += "\n[drives]\nregulates = \"itself\"  # guessed: the arm's own controller follows positions\n";
-  text += "interface = \"position\"  # guessed\nbandwidth = " + std::string(kBandwidth) + "  # Hz, guessed\n";
-  for (const AxisLimits& axis : axes) text += axis_text(axis);
+  text += drives_text(kind);
+  for (std::size_t i = 0; i < axes.size(); ++i) text += axis_text(axes[i]) + drive_text(kind, axes[i], drives[i]);
   text +=
       "\n# frames: x, y, z, roll, pitch, yaw, at zero, in that of the joint before; of the first one, in the base\n";
   text += "[chain]\nbase = " + toml_text(arm.base) + "\ntip = " + toml_text(arm.tip) + "\n";

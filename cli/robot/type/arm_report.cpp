@@ -10,6 +10,7 @@
 #include <random>
 
 #include "cli/robot/type/random_posture.hpp"
+#include "cli/robot/type/regulator_lines.hpp"
 #include "cli/robot/type/singularities.hpp"
 #include "language/joints/nearest_posture.hpp"
 
@@ -30,7 +31,8 @@ std::string line_of(const AxisParameters& axis, bool slides) {
       limited ? fmt::format("{:9.1f} to {:7.1f} {}", axis.position_min / unit, axis.position_max / unit, name)
               : std::string{"  without limits"};
   const auto part = [&](const char* key, double value, const char* of) {
-    return value > 0 ? fmt::format("  {} {:.0f} {}/{}", key, value / unit, name, of) : std::string{};
+    return value > 0 && std::isfinite(value) ? fmt::format("  {} {:.0f} {}/{}", key, value / unit, name, of)
+                                             : std::string{};
   };
   return fmt::format("{:<28} {:<26}{}{}{}\n", axis.name, range, part("velocity", axis.velocity_max, "s"),
                      part("acceleration", axis.acceleration_max, "s2"), part("jerk", axis.jerk_max, "s3"));
@@ -63,7 +65,7 @@ std::string report_of(const ChainModel& model, const std::string& base, const st
   text += fmt::format("{:<28} {:.3f} m, the nearest place {:.3f} m from the base\n", "reach", farthest, nearest);
   text += fmt::format("{:<28} x {:.2f} to {:.2f}, y {:.2f} to {:.2f}, z {:.2f} to {:.2f} m\n", "workspace",
                       box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(), box.max().z());
-  text += singularity_lines(model);
+  text += singularity_lines(model) + regulator_lines(model);
   text += fmt::format("{:<28} {} of {} random poses within the limits are found\n", "check", found, postures);
   return text;
 }

@@ -29,7 +29,10 @@ kinematics::ChainModel model_of(const UrdfArm& arm) {
     axis.position_min = joint.lower.value_or(-std::numeric_limits<double>::infinity());
     axis.position_max = joint.upper.value_or(std::numeric_limits<double>::infinity());
     if (!(axis.position_max > axis.position_min)) axis.position_max = axis.position_min + 1e-9;
-    axis.velocity_max = joint.velocity.value_or(0);
+    axis.motor_min = axis.position_min;
+    axis.motor_max = axis.position_max;
+    const bool known = joint.velocity && *joint.velocity > 0;
+    axis.velocity_max = known ? *joint.velocity : std::numeric_limits<double>::infinity();
     axis.acceleration_max = axis.jerk_max = 0;
     parameters.axes.push_back(axis);
   }

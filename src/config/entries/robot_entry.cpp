@@ -52,11 +52,27 @@ void read_force(const Table& table, RobotEntry& robot) {
   }
 }
 
+/// `load = { mass = 2.0, centre = [0, 0, 0.1] }`; the robot must have the numbers that its limits then depend on.
+Load read_load(const Table& table, const RobotEntry& robot) {
+  const auto entry = table.optional_table("load");
+  if (!entry) return {};
+  const RobotParameters parameters = read_robot_parameters(Table::load(robot.files().parameters));
+  Load load{entry->number("mass", {0, parameters.load_max}), Eigen::Vector3d::Zero()};
+  if (const auto centre = entry->optional_numbers("centre", 3, {-10, 10}))
+    load.centre = Eigen::Map<const Eigen::Vector3d>(centre->data());
+  entry->finish();
+  for (const AxisParameters& axis : parameters.axes)
+    if (!(axis.inertia_max > 0))
+      table.fail("load", "axis " + in_quotes(axis.name) + " of " + robot.type + " has no key 'inertia'",
+                 "the inertia of every axis in " + robot.files().parameters.string());
+  return load;
+}
+
 }  // namespace
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
   table.only({"type", "parameters", "program", "hardware", "host", "mount", "position", "rotation", "synchronised",
-              "emergency_stop", "force_sensor", "force_limit", "torque_limit", "can"});
+              "emergency_stop", "force_sensor", "force_limit", "torque_limit", "can", "load"});
   RobotEntry robot;
   robot.name = name;
   robot.type = table.choice("type", robot_types());
@@ -70,6 +86,7 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   if (table.has("emergency_stop"))
     robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, ControllerIo::kDigital - 1));
   read_force(table, robot);
+  robot.load = read_load(table, robot);
   robot.program = table.optional_text("program").value_or(robot.program);
   robot.edp_program = Table::load(robot.files().parameters).optional_text("edp").value_or(robot.type + "_edp");
   const bool here = robot.host == deployment.here;

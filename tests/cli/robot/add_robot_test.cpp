@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <regex>
 #include <sstream>
 
 #include "cli/robot/type/check_type.hpp"
@@ -11,6 +12,8 @@
 #include "config/table.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 #include "robots/arm/arm_model.hpp"
+#include "robots/irb6/irb6_model.hpp"
+#include "robots/irb60/irb60_model.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::cli {
@@ -103,30 +106,70 @@ TEST_F(AddRobot, WritesACompleteType) {
   EXPECT_NE(text_of(type / "dae_collision.toml").find("velocity_max = 2.0  # URDF line "), std::string::npos);
 }
 
-/// irb6 and irb60 have models that were written by hand.
-TEST_F(AddRobot, HasTheKinematicsOfTheUrdf) {
+/// irb6 and irb60 have models that were written by hand, for coupled motors.
+TEST_F(AddRobot, HasTheKinematicsOfTheModelThatWasWrittenByHand) {
   std::mt19937_64 random(1);
   std::printf("seed 1\n");
   for (const std::string name : {"irb6", "irb60"}) {
+    const RobotModels written = name == "irb6" ? load_irb6() : load_irb60();
     AddRequest add = request(fs::path(MRROC_SOURCE_DIR "/robots") / name / (name + ".urdf"));
     add.name = name + "_again";
     add.tip = "flange";
     add.accept_guesses = true;
     add_robot(add);
-    const edp::Urdf urdf = edp::Urdf::load(add.urdf);
-    const UrdfArm arm = arm_of(urdf, "", "flange");
     const RobotModels models = load_arm(add.into / add.name / (add.name + ".toml"));
-    for (int round = 0; round < 1000; ++round) {
-      JointVector joints(arm.chain.size());
-      edp::Urdf::Positions positions;
-      for (int i = 0; i < joints.size(); ++i) {
-        joints[i] = std::uniform_real_distribution(-3.0, 3.0)(random);
-        positions[arm.axes[static_cast<std::size_t>(i)].name] = joints[i];
-      }
-      const Pose expected = urdf.pose("flange", positions);
-      ASSERT_LT((models.front()->flange(joints).matrix() - expected.matrix()).cwiseAbs().maxCoeff(), 1e-12);
+    for (int round = 0; round < 10000; ++round) {
+      JointVector joints(models.front()->joint_count());
+      for (double& joint : joints) joint = std::uniform_real_distribution(-3.0, 3.0)(random);
+      const Pose pose = models.front()->flange(joints), expected = written.front()->flange(joints);
+      ASSERT_LT((pose.matrix() - expected.matrix()).cwiseAbs().maxCoeff(), 1e-9);
+      const Eigen::Vector3d tool(0.1, -0.2, 0.3);
+      ASSERT_LT(
+          (models.front()->jacobian(joints, tool) - written.front()->jacobian(joints, tool)).cwiseAbs().maxCoeff(),
+          1e-9);
     }
   }
+}
+
+/// An arm whose torques the framework regulates; a range of inertia beyond what one regulator bears is refused.
+TEST_F(AddRobot, DesignsRegulatorsForTorques) {
+  AddRequest add = request(fs::path(MRROC_SOURCE_DIR "/docs/examples/reacher/reacher.urdf"));
+  add.name = "torque_arm";
+  add.limits = folder_.write("limits.toml", "[all]\nacceleration_max = 4.0\njerk_max = 40.0\ntorque_max = 60.0\n");
+  add.drives = "torque";
+  const std::string report = result_of(add);
+  const fs::path file = add.into / "torque_arm/torque_arm.toml";
+  ASSERT_TRUE(fs::exists(file)) << report;
+  const RobotModels models = load_arm(file);
+  for (const AxisParameters& axis : models.front()->parameters().axes) {
+    EXPECT_EQ(axis.regulator_bandwidth, 5);
+    EXPECT_GT(axis.regulator_b0, axis.regulator_b1);
+    EXPECT_GT(axis.regulator_b1, 0);
+    EXPECT_GE(axis.inertia_max, axis.inertia_min);
+  }
+  EXPECT_EQ(models.front()->parameters().regulators.front().axes.front().regulator_b0,
+            models.front()->parameters().axes.front().regulator_b0);
+  const std::string text = text_of(file), line = text.substr(text.find("inertia = ["));
+  const std::string wide = std::string{text}.replace(text.find(line), line.find(']') + 1, "inertia = [0.001, 1000.0]");
+  const fs::path refused = folder_.write("wide.toml", wide);
+  try {
+    load_arm(refused);
+    ADD_FAILURE() << "a loop that is not stable was taken";
+  } catch (const config::ConfigurationError& error) {
+    EXPECT_NE(std::string{error.what()}.find("wide.toml:18: axes[0].inertia: with a bandwidth of 5 Hz"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(AddRobot, RefusesTorquesThatAreInNoFile) {
+  const std::string text = text_of(kSpoilt / "parallel.urdf");
+  AddRequest add =
+      request(folder_.write("parallel.urdf", std::regex_replace(text, std::regex(R"(effort="[^"]*")"), "")));
+  add.accept_guesses = true;
+  add.drives = "torque";
+  EXPECT_NE(result_of(add).find("--drives torque: axis "), std::string::npos);
+  EXPECT_FALSE(fs::exists(add.into / "parallel"));
 }
 
 TEST_F(AddRobot, TakesLimitsFromAFile) {

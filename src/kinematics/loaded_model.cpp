@@ -1,0 +1,90 @@
+#include "kinematics/loaded_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "kinematics/random_numbers.hpp"
+
+namespace mrroc::kinematics {
+
+namespace {
+
+constexpr int kPostures = 2000;
+
+/// The squares of r_i.
+JointVector squared_distances(const RobotModel& model, const Eigen::Vector3d& centre) {
+  const auto& axes = model.parameters().axes;
+  JointVector largest = JointVector::Zero(std::ssize(axes)), joints = largest;
+  std::uint64_t state = 7;
+  for (int i = 0; i < kPostures; ++i) {
+    for (std::size_t j = 0; j < axes.size(); ++j) {
+      const double min = std::isfinite(axes[j].position_min) ? axes[j].position_min : -std::numbers::pi;
+      const double max = std::isfinite(axes[j].position_max) ? axes[j].position_max : std::numbers::pi;
+      joints[static_cast<Eigen::Index>(j)] = min + next_uniform(state) * (max - min);
+    }
+    largest = largest.cwiseMax(model.jacobian(joints, centre).topRows<3>().colwise().squaredNorm().transpose());
+  }
+  return largest;
+}
+
+RobotParameters loaded(const RobotModel& model, const Load& load) {
+  RobotParameters parameters = model.parameters();
+  const JointVector squares = squared_distances(model, load.centre);
+  for (std::size_t i = 0; i < parameters.axes.size(); ++i) {
+    AxisParameters& axis = parameters.axes[i];
+    const double part = axis.inertia_max / (axis.inertia_max + load.mass * squares[static_cast<Eigen::Index>(i)]);
+    axis.acceleration_max *= part;
+    axis.jerk_max *= part;
+  }
+  return parameters;
+}
+
+class LoadedModel final : public RobotModel {
+ public:
+  LoadedModel(std::shared_ptr<const RobotModel> model, RobotParameters parameters)
+      : model_(std::move(model)), parameters_(std::move(parameters)) {}
+  std::string_view name() const noexcept override { return model_->name(); }
+  const RobotParameters& parameters() const noexcept override { return parameters_; }
+  ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept override {
+    return model_->motors_to_joints(motors, joints);
+  }
+  ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept override {
+    return model_->joints_to_motors(joints, motors);
+  }
+  JointMatrix transmission(const JointVector& joints) const noexcept override { return model_->transmission(joints); }
+  Pose default_tool() const noexcept override { return model_->default_tool(); }
+  Pose flange(const JointVector& joints) const noexcept override { return model_->flange(joints); }
+  ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override {
+    return model_->inverse(flange, near, joints);
+  }
+  void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept override {
+    model_->branches(flange, near, receiver);
+  }
+  std::string_view branch_name(const JointVector& joints) const noexcept override {
+    return model_->branch_name(joints);
+  }
+  double joint_period(int joint) const noexcept override { return model_->joint_period(joint); }
+  int kept_joint() const noexcept override { return model_->kept_joint(); }
+  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
+    return model_->jacobian(joints, offset);
+  }
+  ClosedLoops closed_loops(const JointVector& joints) const override { return model_->closed_loops(joints); }
+
+ private:
+  std::shared_ptr<const RobotModel> model_;
+  RobotParameters parameters_;
+};
+
+}  // namespace
+
+RobotModels with_load(RobotModels models, const Load& load) {
+  if (models.empty() || !(load.mass > 0)) return models;
+  // the same limits for every model of the robot
+  const RobotParameters parameters = loaded(*models.front(), load);
+  for (auto& model : models) model = std::make_shared<LoadedModel>(model, parameters);
+  return models;
+}
+
+}  // namespace mrroc::kinematics
