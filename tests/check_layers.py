@@ -10,7 +10,7 @@ import sys
 LAYERS = [
     ("include/mrroc",),
     ("src/core",),
-    ("src/geometry", "src/kinematics"),
+    ("src/geometry", "src/kinematics", "src/regulation"),
     ("src/language",),
     ("src/clock", "src/config", "src/links", "src/world", "src/faults", "src/can", "src/canopen", "src/command"),
     ("src/process",),

@@ -25,6 +25,7 @@ namespace mrroc::cli {
 
 namespace {
 
+constexpr int kHighestPriority = 81;            // of a servo thread under SCHED_FIFO
 constexpr double kHandShake = 0.1;              // s of one attempt to reach the MP
 constexpr double kEndTimeoutAfterSuccess = 10;  // s: on a busy machine the kernel takes seconds to end a process
 constexpr double kTraceReaderTimeout = 2;       // s without progress of the trace's reader while the operator waits
@@ -73,6 +74,9 @@ Runner::~Runner() {
 process::ExitCode Runner::run() {
   check_somebody_answers(deployment_, input_.attended() || options_.panel.has_value());
   if (const std::string warning = check_network(deployment_.network); !warning.empty()) progress_.error(warning);
+  if (deployment_.clock == config::ClockMode::real)
+    if (const std::string refused = clock::refused_realtime(kHighestPriority); !refused.empty())
+      progress_.error("warning: " + refused + " refused: ticks may come late; docs/reference/running.md, Real time");
   // before anything is started: a run without its outputs would be useless
   bool waits = false;
   Outputs outputs(options_, deployment_, plan_, [&](int milliseconds) {

@@ -46,6 +46,7 @@ void read_limit(const UrdfReader& reader, const XMLElement& element, Urdf::Limit
   }
   joint.effort = required ? reader.required(element, "effort") : reader.number(element, "effort");
   joint.velocity = required ? reader.required(element, "velocity") : reader.number(element, "velocity");
+  joint.acceleration = reader.number(element, "drake:acceleration");  // the specification has none
 }
 
 /// The elements that only a moving joint has. Defaults and what is required: http://wiki.ros.org/urdf/XML/joint.

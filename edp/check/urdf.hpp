@@ -27,6 +27,7 @@ class Urdf {
     Pose origin = Pose::Identity();                   ///< of the joint and of the child at position 0, in the parent
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit vector in the joint's frame
     std::optional<double> lower, upper, velocity;     ///< rad or m, 1/s; nothing: endless, or not in the file
+    std::optional<double> acceleration;               ///< 1/s2, of the attribute drake:acceleration
     std::optional<double> effort;                     ///< N m or N; nothing: not in the file
     std::optional<Mimic> mimic;
     int line = 0;

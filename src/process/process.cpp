@@ -120,10 +120,8 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
   }
   interruptible = clock_.get();
   // before the domain: Cyclone's threads inherit the priority of the thread that creates them
-  if (!clock_->simulated()) {
-    const std::string warning = clock::request_realtime(priority_of(role));
-    if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  }
+  // what is refused the runner has said once for all processes of the machine, an agent for those of its own
+  if (!clock_->simulated()) clock::request_realtime(priority_of(role));
   domain_ =
       std::make_unique<links::Domain>(domain_options(arguments, clock_->simulated(), deployment_.heartbeat_timeout));
   publisher_ = std::make_unique<links::StatusPublisher>(*domain_, deployment_.name);

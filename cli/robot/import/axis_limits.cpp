@@ -43,8 +43,7 @@ class LimitFinder {
            number_text(limits.position_max.value) + " is not above " + number_text(limits.position_min.value),
            "a range: <limit lower upper>, or position_min and position_max in --limits FILE");
     limits.velocity = velocity(joint, name);
-    limits.acceleration =
-        given_or_guess(joint, name, "acceleration_max", limits.velocity.value * kPerVelocity, "velocity_max / 0.4 s");
+    limits.acceleration = acceleration(joint, name, limits.velocity.value);
     limits.jerk = given_or_guess(joint, name, "jerk_max", limits.acceleration.value * kPerAcceleration,
                                  "acceleration_max / 0.1 s");
     for (const auto& [key, limit] : {std::pair{"velocity_max", &limits.velocity},
@@ -78,6 +77,12 @@ class LimitFinder {
     if (in_file) return from_urdf(*in_file, joint.limit_line);
     fail(joint, name, key, "is missing: no <limit " + attribute + ">",
          "it in the URDF or in --limits FILE, or a continuous joint");
+  }
+
+  SourcedNumber acceleration(const Urdf::Joint& joint, const std::string& name, double velocity) {
+    const bool in_file = joint.acceleration && *joint.acceleration > 0;
+    if (in_file && !given_.find(name, "acceleration_max")) return from_urdf(*joint.acceleration, joint.limit_line);
+    return given_or_guess(joint, name, "acceleration_max", velocity * kPerVelocity, "velocity_max / 0.4 s");
   }
 
   SourcedNumber velocity(const Urdf::Joint& joint, const std::string& name) {

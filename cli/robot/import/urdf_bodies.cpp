@@ -126,6 +126,7 @@ void check_name_spaces(const UrdfElement& element, std::set<std::string> declare
   const auto check = [&](const char* name) {
     const std::string space = name_space_of(name);
     if (space.empty() || space == "xmlns" || space == "xml" || declared.contains(space)) return;
+    if (std::string_view(name) == "drake:acceleration") return;  // axis_limits reads it
     if (reported.insert(space).second)
       findings.warn("the name space is not declared: its elements and attributes are ignored", in_quotes(name),
                     element.GetLineNum());

@@ -41,6 +41,23 @@ std::string request_realtime(int priority) {
   return warning;
 }
 
+std::string refused_realtime(int priority) {
+  std::string refused;
+  sched_param before{}, parameters{};
+  const int policy = ::sched_getscheduler(0);
+  ::sched_getparam(0, &before);
+  parameters.sched_priority = priority;
+  if (::sched_setscheduler(0, SCHED_FIFO, &parameters) != 0)
+    refused = "real-time priority";
+  else
+    ::sched_setscheduler(0, policy, &before);
+  if (!lock_memory())
+    refused += refused.empty() ? "locked memory" : " and locked memory";
+  else
+    ::munlockall();
+  return refused;
+}
+
 int pin_to_one_cpu() noexcept {
   const int cpu = ::sched_getcpu();
   if (cpu < 0) return -1;

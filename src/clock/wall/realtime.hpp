@@ -11,6 +11,11 @@ namespace mrroc::clock {
 /// privilege to grant. To be called once, before the DDS domain is created and the servo thread is started.
 std::string request_realtime(int priority);
 
+/// What the system would refuse to a process that calls `request_realtime(priority)`: "real-time priority", "locked
+/// memory", both with " and " between, or nothing. It asks and gives back what was granted; the calling thread keeps
+/// its class.
+std::string refused_realtime(int priority);
+
 /// Pins the calling thread, and the threads and processes that it starts from now on, to the CPU on which it runs:
 /// lockstep is serial, and a thread switch on one CPU costs a fraction of waking another. Returns that CPU, or -1 when
 /// the system refuses.

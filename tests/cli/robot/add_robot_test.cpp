@@ -184,6 +184,17 @@ TEST_F(AddRobot, TakesLimitsFromAFile) {
   EXPECT_NE(text.find("position_min = -1.0  # given: limits.toml line 6"), std::string::npos);
 }
 
+TEST_F(AddRobot, TakesAnAccelerationThatTheUrdfHas) {
+  const std::string text = text_of(kSpoilt / "acceleration.urdf");
+  AddRequest add = request(folder_.write(
+      "acceleration.urdf", std::regex_replace(text, std::regex("velocity=\"2\""), "$& drake:acceleration=\"3\"")));
+  add.accept_guesses = true;
+  const std::string report = add_robot(add), file = text_of(add.into / "acceleration/acceleration.toml");
+  EXPECT_NE(file.find("acceleration_max = 3.0  # URDF line 17"), std::string::npos) << file;
+  EXPECT_NE(file.find("jerk_max = 30.0  # guessed"), std::string::npos) << file;
+  EXPECT_EQ(report.find("drake"), std::string::npos) << report;
+}
+
 TEST_F(AddRobot, RefusesInvalidLimits) {
   AddRequest add = request(kSpoilt / "acceleration.urdf");
   for (const auto& [text, expected] :

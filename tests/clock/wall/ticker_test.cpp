@@ -90,6 +90,16 @@ TEST(Realtime, IsGrantedOrWarnsWhatIsMissing) {
     const bool fifo = ::sched_getscheduler(0) == SCHED_FIFO;
     if (fifo == (warning.find("SCHED_FIFO 10 refused") != std::string::npos)) ::_exit(1);
   });
+  Child foreseeing([] {
+    const std::string refused = refused_realtime(10);
+    if (::sched_getscheduler(0) != SCHED_OTHER) ::_exit(1);
+    const std::string warning = request_realtime(10);
+    if ((refused.find("real-time priority") == std::string::npos) == warning.starts_with("SCHED_FIFO")) ::_exit(2);
+    if ((refused.find("locked memory") == std::string::npos) ==
+        (warning.find("locked memory refused") != std::string::npos))
+      ::_exit(3);
+  });
+  EXPECT_TRUE(foreseeing.join());
   EXPECT_TRUE(asking.join());
   Child without_rights([] {
     const rlimit none{0, 0};

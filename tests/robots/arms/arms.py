@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes robot types of public arms, compares their kinematics with KDL and MuJoCo, and runs the stock demo with each.
 
-Usage: arms.py MRROC CACHE [--only NAME ...] [--runs N] [--table FILE [--pictures FOLDER]]
+Usage: arms.py MRROC CACHE [--only NAME ...] [--runs N] [--postures N] [--table FILE [--pictures FOLDER]]
 
 MRROC is the command, CACHE a folder for the packages, which are fetched by pip when they are missing, and for the types. With --runs
 the demo runs N times in lockstep and every trace must be the same. With --table the results are written as a page.
@@ -73,7 +73,7 @@ class Arm:
         self.version = packages[self.package]["version"]
         self.options = options
         self.urdf = fetch(self.package, packages[self.package], options.cache) / arm["urdf"]
-        self.tip, self.pad = arm.get("tip"), arm.get("press")
+        self.tip, self.pad, self.torque = arm.get("tip"), arm.get("press"), arm.get("torque", False)
         self.share = options.cache / "share"
         build = options.mrroc.resolve().parent.parent
         self.environment = dict(os.environ, MRROC_SHARE=f"{self.share}:{build / 'share/mrroc'}")
@@ -84,32 +84,50 @@ class Arm:
             raise RuntimeError(f"{' '.join(map(str, words))}: exit code {run.returncode}\n{run.stdout}{run.stderr}")
         return run.stdout
 
-    def add(self):
+    def add_as(self, name, *options):
         tip = ["--tip", self.tip] if self.tip else []
-        self.added = self.mrroc("robot", "add", self.urdf, "--name", self.name, *tip, "--accept-guesses", "--replace",
-                                "--into", self.share / "robots")
+        return self.mrroc("robot", "add", self.urdf, "--name", name, *tip, "--accept-guesses", "--replace",
+                          "--into", self.share / "robots", *options)
+
+    def add(self):
+        self.added = self.add_as(self.name)
         self.axes = re.search(r"(\d+) axes", self.added).group(1)
         self.inverse = re.search(r"inverse: (.*)", self.added).group(1)
         guesses = [line for line in self.added.splitlines() if "box around" in line or "a ball of" in line]
         self.bodies = sum(line.count("link '") + int((re.findall(r"and (\d+) more", line) or [0])[0]) for line in guesses)
 
     def check(self):
-        text = self.mrroc("robot", "check", self.name)
+        text = self.mrroc("robot", "check", self.name, "--postures", self.options.postures)
         self.kdl, self.mujoco = (re.search(rf"to {other} +(\S+)", text).group(1) for other in ("KDL", "MuJoCo"))
         self.near = re.search(r"nearby +(\d+) of \d+, (\S+) us, at most (\S+) us", text).groups()
         self.home = re.search(r"home +(\d+) of \d+, (\S+) us, at most (\S+) us", text).groups()
         self.branches = re.search(r"branches +(\d+) of", text).group(1)
 
-    def demo(self):
+    def demo_of(self, name):
+        """The hash of the trace, the same for all runs."""
         hashes = set()
         for number in range(self.options.runs):
-            trace = self.share / f"{self.name}_{number}.trace"
-            self.mrroc("run", self.share / "robots" / self.name / "demo.toml", "--quiet", "--clock", "lockstep", "--trace", trace)
+            trace = self.share / f"{name}_{number}.trace"
+            self.mrroc("run", self.share / "robots" / name / "demo.toml", "--quiet", "--clock", "lockstep", "--trace", trace)
             hashes.add(hashlib.sha256(trace.read_bytes()).hexdigest())
             trace.unlink()
         if len(hashes) > 1:
-            raise RuntimeError(f"{self.name}: {self.options.runs} runs of the demo have {len(hashes)} different traces")
-        self.hash = next(iter(hashes), "")
+            raise RuntimeError(f"{name}: {self.options.runs} runs of the demo have {len(hashes)} different traces")
+        return next(iter(hashes), "")
+
+    def demo(self):
+        self.hash = self.demo_of(self.name)
+
+    def demo_by_torques(self):
+        if not self.torque:
+            return
+        name = f"{self.name}_torque"
+        self.add_as(name, "--drives", "torque")
+        lines = [line for line in self.mrroc("robot", "show", name, "--postures", "1").splitlines() if ", regulator " in line]
+        margins = [int(number) for line in lines for number in re.findall(r"margin (\d+) deg, (\d+) and (\d+) at", line)[0]]
+        if len(lines) != int(self.axes):
+            raise RuntimeError(f"{name}: regulators of {len(lines)} axes, expected {self.axes}")
+        print(f"{name}: phase margins {min(margins)} to {max(margins)} degrees, demo {self.demo_of(name)[:8]}", flush=True)
 
     def press(self):
         """The program of the task press, for any arm: down from home onto a pad that is `press` m below the tip."""
@@ -165,6 +183,7 @@ def main():
     parser.add_argument("cache", type=pathlib.Path)
     parser.add_argument("--only", nargs="+", default=[])
     parser.add_argument("--runs", type=int, default=1)
+    parser.add_argument("--postures", default="10000", help="of the checks; a table has the default")
     parser.add_argument("--table", type=pathlib.Path)
     parser.add_argument("--pictures", type=pathlib.Path, default=pathlib.Path("docs/pictures/arms"))
     options = parser.parse_args()
@@ -176,7 +195,7 @@ def main():
             continue
         arm = Arm(entry, description["packages"], options)
         try:
-            for step in (arm.add, arm.check, arm.demo, arm.press):
+            for step in (arm.add, arm.check, arm.demo, arm.demo_by_torques, arm.press):
                 step()
             if options.table:
                 arm.picture()
