@@ -18,6 +18,8 @@ PAGE = "docs/how-to/operate.md"
 BEGIN, END = "<!-- transcript -->\n", "<!-- end -->"
 SHELL = "bash --norc --noprofile"
 TIMEOUT = 120  # s of a busy machine
+# the task lasts longer than the slowest machine needs for the session; the page shows a run at the programmed speed
+SLOW = '[[events]]\ntick = 1\ncommand = "speed"\nvalue = 1\n'
 # what is typed, and the state in which the run must be before the next line
 SESSION = (
     ("mrroc list", None),
@@ -65,6 +67,11 @@ def await_that(holds, what):
         time.sleep(0.05)
 
 
+def has_answered(screen, lines):
+    """One look at the terminal: the prompt is back after this many lines."""
+    return screen.rstrip().endswith("$") and screen.count("$ mrroc") == lines
+
+
 def task_state(binary, environment):
     """Of the run; empty while a process of a task that goes on has not yet said that it runs, or the arm moves by no instruction."""
     done = subprocess.run([binary / "bin/mrroc", "status", "press", "--json"], env=environment, capture_output=True, text=True, check=False)
@@ -79,18 +86,19 @@ def task_state(binary, environment):
 def transcript(root, binary, folder):
     environment = {**os.environ, "PATH": f"{binary}/bin:{os.environ['PATH']}", "MRROC_RUNTIME_DIR": f"{folder}/run", "LANG": "C.UTF-8",
                    "TERM": "xterm-256color"}
+    (pathlib.Path(folder) / "slow.toml").write_text(SLOW, encoding="utf-8")
     tmux = Tmux(folder, environment)
     try:
-        tmux.type("run", f"mrroc run {root}/tasks/press/press.toml --clock paced --hold --black-box ''")
+        tmux.type("run", f"mrroc run {root}/tasks/press/press.toml --clock paced --hold --black-box '' --events {folder}/slow.toml")
         await_that(lambda: task_state(binary, environment) == "held", "the run is held")
         for number, (line, state) in enumerate(SESSION, 1):
             tmux.type("operator", line)
-            await_that(lambda n=number: tmux.screen("operator").rstrip().endswith("$") and tmux.screen("operator").count("$ mrroc") == n, line)
+            await_that(lambda n=number: has_answered(tmux.screen("operator"), n), line)
             if state:
                 await_that(lambda s=state: task_state(binary, environment) == s, f"{line}: {state}")
         await_that(lambda: tmux.screen("run").rstrip().endswith("$"), "the run ends")
         lines = tmux.screen("operator").rstrip().removesuffix("$").rstrip().splitlines()
-        return "\n".join(line.rstrip() for line in lines) + "\n"
+        return "\n".join(line.rstrip() for line in lines if not line.startswith("speed ")) + "\n"
     finally:
         tmux.finish()
 

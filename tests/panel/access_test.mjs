@@ -10,7 +10,10 @@ import { open_socket, RawBrowser, socket_url } from './support/raw_browser.mjs';
 import { raw_get, raw_request } from './support/raw_http.mjs';
 
 const run = new LiveRun();
-before(() => run.start(PRESS, '--hold', '--clock', 'paced'));
+before(async () => {
+  await run.start(PRESS, '--hold', '--clock', 'paced');
+  await run.await_task('held');
+});
 after(() => run.clear());
 
 const token_path = (url = run.url) => new URL(url).pathname; // "/TOKEN/"

@@ -14,6 +14,8 @@ import { with_run } from './support/with_run.mjs';
 
 test('OneOfThreeBrowsersCommandsATwoArmTask', () =>
   with_run(TRANSFER, async (run, browser) => {
+    await run.await_task('held');
+    await run.slow_down();
     const [holder, second] = [await open_panel(browser, run.url), await open_panel(browser, run.url)];
     const watcher = await open_panel(browser, run.watch_url);
     await holder.click('#take');

@@ -64,8 +64,12 @@ class Flood {
     let browser = await RawBrowser.open(this.url);
     while (!this.#ended) {
       if (browser.closed) {
-        browser = await RawBrowser.open(this.url).catch(() => null);
-        if (!browser) return; // the run has ended
+        const next = await RawBrowser.open(this.url).catch(() => null);
+        if (!next) {
+          await sleep(20); // the run has ended, or a busy server has not yet let the last connections go
+          continue;
+        }
+        browser = next;
         ++this.connections;
       }
       if (browser.socket.bufferedAmount < PASS * 1000)

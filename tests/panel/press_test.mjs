@@ -24,6 +24,7 @@ test('TaskIsStartedPausedResumedAndStoppedByThePage', async () => {
     await await_task_shown(page, 'held');
     assert.equal(await page.getAttribute('header [data-verb="pause"]', 'title'), 'The task has not started.');
 
+    await run.slow_down();
     await press_verb(page, 'start');
     await await_task_shown(page, 'running');
     await page.click('#tab-processes');

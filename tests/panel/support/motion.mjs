@@ -14,8 +14,8 @@ export function column_speeds(file) {
   return speeds;
 }
 
-/** Ticks of the jogs in a file of noted events. */
-export function jog_ticks(file) {
+/** Ticks of a command in a file of noted events. */
+export function ticks_of(command, file) {
   const events = readFileSync(file, 'utf8').split('[[events]]');
-  return events.filter((text) => text.includes('"jog"')).map((text) => Number(/tick = (\d+)/.exec(text)[1]));
+  return events.filter((text) => text.includes(`"${command}"`)).map((text) => Number(/tick = (\d+)/.exec(text)[1]));
 }

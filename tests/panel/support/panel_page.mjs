@@ -1,5 +1,6 @@
 // Chromium without a screen, and the panel's page in it.
 import assert from 'node:assert/strict';
+import { TIMEOUT } from './live_run.mjs';
 import { chromium } from './packages.mjs';
 
 const FLAGS = [
@@ -18,6 +19,7 @@ const FLAGS = [
 const OPTIONS = {
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
   headless: true,
+  timeout: TIMEOUT,
   args: FLAGS,
   env: { ...process.env, LANG: 'C.UTF-8' },
 };
@@ -35,7 +37,7 @@ export async function launch_process() {
 export async function open_panel(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
   const page = await context.newPage();
-  page.setDefaultTimeout(60_000);
+  page.setDefaultTimeout(TIMEOUT);
   page.problems = [];
   page.on('pageerror', (error) => page.problems.push(error.message));
   page.on('console', (message) => {
@@ -67,6 +69,16 @@ export async function press_verb(page, verb) {
 /** The newest answer of the run to this page contains `text`. */
 export const await_answer = (page, text) => await_shown(page, '#answer', text);
 
-export function assert_no_problems(page) {
-  assert.deepEqual(page.problems, []);
+/** The page shows a state of the run at `tick` or later. */
+export async function await_tick_shown(page, tick) {
+  const later = (wanted) => Number(/\d+/.exec(document.querySelector('#tick').textContent)?.[0] ?? -1) >= wanted;
+  await page.waitForFunction(later, tick);
+}
+
+/** `allowed`: a pattern of what is no problem in this test. */
+export function assert_no_problems(page, allowed = /^$/) {
+  assert.deepEqual(
+    page.problems.filter((text) => !allowed.test(text)),
+    [],
+  );
 }

@@ -2,8 +2,10 @@ import { writeFileSync } from 'node:fs';
 import { LiveRun } from './live_run.mjs';
 import { launch } from './panel_page.mjs';
 
-/** Starts a run that waits for its start and a browser, calls `use(run, browser)`, and ends both. `events`: the text of a file
- * of events instead of the deployment's own. */
+/**
+ * Starts a run that waits for its start and a browser, calls `use(run, browser)`, and ends both. `events`: the text of
+ * a file of events instead of the deployment's own.
+ */
 export async function with_run(file, use, events) {
   const run = new LiveRun();
   const browser = await launch();
