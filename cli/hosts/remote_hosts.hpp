@@ -44,7 +44,7 @@ class RemoteHosts {
   std::vector<std::string> kill_rest() noexcept;
   /// A line for each, for the report.
   std::vector<std::string> summaries() const;
-  /// Whether every press and reset of the runner's emergency stop has arrived at all hosts.
+  /// Whether every press and reset of the runner's emergency stop has arrived at all hosts. Any thread.
   bool follow_emergency_stop() const noexcept;
 
  private:

@@ -1,11 +1,22 @@
 #include "cli/operator/operator_events.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "config/entries/robot_orders.hpp"
 
 namespace mrroc::cli {
+
+namespace {
+
+/// Orders that power or move a robot.
+constexpr std::string_view kMotions[]{"jog", "step", "go", "synchronise", "recover"};
+
+constexpr Tick kTicksToCheck = 1, kTicksToCheckInRealTime = 2;  // after a press: every servo has then checked it
+
+}  // namespace
 
 const char* name_of(TaskPhase phase) noexcept {
   switch (phase) {
@@ -34,7 +45,10 @@ OperatorEvents::OperatorEvents(Schedule schedule, clock::EmergencyStop& emergenc
 
 void OperatorEvents::schedule(const config::Deployment& deployment, bool hold) {
   const auto at = [this](const config::Event& event) {
-    schedule_.at_tick(event.tick, [this, event](Tick tick) { perform(event, tick, 0); });
+    schedule_.at_tick(event.tick, [this, event](Tick tick) {
+      if (event.command == "estop") ++stops_given_;
+      perform(event, tick, 0, stops_given_);
+    });
   };
   const auto starts = [](const config::Event& event) { return event.command == "start"; };
   phase_ = TaskPhase::held;
@@ -44,10 +58,13 @@ void OperatorEvents::schedule(const config::Deployment& deployment, bool hold) {
 
 std::uint64_t OperatorEvents::give(const config::Event& event) {
   const std::uint64_t ticket = ++tickets_;
+  if (event.command == "estop") ++stops_given_;
+  const std::uint64_t stops = stops_given_;
   if (real_ && event.command == "estop")
-    perform(event, schedule_.now(), ticket);
+    perform(event, schedule_.now(), ticket, stops);
   else
-    schedule_.at_tick(schedule_.now() + 1, [this, event, ticket](Tick tick) { perform(event, tick, ticket); });
+    schedule_.at_tick(schedule_.now() + 1,
+                      [this, event, ticket, stops](Tick tick) { perform(event, tick, ticket, stops); });
   return ticket;
 }
 
@@ -56,25 +73,61 @@ std::vector<OperatorEvents::Performed> OperatorEvents::take_performed() {
   return std::exchange(performed_, {});
 }
 
-void OperatorEvents::perform(config::Event event, Tick tick, std::uint64_t ticket) {
+/// The stop and the reset reach another host on another path than an order, which a robot there could obey before them.
+OperatorEvents::Refused OperatorEvents::check_order(const std::string& command) const {
+  if (std::find(std::begin(kMotions), std::end(kMotions), command) == std::end(kMotions)) return {};
+  if (emergency_stopped_) return {"the emergency stop is pressed or not reset", "'reset' before"};
+  if (!arrived_()) return {"the reset of the emergency stop has not reached every host", "the reply to 'reset' before"};
+  return {};
+}
+
+Tick OperatorEvents::tick_of_reset(Tick tick) {
+  if (!emergency_stopped_) return tick;
+  if (!press_arrived_) {
+    if (!arrived_()) return tick + 1;
+    press_arrived_ = tick;
+  }
+  return std::max(tick, *press_arrived_ + (real_ ? kTicksToCheckInRealTime : kTicksToCheck));
+}
+
+void OperatorEvents::press(Tick tick) {
+  emergency_stop_.press();
+  ++stops_performed_;
+  emergency_stopped_ = true;
+  press_arrived_.reset();
+  if (arrived_()) press_arrived_ = tick;
+}
+
+void OperatorEvents::perform(config::Event event, Tick tick, std::uint64_t ticket, std::uint64_t stops) {
   const std::lock_guard lock(mutex_);
   event.tick = tick;
   std::uint64_t number = 0;
+  Refused refused;
   if (config::is_robot_order(event.command)) {
-    number = robots_.send(event.command, event.order, phase_ == TaskPhase::paused);
+    refused = check_order(event.command);
+    if (refused.text == nullptr) number = robots_.send(event.command, event.order, phase_ == TaskPhase::paused);
   } else if (event.command == "answer") {
     answers_.at(event.asker)->answer({event.question, event.value});
   } else if (event.command == "speed") {
     speed_ = event.value / 100;
     mp_.send_speed(speed_);
-  } else if (event.command == "estop" || event.command == "reset") {
-    const bool press = event.command == "estop";
-    press ? emergency_stop_.press() : emergency_stop_.reset();
-    emergency_stopped_ = press;
+  } else if (event.command == "estop") {
+    press(tick);
+  } else if (event.command == "reset") {
+    // a servo that sees a press and its reset together stays stopped: the reset waits until the press has been seen
+    if (stops_performed_ > stops) {
+      refused = {"the emergency stop was requested again", "another 'reset'"};
+    } else if (const Tick later = tick_of_reset(tick); later > tick) {
+      schedule_.at_tick(later, [this, event, ticket, stops](Tick now) { perform(event, now, ticket, stops); });
+      return;
+    } else {
+      emergency_stop_.reset();
+      emergency_stopped_ = false;
+    }
   } else {
     command_task(event.command);
   }
-  performed_.push_back({std::move(event), ticket, number});
+  performed_.push_back({std::move(event), ticket, number, refused});
 }
 
 void OperatorEvents::command_task(const std::string& command) {

@@ -6,7 +6,9 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/operator/robot_orders.hpp"
@@ -37,11 +39,17 @@ class OperatorEvents {
  public:
   /// Where answers are sent, by asker.
   using AnswerLinks = std::map<std::string, std::unique_ptr<links::OperatorResponder>>;
-  /// A command that has taken effect.
+  /// Why a command has no effect at its tick, and what would permit it.
+  struct Refused {
+    const char* text = nullptr;  ///< null: it has taken effect
+    const char* expected = "";
+  };
+  /// A command that has taken effect, or was refused at its tick.
   struct Performed {
     config::Event event;       ///< with the tick at which it took effect
     std::uint64_t ticket = 0;  ///< of `give`; 0: an event of the deployment
     std::uint64_t number = 0;  ///< of an order to a robot, by RobotOrders
+    Refused refused{};
   };
 
   /// The deployment's clock as far as it is needed here.
@@ -54,12 +62,17 @@ class OperatorEvents {
   OperatorEvents(Schedule schedule, clock::EmergencyStop& emergency_stop, links::TaskSuperior& mp, AnswerLinks& answers,
                  RobotOrders& robots, bool real);
 
+  /// Whether every press and reset of the emergency stop has arrived at every host; asked by any thread. Without this
+  /// call there is no other host. Before `schedule`.
+  void emergency_stop_arrives_when(std::function<bool()> arrived) { arrived_ = std::move(arrived); }
+  bool emergency_stop_arrived() const { return arrived_(); }
+
   /// Schedules the start at tick 0, unless `hold` or one of the events is a start, and the deployment's events. Call it
   /// before the clock starts. Main thread.
   void schedule(const config::Deployment& deployment, bool hold);
   /// A live command, for the next tick. Returns its ticket. Main thread.
   std::uint64_t give(const config::Event& event);
-  /// The commands that have taken effect since the last call, in their order. Main thread.
+  /// The commands that have taken effect or were refused since the last call, in their order. Main thread.
   std::vector<Performed> take_performed();
 
   /// The newest tick. Any thread.
@@ -76,7 +89,12 @@ class OperatorEvents {
   bool emergency_stopped() const noexcept { return emergency_stopped_.load(); }
 
  private:
-  void perform(config::Event event, Tick tick, std::uint64_t ticket);
+  /// `stops`: emergency stops that were given before the command; a reset releases no later one.
+  void perform(config::Event event, Tick tick, std::uint64_t ticket, std::uint64_t stops);
+  void press(Tick tick);
+  /// The tick at which a reset due at `tick` takes effect: every servo has checked the emergency stop before.
+  Tick tick_of_reset(Tick tick);
+  Refused check_order(const std::string& command) const;
   void command_task(const std::string& command);
 
   const Schedule schedule_;
@@ -85,7 +103,11 @@ class OperatorEvents {
   AnswerLinks& answers_;
   RobotOrders& robots_;
   const bool real_;
+  std::function<bool()> arrived_ = [] { return true; };
   std::mutex mutex_;
+  std::atomic<std::uint64_t> stops_given_{0};  ///< emergency stops
+  std::uint64_t stops_performed_ = 0;
+  std::optional<Tick> press_arrived_;  ///< the tick at which the last press was known to be at every host
   std::vector<Performed> performed_;
   std::uint64_t tickets_ = 0;
   std::atomic<TaskPhase> phase_{TaskPhase::starting};

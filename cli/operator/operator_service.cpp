@@ -201,7 +201,7 @@ void OperatorService::poll() {
   for (RobotOrders::Answer answer; robots_->take(answer);) answers.push_back(answer);
   for (const OperatorEvents::Performed& performed : events_->take_performed()) {
     reply_to(performed);
-    if (note_) note_(performed.event);
+    if (note_ && performed.refused.text == nullptr) note_(performed.event);
   }
   reply_to_resets();
   for (const RobotOrders::Answer& answer : answers) take_answer(answer);

@@ -48,9 +48,6 @@ class OperatorService {
   using Record = std::function<std::string(const std::string& file)>;
   void record_with(Record record) { record_ = std::move(record); }
 
-  /// Whether a reset of the emergency stop has reached every host: then `reset` is answered.
-  void reset_arrives_when(std::function<bool()> arrived) { reset_arrived_ = std::move(arrived); }
-
   /// Executes a request; calls `reply`, which may be empty, at once or from a later `poll`.
   void request(const OperatorClient& client, const VerbRequest& request, Reply reply);
   /// The client has disconnected: it gives command back and gets no more replies.
@@ -96,6 +93,7 @@ class OperatorService {
   /// Why the verb has no effect in the present phase; ok when it has one.
   VerbReply check_phase(std::string_view verb) const;
   void reply_to(const OperatorEvents::Performed& performed);
+  void report_refused(const OperatorEvents::Performed& performed);
   void reply_to_resets();
   void publish_holder();
 
@@ -107,7 +105,6 @@ class OperatorService {
   Note note_;
   std::function<void()> end_ = [] {};
   Record record_;
-  std::function<bool()> reset_arrived_ = [] { return true; };
   CommandHolder holder_;
   std::map<std::uint64_t, Pending> pending_;      // by ticket
   std::vector<std::pair<Pending, Tick>> resets_;  // performed, but perhaps not on every host

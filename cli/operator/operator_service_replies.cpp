@@ -35,7 +35,28 @@ void OperatorService::take_answer(const RobotOrders::Answer& answer) {
   ordered_.erase(ordered);
 }
 
+/// No client waits for an event of the deployment: the watchers see its refusal.
+void OperatorService::report_refused(const OperatorEvents::Performed& performed) {
+  const auto pending = pending_.find(performed.ticket);
+  const std::string& robot = performed.event.order.robot;
+  const std::string why = (robot.empty() ? "" : robot + ": ") + performed.refused.text;
+  if (pending == pending_.end()) {
+    const std::string text = performed.event.command + " by an event of the deployment at tick " +
+                             std::to_string(performed.event.tick) + " is refused: " + why;
+    publish_(message_event(text), text);
+    return;
+  }
+  VerbReply reply = not_now(why, performed.refused.expected);
+  reply.id = pending->second.id;
+  if (pending->second.reply) pending->second.reply(reply);
+  pending_.erase(pending);
+}
+
 void OperatorService::reply_to(const OperatorEvents::Performed& performed) {
+  if (performed.refused.text != nullptr) {
+    report_refused(performed);
+    return;
+  }
   const auto pending = pending_.find(performed.ticket);
   const std::string by = pending == pending_.end() ? "an event of the deployment" : pending->second.client.name;
   const bool repeated = performed.event.command == "jog";  // many times a second
@@ -60,9 +81,9 @@ void OperatorService::reply_to(const OperatorEvents::Performed& performed) {
   pending_.erase(pending);
 }
 
-/// A robot of another host refuses `recover` before the reset has arrived there.
+/// Orders to robots are refused before the reset has arrived at every host.
 void OperatorService::reply_to_resets() {
-  if (resets_.empty() || !reset_arrived_()) return;
+  if (resets_.empty() || !events_->emergency_stop_arrived()) return;
   for (const auto& [pending, tick] : std::exchange(resets_, {})) {
     VerbReply reply = done(std::string{find_verb("reset")->effect});
     reply.tick = tick;

@@ -112,7 +112,6 @@ void Runner::open_operator(const Outputs& outputs) {
     service_.note_to([this](const config::Event& event) { notes_->note(event); });
   }
   service_.record_with([this](const std::string& file) { return black_boxes_.record(file); });
-  service_.reset_arrives_when([this] { return !hosts_ || hosts_->follow_emergency_stop(); });
   service_.end_with([this] { supervisor_.fail(process::ExitCode::stopped, "ended by the operator"); });
   progress_.listen([this](const std::string& text) { service_.message(text); });
   try {
@@ -204,6 +203,7 @@ void Runner::pass_barrier() {
     }
   }
   if (!connect_to_mp(deadline)) return;
+  links_->events.emergency_stop_arrives_when([this] { return hosts_->follow_emergency_stop(); });
   links_->events.schedule(deployment_, options_.hold);
   service_.connect(links_->events, links_->questions, links_->robots);
   faults_.schedule();

@@ -102,6 +102,14 @@ TEST_F(TwoHostsOperated, RobotOfTheOtherHostTakesEveryOrder) {
   expect_done(run, "recover", {}, "the drives are on");
   expect_done(run, "go", {{"posture", "home"}}, "the robot has arrived");
 
+  // the other host need not have received the stop: what follows is refused, or comes after it
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_TRUE(run.request("estop").ok());
+    EXPECT_FALSE(run.request("recover", {{"robot", "arm"}}).ok());
+    EXPECT_TRUE(run.request("reset").ok());
+    expect_done(run, "recover", {}, "the drives are on");
+  }
+
   EXPECT_TRUE(run.request("stop").ok());
   EXPECT_EQ(run_->wait(), kStopped) << output();
 }
