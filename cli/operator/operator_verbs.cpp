@@ -73,8 +73,10 @@ constexpr OperatorVerb kVerbs[]{
     OperatorVerb{"output", "Set one output of a robot's controller", "the output is set", kOutputArguments, true},
     OperatorVerb{"tool", "Change the tool frame to which poses of a robot refer", "the tool frame is changed",
                  kToolArguments, true},
-    OperatorVerb{"record", "Write the last steps of all tasks to a file, as a black box, while the run continues", "",
-                 kRecordArguments, false},
+    OperatorVerb{
+        "record",
+        "Write the last steps of the tasks on the runner's machine to a file, as a black box, while the run continues",
+        "", kRecordArguments, false},
     OperatorVerb{
         "stop", "Bring the robots to rest and end the run", "the robots come to rest, then the run ends", {}, false},
     OperatorVerb{"estop",

@@ -3,12 +3,12 @@ import type { Session } from '../session';
 import { refusal_of } from '../state/permissions';
 
 /**
- * Writes the last steps of all tasks to the file DEPLOYMENT_TICK.trace in the working folder of the run; the reply
- * names its path. Hook: `[data-verb="record"]`.
+ * Writes the last steps of the tasks on the runner's machine to the file DEPLOYMENT_TICK.trace in the working folder of
+ * the run; the reply names its path. Hook: `[data-verb="record"]`.
  */
 export function record_button(session: Session): { node: HTMLButtonElement; update(): void } {
   const { store } = session;
-  const title = 'Write the last steps of all tasks to a new file in the folder of the run';
+  const title = "Write the last steps of the tasks on the runner's machine to a new file in the folder of the run";
   const node = button('Record', { title, 'data-title': title, 'data-verb': 'record' });
   node.addEventListener('click', () => {
     if (is_refused(node)) session.announce(node.title, true);
