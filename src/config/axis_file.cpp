@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kUsualStuck = 0.08;      // of the maximum following error; up to 0.022 occurs, with or without contact
 constexpr Range kBandwidth{0.5, 200};     // Hz
-constexpr Range kInertia{1e-9, 1e6};      // kg m2, kg
+constexpr Range kInertia{1e-12, 1e12};    // kg m2, kg
 constexpr double kUsualCorrection = 0.2;  // position gain of velocity interfaces, of the bandwidth
 
 double not_negative_or(const Table& table, std::string_view key, double fallback) {

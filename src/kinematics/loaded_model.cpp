@@ -5,7 +5,9 @@
 #include <numbers>
 #include <utility>
 
+#include "core/short_number.hpp"
 #include "kinematics/random_numbers.hpp"
+#include "mrroc/errors.hpp"
 
 namespace mrroc::kinematics {
 
@@ -29,12 +31,25 @@ JointVector squared_distances(const RobotModel& model, const Eigen::Vector3d& ce
   return largest;
 }
 
+/// 0 to 1; `square`: of the load's distance.
+double part_of_acceleration(const AxisParameters& axis, double mass, double square) {
+  const double inertia = axis.inertia_max + mass * square;
+  if (!std::isfinite(axis.torque_max)) return axis.inertia_max / inertia;
+  const double weight = mass * standard_gravity().norm() * std::sqrt(square);
+  if (!(weight < axis.torque_max))
+    throw SystemError(ErrorCode::configuration, "axis " + axis.name + " cannot bear the load: " + short_number(mass) +
+                                                    " kg need " + short_number(weight) +
+                                                    " N m or N, expected less than torque_max, " +
+                                                    short_number(axis.torque_max));
+  return std::min(1.0, (axis.torque_max - weight) / inertia / axis.acceleration_max);
+}
+
 RobotParameters loaded(const RobotModel& model, const Load& load) {
   RobotParameters parameters = model.parameters();
   const JointVector squares = squared_distances(model, load.centre);
   for (std::size_t i = 0; i < parameters.axes.size(); ++i) {
     AxisParameters& axis = parameters.axes[i];
-    const double part = axis.inertia_max / (axis.inertia_max + load.mass * squares[static_cast<Eigen::Index>(i)]);
+    const double part = part_of_acceleration(axis, load.mass, squares[static_cast<Eigen::Index>(i)]);
     axis.acceleration_max *= part;
     axis.jerk_max *= part;
   }

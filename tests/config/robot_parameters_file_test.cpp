@@ -214,7 +214,8 @@ TEST_F(RobotParametersFileTest, DoesNotReadTheGeometry) {
   const Table file = Table::load(scratch_.write("r.toml", robot_text() + "[geometry]\na2 = 0.455\n"));
   read_robot_parameters(file);
   EXPECT_EQ(message_of(scratch_.path(), [&] { file.finish(); }),
-            "r.toml:25: geometry: unknown key, expected 'axes', 'drives', 'edp', 'home', 'load_max', 'postures', 'regulators', "
+            "r.toml:25: geometry: unknown key, expected 'axes', 'drives', 'edp', 'home', 'load_max', 'postures', "
+            "'regulators', "
             "'synchro_order', "
             "'tools' or 'type'");
   file.table("geometry");

@@ -40,7 +40,10 @@ void import(const std::filesystem::path& file) {
   const auto read = [&] { sim::read_part(mjcf.write(text.text), "arm/"); };
   fuzz::refuses<config::ConfigurationError>(read);  // numbers that MuJoCo does not take
   fuzz::require(!findings.text().empty() || axes.empty(), "limits were guessed");
-  const std::string toml = cli::robot_toml("arm", "arm.urdf", arm, axes, home);
+  const bool torques = std::all_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.torque.has_value(); });
+  const std::vector<cli::AxisDrive> drives(axes.size(), {.inertia_min = 0.5, .inertia_max = 1, .rotor = 0.1});
+  const std::string toml = cli::robot_toml("arm", "arm.urdf", arm, axes,
+                                           torques ? cli::DriveKind::torque : cli::DriveKind::itself, drives, home);
   const config::Table table = config::Table::parse("arm.toml", toml);
   const config::Table joints = table.table("chain").table("joints");
   fuzz::require(table.tables("axes").size() == axes.size(), "the file has every axis");

@@ -3,17 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <random>
 
 #include "kinematics/chain_model.hpp"
 #include "kinematics/chains.hpp"
+#include "mrroc/errors.hpp"
 
 namespace mrroc::kinematics {
 namespace {
 
 /// An arm of chain `chain` whose every axis moves 2 kg m2.
-std::shared_ptr<const RobotModel> even_arm(const SerialChain& chain) {
+std::shared_ptr<const RobotModel> even_arm(const SerialChain& chain,
+                                           double torque = std::numeric_limits<double>::infinity()) {
   RobotParameters parameters;
   parameters.axes.resize(static_cast<std::size_t>(chain.size()));
   for (AxisParameters& axis : parameters.axes) {
@@ -24,6 +27,7 @@ std::shared_ptr<const RobotModel> even_arm(const SerialChain& chain) {
     axis.jerk_max = 50;
     axis.inertia_min = 1;
     axis.inertia_max = 2;
+    axis.torque_max = torque;
   }
   parameters.home = JointVector::Zero(chain.size());
   return std::make_shared<ChainModel>("nominal", parameters, chain, JointVector::Ones(chain.size()));
@@ -42,6 +46,20 @@ TEST(LoadedModel, LimitsShrinkByTheInertiaOfTheLoad) {
     EXPECT_EQ(axis.velocity_max, 1);
     EXPECT_EQ(axis.position_max, 3);
   }
+}
+
+/// The weight of 3 kg at 1.5 m needs 44 N m.
+TEST(LoadedModel, LimitsAreWhatTheTorqueLeaves) {
+  const Pose out(Eigen::Translation3d(1, 0, 0));
+  const SerialChain chain({{Pose::Identity(), Eigen::Vector3d::UnitZ(), false}}, out);
+  const double weight = 3 * 9.81 * 1.5, inertia = 2 + 3 * 1.5 * 1.5;
+  for (const auto& [torque, expected] : {std::pair{weight + 20, 20 / inertia}, {weight + 1000, 5.0}}) {
+    const auto loaded = with_load({even_arm(chain, torque)}, {3, {0.5, 0, 0}});
+    const AxisParameters& axis = loaded.front()->parameters().axes.front();
+    EXPECT_NEAR(axis.acceleration_max, expected, 1e-12);
+    EXPECT_NEAR(axis.jerk_max, 10 * expected, 1e-11);
+  }
+  EXPECT_THROW(with_load({even_arm(chain, weight - 0.1)}, {3, {0.5, 0, 0}}), SystemError);
 }
 
 TEST(LoadedModel, WithoutAMassNothingChanges) {

@@ -190,7 +190,7 @@ TEST_F(AddRobot, TakesAnAccelerationThatTheUrdfHas) {
       "acceleration.urdf", std::regex_replace(text, std::regex("velocity=\"2\""), "$& drake:acceleration=\"3\"")));
   add.accept_guesses = true;
   const std::string report = add_robot(add), file = text_of(add.into / "acceleration/acceleration.toml");
-  EXPECT_NE(file.find("acceleration_max = 3.0  # URDF line 17"), std::string::npos) << file;
+  EXPECT_NE(file.find("acceleration_max = 3.0  # URDF line 19"), std::string::npos) << file;
   EXPECT_NE(file.find("jerk_max = 30.0  # guessed"), std::string::npos) << file;
   EXPECT_EQ(report.find("drake"), std::string::npos) << report;
 }
