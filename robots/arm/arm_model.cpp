@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/axis_file.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
 #include "config/text/message_text.hpp"
@@ -23,7 +24,6 @@ using kinematics::ChainJoint;
 using kinematics::ChainModel;
 using kinematics::SerialChain;
 
-constexpr double kServoPeriod = 0.002;                        // s, for which the numbers of every regulator are
 constexpr double kLeastMargin = 20 * std::numbers::pi / 180;  // rad, of a designed loop's phase
 constexpr Range kPlace{-100, 100};                            // m
 constexpr Range kTurn{-2 * std::numbers::pi, 2 * std::numbers::pi};
@@ -98,9 +98,9 @@ void design_regulators(const Table& table, const JointVector& gear, RobotParamet
     AxisParameters& axis = parameters.axes[i];
     if (!(axis.regulator_bandwidth > 0)) continue;
     const double ratio = gear[static_cast<Eigen::Index>(i)];
-    regulation::design_regulator(axis, ratio, kServoPeriod);
+    regulation::design_regulator(axis, ratio, config::kRegulatorPeriod);
     for (const double inertia : {axis.inertia_min, axis.inertia_max}) {
-      const regulation::ServoLoop loop(axis, regulation::shaft_inertia(axis, inertia, ratio), kServoPeriod);
+      const regulation::ServoLoop loop(axis, regulation::shaft_inertia(axis, inertia, ratio), config::kRegulatorPeriod);
       const regulation::LoopMargins margins = loop.margins();
       if (margins.stable && margins.phase_margin > kLeastMargin) continue;
       table.tables("axes")[i].fail("inertia",

@@ -13,7 +13,8 @@ namespace mrroc::config {
 /// default a fifth of the bandwidth in rad/s). With "framework" a `bandwidth` lets it design the regulators of a
 /// chain's axes. Throws ConfigurationError.
 DriveParameters read_drives(const Table& file);
-inline constexpr double kUsualBandwidth = 20;  ///< Hz
+inline constexpr double kUsualBandwidth = 20;      ///< Hz
+inline constexpr double kRegulatorPeriod = 0.002;  ///< s, of the servo ticks for which regulators are designed
 
 /// Reads one `[[axes]]` with the keys of AxisParameters. Always required: name, limits of position, velocity,
 /// acceleration and jerk. Motor, encoder, current and regulator are required where the framework regulates, too; where

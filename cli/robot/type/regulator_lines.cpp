@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "config/axis_file.hpp"
 #include "regulation/regulator_design.hpp"
 #include "regulation/servo_loop.hpp"
 
@@ -11,10 +12,10 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr double kPeriod = 0.002;  // s, of the servo ticks for which regulators are designed
-
 std::string line_of(const AxisParameters& axis, double gear) {
-  const auto at = [&axis](double inertia) { return regulation::ServoLoop(axis, inertia, kPeriod).margins(); };
+  const auto at = [&axis](double inertia) {
+    return regulation::ServoLoop(axis, inertia, config::kRegulatorPeriod).margins();
+  };
   const auto degrees = [](double angle) { return angle * 180 / std::numbers::pi; };
   const double least = regulation::shaft_inertia(axis, axis.inertia_min, gear);
   const double greatest = regulation::shaft_inertia(axis, axis.inertia_max, gear);

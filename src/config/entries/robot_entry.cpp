@@ -1,5 +1,6 @@
 #include "config/entries/robot_entry.hpp"
 
+#include "config/axis_file.hpp"
 #include "config/entries/can_entry.hpp"
 #include "config/entries/named_file.hpp"
 #include "config/network/hosts.hpp"
@@ -68,6 +69,15 @@ Load read_load(const Table& table, const RobotEntry& robot) {
   return load;
 }
 
+/// Designed regulators have numbers for one length of the tick.
+void check_period(const Table& table, const Table& parameters, const Deployment& deployment) {
+  const DriveParameters drives = read_drives(parameters);
+  if (drives.regulate_themselves() || !(drives.bandwidth > 0) || deployment.servo_period == kRegulatorPeriod) return;
+  table.fail("type",
+             "its regulators are designed for another servo_period than " + number_text(deployment.servo_period) + " s",
+             number_text(kRegulatorPeriod) + " s");
+}
+
 }  // namespace
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
@@ -88,7 +98,9 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   read_force(table, robot);
   robot.load = read_load(table, robot);
   robot.program = table.optional_text("program").value_or(robot.program);
-  robot.edp_program = Table::load(robot.files().parameters).optional_text("edp").value_or(robot.type + "_edp");
+  const Table parameters = Table::load(robot.files().parameters);
+  robot.edp_program = parameters.optional_text("edp").value_or(robot.type + "_edp");
+  check_period(table, parameters, deployment);
   const bool here = robot.host == deployment.here;
   // the runner asks the programs for their behaviours when the MP runs a state machine
   if (here || (deployment.here.empty() && !deployment.mp.states.empty()))
