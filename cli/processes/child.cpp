@@ -9,9 +9,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -44,14 +46,33 @@ constexpr int kPatienceWithKilled = 3000;    // ms; a debugger can keep a killed
   _exit(127);
 }
 
-/// The state letter of a `stat` file of proc(5); 0: the thread no longer exists.
-char state_of(const std::filesystem::path& thread) {
+/// A `stat` file of proc(5) behind the name; empty: the thread no longer exists.
+std::string stat_of(const std::filesystem::path& thread) {
   std::ifstream file(thread / "stat");
   std::string stat;
   std::getline(file, stat);
   const std::size_t name = stat.rfind(')');
-  return name == std::string::npos || name + 2 >= stat.size() ? '\0' : stat[name + 2];
+  return name == std::string::npos || name + 2 >= stat.size() ? "" : stat.substr(name + 2);
 }
+
+/// The state letter; 0: the thread no longer exists.
+char state_of(const std::filesystem::path& thread) {
+  const std::string stat = stat_of(thread);
+  return stat.empty() ? '\0' : stat[0];
+}
+
+/// Whether the kernel takes the thread apart, or has done so.
+bool is_exiting(const std::filesystem::path& thread) {
+  constexpr unsigned kExiting = 4;  // PF_EXITING of the kernel
+  std::istringstream stat(stat_of(thread));
+  std::string state;
+  long parent = 0, group = 0, session = 0, terminal = 0, terminal_group = 0;
+  unsigned flags = 0;
+  stat >> state >> parent >> group >> session >> terminal >> terminal_group >> flags;
+  return stat && (flags & kExiting) != 0;
+}
+
+constexpr unsigned long long kKillBit = 1ULL << (SIGKILL - 1);  // of the masks in /proc/PID/status
 
 }  // namespace
 
@@ -130,6 +151,19 @@ bool Child::is_at_work() const {
   for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(pid_) + "/task", gone))
     if (std::string_view{"Tt"}.find(state_of(thread.path())) == std::string_view::npos) return true;
   return false;
+}
+
+bool Child::is_dying() const {
+  const std::filesystem::path process = "/proc/" + std::to_string(pid_);
+  std::ifstream status(process / "status");
+  for (std::string line; std::getline(status, line);) {
+    const std::size_t tab = line.find('\t');
+    const std::string value = tab == std::string::npos ? "" : line.substr(tab + 1);
+    if (line.starts_with("CoreDumping:") && value == "1") return true;
+    const bool signals = line.starts_with("SigPnd:") || line.starts_with("ShdPnd:");
+    if (signals && (std::strtoull(value.c_str(), nullptr, 16) & kKillBit) != 0) return true;
+  }
+  return is_exiting(process);  // after the signal, which it may have taken meanwhile
 }
 
 std::string Child::how_it_ended() const {

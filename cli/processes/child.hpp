@@ -35,6 +35,9 @@ class Child {
   /// False once `lost()` returns true, and only then: no thread of it runs any more. Any thread; it leaves the kernel's
   /// report for the main thread. Never waits.
   bool is_at_work() const;
+  /// True when it is going to end: it has been killed, has ended but for its memory and files, or writes a core file. A
+  /// busy machine takes seconds for that, in which it is silent. Main thread. Never waits.
+  bool is_dying() const;
   /// "exit code 3", "signal 9 (Killed)" or "stopped by signal 19 (Stopped (signal))".
   std::string how_it_ended() const;
   /// Once it is lost: "died: exit code 3: its last line", "is stopped by signal 19 (Stopped (signal))".

@@ -15,6 +15,7 @@ namespace mrroc::cli {
 
 namespace {
 
+constexpr double kLongestDeath = 10;        // s
 constexpr double kPatienceWithCause = 0.5;  // s from a task's report of a loss to its cause
 
 /// Between machines, peers cannot distinguish a dead process from a cut link.
@@ -229,9 +230,16 @@ process::ExitCode Supervisor::code_of_death(int exit_code) const {
 
 void Supervisor::check_heartbeats() {
   if (ending_) return;
-  if (const std::string name = heartbeats_.silent(watched_.wall.wall_seconds()); !name.empty())
-    fail(process::ExitCode::system,
-         fmt::format("process {} is silent for {} s", name, watched_.deployment.heartbeat_timeout));
+  const double now = watched_.wall.wall_seconds();
+  const std::string name = heartbeats_.silent(now);
+  if (name.empty()) return;
+  // one that dies is named with its death; for a while: a device may keep it from ending
+  if (const Child* const child = watched_.group.find(name); child != nullptr && child->is_dying()) {
+    if (!dying_since_) dying_since_ = now;
+    if (now - *dying_since_ < kLongestDeath) return;
+  }
+  fail(process::ExitCode::system,
+       fmt::format("process {} is silent for {} s", name, watched_.deployment.heartbeat_timeout));
 }
 
 void Supervisor::check_clock() {

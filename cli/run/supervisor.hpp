@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,7 @@ class Supervisor {
   const Watched watched_;
   Signals signals_;
   Heartbeats heartbeats_;
+  std::optional<double> dying_since_;  ///< s: a silent process has been ending since then
   StallWatch stall_;
   RemoteHosts* hosts_ = nullptr;
   RunLinks* links_ = nullptr;

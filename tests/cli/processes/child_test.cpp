@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace mrroc::cli {
@@ -53,6 +54,22 @@ TEST(Child, ReportsTheSignalThatEndedIt) {
   run_to_end(child);
   EXPECT_EQ(child.how_it_ended(), "signal 9 (Killed)");
   EXPECT_EQ(child.exit_code(), std::nullopt);
+}
+
+/// On a busy machine the kernel takes seconds from the signal to the end: the child is dying from the first moment.
+TEST(Child, DiesFromTheSignalUntilItsEndIsRead) {
+  Child child("sleeper", "/bin/sleep", {"60"});
+  EXPECT_FALSE(child.is_dying());
+  child.signal(SIGSTOP);
+  while (!child.lost()) usleep(1000);
+  EXPECT_FALSE(child.is_dying());
+  child.signal(SIGKILL);
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(child.is_dying());
+  siginfo_t info{};
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child.pid()), &info, WEXITED | WNOWAIT), 0);
+  EXPECT_TRUE(child.is_dying());
+  run_to_end(child);
+  EXPECT_FALSE(child.is_dying());
 }
 
 TEST(Child, MissingProgramEndsWith127) {
