@@ -76,7 +76,7 @@ process::ExitCode Runner::run() {
   if (const std::string warning = check_network(deployment_.network); !warning.empty()) progress_.error(warning);
   if (deployment_.clock == config::ClockMode::real)
     if (const std::string refused = clock::refused_realtime(kHighestPriority); !refused.empty())
-      progress_.message("warning: " + refused + " refused: ticks may come late; docs/reference/running.md, Real time");
+      progress_.message("warning: " + refused + " refused: ticks may come late (RLIMIT_RTPRIO, RLIMIT_MEMLOCK)");
   // before anything is started: a run without its outputs would be useless
   bool waits = false;
   Outputs outputs(options_, deployment_, plan_, [&](int milliseconds) {
