@@ -15,7 +15,7 @@ namespace mrroc::config {
 namespace {
 
 std::string read_hardware(const Table& table, const Deployment& deployment) {
-  const std::string hardware = table.choice("hardware", {"socketcan", "mujoco", "loopback"});
+  std::string hardware = table.choice("hardware", {"socketcan", "mujoco", "loopback"});
   if (hardware == "mujoco" && !deployment.sim) table.fail("hardware", "'mujoco' needs a simulator", "a table [sim]");
   return hardware;
 }
