@@ -24,10 +24,10 @@ const Entry& find_entry(const std::vector<Entry>& entries, const std::string& na
     names.push_back(entry.name);
     if (entry.name != name) continue;
     if (entry.type == type) return entry;
-    throw NonFatalError(ErrorCode::invalid_argument,
-                        std::string{kind} + " '" + name + "' is of type '" + entry.type +
-                            "' in the deployment, the task expects '" + type + "'",
-                        {process, name, 0, 0});
+    std::string text = kind;
+    text.append(" '").append(name).append("' is of type '").append(entry.type);
+    text.append("' in the deployment, the task expects '").append(type).append("'");
+    throw NonFatalError(ErrorCode::invalid_argument, text, {process, name, 0, 0});
   }
   throw NonFatalError(ErrorCode::invalid_argument,
                       std::string{"the deployment has no "} + kind + " '" + name + "', it has: " + names_of(names),
