@@ -73,7 +73,7 @@ def has_answered(screen, lines):
 
 
 def task_state(binary, environment):
-    """Of the run; empty while a process of a task that goes on has not yet said that it runs, or the arm moves by no instruction."""
+    """Of the run; empty while a process of a started task has not yet said that it runs, or the arm moves by no instruction."""
     done = subprocess.run([binary / "bin/mrroc", "status", "press", "--json"], env=environment, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         return ""

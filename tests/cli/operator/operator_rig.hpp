@@ -18,6 +18,8 @@
 
 namespace mrroc::cli {
 
+inline const OperatorClient kA{1, "a"}, kB{2, "b"};
+
 inline config::SensorEntry asking_sensor(const std::string& name) {
   config::SensorEntry sensor;
   sensor.name = name;
