@@ -110,7 +110,7 @@ void design_regulators(const Table& table, const JointVector& gear, RobotParamet
                                    "a range with a smaller ratio, or a smaller bandwidth");
     }
     for (RegulatorSet& set : parameters.regulators)
-      if (set.axes[i].regulator_bandwidth > 0 && set.axes[i].regulator_b0 == 0) set.axes[i] = axis;
+      if (set.axes[i].regulator_bandwidth > 0) set.axes[i] = axis;
   }
 }
 

@@ -48,6 +48,9 @@ RegulatorSet read_regulators(const Table& table, const std::string& name, const 
     const auto axis =
         std::find_if(set.axes.begin(), set.axes.end(), [&](const auto& a) { return a.name == axis_name; });
     if (axis == set.axes.end()) gains.fail("", in_quotes(axis_name) + " is not an axis", "the name of one");
+    if (axis->regulator_bandwidth > 0)  // the set's numbers cannot complete those that are not known yet
+      for (const char* const key : {"a", "b0", "b1", "eps", "current_gain"}) gains.number(key);
+    axis->regulator_bandwidth = 0;
     axis->regulator_a = gains.number_or("a", axis->regulator_a);
     axis->regulator_b0 = gains.number_or("b0", axis->regulator_b0);
     axis->regulator_b1 = gains.number_or("b1", axis->regulator_b1);

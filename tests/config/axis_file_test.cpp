@@ -101,6 +101,9 @@ TEST_F(AxisFile, RegulatorsMayBeLeftToTheFramework) {
           .axes.front();
   EXPECT_EQ(given.regulator_bandwidth, 0);
   EXPECT_EQ(given.regulator_b0, 1);
+  EXPECT_TRUE(message(text(drives, std::string{kMotor} + "inertia = [0.5, 2]\n" + chain +
+                                       "[regulators.soft]\npan = { eps = 0.01 }\n"))
+                  .starts_with("r.toml:24: regulators.soft.pan.a: missing"));
   EXPECT_TRUE(message(text(drives, kMotor + chain)).starts_with("r.toml:6: axes[0].inertia: missing"));
   EXPECT_TRUE(message(text(drives, std::string{kMotor} + "regulator_a = 0.4\n" + chain))
                   .starts_with("r.toml:6: axes[0].regulator_b0: missing"));
