@@ -9,9 +9,9 @@
 #include <numbers>
 #include <random>
 
-#include "cli/robot/type/random_posture.hpp"
 #include "cli/robot/type/regulator_lines.hpp"
 #include "cli/robot/type/singularities.hpp"
+#include "edp/check/postures.hpp"
 #include "language/joints/nearest_posture.hpp"
 
 namespace mrroc::cli {
@@ -49,11 +49,11 @@ std::string report_of(const ChainModel& model, const std::string& base, const st
   Eigen::AlignedBox3d box;
   int found = 0;
   for (int i = 0; i < postures; ++i) {
-    const Pose pose = model.flange(random_posture(parameters, random));
+    const Pose pose = model.flange(edp::random_joints(model, random));
     nearest = std::min(nearest, pose.translation().norm());
     farthest = std::max(farthest, pose.translation().norm());
     box.extend(pose.translation());
-    const JointVector near = random_posture(parameters, random);
+    const JointVector near = edp::random_joints(model, random);
     found += nearest_posture(kinematics, pose, near).code == ErrorCode::none ? 1 : 0;
   }
   std::string text = fmt::format("{} axes from link {} to link {}\n", count, base, tip);

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "cli/robot/type/processor_time.hpp"
-#include "cli/robot/type/random_posture.hpp"
+#include "cli/robot/type/processor_times.hpp"
+#include "edp/check/postures.hpp"
 #include "kinematics/newton.hpp"
 #include "language/joints/nearest_posture.hpp"
 
@@ -45,13 +45,11 @@ BranchCheck check_branches(const kinematics::ChainModel& model, int postures) {
   BranchCheck check;
   check.postures = postures;
   std::mt19937_64 random(kBranchSeed);
-  std::vector<double> times;
+  ProcessorTimes times;
   for (int i = 0; i < postures; ++i) {
-    const JointVector joints = random_posture(parameters, random);
+    const JointVector joints = edp::random_joints(model, random);
     const Pose pose = model.flange(joints);
-    const std::int64_t begin = processor_ns();
-    const Posture posture = nearest_posture(kinematics, pose, parameters.home);
-    times.push_back(1e-3 * static_cast<double>(processor_ns() - begin));
+    const Posture posture = times.measure([&] { return nearest_posture(kinematics, pose, parameters.home); });
     const bool reached = posture.code == ErrorCode::none;
     check.reached += reached ? 1 : 0;
     if (reached) {
@@ -66,9 +64,8 @@ BranchCheck check_branches(const kinematics::ChainModel& model, int postures) {
     model.branches(pose, parameters.home, among);
     check.branches += among.found() ? 1 : 0;
   }
-  std::sort(times.begin(), times.end());
-  check.typical = times[times.size() / 2];
-  check.worst = times.back();
+  check.typical = times.typical();
+  check.worst = times.worst();
   return check;
 }
 

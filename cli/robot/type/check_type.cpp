@@ -9,9 +9,9 @@
 
 #include "cli/robot/import/arm_world.hpp"
 #include "cli/robot/type/kdl_arm.hpp"
-#include "cli/robot/type/processor_time.hpp"
-#include "cli/robot/type/random_posture.hpp"
+#include "cli/robot/type/processor_times.hpp"
 #include "config/table.hpp"
+#include "edp/check/postures.hpp"
 #include "kinematics/newton.hpp"
 
 namespace mrroc::cli {
@@ -41,24 +41,21 @@ TypeCheck check_type(const ChainType& type, int postures) {
   TypeCheck check;
   check.postures = postures;
   std::mt19937_64 random(kTypeSeed);
-  std::vector<double> times;
+  ProcessorTimes times;
   for (int i = 0; i < postures; ++i) {
-    const JointVector joints = random_posture(parameters, random);
+    const JointVector joints = edp::random_joints(model, random);
     const Pose pose = model.flange(joints);
     check.kdl = std::max(check.kdl, difference(pose, kdl.flange(joints)));
     check.mujoco = std::max(check.mujoco, difference(pose, world.tool(joints)));
     JointVector near = joints;
     for (Eigen::Index j = 0; j < near.size(); ++j) near[j] += std::uniform_real_distribution(-kNearby, kNearby)(random);
     JointVector found = near;
-    const std::int64_t begin = processor_ns();
-    const ErrorCode code = model.inverse(pose, near, found);
-    times.push_back(1e-3 * static_cast<double>(processor_ns() - begin));
+    const ErrorCode code = times.measure([&] { return model.inverse(pose, near, found); });
     const bool solved = code == ErrorCode::none || code == ErrorCode::singular;
     check.found += solved && difference(model.flange(found), pose) < BranchCheck::kReached ? 1 : 0;
   }
-  std::sort(times.begin(), times.end());
-  check.typical = times[times.size() / 2];
-  check.worst = times.back();
+  check.typical = times.typical();
+  check.worst = times.worst();
   check.branches = check_branches(model, 2 * postures);
   return check;
 }
