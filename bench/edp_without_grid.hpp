@@ -1,7 +1,7 @@
 #pragma once
 
+#include "drivers/loopback/loopback_hardware.hpp"
 #include "edp/command/effector.hpp"
-#include "edp/drivers/loopback_hardware.hpp"
 #include "edp/servo/servo.hpp"
 #include "mrroc/robot_link.hpp"
 #include "robots/irb6/irb6_model.hpp"

@@ -1,6 +1,7 @@
 # The headers of a package, as they are included: "mrroc/move.hpp", "config/table.hpp", "robots/irb6/irb6_model.hpp".
 # Folders named include/ are public as a whole; of the framework's own folders these headers are.
 set(MRROC_PUBLIC_HEADERS
+  edp/driver.hpp
   edp/hardware.hpp
   edp/shell.hpp
   src/config/resources.hpp
@@ -25,6 +26,7 @@ set(MRROC_INCLUDED_HEADERS
   src/clock/wall/monotonic.hpp
   src/config/deployment.hpp
   src/config/entries/program_behaviours.hpp
+  src/config/key_values.hpp
   src/core/lockfree/shared_slot.hpp
   src/faults/fault.hpp
   src/faults/fault_plan.hpp
@@ -46,6 +48,7 @@ set(MRROC_INCLUDED_HEADERS
   src/links/wire/operator_messages.hpp
   src/links/wire/process_status.hpp
   src/links/wire/task_messages.hpp
+  src/plugin/plugin.hpp
   src/process/arguments.hpp
   src/process/dialogue.hpp
   src/process/exit_code.hpp

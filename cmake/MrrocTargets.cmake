@@ -95,6 +95,53 @@ function(mrroc_add_sensor type)
   endif()
 endfunction()
 
+# mrroc_add_driver(NAME SOURCES ... [LINKS ...]): a driver's folder, of robots or of sensors: the plug-in
+# lib/mrroc/drivers/NAME.so, with its declaration NAME.toml in share/mrroc/drivers/NAME. Its classes are invisible outside, so two
+# drivers may have the same names. With the variable MRROC_DRIVERS_INTO they are in that folder, and in no package.
+function(mrroc_add_driver name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  set(into ${CMAKE_BINARY_DIR})
+  if(MRROC_DRIVERS_INTO)
+    set(into ${MRROC_DRIVERS_INTO})
+  endif()
+  add_library(mrroc_driver_${name} MODULE ${ARG_SOURCES})
+  set_target_properties(mrroc_driver_${name} PROPERTIES OUTPUT_NAME ${name} PREFIX "" CXX_VISIBILITY_PRESET hidden
+    LIBRARY_OUTPUT_DIRECTORY ${into}/lib/mrroc/drivers)
+  target_compile_features(mrroc_driver_${name} PRIVATE cxx_std_20)
+  target_compile_options(mrroc_driver_${name} PRIVATE ${MRROC_WARNINGS})
+  target_link_libraries(mrroc_driver_${name} PRIVATE mrroc::edp mrroc::config mrroc::plugin mrroc::world_memory ${ARG_LINKS})
+  target_link_options(mrroc_driver_${name} PRIVATE -Wl,--exclude-libs,ALL -Wl,--no-undefined)
+  if(COMMAND mrroc_reuse_headers)
+    mrroc_reuse_headers(mrroc_driver_${name})
+  endif()
+  if(MRROC_DRIVERS_INTO)
+    file(MAKE_DIRECTORY ${into}/share/mrroc/drivers)
+    file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${into}/share/mrroc/drivers/${name} SYMBOLIC)
+    return()
+  endif()
+  mrroc_data(drivers ${name})
+  install(TARGETS mrroc_driver_${name} LIBRARY DESTINATION lib/mrroc/drivers COMPONENT runtime
+    PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
+  if(TARGET mrroc_drivers)
+    add_dependencies(mrroc_drivers mrroc_driver_${name})
+  endif()
+endfunction()
+
+# mrroc_add_driver_test(NAME DRIVER driver TYPE type [PARAMETERS file] SOURCES ... [LINKS ...]): the conformance test of a driver, a program
+# with MRROC_DRIVER_TEST (<mrroc/testing/driver.hpp>) for a robot of that type, and its entry in ctest. Needs enable_testing().
+function(mrroc_add_driver_test name)
+  cmake_parse_arguments(ARG "" "DRIVER;TYPE;PARAMETERS" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  # its malloc and pthread_mutex_lock are those of the driver's library, too
+  set_target_properties(${name} PROPERTIES ENABLE_EXPORTS ON)
+  target_compile_options(${name} PRIVATE ${MRROC_WARNINGS})
+  target_link_libraries(${name} PRIVATE mrroc::driver_test mrroc::robot_${ARG_TYPE} ${ARG_LINKS})
+  add_test(NAME ${name} COMMAND ${name} ${ARG_DRIVER} ${ARG_TYPE} ${ARG_PARAMETERS})
+  if(DEFINED mrroc_PREFIX)
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "MRROC_DRIVERS=${CMAKE_BINARY_DIR}/lib/mrroc/drivers:${mrroc_PREFIX}/lib/mrroc/drivers;MRROC_SHARE=${CMAKE_BINARY_DIR}/share/mrroc:${mrroc_PREFIX}/share/mrroc;MRROC_PROGRAMS=${CMAKE_BINARY_DIR}/bin:${mrroc_PREFIX}/libexec/mrroc:${mrroc_PREFIX}/bin")
+  endif()
+endfunction()
+
 # mrroc_add_task(NAME [MP mp.cpp ...] [ECP ecp.cpp ...] [ROBOTS type ...] [SENSORS type ...]): a task's programs NAME_mp and
 # NAME_ecp, linked with the robots and sensors that they use. The stock programs replace those that are left out.
 function(mrroc_add_task name)

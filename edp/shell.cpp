@@ -6,18 +6,13 @@
 #include <deque>
 #include <optional>
 
-#include "clock/wall/monotonic.hpp"
-#include "config/drives/drive_table.hpp"
 #include "config/robot_place.hpp"
 #include "edp/check/robot_check.hpp"
 #include "edp/command/effector.hpp"
 #include "edp/command/operator_motion.hpp"
 #include "edp/describe.hpp"
-#include "edp/drivers/can/can_hardware.hpp"
 #include "edp/drivers/injected_hardware.hpp"
-#include "edp/drivers/loopback_hardware.hpp"
-#include "edp/drivers/mujoco_hardware.hpp"
-#include "edp/drivers/regulated_loopback.hpp"
+#include "edp/drivers/load_driver.hpp"
 #include "edp/force/wrist_sensor.hpp"
 #include "edp/servo/servo.hpp"
 #include "edp/servo/servo_thread.hpp"
@@ -35,21 +30,6 @@ namespace mrroc::edp {
 namespace {
 
 constexpr double kTelemetryPeriod = 0.02;  // s between two states for watchers
-constexpr std::int64_t kPatienceWithBus = 10 * clock::kSecond;
-
-/// The simulated drives may not have made the hub's socket yet.
-std::unique_ptr<can::Bus> open_bus(const std::string& name) {
-  const std::int64_t end = clock::monotonic_ns() + kPatienceWithBus;
-  for (;;) {
-    try {
-      return can::open_bus(name);
-    } catch (const std::runtime_error& error) {
-      if (!name.starts_with("unix:") || clock::monotonic_ns() > end)
-        throw HardwareError(ErrorCode::hardware_silent, error.what());
-      ::usleep(20'000);
-    }
-  }
-}
 
 class Shell {
  public:
@@ -119,37 +99,11 @@ class Shell {
     return kinematics::with_load(std::move(models), place_.entry.load);
   }
 
-  std::unique_ptr<Hardware> open_can(const config::CanEntry& can) const {
-    const RobotParameters& parameters = models_.front()->parameters();
-    config::DriveTable table = config::read_drive_table(can.drives, parameters);
-    const double period = process_.clock().period();
-    const auto timing = process_.clock().simulated() ? CanHardware::Timing{CanHardware::kPatienceWithTick}
-                                                     : CanHardware::Timing{table.answer_time * period, true};
-    return std::make_unique<CanHardware>(std::move(table), parameters, period, open_bus(can.interface), timing,
-                                         place_.entry.synchronised);
-  }
-
-  template <class Loopback>
-  std::unique_ptr<Hardware> open_loopback() const {
-    auto loopback = std::make_unique<Loopback>(*models_.front(), process_.clock().period(), place_.entry.synchronised);
-    if (place_.entry.emergency_stop) loopback->close(*place_.entry.emergency_stop);
-    return loopback;
-  }
-
   std::unique_ptr<Hardware> open_hardware() {
-    std::unique_ptr<Hardware> hardware;
-    if (place_.entry.can) {
-      hardware = open_can(*place_.entry.can);
-    } else if (place_.entry.hardware == "mujoco") {
-      const auto timing =
-          process_.clock().simulated() ? MujocoHardware::Timing::lockstep : MujocoHardware::Timing::real;
-      hardware =
-          std::make_unique<MujocoHardware>(*models_.front(), world(), place_.index, timing, place_.entry.synchronised);
-    } else if (models_.front()->parameters().drives.regulate_themselves()) {
-      hardware = open_loopback<RegulatedLoopback>();
-    } else {
-      hardware = open_loopback<LoopbackHardware>();
-    }
+    const config::RobotEntry& robot = place_.entry;
+    std::unique_ptr<Hardware> hardware =
+        load_driver({robot, *models_.front(), process_.clock().period(), process_.clock().simulated(),
+                     robot.driver.world ? &world() : nullptr, place_.index});
     if (auto faults = process_.faults().of(process_.name(), process_.clock()); !faults.empty())
       hardware =
           std::make_unique<InjectedHardware>(std::move(hardware), std::move(faults), models_.front()->parameters());

@@ -10,12 +10,13 @@ import sys
 LAYERS = [
     ("include/mrroc",),
     ("src/core",),
+    ("src/plugin",),
     ("src/geometry", "src/kinematics", "src/regulation"),
     ("src/language",),
     ("src/clock", "src/config", "src/links", "src/world", "src/faults", "src/can", "src/canopen", "src/command"),
     ("src/process",),
     ("mp", "ecp", "edp", "vsp"),
-    ("robots", "sensors"),
+    ("robots", "sensors", "drivers"),
     ("sim", "tasks", "cli"),
 ]
 RANK = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folders}

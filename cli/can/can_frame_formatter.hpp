@@ -6,7 +6,7 @@
 
 #include "can/frame.hpp"
 #include "config/drives/drive_table.hpp"
-#include "edp/drivers/can/drive_setup.hpp"
+#include "drivers/socketcan/drive_setup.hpp"
 
 namespace mrroc::cli {
 

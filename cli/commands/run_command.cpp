@@ -8,6 +8,7 @@
 #include "command/number_option.hpp"
 #include "command/print.hpp"
 #include "config/description.hpp"
+#include "config/entries/driver_entry.hpp"
 #include "config/entries/events.hpp"
 #include "config/state_machine.hpp"
 #include "config/table.hpp"
@@ -47,11 +48,11 @@ void check_hosts(const config::Deployment& deployment, const RunArguments& argum
                                      "a simulator on this machine");
 }
 
-/// Real drives keep moving whatever the clock is, so they need the real clock.
+/// Real drives keep moving whatever the clock is, so their drivers need the real clock.
 void check_drives(const config::Deployment& deployment, const RunArguments& arguments) {
   if (deployment.clock == config::ClockMode::real) return;
   for (const config::RobotEntry& robot : deployment.robots)
-    if (robot.can && !robot.can->simulated)
+    if (!config::works_under(robot.driver, deployment.clock))
       throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
                                        "robot '" + robot.name + "' has real drives", "--clock real");
 }

@@ -143,7 +143,7 @@ Json robot_of(const mjModel* model, const config::RobotEntry& robot) {
   }
   return {{"name", robot.name},
           {"type", robot.type},
-          {"hardware", robot.hardware},
+          {"hardware", robot.driver.name},
           {"axes", axes},
           {"motors", motors},
           {"postures", postures},

@@ -6,8 +6,8 @@ std::vector<PlannedProcess> plan_processes(const config::Deployment& deployment)
   std::vector<PlannedProcess> plan;
   if (deployment.sim) plan.push_back({"sim", deployment.sim->program, clock::Part::world, false, deployment.sim->host});
   for (const config::RobotEntry& robot : deployment.robots)
-    if (robot.can && robot.can->simulated)
-      plan.push_back({robot.drives_process(), robot.can->program, clock::Part::world, false, robot.host});
+    if (robot.driver.simulated)
+      plan.push_back({robot.drives_process(), robot.driver.stand_in, clock::Part::world, false, robot.host});
   for (const config::RobotEntry& robot : deployment.robots) {
     plan.push_back({robot.edp_process(), robot.edp_program, clock::Part::drives, false, robot.host});
   }

@@ -12,7 +12,7 @@
 #include "clock/wall/monotonic.hpp"
 #include "config/drives/drive_table.hpp"
 #include "config/robot_place.hpp"
-#include "edp/drivers/mujoco_hardware.hpp"
+#include "drivers/mujoco/mujoco_hardware.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "process/standard_files.hpp"

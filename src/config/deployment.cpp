@@ -108,7 +108,7 @@ void refuse_names_of_robots_processes(const Table& root, const Deployment& deplo
   const auto check = [&](const std::string& kind, const std::string& name) {
     for (const auto& robot : deployment.robots) {
       const bool edp = robot.edp_process() == name;
-      if (edp || (robot.can && robot.can->simulated && robot.drives_process() == name)) {
+      if (edp || (robot.driver.simulated && robot.drives_process() == name)) {
         root.table(kind).table(name).fail(
             "", in_quotes(name) + (edp ? " is the EDP of robot " : " are the drives of robot ") + in_quotes(robot.name),
             "a unique name");
@@ -174,9 +174,9 @@ Deployment load_deployment(const std::filesystem::path& file, const std::string&
   settle_places(root, deployment);
   check_force_sensors(root, deployment);
   refuse_names_of_robots_processes(root, deployment);
-  const auto simulated_drives = static_cast<std::size_t>(
-      std::count_if(deployment.robots.begin(), deployment.robots.end(),
-                    [](const RobotEntry& robot) { return robot.can && robot.can->simulated; }));
+  const auto simulated_drives =
+      static_cast<std::size_t>(std::count_if(deployment.robots.begin(), deployment.robots.end(),
+                                             [](const RobotEntry& robot) { return robot.driver.simulated; }));
   const std::size_t processes =
       2 * deployment.robots.size() + simulated_drives + deployment.sensors.size() + 1 + (deployment.sim ? 1 : 0);
   if (processes > kMostProcesses) {

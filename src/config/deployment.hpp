@@ -3,11 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "config/key_values.hpp"
 #include "config/robot_files.hpp"
 #include "mrroc/load.hpp"
 #include "mrroc/types.hpp"
@@ -30,12 +30,20 @@ struct MpEntry {
   std::filesystem::path states;      ///< the state machine that the stock MP runs, absolute; may be empty
 };
 
+/// The driver of a robot or of a sensor, with its own keys: docs/how-to/writing-a-driver.md.
+struct DriverEntry : KeyValues {
+  std::string name;               ///< folder drivers/<name>
+  std::filesystem::path library;  ///< on this process's host, absolute; empty on others
+  bool world = false;             ///< its device is part of the simulated world
+  bool simulated = false;         ///< `stand_in` simulates its device, in the simulated world
+  std::string stand_in;           ///< absolute path; empty: a real device
+  std::vector<ClockMode> clocks;  ///< under which it works
+};
+
 /// The drives of a robot on a CAN bus: docs/how-to/can.md.
 struct CanEntry {
   std::string interface;         ///< of the kernel ("can0"), or "unix:PATH" with an absolute path
   std::filesystem::path drives;  ///< the table of its drives, absolute
-  bool simulated = false;        ///< the drives are simulated; their motors are joints of the simulated world
-  std::string program;           ///< simulates them, absolute path; empty: real drives
 };
 
 struct RobotEntry {
@@ -44,7 +52,7 @@ struct RobotEntry {
   std::filesystem::path parameters;  ///< named by the deployment, absolute; empty: the type's own
   /// Of its ECP; the stock ECP when left out. Absolute path after loading, on the robot's own host.
   std::string program = "mrroc_ecp";
-  std::string hardware;               ///< socketcan | mujoco | loopback
+  DriverEntry driver;                 ///< of its drives
   std::optional<CanEntry> can;        ///< socketcan only
   bool synchronised = true;           ///< the absolute positions are known from the start
   std::optional<int> emergency_stop;  ///< digital input 0..15: off means that the emergency stop is pressed
@@ -62,11 +70,11 @@ struct RobotEntry {
   RobotFiles files() const { return robot_files(type, parameters); }
   /// Whether the EDP is the type's own; else it serves several types.
   bool own_edp() const { return std::filesystem::path(edp_program).filename() == type + "_edp"; }
-  /// Names of the processes of its EDP and of its simulated drives.
+  /// Names of the processes of its EDP and of the stand-in for its drives.
   std::string edp_process() const { return name + "_edp"; }
   std::string drives_process() const { return name + "_drives"; }
   /// Whether its motors drive joints of the simulated world.
-  bool in_world() const { return hardware == "mujoco" || (can && can->simulated); }
+  bool in_world() const { return driver.world || driver.simulated; }
 };
 
 /// Name and unit of one value of a sensor's reading. Names are unique within a sensor, without spaces.
@@ -75,21 +83,19 @@ struct Channel {
   std::string unit;
 };
 
-struct SensorEntry {
+struct SensorEntry : KeyValues {
   std::string name;
   std::string type;   ///< folder sensors/<type>
   std::string robot;  ///< the effector it is mounted on; empty: fixed in the world
   std::string host;   ///< as of a robot; default: the host of its robot; if simulated, of the simulator
   bool interactive = true;
-  bool polled = false;               ///< interactive, but Move does not wait for its readings
-  double rate = 0;                   ///< Hz, non-interactive only; 1 / rate is a whole number of servo periods
-  std::string source = "simulated";  ///< simulated | replay | hardware
-  std::filesystem::path replay;      ///< played file, absolute
-  double frozen_after = 0;           ///< s after which hardware with a constant reading counts as broken; 0: never
-  std::vector<double> noise_max;     ///< largest standard deviation of each raw channel; empty or 0: unlimited
-  /// The type's own keys, checked against `[parameters]` of sensors/<type>/<type>.toml; defaults filled in.
-  std::map<std::string, std::vector<double>> numbers;
-  std::map<std::string, std::string> texts;
+  bool polled = false;                ///< interactive, but Move does not wait for its readings
+  double rate = 0;                    ///< Hz, non-interactive only; 1 / rate is a whole number of servo periods
+  std::string source = "simulated";   ///< simulated | replay | hardware, or the name of `driver`
+  std::optional<DriverEntry> driver;  ///< of its hardware
+  std::filesystem::path replay;       ///< played file, absolute
+  double frozen_after = 0;            ///< s after which hardware with a constant reading counts as broken; 0: never
+  std::vector<double> noise_max;      ///< largest standard deviation of each raw channel; empty or 0: unlimited
   // declared by sensors/<type>/<type>.toml
   std::vector<Channel> channels, raw_channels;              ///< of v and of r
   std::vector<std::string> sources{"simulated", "replay"};  ///< supported sources

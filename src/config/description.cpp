@@ -32,9 +32,9 @@ std::string on_bus(const RobotEntry& robot) {
 
 std::string describe(const RobotEntry& robot) {
   const std::string mount = robot.mount.empty() ? "" : " carried by " + robot.mount;
-  return on_host(robot.host) + robot.type + mount + " on " + robot.hardware + on_bus(robot) + ": ECP " + robot.program +
-         ", EDP " + robot.edp_program +
-         (robot.can && robot.can->simulated ? ", simulated drives " + robot.can->program : "");
+  return on_host(robot.host) + robot.type + mount + " on " + robot.driver.name + on_bus(robot) + ": ECP " +
+         robot.program + ", EDP " + robot.edp_program +
+         (robot.driver.simulated ? ", simulated drives " + robot.driver.stand_in : "");
 }
 
 std::string describe(const SensorEntry& sensor) {

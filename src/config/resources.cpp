@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* kShare = "MRROC_SHARE";
 constexpr const char* kPrograms = "MRROC_PROGRAMS";
+constexpr const char* kDrivers = "MRROC_DRIVERS";
 constexpr const char* kHost = "MRROC_HOST";
 
 /// The folders that environment variable `name` lists, absolute; else `fallback`.
@@ -54,9 +55,17 @@ bool holds_type(const fs::path& folder) {
   return fs::is_regular_file(folder / (folder.filename().string() + ".toml"), none);
 }
 
+/// The share folders for types of this kind. The framework's own drivers are always there: a list of other folders
+/// places robots and sensors.
+std::vector<fs::path> shares_of(const std::string& kind) {
+  std::vector<fs::path> shares = share_directories();
+  if (kind == "drivers") shares.push_back(prefix() / "share" / "mrroc");
+  return shares;
+}
+
 std::vector<std::string> types(const char* kind) {
   std::set<std::string> names;
-  for (const fs::path& share : share_directories()) {
+  for (const fs::path& share : shares_of(kind)) {
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(share / kind, none)) {
       if (holds_type(entry.path())) names.insert(entry.path().filename().string());
@@ -98,12 +107,24 @@ fs::path find_program(const std::string& name) {
   return {};
 }
 
+std::vector<fs::path> driver_directories() {
+  std::vector<fs::path> own{prefix() / "lib" / "mrroc" / "drivers"};
+  std::error_code none;
+  const fs::path user = user_share();
+  if (const fs::path built = user.parent_path().parent_path() / "lib" / "mrroc" / "drivers";
+      !user.empty() && fs::is_directory(built, none))
+    own.push_back(built);
+  return folders(kDrivers, own);
+}
+
 std::vector<std::string> robot_types() { return types("robots"); }
 
 std::vector<std::string> sensor_types() { return types("sensors"); }
 
+std::vector<std::string> driver_names() { return types("drivers"); }
+
 fs::path type_file(const std::string& kind, const std::string& type, const std::string& name) {
-  const auto shares = share_directories();
+  const auto shares = shares_of(kind);
   for (const fs::path& share : shares) {
     if (holds_type(share / kind / type)) return share / kind / type / name;
   }
@@ -113,6 +134,7 @@ fs::path type_file(const std::string& kind, const std::string& type, const std::
 void hand_down_directories() {
   set_list(kShare, share_directories());
   set_list(kPrograms, program_directories());
+  set_list(kDrivers, driver_directories());
 }
 
 std::string this_host() {

@@ -13,8 +13,8 @@ namespace mrroc::config {
 /// ~/.local/share/mrroc; empty without a home.
 std::filesystem::path user_share();
 
-/// Folders with robots/TYPE/ and sensors/TYPE/: $MRROC_SHARE, else share/mrroc of the prefix under which the
-/// running executable is in bin/ or libexec/mrroc/, then the user's folder if there is one.
+/// Folders with robots/TYPE/, sensors/TYPE/ and drivers/NAME/: $MRROC_SHARE, else share/mrroc of the prefix under which
+/// the running executable is in bin/ or libexec/mrroc/, then the user's folder if there is one.
 std::vector<std::filesystem::path> share_directories();
 
 /// Folders of executables: $MRROC_PROGRAMS, else that of the running one, then libexec/mrroc of the same prefix.
@@ -23,14 +23,21 @@ std::vector<std::filesystem::path> program_directories();
 /// Path of the executable of this name in one of them; empty: in no folder.
 std::filesystem::path find_program(const std::string& name);
 
-/// Names of the installed robot (sensor) types, sorted.
+/// Folders with the libraries of drivers, NAME.so: $MRROC_DRIVERS, else lib/mrroc/drivers of the same prefix as the
+/// share folder, then lib/mrroc/drivers beside the user's share folder.
+std::vector<std::filesystem::path> driver_directories();
+
+/// Names of the installed robot types, sensor types, drivers, sorted.
 std::vector<std::string> robot_types();
 std::vector<std::string> sensor_types();
+std::vector<std::string> driver_names();
 
-/// Path of KIND/TYPE/NAME, with KIND `robots` or `sensors`; of an unknown type, in the first folder.
+/// Drivers are also searched in share/mrroc of the running executable's prefix, whatever the environment says.
+///
+/// Path of KIND/TYPE/NAME, with KIND `robots`, `sensors` or `drivers`; of an unknown type, in the first folder.
 std::filesystem::path type_file(const std::string& kind, const std::string& type, const std::string& name);
 
-/// Puts both lists into the environment: processes started from now on search the same folders.
+/// Puts the three lists into the environment: processes started from now on search the same folders.
 void hand_down_directories();
 
 /// The name of this machine among the deployment's hosts: $MRROC_HOST; empty: the runner's machine.

@@ -56,13 +56,13 @@ TEST_F(DeploymentTest, ReadsRobotsInFileOrder) {
   EXPECT_EQ(left.type, "irb6");
   EXPECT_EQ(left.program, program("press_ecp"));
   EXPECT_EQ(left.edp_program, program("irb6_edp"));
-  EXPECT_EQ(left.hardware, "mujoco");
+  EXPECT_EQ(left.driver.name, "mujoco");
   EXPECT_EQ(left.host, "");  // localhost is this machine
   EXPECT_EQ(left.mount, "");
   const RobotEntry& belt = deployment.robots[1];
   EXPECT_EQ(belt.name, "belt");
   EXPECT_EQ(belt.program, program("mrroc_ecp"));
-  EXPECT_EQ(belt.hardware, "loopback");
+  EXPECT_EQ(belt.driver.name, "loopback");
   EXPECT_EQ(belt.mount, "left");
   EXPECT_TRUE(belt.base.isApprox(Pose::Identity()));
 }

@@ -44,9 +44,9 @@ def main():
     import can_load
 
     in_script = (can_load.COMMAND, can_load.FEEDBACK, can_load.STATUS)
-    in_source = pdo_sizes((root / "edp/drivers/can/drive_setup.cpp").read_text(encoding="utf-8"))
+    in_source = pdo_sizes((root / "drivers/socketcan/drive_setup.cpp").read_text(encoding="utf-8"))
     if in_source != in_script:
-        problems.append(f"the PDOs of edp/drivers/can/drive_setup.cpp have {in_source} bytes, those of bench/can_load.py {in_script}")
+        problems.append(f"the PDOs of drivers/socketcan/drive_setup.cpp have {in_source} bytes, those of bench/can_load.py {in_script}")
 
     rows = {key: line for line in page.splitlines() if line.startswith("| `") for key in re.findall(r"`(\w+)`", line.split("|")[1])}
     tables = only((root / "src/config/drives/drive_table.cpp").read_text(encoding="utf-8"))

@@ -17,7 +17,7 @@ PARTS = {  # word in the table: folders
     "clock": ["src/clock"],
     "MP": ["mp"],
     "ECP": ["ecp"],
-    "EDP": ["edp", "robots"],
+    "EDP": ["edp", "robots", "drivers"],
     "VSP": ["vsp", "sensors"],
     "simulator": ["sim"],
     "mrroc run": ["cli", "src/command"],

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "edp/drivers/mujoco_hardware.hpp"
+#include "drivers/mujoco/mujoco_hardware.hpp"
 #include "rig.hpp"
 #include "sim/simulation.hpp"
 
@@ -75,7 +75,7 @@ class MujocoPlant final : public Plant {
     config::RobotEntry robot;
     robot.name = "arm";
     robot.type = type;
-    robot.hardware = "mujoco";
+    robot.driver.world = true;
     robot.base = Eigen::Translation3d(0, 0, height) * Pose::Identity();
     deployment.robots.push_back(robot);
     return deployment;

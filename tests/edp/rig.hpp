@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
+#include "drivers/loopback/loopback_hardware.hpp"
 #include "edp/command/effector.hpp"
-#include "edp/drivers/loopback_hardware.hpp"
 #include "edp/servo/servo.hpp"
 #include "test_robots.hpp"
 

@@ -8,7 +8,7 @@
 #include "canopen/sdo.hpp"
 #include "cli/can/can_frame_formatter.hpp"
 #include "cli/can/can_nodes.hpp"
-#include "edp/drivers/can/drive.hpp"
+#include "drivers/socketcan/drive.hpp"
 #include "fuzz/fuzz.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "config/robot_parameters_file.hpp"
-#include "edp/drivers/can/drive_setup.hpp"
+#include "drivers/socketcan/drive_setup.hpp"
 #include "fuzz/fuzz.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "drivers/loopback/loopback_hardware.hpp"
 #include "edp/command/effector.hpp"
-#include "edp/drivers/loopback_hardware.hpp"
 #include "edp/servo/servo.hpp"
 #include "generators/cell_task.hpp"
 #include "language/limits.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "drivers/mujoco/mujoco_hardware.hpp"
 #include "edp/command/effector.hpp"
-#include "edp/drivers/mujoco_hardware.hpp"
 #include "edp/servo/servo.hpp"
 #include "mrroc/robots/irb6.hpp"
 #include "mrroc/sensor.hpp"
@@ -113,7 +113,7 @@ class SimulatedCell : public Task, private RobotLink {
     config::RobotEntry robot;
     robot.name = "arm";
     robot.type = "irb6";
-    robot.hardware = "mujoco";
+    robot.driver.world = true;
     robot.base.translation().z() = 0.7;
     deployment.robots.push_back(robot);
     for (const std::string& name : sensors) {

@@ -14,6 +14,8 @@ ALLOWED = {
     "mrroc::process::(anonymous namespace)::asked_to_end",
     "mrroc::process::(anonymous namespace)::interruptible",
     "mrroc::process::(anonymous namespace)::setting_up",
+    "mrroc::edp::(anonymous namespace)::call_under_way",
+    "mrroc::edp::(anonymous namespace)::crashing_driver",
     # per thread, during the lifetime of a scope object of the same name: the object under construction
     "mrroc::process::(anonymous namespace)::current",
     "mrroc::sim::(anonymous namespace)::innermost",

@@ -4,8 +4,8 @@
 #include <bit>
 #include <memory>
 
+#include "drivers/mujoco/mujoco_hardware.hpp"
 #include "edp/command/effector.hpp"
-#include "edp/drivers/mujoco_hardware.hpp"
 #include "edp/servo/servo.hpp"
 #include "robots/irb6/irb6_model.hpp"
 #include "sim/simulation.hpp"
@@ -25,7 +25,7 @@ config::Deployment two_irb6() {
     config::RobotEntry robot;
     robot.name = name;
     robot.type = "irb6";
-    robot.hardware = "mujoco";
+    robot.driver.world = true;
     robot.base = base;
     deployment.robots.push_back(robot);
   }

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "bent_model.hpp"
-#include "edp/drivers/mujoco_hardware.hpp"
+#include "drivers/mujoco/mujoco_hardware.hpp"
 #include "reference_dynamics.hpp"
 #include "sim/simulation.hpp"
 #include "worlds.hpp"

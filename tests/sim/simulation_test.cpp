@@ -169,7 +169,7 @@ TEST_F(SimulationTest, StepsDoNotAllocate) {
 
 TEST_F(SimulationTest, WorldContainsOnlyMujocoRobotsAndSimulatedSensors) {
   Deployment deployment = twolink_deployment(2);
-  deployment.robots[0].hardware = "loopback";
+  deployment.robots[0].driver.world = false;
   deployment.sensors[1].source = "replay";
   Simulation simulation(deployment, *memory_);
   simulation.publish_initial();

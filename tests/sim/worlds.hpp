@@ -43,7 +43,7 @@ inline config::Deployment twolink_deployment(std::size_t count) {
     config::RobotEntry robot;
     robot.name = "a" + std::to_string(i);
     robot.type = "twolink";
-    robot.hardware = "mujoco";
+    robot.driver.world = true;
     robot.base = at(1.2 * static_cast<double>(i), 0, 0.5, 0.3 * static_cast<double>(i));
     deployment.robots.push_back(robot);
   }

@@ -38,12 +38,6 @@ std::string read_interface(const Table& table) {
   return name;
 }
 
-void check_clock(const Table& table, const Deployment& deployment, const CanEntry& can) {
-  if (can.simulated && !deployment.sim) table.fail("simulated", "true needs a simulator", "a table [sim]");
-  if (!can.simulated && deployment.clock != ClockMode::real)
-    table.fail("", "real drives need the real clock", "clock = \"real\", or simulated = true");
-}
-
 /// The drives receive the period as a whole number of 8 bits and a power of ten (60C2h).
 void check_period(const Table& table, double period) {
   for (const double unit : {1e-3, 1e-4, 1e-5, 1e-6}) {
@@ -71,7 +65,7 @@ void check_process_name(const Table& table, const RobotEntry& robot) {
 /// A robot whose encoders count from their position at power-on must be synchronised first; a simulated one may start
 /// synchronised.
 void settle_synchronised(const Table& robot_table, const DriveTable& drives, RobotEntry& robot) {
-  const bool counting = !robot.can->simulated && !drives.absolute_encoders;
+  const bool counting = !robot.driver.simulated && !drives.absolute_encoders;
   const std::string why = "the drives have no absolute encoders (" + drives.file.string() + ")";
   if (counting && robot_table.has("synchronised") && robot.synchronised)
     robot_table.fail("synchronised", "true, but " + why, "false (leave the key out)");
@@ -88,33 +82,22 @@ void settle_synchronised(const Table& robot_table, const DriveTable& drives, Rob
 }  // namespace
 
 void read_can(const Table& robot_table, const Deployment& deployment, RobotEntry& robot) {
-  if (robot.hardware != "socketcan") {
-    if (robot_table.has("can")) robot_table.fail("can", "a robot without a bus", "hardware = \"socketcan\" beside it");
-    return;
-  }
-  if (!robot_table.has("can"))
-    robot_table.fail("hardware", "'socketcan' needs a bus",
-                     "a table [robots." + robot.name + ".can] with its interface");
+  if (robot.driver.name != "socketcan") return;
   if (robot_table.has("emergency_stop"))
     robot_table.fail("emergency_stop", "a robot on a CAN bus has no inputs", "no such key");
   const Table table = robot_table.table("can");
-  table.only({"interface", "drives", "simulated"});
   CanEntry& can = robot.can.emplace();
   can.interface = read_interface(table);
-  can.simulated = table.boolean_or("simulated", false);
-  check_clock(table, deployment, can);
   check_period(table, deployment.servo_period);
   check_interface_is_free(table, deployment, robot);
-  if (can.simulated) check_process_name(table, robot);
+  if (robot.driver.simulated) check_process_name(table, robot);
   can.drives = table.has("drives") ? beside(table.file(), table.text("drives")) : robot.files().drives;
-  if (can.simulated) can.program = robot.type + "_drives";
   if (robot.host != deployment.here) return;
   if (const std::string problem = reading_problem(can.drives); !problem.empty())
     table.fail("drives", in_quotes(can.drives.string()) + " " + problem,
                "a table of the robot's drives (docs/how-to/can.md)");
   const RobotParameters parameters = read_robot_parameters(Table::load(robot.files().parameters));
   settle_synchronised(robot_table, read_drive_table(can.drives, parameters), robot);
-  if (can.simulated) can.program = require_program(table, "simulated", can.program);
 }
 
 }  // namespace mrroc::config

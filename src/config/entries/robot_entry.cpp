@@ -2,6 +2,7 @@
 
 #include "config/axis_file.hpp"
 #include "config/entries/can_entry.hpp"
+#include "config/entries/driver_entry.hpp"
 #include "config/entries/named_file.hpp"
 #include "config/network/hosts.hpp"
 #include "config/resources.hpp"
@@ -14,17 +15,18 @@ namespace mrroc::config {
 
 namespace {
 
-std::string read_hardware(const Table& table, const Deployment& deployment) {
-  std::string hardware = table.choice("hardware", {"socketcan", "mujoco", "loopback"});
-  if (hardware == "mujoco" && !deployment.sim) table.fail("hardware", "'mujoco' needs a simulator", "a table [sim]");
-  return hardware;
+DriverEntry read_hardware(const Table& table, const RobotEntry& robot, const Deployment& deployment) {
+  table.choice("hardware", robot_drivers());
+  DriverEntry driver = read_driver(table, "hardware", robot.name, robot.type, robot.host, deployment);
+  if (robot.host == deployment.here) driver.library = require_driver_library(table, "hardware", driver.name);
+  return driver;
 }
 
 /// Whether the drives' absolute positions are known from the start. If not, every axis must have a switch to find its
 /// position, or a drive with its own homing.
 bool read_synchronised(const Table& table, const RobotEntry& robot) {
   if (table.boolean_or("synchronised", true)) return true;
-  if (robot.hardware == "socketcan") return false;
+  if (robot.driver.name == "socketcan") return false;
   const RobotParameters parameters = read_robot_parameters(Table::load(robot.files().parameters));
   for (const AxisParameters& axis : parameters.axes) {
     if (axis.synchro_coarse != 0) continue;
@@ -81,14 +83,15 @@ void check_period(const Table& table, const Table& parameters, const Deployment&
 }  // namespace
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
+  allow_driver_tables(table, "robot");
   table.only({"type", "parameters", "program", "hardware", "host", "mount", "position", "rotation", "synchronised",
-              "emergency_stop", "force_sensor", "force_limit", "torque_limit", "can", "load"});
+              "emergency_stop", "force_sensor", "force_limit", "torque_limit", "load"});
   RobotEntry robot;
   robot.name = name;
   robot.type = table.choice("type", robot_types());
   if (table.has("parameters")) robot.parameters = find_parameters(table, robot.type);
-  robot.hardware = read_hardware(table, deployment);
   robot.host = read_host(table, deployment);
+  robot.driver = read_hardware(table, robot, deployment);
   robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
   robot.synchronised = read_synchronised(table, robot);

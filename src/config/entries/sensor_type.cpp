@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config/entries/declared_keys.hpp"
 #include "config/resources.hpp"
 #include "config/text/message_text.hpp"
 
@@ -13,66 +14,6 @@ namespace {
 /// Keys of every sensor.
 constexpr std::array<std::string_view, 8> kCommonKeys{"type",   "robot",  "mode",         "rate",
                                                       "source", "replay", "frozen_after", "noise_max"};
-constexpr std::int64_t kMostNumbers = 1000;
-
-/// The values that the keys of one declaration allow.
-struct Declaration {
-  std::string kind;
-  std::size_t size = 0;
-  Range range;
-};
-
-Range read_range(const Table& table) {
-  Range range;
-  range.min = table.number_or("min", range.min);
-  range.max = table.number_or("max", range.max);
-  if (range.max < range.min) {
-    table.fail("max", number_text(range.max) + " is below min", expected_number({.min = range.min}));
-  }
-  return range;
-}
-
-Declaration read_declaration(const Table& table) {
-  Declaration declaration;
-  declaration.kind = table.choice("kind", {"number", "numbers", "text"});
-  if (declaration.kind == "numbers") {
-    declaration.size = static_cast<std::size_t>(table.integer_or("size", 0, 1, kMostNumbers));
-  }
-  if (declaration.kind != "text") declaration.range = read_range(table);
-  table.optional_text("unit");
-  table.optional_text("text");
-  table.has("default");
-  table.finish();
-  return declaration;
-}
-
-/// Value `from_key` of `from` becomes the sensor's parameter `key`.
-void read_value(const Declaration& declaration, const Table& from, std::string_view from_key, const std::string& key,
-                SensorEntry& sensor) {
-  if (declaration.kind == "text") {
-    sensor.texts[key] = from.text(from_key);
-  } else if (declaration.kind == "number") {
-    sensor.numbers[key] = {from.number(from_key, declaration.range)};
-  } else {
-    sensor.numbers[key] = from.numbers(from_key, declaration.size, declaration.range);
-  }
-}
-
-void read_own_parameters(const Table& type, const Table& table, SensorEntry& sensor) {
-  const auto parameters = type.optional_table("parameters");
-  if (!parameters) return;
-  for (const auto& key : parameters->table_names()) {
-    if (std::find(kCommonKeys.begin(), kCommonKeys.end(), key) != kCommonKeys.end()) {
-      parameters->fail(key, "every sensor has this key", "a key of the type's own");
-    }
-    const Table declared = parameters->table(key);
-    const Declaration declaration = read_declaration(declared);
-    // the default is read even when it is not needed, so that a wrong one is reported early
-    if (declared.has("default")) read_value(declaration, declared, "default", key, sensor);
-    if (table.has(key) || !declared.has("default")) read_value(declaration, table, key, key, sensor);
-  }
-}
-
 std::vector<Channel> read_channels(const Table& type, const char* kind) {
   std::vector<Channel> channels;
   if (!type.has(kind)) return channels;
@@ -116,7 +57,7 @@ void read_sensor_type(const Table& table, SensorEntry& sensor) {
   sensor.channels = read_channels(type, "channels");
   sensor.raw_channels = read_channels(type, "raw_channels");
   read_sources(type, sensor);
-  read_own_parameters(type, table, sensor);
+  read_declared_keys(type, table, kCommonKeys, sensor);
   read_effector_state(type, sensor);
 }
 

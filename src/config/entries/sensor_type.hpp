@@ -16,18 +16,8 @@ namespace mrroc::config {
 ///     effector_state = true                # its VSP needs the robot's state at every tick; left out: false
 ///     effector_state_with = "tool_mass"    # or only where this parameter of the type's is not 0
 ///
-/// The type's own keys are declared in one table each:
-///
-///     [parameters.range]
-///     kind = "number"      # number | numbers | text
-///     default = 4.0        # left out: the key is required
-///     min = 0.1            # bounds of a number, or of each of the numbers, both included
-///     max = 10.0
-///     unit = "m"
-///     text = "farthest distance that the sensor measures"
-///
-/// `size` fixes how many `numbers` there are. Throws ConfigurationError, which names the deployment file for a wrong
-/// value and the type's file for a wrong declaration.
+/// The type's own keys are declared as declared_keys.hpp says. Throws ConfigurationError, which names the deployment
+/// file for a wrong value and the type's file for a wrong declaration.
 void read_sensor_type(const Table& table, SensorEntry& sensor);
 
 }  // namespace mrroc::config

@@ -30,8 +30,8 @@ TEST_F(CanEntryTest, RealDrivesUseTheTableOfTheType) {
   ASSERT_TRUE(arm.can);
   EXPECT_EQ(arm.can->interface, "can0");
   EXPECT_EQ(arm.can->drives, MRROC_SOURCE_DIR "/tests/config/share/robots/irb6/irb6_drives.toml");
-  EXPECT_FALSE(arm.can->simulated);
-  EXPECT_EQ(arm.can->program, "");
+  EXPECT_FALSE(arm.driver.simulated);
+  EXPECT_EQ(arm.driver.stand_in, "");
   EXPECT_FALSE(arm.in_world());
   EXPECT_FALSE(arm.synchronised);  // its encoders count from their position at power-on
 }
@@ -39,8 +39,8 @@ TEST_F(CanEntryTest, RealDrivesUseTheTableOfTheType) {
 TEST_F(CanEntryTest, SimulatedDrivesHaveAProgramAndMayStartSynchronised) {
   const Deployment deployment = load("interface = 'can0'\nsimulated = true\n");
   const RobotEntry& arm = deployment.robot("arm");
-  EXPECT_TRUE(arm.can->simulated);
-  EXPECT_EQ(arm.can->program, program("irb6_drives"));
+  EXPECT_TRUE(arm.driver.simulated);
+  EXPECT_EQ(arm.driver.stand_in, program("irb6_drives"));
   EXPECT_TRUE(arm.in_world());
   EXPECT_TRUE(arm.synchronised);
   EXPECT_FALSE(load("interface = 'can0'\nsimulated = true\n", "synchronised = false\n").robot("arm").synchronised);

@@ -52,17 +52,36 @@ TEST_F(SensorTypeTest, KeyWithoutADefaultIsRequired) {
             "d.toml:1: offset: missing, expected an array of 6 numbers");
 }
 
+TEST_F(SensorTypeTest, IntegersBooleansAndChoices) {
+  const std::string type =
+      "[parameters.port]\nkind = 'integer'\nmin = 1\nmax = 65535\n"
+      "[parameters.on]\nkind = 'boolean'\ndefault = true\n"
+      "[parameters.unit]\nkind = 'text'\nchoices = ['N', 'lbf']\ndefault = 'N'\n";
+  const SensorEntry entry = read(type, "port = 30004\non = false");
+  EXPECT_EQ(entry.number("port"), 30004);
+  EXPECT_FALSE(entry.on("on"));
+  EXPECT_EQ(entry.text("unit"), "N");
+  EXPECT_EQ(message(type), "d.toml:1: port: missing, expected an integer from 1 to 65535");
+  EXPECT_EQ(message(type, "port = 0"), "d.toml:1: port: 0 is out of range, expected an integer from 1 to 65535");
+  EXPECT_EQ(message(type, "port = 1.5"), "d.toml:1: port: 1.5 is a number, expected an integer from 1 to 65535");
+  EXPECT_EQ(message(type, "port = 1\non = 1"), "d.toml:2: on: 1 is an integer, expected true or false");
+  EXPECT_EQ(message(type, "port = 1\nunit = 'kg'"), "d.toml:2: unit: unknown value 'kg', expected 'N' or 'lbf'");
+}
+
 TEST_F(SensorTypeTest, InvalidDeclarationsNameTheTypesFile) {
   const auto refused = [this](const std::string& keys) { return message("[parameters.a]\n" + keys, "a = 1"); };
   const std::string place = "sensors/sonar/sonar.toml:";
-  EXPECT_EQ(refused(""), place + "1: parameters.a.kind: missing, expected 'number', 'numbers' or 'text'");
-  EXPECT_EQ(refused("kind = 'integer'"),
-            place + "2: parameters.a.kind: unknown value 'integer', expected 'number', 'numbers' or 'text'");
+  EXPECT_EQ(refused(""),
+            place + "1: parameters.a.kind: missing, expected 'number', 'numbers', 'integer', 'boolean' or 'text'");
+  EXPECT_EQ(
+      refused("kind = 'real'"),
+      place +
+          "2: parameters.a.kind: unknown value 'real', expected 'number', 'numbers', 'integer', 'boolean' or 'text'");
   EXPECT_EQ(refused("kind = 'number'\nmni = 1"), place + "3: parameters.a.mni: unknown key, did you mean 'min'?");
   EXPECT_EQ(refused("kind = 'number'\nsize = 2"),
             place + "3: parameters.a.size: unknown key, expected 'default', 'kind', 'max', 'min', 'text' or 'unit'");
   EXPECT_EQ(refused("kind = 'text'\nmin = 2"),
-            place + "3: parameters.a.min: unknown key, expected 'default', 'kind', 'text' or 'unit'");
+            place + "3: parameters.a.min: unknown key, expected 'choices', 'default', 'kind', 'text' or 'unit'");
   EXPECT_EQ(refused("kind = 'numbers'\nsize = 0"),
             place + "3: parameters.a.size: 0 is out of range, expected an integer from 1 to 1000");
   EXPECT_EQ(refused("kind = 'number'\nmin = 2\nmax = 1"),
@@ -71,7 +90,7 @@ TEST_F(SensorTypeTest, InvalidDeclarationsNameTheTypesFile) {
             place + "4: parameters.a.default: 2 is out of range, expected a number of at most 1");
   EXPECT_EQ(refused("kind = 'text'\nunit = 2"), place + "3: parameters.a.unit: 2 is an integer, expected a text");
   EXPECT_EQ(message("[parameters.rate]\nkind = 'number'\n"),
-            place + "1: parameters.rate: every sensor has this key, expected a key of the type's own");
+            place + "1: parameters.rate: every table of this kind has this key, expected a key of the type's own");
   EXPECT_EQ(message("parameters = 3"), place + "1: parameters: 3 is an integer, expected a table [parameters]");
 }
 

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "allocations.hpp"
+#include "drivers/loopback/regulated_loopback.hpp"
+#include "drivers/mujoco/mujoco_hardware.hpp"
 #include "edp/command/effector.hpp"
-#include "edp/drivers/mujoco_hardware.hpp"
-#include "edp/drivers/regulated_loopback.hpp"
 #include "edp/servo/servo.hpp"
 #include "robots/arm/arm_fixture.hpp"
 

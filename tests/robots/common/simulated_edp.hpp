@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/mujoco/mujoco_hardware.hpp"
 #include "edp/command/effector.hpp"
-#include "edp/drivers/mujoco_hardware.hpp"
 #include "edp/servo/servo.hpp"
 #include "sim/simulation.hpp"
 

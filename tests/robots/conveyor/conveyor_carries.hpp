@@ -16,7 +16,7 @@ inline config::Deployment demo() {
   robot.name = "belt";
   robot.type = "conveyor";
   robot.parameters = conveyor_file("toml");
-  robot.hardware = "mujoco";
+  robot.driver.world = true;
   robot.base.translation().z() = 0.55;
   deployment.robots.push_back(robot);
   config::SensorEntry encoder;

@@ -4,8 +4,8 @@
 
 #include <memory>
 
+#include "drivers/mujoco/mujoco_hardware.hpp"
 #include "edp/command/effector.hpp"
-#include "edp/drivers/mujoco_hardware.hpp"
 #include "edp/servo/servo.hpp"
 #include "fixture.hpp"
 #include "mrroc/robots/serial_parallel.hpp"
@@ -23,7 +23,7 @@ inline config::Deployment one_machine() {
   config::RobotEntry robot;
   robot.name = "machine";
   robot.type = "serial_parallel";
-  robot.hardware = "mujoco";
+  robot.driver.world = true;
   robot.base.translation().z() = 0.6;
   deployment.robots.push_back(robot);
   return deployment;

@@ -36,7 +36,7 @@ class GripperGrips : public testing::Test {
     config::RobotEntry robot;
     robot.name = "gripper";
     robot.type = "two_finger_gripper";
-    robot.hardware = "mujoco";
+    robot.driver.world = true;
     robot.base.linear() = Eigen::Vector3d(1, -1, -1).asDiagonal();  // fingers down
     deployment.robots.push_back(robot);
     return deployment;

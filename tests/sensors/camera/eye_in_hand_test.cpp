@@ -13,7 +13,7 @@ config::RobotEntry arm_entry() {
   config::RobotEntry arm;
   arm.name = "arm";
   arm.type = "irb6";
-  arm.hardware = "mujoco";
+  arm.driver.world = true;
   arm.base = kBase;
   return arm;
 }

@@ -20,11 +20,11 @@ TEST_P(WrongCamera, IsRefusedWithKeyValueAndExpectation) {
   config::RobotEntry arm;
   arm.name = "arm";
   arm.type = "irb6";
-  arm.hardware = "mujoco";
+  arm.driver.world = true;
   config::RobotEntry gripper;
   gripper.name = "gripper";
   gripper.type = "two_finger_gripper";
-  gripper.hardware = "loopback";
+  gripper.driver.world = false;
   gripper.mount = "arm";
   SeenWorld world(mistake.world.empty() ? "" : scene_of(mistake.world), mistake.keys, mistake.robot, {arm, gripper});
   EXPECT_EQ(refusal([&] { world.open(); }), mistake.refusal);

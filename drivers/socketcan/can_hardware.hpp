@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "can/bus.hpp"
+#include "can/bus_error.hpp"
+#include "canopen/sdo_client.hpp"
+#include "drivers/socketcan/drive.hpp"
+#include "mrroc/robot_parameters.hpp"
+
+namespace mrroc::edp {
+
+/// The drives of a robot on a CAN bus, one CiA 402 node per axis. The servo's thread is the bus's only thread: `read`
+/// sends the SYNC and takes the drives' answers, `write` sends each its command; both also send heartbeats, NMT
+/// commands and the set-up of a drive that has restarted. A cycle is
+///
+///   SYNC, TPDO 1 of every drive (and TPDO 2 at each `status_every`-th SYNC), RPDO 1 to every drive.
+///
+/// The position of a drive that leaves up to `missed_max` SYNCs unanswered is extrapolated; then the drive is silent.
+/// An error on the bus or in a drive is a fault of the robot, with the axis and the drive's own code.
+///
+/// `enable(false)` is a quick stop: drives that still turn slow down on their own ramp before they let go. The drives
+/// watch our heartbeat, so they also do this when this process dies.
+class CanHardware : public Hardware {
+ public:
+  struct Timing {
+    double patience;    ///< timeout for the answers to a SYNC, s of wall time
+    bool real = false;  ///< ticks follow the wall clock, and positions measured after their tick are reported as late
+  };
+
+  /// Opens the bus; throws HardwareError or std::runtime_error.
+  using OpenBus = std::function<std::unique_ptr<can::Bus>()>;
+  /// `period` in s. `synchronised`: positions are right from the start.
+  CanHardware(config::DriveTable table, const RobotParameters& robot, double period, OpenBus open_bus, Timing timing,
+              bool synchronised);
+  ~CanHardware() override;
+
+  /// Opens the bus, resets the drives' communication, waits for each to boot, takes the power of a drive that still has
+  /// it, clears a fault, sets each drive up and starts it, until all answer a SYNC. Throws HardwareError that names
+  /// drive, node and problem: no boot-up, not a CiA 402 drive, power or a fault that stays, a rejected setting, no
+  /// answer.
+  void open() override;
+  void enable(bool on) noexcept override;
+  void reset_fault() noexcept override;
+  bool busy() const noexcept override;
+  /// In mode torque.
+  bool follows_current() const noexcept override { return table_.mode == canopen::DriveMode::cyclic_torque; }
+  void read(Tick tick, HardwareInput& input) noexcept override;
+  void set_points(const JointVector& position, const JointVector& velocity) noexcept override;
+  void write(Tick tick, const JointVector& current) noexcept override;
+  void set_origin(const JointVector& shift) noexcept override;
+  bool homes() const noexcept override { return true; }
+  void home(int axis) noexcept override;
+
+  static constexpr double kPatienceWithBoot = 10;  ///< s of wall time
+  static constexpr double kPatienceWithTick = 2;   ///< s of wall time, for simulated drives in lockstep
+
+ private:
+  void await_boot();
+  void note(const can::Frame& frame);
+  void set_up_all();
+  void check_modes(std::size_t axis, canopen::SdoClient& client) const;
+  void set_up(std::size_t axis);
+  canopen::DriveState read_state(std::size_t axis, canopen::SdoClient& client);
+  void take_power(std::size_t axis, canopen::SdoClient& client);
+  void clear_fault(std::size_t axis, canopen::SdoClient& client);
+  void free_pdos(std::size_t axis, canopen::SdoClient& client);
+  void await_answers();
+  void begin_set_up(const Drive& drive, const can::Frame& first) noexcept;
+  void send(const can::Frame& frame) noexcept;
+  void send_heartbeat() noexcept;
+  void send_stops(Tick tick) noexcept;
+  void find(can::BusError error) noexcept;
+  void take_error(const can::Frame& frame) noexcept;
+  bool is_of_a_master(const can::Frame& frame) const noexcept;
+  void dispatch(const can::Frame& frame) noexcept;
+  bool await_all(std::int64_t deadline) noexcept;
+  void synchronise(Tick tick) noexcept;
+  [[noreturn]] void fail(ErrorCode code, std::size_t axis, const std::string& what) const;
+
+  config::DriveTable table_;
+  double period_;
+  OpenBus open_bus_;
+  std::unique_ptr<can::Bus> bus_;  ///< null before `open`
+  Timing timing_;
+  bool synchronised_;
+  std::vector<Drive> drives_;
+  std::vector<bool> set_up_;  ///< of each drive, during the start: since its last boot-up message
+  can::BusError bus_error_ = can::BusError::none;
+  bool bus_off_ = false;  ///< the controller has left the bus, and has not come back yet
+  Tick tick_ = 0;
+  std::int64_t origin_ = INT64_MAX;  ///< wall time of tick 0, ns, estimated from the SYNC with the least delay
+  bool answered_ = true;             ///< by all drives, the last SYNC
+  bool foreign_sync_ = false;        ///< another master's, in this cycle
+  Tick measured_ = 0;                ///< the last tick whose positions are measured and certainly its own
+  double late_ = 0;                  ///< of this cycle's last answer, servo periods after its tick
+  Tick heartbeat_ticks_ = 0;
+  Tick next_heartbeat_ = 0;
+  Tick next_stop_ = 0;     ///< of drives that ignore their controlword
+  bool powering_ = false;  ///< `enable(true)` was called, and not all drives are on yet
+  int homing_ = -1;        ///< axis
+  JointVector position_, velocity_;
+};
+
+}  // namespace mrroc::edp

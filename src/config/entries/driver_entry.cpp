@@ -1,0 +1,152 @@
+#include "config/entries/driver_entry.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "config/entries/declared_keys.hpp"
+#include "config/entries/named_file.hpp"
+#include "config/resources.hpp"
+#include "config/text/message_text.hpp"
+
+namespace mrroc::config {
+
+namespace {
+
+constexpr std::array<std::string_view, 1> kCommonKeys{"simulated"};
+
+Table declaration(const std::string& name) { return Table::load(type_file("drivers", name, name + ".toml")); }
+
+std::string table_of(const Table& driver, const std::string& name) {
+  return driver.optional_text("table").value_or(name);
+}
+
+bool is_of(const Table& driver, const std::string& of) { return driver.choice("of", {"robot", "sensor"}) == of; }
+
+std::vector<ClockMode> read_clocks(const Table& driver, std::string_view key) {
+  if (!driver.has(key)) return {ClockMode::real, ClockMode::paced, ClockMode::lockstep};
+  std::vector<ClockMode> clocks;
+  for (const std::string& name : driver.texts(key)) {
+    if (name == "real")
+      clocks.push_back(ClockMode::real);
+    else if (name == "paced")
+      clocks.push_back(ClockMode::paced);
+    else if (name == "lockstep")
+      clocks.push_back(ClockMode::lockstep);
+    else
+      driver.fail(key, "unknown clock " + in_quotes(name), alternatives({"real", "paced", "lockstep"}));
+  }
+  return clocks;
+}
+
+/// Keys of a driver that this device does not have.
+void refuse_other_tables(const Table& table, std::string_view key, const std::string& name, const std::string& of) {
+  for (const std::string& other : driver_names()) {
+    const Table driver = declaration(other);
+    const std::string own = table_of(driver, other);
+    if (other == name || !is_of(driver, of) || !table.has(own)) continue;
+    table.fail(own, "keys of driver " + in_quotes(other) + " beside " + std::string(key) + " = " + in_quotes(name),
+               std::string(key) + " = \"" + other + "\"");
+  }
+}
+
+/// A misspelt key, before the missing one that it was to be.
+void refuse_unknown_keys(const Table& driver, const Table& own) {
+  if (driver.has("stand_in")) own.has("simulated");
+  if (const auto parameters = driver.optional_table("parameters"))
+    for (const std::string& name : parameters->table_names()) own.has(name);
+  own.finish();
+}
+
+/// The sub-table of the driver's own keys; without one, an empty table if no key is required.
+Table own_table(const Table& driver, const Table& table, std::string_view key, const std::string& device,
+                const DriverEntry& entry) {
+  const std::string own = table_of(driver, entry.name);
+  if (auto found = table.optional_table(own)) return *found;
+  if (const auto parameters = driver.optional_table("parameters"))
+    for (const std::string& name : parameters->table_names())
+      if (!parameters->table(name).has("default"))
+        table.fail(key, in_quotes(entry.name) + " needs a table of its own",
+                   "a table [" + std::string(driver.choice("of", {"robot", "sensor"})) + "s." + device + "." + own +
+                       "] with its " + name);
+  return Table::parse(driver.file(), "");
+}
+
+void read_stand_in(const Table& driver, const Table& own, const Deployment& deployment, const std::string& type,
+                   const std::string& host, DriverEntry& entry) {
+  const auto program = driver.optional_text("stand_in");
+  entry.clocks = read_clocks(driver, "clocks");
+  const std::vector<ClockMode> simulated_clocks = read_clocks(driver, "stand_in_clocks");
+  if (!program) return;
+  entry.simulated = own.boolean_or("simulated", false);
+  if (!entry.simulated) return;
+  if (!deployment.sim) own.fail("simulated", "true needs a simulator", "a table [sim]");
+  entry.clocks = simulated_clocks;
+  entry.stand_in = *program;
+  if (const auto place = entry.stand_in.find("{type}"); place != std::string::npos)
+    entry.stand_in.replace(place, 6, type);
+  if (host == deployment.here) entry.stand_in = require_program(own, "simulated", entry.stand_in);
+}
+
+}  // namespace
+
+std::vector<std::string> robot_drivers() {
+  std::vector<std::string> names;
+  for (const std::string& name : driver_names())
+    if (is_of(declaration(name), "robot")) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> sensor_drivers(const std::string& type) {
+  std::vector<std::string> names;
+  for (const std::string& name : driver_names()) {
+    const Table driver = declaration(name);
+    if (!is_of(driver, "sensor")) continue;
+    const std::vector<std::string> types = driver.texts("types");
+    if (std::find(types.begin(), types.end(), type) != types.end()) names.push_back(name);
+  }
+  return names;
+}
+
+void allow_driver_tables(const Table& table, const std::string& of) {
+  for (const std::string& name : driver_names()) {
+    const Table driver = declaration(name);
+    if (is_of(driver, of)) table.has(table_of(driver, name));
+  }
+}
+
+bool works_under(const DriverEntry& driver, ClockMode clock) {
+  return std::find(driver.clocks.begin(), driver.clocks.end(), clock) != driver.clocks.end();
+}
+
+std::filesystem::path require_driver_library(const Table& table, std::string_view key, const std::string& name) {
+  std::vector<std::string> places;
+  for (const std::filesystem::path& folder : driver_directories()) {
+    const std::filesystem::path library = folder / (name + ".so");
+    std::error_code none;
+    if (std::filesystem::is_regular_file(library, none)) return library;
+    places.push_back(library.string());
+  }
+  table.fail(key, "the library of driver " + in_quotes(name) + " is not there", alternatives(places));
+}
+
+DriverEntry read_driver(const Table& table, std::string_view key, const std::string& device, const std::string& type,
+                        const std::string& host, const Deployment& deployment) {
+  DriverEntry entry;
+  entry.name = table.text(key);
+  const Table driver = declaration(entry.name);
+  driver.only({"of", "types", "world", "clocks", "stand_in", "stand_in_clocks", "table", "parameters"});
+  refuse_other_tables(table, key, entry.name, driver.text("of"));
+  entry.world = driver.boolean_or("world", false);
+  if (entry.world && !deployment.sim) table.fail(key, in_quotes(entry.name) + " needs a simulator", "a table [sim]");
+  const Table own = own_table(driver, table, key, device, entry);
+  refuse_unknown_keys(driver, own);
+  read_stand_in(driver, own, deployment, type, host, entry);
+  read_declared_keys(driver, own, kCommonKeys, entry);
+  if (!works_under(entry, deployment.clock))
+    own.fail("", "driver " + in_quotes(entry.name) + " does not work under this clock",
+             "clock = " + alternatives(driver.texts(entry.simulated ? "stand_in_clocks" : "clocks")) +
+                 (driver.has("stand_in") && !entry.simulated ? ", or simulated = true" : ""));
+  return entry;
+}
+
+}  // namespace mrroc::config

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "config/deployment.hpp"
+#include "config/table.hpp"
+
+namespace mrroc::config {
+
+/// Reads the driver that `key` of a robot's table (`hardware`) or a sensor's (`source`) names, with its own keys in the
+/// sub-table of its name. The driver declares in drivers/NAME/NAME.toml of the share folder:
+///
+///     of = "robot"             # robot | sensor
+///     types = ["force_torque"] # of a sensor: the types for which it measures
+///     world = true             # its device is part of the simulated world; left out: false
+///     clocks = ["real"]        # the clocks under which it works; left out: every clock
+///     stand_in = "PROGRAM"     # simulates its device in the simulated world, with the key `simulated = true`: under
+///     stand_in_clocks = [...]  # these clocks; left out: every clock. `{type}` is the robot's type
+///     table = "can"            # name of the sub-table; left out: NAME
+///
+/// and its own keys as declared_keys.hpp says. `device` is the name of the robot or sensor, `type` its type, `host` its
+/// host. Throws ConfigurationError also for keys of a driver that is not this one, a driver that needs the simulated
+/// world where there is none, another clock, and on the device's own host for a missing library or stand-in.
+DriverEntry read_driver(const Table& table, std::string_view key, const std::string& device, const std::string& type,
+                        const std::string& host, const Deployment& deployment);
+
+/// Marks the sub-tables of all drivers of robots (sensors) as used, so that `read_driver` judges them.
+void allow_driver_tables(const Table& table, const std::string& of);
+
+/// Names of the drivers of robots, or of the sensor type `type`.
+std::vector<std::string> robot_drivers();
+std::vector<std::string> sensor_drivers(const std::string& type);
+
+/// Whether `clock` is one under which the driver works; throws nothing.
+bool works_under(const DriverEntry& driver, ClockMode clock);
+
+/// The library of driver `name`, absolute; throws ConfigurationError at `key` of `table` where there is none.
+std::filesystem::path require_driver_library(const Table& table, std::string_view key, const std::string& name);
+
+}  // namespace mrroc::config
