@@ -1,0 +1,49 @@
+#pragma once
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace mrroc::netft {
+
+/// An open file descriptor, closed at the end of its scope; -1: there is none.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd = -1) noexcept : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+
+  int get() const noexcept { return fd_; }
+  bool valid() const noexcept { return fd_ >= 0; }
+
+ private:
+  int fd_;
+};
+
+inline const sockaddr* generic(const sockaddr_in& address) noexcept {
+  return reinterpret_cast<const sockaddr*>(&address);
+}
+inline sockaddr* generic(sockaddr_in& address) noexcept { return reinterpret_cast<sockaddr*>(&address); }
+
+/// The IPv4 address of `host`, a name or a number. Waits for the name server where it is a name. Throws
+/// HardwareError(sensor_hardware) when there is none.
+sockaddr_in resolve(const std::string& host, std::uint16_t port);
+
+/// "host:port", for messages.
+std::string place_text(const std::string& host, std::uint16_t port);
+
+/// Waits until `fd` has one of the poll `events`, or an error, or `deadline` on CLOCK_MONOTONIC (ns) has passed; false:
+/// the latter.
+bool wait_for(int fd, short events, std::int64_t deadline);
+
+}  // namespace mrroc::netft
