@@ -87,7 +87,7 @@ class Shell {
       if (sensors[i].name != place_.entry.force_sensor) continue;
       const world::WorldMemory* const simulated = sensors[i].source == "simulated" ? &world() : nullptr;
       return std::make_unique<WristSensor>(vsp::SourceContext{process_.deployment(), sensors[i], i, simulated,
-                                                              process_.clock().period(), nullptr, nullptr,
+                                                              process_.clock().period(), &process_.clock(), nullptr,
                                                               process_.faults().of(sensors[i].name, process_.clock())});
     }
     return nullptr;

@@ -15,6 +15,7 @@ class FaultySource final : public Source {
       : source_(std::move(source)), faults_(std::move(faults)) {}
 
   SourceState read(Tick wanted, RawReading& raw) noexcept override;
+  std::string_view fault() const noexcept override { return source_->fault(); }
 
  private:
   std::unique_ptr<Source> source_;

@@ -103,6 +103,10 @@ void Sampler::check_raw(SourceState state, Tick now) noexcept {
     report(raw_fault_, ErrorClass::hardware, ErrorCode::sensor_hardware, format, arguments...);
   };
   if (state == SourceState::silent) return fault("silent at tick %llu", static_cast<unsigned long long>(now));
+  if (state == SourceState::faulty) {
+    const std::string_view why = source_->fault();
+    return fault("%.*s", static_cast<int>(why.size()), why.data());
+  }
   if (state == SourceState::not_ready) {
     return report(raw_fault_, ErrorClass::non_fatal, ErrorCode::sensor_not_ready,
                   "no hardware reading yet at tick %llu", static_cast<unsigned long long>(now));

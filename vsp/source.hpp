@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "vsp/raw_reading.hpp"
 
 namespace mrroc::vsp {
@@ -8,7 +10,8 @@ namespace mrroc::vsp {
 enum class SourceState {
   ready,      ///< `raw` is filled in
   not_ready,  ///< the hardware has not measured yet
-  silent      ///< the hardware has stopped answering
+  silent,     ///< the hardware has stopped answering
+  faulty      ///< the hardware answers, but reports that its measurements are invalid: `fault()`
 };
 
 /// The source of raw data r: simulated hardware, a played file, a driver. The VSP's thread; never waits for a
@@ -18,6 +21,9 @@ class Source {
   virtual ~Source() = default;
   /// The hardware reading of tick `wanted`, or the newest before it; `raw.tick` is its tick.
   virtual SourceState read(Tick wanted, RawReading& raw) noexcept = 0;
+  /// Why the last `read` returned `faulty`: a sentence whose subject is the hardware, without a full stop. Valid until
+  /// the next `read`.
+  virtual std::string_view fault() const noexcept { return {}; }
 };
 
 }  // namespace mrroc::vsp

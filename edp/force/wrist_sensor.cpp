@@ -18,6 +18,7 @@ WrenchReading WristSensor::read(Tick tick, const Pose* flange) noexcept {
     case vsp::SourceState::not_ready:
       return result;
     case vsp::SourceState::silent:
+    case vsp::SourceState::faulty:
       result.error = ErrorCode::sensor_hardware;
       return result;
     case vsp::SourceState::ready:

@@ -17,6 +17,7 @@ class FakeSource : public Source {
     raw.values[0] = bad ? bad_value : static_cast<double>(wanted);
     return state;
   }
+  std::string_view fault() const noexcept override { return "the gauge is broken"; }
   SourceState state = SourceState::ready;
   std::uint32_t count = 1;
   bool bad = false;

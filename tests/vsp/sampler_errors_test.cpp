@@ -64,6 +64,11 @@ TEST_F(SamplerErrorsTest, SilentSourceIsAHardwareError) {
   expect_error_then_recovery(ErrorClass::hardware, ErrorCode::sensor_hardware, "silent at tick 2");
 }
 
+TEST_F(SamplerErrorsTest, FaultOfTheHardwareIsAHardwareErrorWithItsText) {
+  source.state = SourceState::faulty;
+  expect_error_then_recovery(ErrorClass::hardware, ErrorCode::sensor_hardware, "the gauge is broken");
+}
+
 TEST_F(SamplerErrorsTest, SourceThatIsNotReadyIsANonFatalError) {
   source.state = SourceState::not_ready;
   expect_error_then_recovery(ErrorClass::non_fatal, ErrorCode::sensor_not_ready, "no hardware reading yet at tick 2");
