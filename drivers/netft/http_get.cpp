@@ -6,8 +6,8 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
+#include <optional>
 #include <string_view>
 
 #include "clock/wall/monotonic.hpp"
@@ -30,7 +30,7 @@ class Exchange {
   Exchange(const std::string& host, std::uint16_t port, double timeout)
       : place_("http://" + place_text(host, port)),
         timeout_(timeout),
-        deadline_(clock::monotonic_ns() + std::llround(timeout * 1e9)),
+        deadline_(clock::monotonic_ns() + to_ns(timeout)),
         socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
     if (!socket_.valid()) fail_by_system("no socket");
     const sockaddr_in address = resolve(host, port);

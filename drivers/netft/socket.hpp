@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -41,6 +42,9 @@ sockaddr_in resolve(const std::string& host, std::uint16_t port);
 
 /// "host:port", for messages.
 std::string place_text(const std::string& host, std::uint16_t port);
+
+/// A time in s as nanoseconds.
+inline std::int64_t to_ns(double seconds) noexcept { return std::llround(seconds * 1e9); }
 
 /// Waits until `fd` has one of the poll `events`, or an error, or `deadline` on CLOCK_MONOTONIC (ns) has passed; false:
 /// the latter.

@@ -1,0 +1,336 @@
+// The source against a simulated sensor, over UDP and HTTP on loopback. All waits are for conditions.
+#include "drivers/netft/netft_source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <thread>
+
+#include "allocations.hpp"
+#include "config/table.hpp"
+#include "drivers/netft/netft_rig.hpp"
+#include "mrroc/errors.hpp"
+
+namespace mrroc::netft {
+namespace {
+
+using vsp::SourceState;
+
+TEST(NetftSource, SupportForceIsTheNegativeOfTheLoad) {
+  Rig rig;
+  Reader reader(rig);
+  EXPECT_TRUE(reader.measures(any_load()));
+  EXPECT_EQ(reader.raw().count, 6u);
+  EXPECT_NEAR(reader.raw().values[0], -12.5, 2e-6);
+  const Wrench other{{0, 1, -2, 3, -4, 5}};
+  rig.hold(other);
+  EXPECT_TRUE(reader.measures(other));
+}
+
+TEST(NetftSource, ReadingsHaveTheTickOfTheirArrival) {
+  Rig rig;
+  Reader reader(rig);
+  Tick last = 0;
+  int later = 0;
+  EXPECT_TRUE(eventually([&] {
+    const Tick before = rig.now();
+    const bool ready = reader.read() == SourceState::ready;
+    EXPECT_LE(reader.raw().tick, rig.now());
+    EXPECT_GE(reader.raw().tick, last);
+    if (ready && reader.raw().tick + 2 >= before && reader.raw().tick > last) ++later;
+    last = reader.raw().tick;
+    return later == 20;
+  }));
+}
+
+TEST(NetftSource, ConvertsTheUnitsOfTheSensor) {
+  sim::NetftSettings settings = free_ports();
+  settings.force_unit = "lbf";
+  settings.torque_unit = "lbf-in";
+  settings.counts_per_force = 1e7;
+  settings.counts_per_torque = 2e7;
+  Rig rig(settings);
+  Reader reader(rig);
+  EXPECT_TRUE(reader.measures(any_load()));
+  EXPECT_NEAR(reader.source().calibration().newtons_per_count, 4.4482216e-7, 1e-13);
+}
+
+TEST(NetftSource, CountsOfTheDeploymentNeedNoPage) {
+  sim::NetftSettings settings = free_ports();
+  settings.page = "<html>no page of a Net F/T</html>";
+  Rig rig(settings);
+  EXPECT_THROW(Reader{rig}, config::ConfigurationError);
+  NetftOptions options = rig.options();
+  options.calibration = Calibration{1e-6, 1e-6};
+  Reader reader(rig, options);
+  EXPECT_TRUE(reader.measures(any_load()));
+}
+
+TEST(NetftSource, SensorThatSendsTooSlowlyIsRefused) {
+  sim::NetftSettings settings = free_ports();
+  settings.rate = 100;
+  Rig rig(settings);
+  try {
+    Reader reader(rig);
+    FAIL();
+  } catch (const config::ConfigurationError& error) {
+    EXPECT_NE(std::string(error.what()).find("netftapi2.xml: comrdtrate: 100 Hz, expected at least 500 Hz"),
+              std::string::npos)
+        << error.what();
+  }
+  NetftOptions options = rig.options();
+  options.rate_min = 100;
+  Reader reader(rig, options);
+  EXPECT_TRUE(reader.measures(any_load()));
+}
+
+TEST(NetftSource, MissingSensorIsReportedWithItsAddress) {
+  Rig rig;
+  rig.server().set_faults({.deaf = true});
+  NetftOptions options = rig.options();
+  options.calibration = Calibration{1e-6, 1e-6};
+  options.start_timeout = 0.1;
+  try {
+    Reader reader(rig, options);
+    FAIL();
+  } catch (const HardwareError& error) {
+    EXPECT_EQ(error.code(), ErrorCode::sensor_hardware);
+    EXPECT_EQ(error.detail(), "127.0.0.1:" + std::to_string(options.port) +
+                                  ": no record within 0.1 s, expected a Net F/T that sends by RDT over UDP");
+  }
+  options.port = 1;  // closed: the host refuses
+  EXPECT_THROW(Reader(rig, options), HardwareError);
+  options.address = "no such host";
+  EXPECT_THROW(Reader(rig, options), HardwareError);
+}
+
+TEST(NetftSource, SilentSensorIsReportedAndFoundAgain) {
+  Rig rig;
+  Reader reader(rig);
+  ASSERT_TRUE(reader.measures(any_load()));
+  rig.server().set_faults({.silent = true});
+  EXPECT_TRUE(reader.reaches(SourceState::silent));
+  const auto requests = reader.counters().requests;
+  EXPECT_TRUE(eventually([&] { return reader.counters().requests > requests; }));
+  const Wrench other{{1, 2, 3, 4, 5, 6}};
+  rig.hold(other);
+  rig.server().set_faults({});
+  EXPECT_TRUE(reader.measures(other));
+}
+
+TEST(NetftSource, FrozenSensorIsSilent) {
+  Rig rig;
+  Reader reader(rig);
+  ASSERT_TRUE(reader.measures(any_load()));
+  rig.server().set_faults({.frozen = true});
+  EXPECT_TRUE(reader.reaches(SourceState::silent));
+  EXPECT_GT(reader.counters().repeated, 0u);
+  rig.server().set_faults({});
+  EXPECT_TRUE(reader.reaches(SourceState::ready));
+}
+
+TEST(NetftSource, StatusOfTheSensorIsItsFault) {
+  Rig rig;
+  Reader reader(rig);
+  ASSERT_TRUE(reader.measures(any_load()));
+  rig.server().set_faults({.status = 0x80000400});
+  EXPECT_TRUE(reader.reaches(SourceState::faulty));
+  EXPECT_EQ(reader.fault(), "the Net F/T reports status 0x80000400: analog board watchdog timeout");
+  EXPECT_TRUE(eventually([&] { return reader.counters().invalid > 0; }));
+  rig.server().set_faults({.status = kErrorSummary | kMonitorCondition});
+  EXPECT_TRUE(reader.reaches(SourceState::ready)) << "the user's own condition";
+}
+
+TEST(NetftSource, OverloadIsItsFault) {
+  Rig rig;
+  Reader reader(rig);
+  rig.hold(Wrench{{2000, 0, 0, 0, 0, 0}});
+  EXPECT_TRUE(reader.reaches(SourceState::faulty));
+  EXPECT_EQ(reader.fault(), "the Net F/T reports status 0x80020000: transducer saturation or A/D error");
+  rig.hold(any_load());
+  EXPECT_TRUE(reader.measures(any_load()));
+}
+
+TEST(NetftSource, SensorThatRestartsIsFoundAgain) {
+  Rig rig;
+  Reader reader(rig);
+  ASSERT_TRUE(reader.measures(any_load()));
+  int waits = 0;
+  // a count that begins again is recognised only where the old one had gone further
+  EXPECT_TRUE(eventually([&] {
+    if (waits++ % 1000 == 999) rig.server().restart();
+    return reader.counters().sensor_restarts > 0;
+  }));
+  EXPECT_TRUE(reader.measures(any_load()));
+}
+
+TEST(NetftSource, SensorBiasIsLostByARestart) {
+  Rig rig;
+  NetftOptions options = rig.options();
+  options.set_bias = true;
+  Reader reader(rig, options);
+  EXPECT_TRUE(reader.measures(Wrench::Zero()));
+  rig.hold(2 * any_load());
+  EXPECT_TRUE(reader.measures(any_load()));
+  int waits = 0;
+  EXPECT_TRUE(eventually([&] {
+    if (waits++ % 1000 == 999) rig.server().restart();
+    return reader.read() == SourceState::faulty;
+  }));
+  EXPECT_NE(reader.fault().find("restarted and lost its zero"), std::string::npos);
+}
+
+class NetftLoss : public testing::TestWithParam<double> {};
+
+TEST_P(NetftLoss, LostRecordsAreCounted) {
+  Rig rig;
+  Reader reader(rig);
+  rig.server().set_faults({.loss = GetParam()});
+  EXPECT_TRUE(eventually([&] { return reader.counters().records > 3000; }));
+  const RdtCounters counters = reader.counters();
+  EXPECT_GT(counters.lost, 0u);
+  EXPECT_LT(counters.lost, counters.records);
+  EXPECT_TRUE(reader.measures(any_load()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Percent, NetftLoss, testing::Values(0.01, 0.05, 0.2));
+
+TEST(NetftSource, DoubledRecordsAreCountedAndIgnored) {
+  Rig rig;
+  Reader reader(rig);
+  rig.server().set_faults({.doubled = 0.2});
+  EXPECT_TRUE(eventually([&] { return reader.counters().doubled > 100; }));
+  EXPECT_TRUE(reader.measures(any_load()));
+}
+
+TEST(NetftSource, GarbageIsCountedAndIgnored) {
+  Rig rig;
+  Reader reader(rig);
+  rig.server().set_faults({.garbage = 0.5});
+  EXPECT_TRUE(eventually([&] { return reader.counters().malformed > 100; }));
+  EXPECT_TRUE(reader.measures(any_load()));
+}
+
+TEST(RdtClient, OvertakenRecordIsNeverTheNewest) {
+  Rig rig;
+  RdtOptions options;
+  options.address = "127.0.0.1";
+  options.port = rig.server().port();
+  options.start_timeout = 30;
+  RdtClient client(options);
+  rig.server().set_faults({.doubled = 0.1, .reordered = 0.3});
+  std::uint32_t last = client.newest().record.ft_sequence;
+  EXPECT_TRUE(eventually([&] {
+    const std::uint32_t number = client.newest().record.ft_sequence;
+    EXPECT_LE(last, number);
+    last = number;
+    return client.counters().late > 200;
+  }));
+  EXPECT_EQ(client.counters().sensor_restarts, 0u);
+}
+
+TEST(NetftSource, PolledSensorServesTwoClients) {
+  sim::NetftSettings settings = free_ports();
+  settings.one_client = true;
+  Rig rig(settings);
+  NetftOptions options = rig.options();
+  options.requests = Requests::polled;
+  options.timeout = 1;
+  Reader first(rig, options), second(rig, options);
+  EXPECT_TRUE(eventually([&] { return first.counters().records > 200 && second.counters().records > 200; }));
+  EXPECT_TRUE(first.measures(any_load()));
+  EXPECT_TRUE(second.measures(any_load()));
+  const RdtCounters counters = first.counters();
+  EXPECT_GE(counters.requests, counters.records);
+}
+
+TEST(NetftSource, StreamEndsWithItsClient) {
+  Rig rig;
+  {
+    Reader reader(rig);
+    EXPECT_EQ(rig.server().clients(), 1u);
+  }
+  EXPECT_TRUE(eventually([&] { return rig.server().clients() == 0; }));
+}
+
+TEST(NetftSource, ReadAllocatesNothing) {
+  Rig rig;
+  Reader reader(rig);
+  ASSERT_TRUE(reader.measures(any_load()));
+  const auto counted = [&](SourceState state) {
+    return eventually([&] {
+      SourceState found;
+      {
+        const test::Counting counting;
+        found = reader.read();
+      }
+      EXPECT_EQ(test::Counting::counted(), 0u);
+      return found == state;
+    });
+  };
+  EXPECT_TRUE(counted(SourceState::ready));
+  rig.server().set_faults({.status = 0xffffffff});
+  EXPECT_TRUE(counted(SourceState::faulty));
+  rig.server().set_faults({.silent = true});
+  EXPECT_TRUE(counted(SourceState::silent));
+}
+
+/// A sensor that answers every request with one record, and allocates nothing.
+class FrugalSensor {
+ public:
+  FrugalSensor() : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in address = resolve("127.0.0.1", 0);
+    socklen_t size = sizeof address;
+    EXPECT_EQ(::bind(socket_.get(), generic(address), size), 0);
+    EXPECT_EQ(::getsockname(socket_.get(), generic(address), &size), 0);
+    port_ = ntohs(address.sin_port);
+    thread_ = std::thread([this] { serve(); });
+  }
+  ~FrugalSensor() { thread_.join(); }
+  FrugalSensor(const FrugalSensor&) = delete;
+  FrugalSensor& operator=(const FrugalSensor&) = delete;
+
+  std::uint16_t port() const { return port_; }
+
+ private:
+  /// Until its client stops.
+  void serve() {
+    Record record;
+    for (;;) {
+      std::array<std::uint8_t, 64> packet{};
+      sockaddr_in from{};
+      socklen_t length = sizeof from;
+      const ssize_t size = ::recvfrom(socket_.get(), packet.data(), packet.size(), 0, generic(from), &length);
+      const auto request =
+          decode_request(std::span(packet).first(static_cast<std::size_t>(std::max<ssize_t>(size, 0))));
+      if (request && request->command == Command::stop) return;
+      record.rdt_sequence = 1;
+      record.ft_sequence += 14;
+      const auto answer = encode(record);
+      ::sendto(socket_.get(), answer.data(), answer.size(), 0, generic(from), length);
+    }
+  }
+
+  Descriptor socket_;
+  std::uint16_t port_ = 0;
+  std::thread thread_;
+};
+
+TEST(RdtClient, ReceiverAllocatesNothing) {
+  FrugalSensor sensor;
+  RdtOptions options;
+  options.address = "127.0.0.1";
+  options.port = sensor.port();
+  options.start_timeout = 30;
+  options.request_period = 0.001;
+  RdtClient client(options);
+  ASSERT_TRUE(eventually([&] { return client.counters().records > 10; }));
+  const auto before = test::allocations();
+  EXPECT_TRUE(eventually([&] { return client.counters().records > 300; }));
+  EXPECT_EQ(test::allocations(), before);
+}
+
+}  // namespace
+}  // namespace mrroc::netft
