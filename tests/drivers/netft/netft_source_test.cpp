@@ -12,6 +12,8 @@
 #include "config/table.hpp"
 #include "drivers/netft/netft_rig.hpp"
 #include "mrroc/errors.hpp"
+#include "sensors/entry.hpp"
+#include "sensors/force_torque/force_torque_sensor.hpp"
 
 namespace mrroc::netft {
 namespace {
@@ -27,6 +29,18 @@ TEST(NetftSource, SupportForceIsTheNegativeOfTheLoad) {
   const Wrench other{{0, 1, -2, 3, -4, 5}};
   rig.hold(other);
   EXPECT_TRUE(reader.measures(other));
+}
+
+TEST(NetftSource, ReadingOfTheSensorTypeIsTheLoad) {
+  Rig rig;
+  Reader reader(rig);
+  ASSERT_TRUE(reader.measures(any_load()));
+  vsp::ForceTorqueSensor sensor;
+  sensor.set_up(vsp::entry_of("force_torque", "wrist"), kServoPeriod);
+  SensorReading reading;
+  sensor.aggregate(reader.raw(), reading);
+  EXPECT_EQ(reading.error.code, ErrorCode::none);
+  EXPECT_LT((Eigen::Map<const Wrench>(reading.values.data()) - any_load()).cwiseAbs().maxCoeff(), 2e-6);
 }
 
 TEST(NetftSource, ReadingsHaveTheTickOfTheirArrival) {

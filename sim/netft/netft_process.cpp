@@ -1,0 +1,56 @@
+#include "sim/netft/netft_process.hpp"
+
+#include "clock/wall/monotonic.hpp"
+#include "mrroc/errors.hpp"
+#include "mrroc/stopped.hpp"
+#include "world/mapped_world.hpp"
+
+namespace mrroc::sim {
+
+namespace {
+
+constexpr Tick kGlanceTicks = 10;  // between two reports
+
+/// Waits for the world: without it there is no load to measure.
+void await_world(const clock::Clock& clock, world::WorldMemory& world, std::size_t slot) {
+  RawReading reading;
+  const auto there = [&] { return world.readings[slot].load(reading); };
+  constexpr std::int64_t kSlice = clock::kSecond / 10;  // between two checks for the end
+  while (!clock.stopping() && !world.measured.wait(there, kSlice)) {
+  }
+}
+
+}  // namespace
+
+NetftLoad load_of_world(const world::WorldMemory& world, std::size_t slot) {
+  return [readings = &world.readings.at(slot)](double /*time*/) {
+    RawReading reading;
+    Wrench load = Wrench::Zero();
+    if (readings->load(reading) && reading.count >= 6) load = -Eigen::Map<const Wrench>(reading.values.data());
+    return load;
+  };
+}
+
+std::size_t sensor_of_process(const config::Deployment& deployment, const std::string& name) {
+  for (std::size_t i = 0; i < deployment.sensors.size(); ++i) {
+    if (name == deployment.sensors[i].name + "_netft") return i;
+  }
+  throw SystemError(ErrorCode::configuration, "the deployment has no sensor for the process " + name);
+}
+
+void serve_netft(process::Process& process, const NetftSettings& settings) {
+  const std::size_t slot = sensor_of_process(process.deployment(), process.name());
+  const world::MappedWorld world = world::MappedWorld::attach(process.arguments().world_fd);
+  clock::Clock& clock = process.clock();
+  await_world(clock, *world, slot);
+  NetftServer server(settings, load_of_world(*world, slot));
+  process.start();
+  while (clock.wait(clock.tick() + kGlanceTicks) != clock::Wake::interrupted) {
+    links::Counters counters;
+    counters.ticks = clock.tick();
+    process.status().counters(counters);
+  }
+  throw Stopped{};
+}
+
+}  // namespace mrroc::sim
