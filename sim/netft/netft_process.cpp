@@ -35,7 +35,7 @@ std::size_t sensor_of_process(const config::Deployment& deployment, const std::s
   for (std::size_t i = 0; i < deployment.sensors.size(); ++i) {
     if (name == deployment.sensors[i].name + "_netft") return i;
   }
-  throw SystemError(ErrorCode::configuration, "the deployment has no sensor for the process " + name);
+  throw SystemError(ErrorCode::simulator, "the deployment has no sensor for the process " + name);
 }
 
 void serve_netft(process::Process& process, const NetftSettings& settings) {

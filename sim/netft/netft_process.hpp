@@ -12,7 +12,7 @@ namespace mrroc::sim {
 /// before the first measurement. `world` outlives it.
 NetftLoad load_of_world(const world::WorldMemory& world, std::size_t slot);
 
-/// Index of the sensor for which the process `name` stands in, as "<sensor>_netft". Throws SystemError(configuration)
+/// Index of the sensor for which the process `name` stands in, as "<sensor>_netft". Throws SystemError(simulator)
 /// when the deployment has none.
 std::size_t sensor_of_process(const config::Deployment& deployment, const std::string& name);
 

@@ -35,11 +35,9 @@ constexpr double kMaxBacklog = 0.1;
 
 std::uint16_t bind_to(const netft::Descriptor& socket, const std::string& address, std::uint16_t port) {
   if (!socket.valid()) fail_by_system("no socket");
-  const int on = 1;
   sockaddr_in place = netft::resolve(address, port);
   socklen_t size = sizeof place;
-  if (::setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) != 0 ||
-      ::bind(socket.get(), generic(place), size) != 0 || ::getsockname(socket.get(), generic(place), &size) != 0) {
+  if (::bind(socket.get(), generic(place), size) != 0 || ::getsockname(socket.get(), generic(place), &size) != 0) {
     fail_by_system(netft::place_text(address, port));
   }
   return ntohs(place.sin_port);
@@ -90,6 +88,9 @@ NetftServer::NetftServer(const NetftSettings& settings, NetftLoad load)
     throw std::invalid_argument("simulated Net F/T: " + std::to_string(settings.buffer) +
                                 " records in a packet, expected 1 to " + std::to_string(netft::kMaxRecords));
   }
+  // connections of an earlier server may still be closing; a UDP port would be shared by two servers
+  const int on = 1;
+  ::setsockopt(listener_.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   port_ = bind_to(udp_, settings.address, settings.port);
   http_port_ = bind_to(listener_, settings.address, settings.http_port);
   if (::listen(listener_.get(), kMaxConnections) != 0) fail_by_system("no server");

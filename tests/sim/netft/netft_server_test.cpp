@@ -42,6 +42,9 @@ TEST(SimulatedNetft, RefusesAPortInUse) {
   NetftSettings settings = free_ports();
   settings.http_port = first.http_port();
   EXPECT_THROW(NetftServer(settings, no_load()), std::system_error);
+  settings = free_ports();
+  settings.port = first.port();
+  EXPECT_THROW(NetftServer(settings, no_load()), std::system_error);
 }
 
 TEST(SimulatedNetft, LoadOfTheWorldIsTheNegativeSupport) {
