@@ -58,6 +58,7 @@ std::optional<double> by_name(const std::array<Unit, Size>& units, std::string_v
 template <std::size_t Size>
 std::string names_of(const std::array<Unit, Size>& units) {
   std::vector<std::string> names;
+  names.reserve(Size);
   for (const Unit& unit : units) names.emplace_back(unit.shown);
   return config::alternatives(names);
 }
