@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <thread>
 
+#include "clock/wall/monotonic.hpp"
 #include "config/text/message_text.hpp"
 #include "drivers/netft/http_get.hpp"
 #include "mrroc/errors.hpp"
@@ -74,10 +77,23 @@ Requests requests_of(const Keys& keys) {
   keys.refuse("requests", in_quotes(text), "'automatic', 'stream' or 'polled'");
 }
 
+/// The configuration page. A box that is still starting refuses the connection: tries again until `start_timeout`.
+std::string get_page(const NetftOptions& options) {
+  const std::int64_t end = clock::monotonic_ns() + to_ns(options.start_timeout);
+  for (;;) {
+    try {
+      return http_get(options.address, options.http_port, kConfigurationPath, options.start_timeout);
+    } catch (const HardwareError&) {
+      if (clock::monotonic_ns() > end) throw;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
 /// Reads the sensor's own settings and checks them.
 Calibration read_calibration(const NetftOptions& options, double servo_period) {
   if (options.calibration) return *options.calibration;
-  const std::string page = http_get(options.address, options.http_port, kConfigurationPath, options.start_timeout);
+  const std::string page = get_page(options);
   const std::string address = "http://" + place_text(options.address, options.http_port) + kConfigurationPath;
   const SensorConfiguration read = read_configuration(page, address);
   if (!read.rdt_enabled) throw config::ConfigurationError(address, 0, "comrdte", "RDT is disabled", "'Enabled'");

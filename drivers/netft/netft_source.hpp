@@ -48,9 +48,9 @@ NetftOptions netft_options(const config::SensorEntry& entry, const std::map<std:
 /// the sensor has restarted and so has lost the zero that `set_bias` had given it.
 class NetftSource final : public vsp::Source {
  public:
-  /// Waits for the first measurement. `clock` outlives the source; its `simulated()` is false. `servo_period` in s.
-  /// Throws HardwareError(sensor_hardware) as http_get and RdtClient, ConfigurationError for a wrong configuration
-  /// page.
+  /// Waits for the configuration page and the first measurement, for `start_timeout` each. `clock` outlives the source;
+  /// its `simulated()` is false. `servo_period` in s. Throws HardwareError(sensor_hardware) as http_get and RdtClient,
+  /// ConfigurationError for a wrong configuration page.
   NetftSource(const NetftOptions& options, const clock::Clock& clock, double servo_period);
 
   vsp::SourceState read(Tick wanted, vsp::RawReading& raw) noexcept override;

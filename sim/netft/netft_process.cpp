@@ -1,5 +1,7 @@
 #include "sim/netft/netft_process.hpp"
 
+#include <utility>
+
 #include "clock/wall/monotonic.hpp"
 #include "mrroc/errors.hpp"
 #include "mrroc/stopped.hpp"
@@ -9,7 +11,13 @@ namespace mrroc::sim {
 
 namespace {
 
-constexpr Tick kGlanceTicks = 10;  // between two reports
+constexpr Tick kGlanceTicks = 50;  // without a new state of the world, after which it counts as ended
+
+RawReading newest_of(const world::WorldMemory& world, std::size_t slot) {
+  RawReading reading;
+  world.readings[slot].load(reading);
+  return reading;
+}
 
 /// Waits for the world: without it there is no load to measure.
 void await_world(const clock::Clock& clock, world::WorldMemory& world, std::size_t slot) {
@@ -45,9 +53,13 @@ void serve_netft(process::Process& process, const NetftSettings& settings) {
   await_world(clock, *world, slot);
   NetftServer server(settings, load_of_world(*world, slot));
   process.start();
+  RawReading reading;
   while (clock.wait(clock.tick() + kGlanceTicks) != clock::Wake::interrupted) {
+    const Tick measured = std::exchange(reading, newest_of(*world, slot)).tick;
+    // the world ends when no robot is driven any more: until then an EDP may need its sensor
+    if (clock.stopping() && reading.tick == measured) break;
     links::Counters counters;
-    counters.ticks = clock.tick();
+    counters.ticks = reading.tick;
     process.status().counters(counters);
   }
   throw Stopped{};

@@ -40,6 +40,7 @@ class Rig {
   }
 
   sim::NetftServer& server() { return server_; }
+  const sim::NetftServer& server() const { return server_; }
   const clock::Clock& clock() const { return clock_; }
   Tick now() const { return static_cast<Tick>((clock::monotonic_ns() - clock_.epoch_ns()) / 2'000'000); }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -118,6 +120,30 @@ TEST(NetftSource, MissingSensorIsReportedWithItsAddress) {
   EXPECT_THROW(Reader(rig, options), HardwareError);
   options.address = "no such host";
   EXPECT_THROW(Reader(rig, options), HardwareError);
+}
+
+TEST(NetftSource, WaitsForASensorThatStarts) {
+  sim::NetftSettings settings = free_ports();
+  settings.address = "127.93.11.7";  // where others bind no free ports
+  {
+    const Rig gone(settings);
+    settings.port = gone.server().port();
+    settings.http_port = gone.server().http_port();
+  }
+  NetftOptions options;
+  options.address = settings.address;
+  options.port = settings.port;
+  options.http_port = settings.http_port;
+  options.start_timeout = 30;
+  std::unique_ptr<Rig> late;
+  std::thread starter([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    late = std::make_unique<Rig>(settings);
+  });
+  const links::TestClock clock;
+  NetftSource source(options, clock, kServoPeriod);
+  starter.join();
+  EXPECT_GT(source.counters().records, 0u);
 }
 
 TEST(NetftSource, SilentSensorIsReportedAndFoundAgain) {
