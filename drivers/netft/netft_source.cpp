@@ -115,6 +115,26 @@ RdtOptions rdt_options(const NetftOptions& options, double servo_period) {
           options.set_bias};
 }
 
+/// Reports at its end what has disturbed the records.
+class ReportedNetft final : public vsp::Source {
+ public:
+  ReportedNetft(const NetftOptions& options, const vsp::SourceContext& context)
+      : name_(context.entry.name), source_(options, *context.clock, context.servo_period) {}
+  ~ReportedNetft() override {
+    const std::string text = disturbances(source_.counters());
+    if (!text.empty()) std::fprintf(stderr, "Net F/T of sensor %s: %s\n", name_.c_str(), text.c_str());
+  }
+  ReportedNetft(const ReportedNetft&) = delete;
+  ReportedNetft& operator=(const ReportedNetft&) = delete;
+
+  vsp::SourceState read(Tick wanted, vsp::RawReading& raw) noexcept override { return source_.read(wanted, raw); }
+  std::string_view fault() const noexcept override { return source_.fault(); }
+
+ private:
+  std::string name_;
+  NetftSource source_;
+};
+
 bool is_force_sensor(const vsp::SourceContext& context) {
   const auto& robots = context.deployment.robots;
   return std::any_of(robots.begin(), robots.end(),
@@ -198,7 +218,7 @@ std::unique_ptr<vsp::Source> open_netft(const NetftOptions& options, const vsp::
   if (chosen.requests == Requests::automatic) {
     chosen.requests = is_force_sensor(context) ? Requests::polled : Requests::stream;
   }
-  return std::make_unique<NetftSource>(chosen, *context.clock, context.servo_period);
+  return std::make_unique<ReportedNetft>(chosen, context);
 }
 
 }  // namespace mrroc::netft

@@ -72,8 +72,8 @@ class NetftSource final : public vsp::Source {
   FixedText<200> fault_;
 };
 
-/// The source of a deployment's sensor. Throws as NetftSource, and SystemError(configuration) for a sensor whose type,
-/// clock or keys do not fit.
+/// The source of a deployment's sensor. At its end it reports on stderr the records that were lost or disturbed. Throws
+/// as NetftSource, and SystemError(configuration) for a sensor whose type, clock or keys do not fit.
 std::unique_ptr<vsp::Source> open_netft(const NetftOptions& options, const vsp::SourceContext& context);
 
 }  // namespace mrroc::netft

@@ -45,6 +45,22 @@ class BlockedSignals {
 
 }  // namespace
 
+std::string disturbances(const RdtCounters& counters) {
+  std::string text;
+  const auto add = [&text](std::uint64_t count, const char* what) {
+    if (count == 0) return;
+    text += (text.empty() ? " " : ", ") + std::to_string(count) + " " + what;
+  };
+  add(counters.lost, "lost");
+  add(counters.late, "late");
+  add(counters.doubled, "doubled");
+  add(counters.repeated, "without a new measurement");
+  add(counters.invalid, "with an error of the sensor");
+  add(counters.malformed, "other packets");
+  add(counters.sensor_restarts, "restarts of the sensor");
+  return text.empty() ? text : "of " + std::to_string(counters.records) + " records" + text;
+}
+
 RdtClient::RdtClient(const RdtOptions& options)
     : options_(options),
       timeout_ns_(to_ns(options.timeout)),

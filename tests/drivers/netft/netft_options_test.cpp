@@ -132,6 +132,21 @@ TEST_F(OpenNetft, RefusesGaugesAndOtherTypes) {
   EXPECT_EQ(refusal(&real_), "sensors.wrist.source: 'netft' for the type 'infrared', expected 'force_torque'");
 }
 
+TEST_F(OpenNetft, ReportsDisturbedRecordsAtItsEnd) {
+  EXPECT_EQ(disturbances({.records = 7000}), "");
+  EXPECT_EQ(disturbances({.records = 7000, .lost = 3, .late = 1, .sensor_restarts = 2}),
+            "of 7000 records 3 lost, 1 late, 2 restarts of the sensor");
+  auto source = open(&real_);
+  const auto requests = rig_.server().requests();
+  rig_.server().set_faults({.frozen = true});
+  EXPECT_TRUE(eventually([&] { return rig_.server().requests() > requests; })) << "it has become silent";
+  testing::internal::CaptureStderr();
+  source.reset();
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(text.starts_with("Net F/T of sensor wrist: of ")) << text;
+  EXPECT_NE(text.find(" without a new measurement"), std::string::npos) << text;
+}
+
 TEST_F(OpenNetft, SensorOfARobotIsPolled) {
   const auto stream = open(&real_);
   EXPECT_TRUE(eventually([&] { return rig_.server().clients() == 1; }));
