@@ -1,5 +1,5 @@
-"""Compares the tables of docs/how-to/netft.md with the source: every key of netft.toml with its default and unit, the texts of
-the errors.
+"""Compares the tables of docs/how-to/netft.md with the source: every key of netft.toml with its default and unit, the
+texts of the errors.
 
 Usage: check_netft.py SOURCE_DIR
 """
@@ -31,10 +31,11 @@ def main():
         if key not in listed or key not in declared:
             problems.append(f"{key}: only in {'netft.toml' if key in declared else PAGE}")
             continue
-        default = declared[key].get("default", "required")
-        shown = f'"{default}"' if isinstance(default, str) and default != "required" else f"{default:g}" if default != "required" else default
-        if listed[key] != (declared[key].get("unit", ""), shown):
-            problems.append(f"{key}: {listed[key]} on the page, {(declared[key].get('unit', ''), shown)} in netft.toml")
+        default = declared[key].get("default")
+        shown = "required" if default is None else f'"{default}"' if isinstance(default, str) else f"{default:g}"
+        expected = (declared[key].get("unit", ""), shown)
+        if listed[key] != expected:
+            problems.append(f"{key}: {listed[key]} on the page, {expected} in netft.toml")
     source = " ".join(path.read_text(encoding="utf-8") for path in sorted((root / "drivers/netft").glob("*.cpp")))
     for text in ("no record within ", "no complete answer within ", "comrdtrate", "RDT is disabled", "scfgfu",
                  "the Net F/T reports status ", "transducer saturation or A/D error", "monitor condition latched",
