@@ -15,7 +15,7 @@ namespace {
 
 bool in_world(const config::RobotEntry& robot) { return robot.in_world(); }
 
-bool in_world(const config::SensorEntry& sensor) { return sensor.source == "simulated"; }
+bool in_world(const config::SensorEntry& sensor) { return sensor.in_world(); }
 
 bool looks_at_world(const config::SensorEntry& sensor) { return sensor.texts.contains("camera"); }
 

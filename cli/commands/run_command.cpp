@@ -48,13 +48,16 @@ void check_hosts(const config::Deployment& deployment, const RunArguments& argum
                                      "a simulator on this machine");
 }
 
-/// Real drives keep moving whatever the clock is, so their drivers need the real clock.
-void check_drives(const config::Deployment& deployment, const RunArguments& arguments) {
-  if (deployment.clock == config::ClockMode::real) return;
-  for (const config::RobotEntry& robot : deployment.robots)
-    if (!config::works_under(robot.driver, deployment.clock))
+/// Real devices go on whatever the clock is, so their drivers need the real clock.
+void check_drivers(const config::Deployment& deployment, const RunArguments& arguments) {
+  const auto check = [&](const std::string& device, const config::DriverEntry& driver) {
+    if (!config::works_under(driver, deployment.clock))
       throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
-                                       "robot '" + robot.name + "' has real drives", "--clock real");
+                                       device + " has a real device, of driver '" + driver.name + "'", "--clock real");
+  };
+  for (const config::RobotEntry& robot : deployment.robots) check("robot '" + robot.name + "'", robot.driver);
+  for (const config::SensorEntry& sensor : deployment.sensors)
+    if (sensor.driver) check("sensor '" + sensor.name + "'", *sensor.driver);
 }
 
 int run(const RunArguments& arguments) {
@@ -67,7 +70,7 @@ int run(const RunArguments& arguments) {
   if (!arguments.clock.empty()) deployment.clock = clock_mode(arguments.clock);
   if (!arguments.events.empty()) deployment.events = config::load_events(arguments.events, deployment);
   check_hosts(deployment, arguments, source);
-  check_drives(deployment, arguments);
+  check_drivers(deployment, arguments);
   if (!deployment.mp.states.empty()) {
     const config::ProgramsByRobot programs = ask_programs(deployment);
     config::load_state_machine(deployment.mp.states, deployment, programs);

@@ -136,7 +136,16 @@ int serve_by_hand(int argc, char** argv) {
 }
 
 /// The settings of the sensor for which this process stands in.
-NetftSettings settings_of(const mrroc::process::Process& /*process*/) { return {}; }
+NetftSettings settings_of(const mrroc::process::Process& process) {
+  const auto& deployment = process.deployment();
+  const auto& driver = *deployment.sensors[mrroc::sim::sensor_of_process(deployment, process.name())].driver;
+  NetftSettings settings;
+  settings.address = driver.text("address");
+  settings.port = static_cast<std::uint16_t>(driver.number("port"));
+  settings.http_port = static_cast<std::uint16_t>(driver.number("http_port"));
+  settings.one_client = true;
+  return settings;
+}
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/entries/answers.hpp"
+#include "config/entries/driver_entry.hpp"
 #include "config/entries/device_name.hpp"
 #include "config/entries/events.hpp"
 #include "config/entries/feeder_entry.hpp"
@@ -119,6 +120,33 @@ void refuse_names_of_robots_processes(const Table& root, const Deployment& deplo
   for (const auto& sensor : deployment.sensors) check("sensors", sensor.name);
 }
 
+/// The stand-in of sensor `wrist` is the process `wrist_netft`: no device may have that name, and it may not be too
+/// long for one.
+void check_stand_ins(const Table& root, const Deployment& deployment) {
+  for (const SensorEntry& sensor : deployment.sensors) {
+    if (!sensor.driver || !sensor.driver->simulated) continue;
+    const std::string process = sensor.stand_in_process();
+    const Table table = root.table("sensors").table(sensor.name);
+    const auto same = [&process](const auto& device) { return device.name == process; };
+    if (std::any_of(deployment.robots.begin(), deployment.robots.end(), same) ||
+        std::any_of(deployment.sensors.begin(), deployment.sensors.end(), same))
+      table.fail("source", in_quotes(process) + " is the stand-in of this sensor and the name of a device",
+                 "other names");
+    if (process.size() > kNameLength)
+      table.fail("source", "the name of process " + in_quotes(process) + " is too long",
+                 "a sensor's name of at most " + std::to_string(kNameLength - (process.size() - sensor.name.size())) +
+                     " characters");
+  }
+}
+
+/// Once the hosts of all sensors are known.
+void find_sensor_drivers(const Table& root, Deployment& deployment) {
+  for (SensorEntry& sensor : deployment.sensors)
+    if (sensor.driver && sensor.host == deployment.here)
+      sensor.driver->library =
+          require_driver_library(root.table("sensors").table(sensor.name), "source", sensor.driver->name);
+}
+
 template <typename Entry>
 const Entry& find(const std::vector<Entry>& entries, const std::string& name, const std::string& kind,
                   const Deployment& deployment) {
@@ -172,13 +200,18 @@ Deployment load_deployment(const std::filesystem::path& file, const std::string&
     deployment.sensors.push_back(read_sensor(table, name, deployment));
   });
   settle_places(root, deployment);
+  find_sensor_drivers(root, deployment);
+  check_stand_ins(root, deployment);
   check_force_sensors(root, deployment);
   refuse_names_of_robots_processes(root, deployment);
   const auto simulated_drives =
       static_cast<std::size_t>(std::count_if(deployment.robots.begin(), deployment.robots.end(),
                                              [](const RobotEntry& robot) { return robot.driver.simulated; }));
-  const std::size_t processes =
-      2 * deployment.robots.size() + simulated_drives + deployment.sensors.size() + 1 + (deployment.sim ? 1 : 0);
+  const auto simulated_sensors = static_cast<std::size_t>(
+      std::count_if(deployment.sensors.begin(), deployment.sensors.end(),
+                    [](const SensorEntry& sensor) { return sensor.driver && sensor.driver->simulated; }));
+  const std::size_t processes = 2 * deployment.robots.size() + simulated_drives + simulated_sensors +
+                                deployment.sensors.size() + 1 + (deployment.sim ? 1 : 0);
   if (processes > kMostProcesses) {
     root.fail("",
               std::to_string(processes) + " processes (two per robot, " +

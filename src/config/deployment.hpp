@@ -101,6 +101,11 @@ struct SensorEntry : KeyValues {
   std::vector<std::string> sources{"simulated", "replay"};  ///< supported sources
   bool wants_effector_state = false;                        ///< e_l of `robot` is sent to its VSP at every tick
   std::string vsp_program;                                  ///< the type's `<type>_vsp`, absolute path
+
+  /// Whether its raw readings are measured in the simulated world.
+  bool in_world() const { return source == "simulated" || (driver && driver->simulated); }
+  /// Name of the process of the stand-in for its hardware.
+  std::string stand_in_process() const { return name + "_" + driver->name; }
 };
 
 /// Puts parts into the simulated world one after the other, like a feeder or a person: docs/reference/simulation.md.

@@ -44,7 +44,8 @@ std::string describe(const SensorEntry& sensor) {
                              : ", non-interactive at " + number_text(sensor.rate) + " Hz, ";
   text += sensor.source;
   if (!sensor.replay.empty()) text += " of " + sensor.replay.string();
-  return text + ": VSP " + sensor.vsp_program;
+  text += ": VSP " + sensor.vsp_program;
+  return sensor.driver && sensor.driver->simulated ? text + ", stand-in " + sensor.driver->stand_in : text;
 }
 
 }  // namespace

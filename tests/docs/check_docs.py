@@ -24,7 +24,7 @@ def blocks(text, language):
 
 def sources(root):
     """Text of every C++ file that a snippet may quote."""
-    for folder in ("tasks", "tests", "robots", "sensors", "include", "src", "edp", "vsp", "mp", "ecp", "sim", "docs/examples"):
+    for folder in ("tasks", "tests", "robots", "sensors", "include", "src", "edp", "drivers", "vsp", "mp", "ecp", "sim", "docs/examples"):
         for path in (root / folder).rglob("*.[ch]pp"):
             yield path.read_text(encoding="utf-8")
 

@@ -1,8 +1,5 @@
 #pragma once
-
-/// Both directions: set-points, rad of the shafts; measured positions in the answer of the same number.
-struct Packet {
-  unsigned long long number;
-  unsigned long long enabled;
+struct Packet {  // set-points, rad of the shafts; in the answer of the same number the measured positions
+  unsigned long long number, enabled;
   double position[8];
 };

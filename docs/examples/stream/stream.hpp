@@ -52,15 +52,14 @@ class Stream final : public edp::Hardware {
   }
   /// True: at least one answer has come. Packets of another length, and doubled or overtaken ones, change nothing.
   bool receive() noexcept {
-    bool answered = false;
+    const auto before = received_;
     Packet packet{};
     for (ssize_t size = 0; (size = ::recv(socket_, &packet, sizeof packet, MSG_TRUNC)) >= 0;) {
       if (size != sizeof packet || packet.number <= received_) continue;
-      answered = true;
       received_ = packet.number;
       for (int i = 0; i < count_; ++i) shafts_[i] = packet.position[i];
     }
-    return answered;
+    return received_ != before;
   }
 
   int count_, socket_;

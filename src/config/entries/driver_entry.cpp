@@ -38,17 +38,6 @@ std::vector<ClockMode> read_clocks(const Table& driver, std::string_view key) {
   return clocks;
 }
 
-/// Keys of a driver that this device does not have.
-void refuse_other_tables(const Table& table, std::string_view key, const std::string& name, const std::string& of) {
-  for (const std::string& other : driver_names()) {
-    const Table driver = declaration(other);
-    const std::string own = table_of(driver, other);
-    if (other == name || !is_of(driver, of) || !table.has(own)) continue;
-    table.fail(own, "keys of driver " + in_quotes(other) + " beside " + std::string(key) + " = " + in_quotes(name),
-               std::string(key) + " = \"" + other + "\"");
-  }
-}
-
 /// A misspelt key, before the missing one that it was to be.
 void refuse_unknown_keys(const Table& driver, const Table& own) {
   if (driver.has("stand_in")) own.has("simulated");
@@ -118,6 +107,16 @@ bool works_under(const DriverEntry& driver, ClockMode clock) {
   return std::find(driver.clocks.begin(), driver.clocks.end(), clock) != driver.clocks.end();
 }
 
+void refuse_driver_tables(const Table& table, std::string_view key, const std::string& name, const std::string& of) {
+  for (const std::string& other : driver_names()) {
+    const Table driver = declaration(other);
+    const std::string own = table_of(driver, other);
+    if (other == name || !is_of(driver, of) || !table.has(own)) continue;
+    table.fail(own, "keys of driver " + in_quotes(other) + " beside " + std::string(key) + " = " + in_quotes(name),
+               std::string(key) + " = \"" + other + "\"");
+  }
+}
+
 std::filesystem::path require_driver_library(const Table& table, std::string_view key, const std::string& name) {
   std::vector<std::string> places;
   for (const std::filesystem::path& folder : driver_directories()) {
@@ -135,18 +134,20 @@ DriverEntry read_driver(const Table& table, std::string_view key, const std::str
   entry.name = table.text(key);
   const Table driver = declaration(entry.name);
   driver.only({"of", "types", "world", "clocks", "stand_in", "stand_in_clocks", "table", "parameters"});
-  refuse_other_tables(table, key, entry.name, driver.text("of"));
+  refuse_driver_tables(table, key, entry.name, driver.text("of"));
   entry.world = driver.boolean_or("world", false);
   if (entry.world && !deployment.sim) table.fail(key, in_quotes(entry.name) + " needs a simulator", "a table [sim]");
   const Table own = own_table(driver, table, key, device, entry);
   refuse_unknown_keys(driver, own);
   read_stand_in(driver, own, deployment, type, host, entry);
   read_declared_keys(driver, own, kCommonKeys, entry);
-  if (!works_under(entry, deployment.clock))
-    own.fail("", "driver " + in_quotes(entry.name) + " does not work under this clock",
-             "clock = " + alternatives(driver.texts(entry.simulated ? "stand_in_clocks" : "clocks")) +
-                 (driver.has("stand_in") && !entry.simulated ? ", or simulated = true" : ""));
-  return entry;
+  if (works_under(entry, deployment.clock)) return entry;
+  const std::vector<ClockMode> of_stand_in = read_clocks(driver, "stand_in_clocks");
+  const bool stand_in_would = driver.has("stand_in") && !entry.simulated &&
+                              std::find(of_stand_in.begin(), of_stand_in.end(), deployment.clock) != of_stand_in.end();
+  own.fail("", "driver " + in_quotes(entry.name) + " does not work under this clock",
+           "clock = " + alternatives(driver.texts(entry.simulated ? "stand_in_clocks" : "clocks")) +
+               (stand_in_would ? ", or simulated = true" : ""));
 }
 
 }  // namespace mrroc::config

@@ -1,7 +1,9 @@
 #include "config/entries/sensor_entry.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "config/entries/driver_entry.hpp"
 #include "config/entries/named_file.hpp"
 #include "config/entries/sensor_type.hpp"
 #include "config/network/hosts.hpp"
@@ -52,7 +54,16 @@ void read_mode(const Table& table, double servo_period, SensorEntry& sensor) {
 }
 
 void read_source(const Table& table, const Deployment& deployment, SensorEntry& sensor) {
-  if (table.has("source")) sensor.source = table.choice("source", sensor.sources);
+  const std::vector<std::string> drivers = sensor_drivers(sensor.type);
+  if (table.has("source")) {
+    std::vector<std::string> choices = sensor.sources;
+    choices.insert(choices.end(), drivers.begin(), drivers.end());
+    sensor.source = table.choice("source", choices);
+  }
+  if (std::find(drivers.begin(), drivers.end(), sensor.source) != drivers.end())
+    sensor.driver = read_driver(table, "source", sensor.name, sensor.type, sensor.host, deployment);
+  else
+    refuse_driver_tables(table, "source", sensor.source, "sensor");
   if (sensor.source == "replay") {
     sensor.replay = require_file(table, "replay");
     return;
@@ -72,6 +83,7 @@ SensorEntry read_sensor(const Table& table, const std::string& name, const Deplo
   sensor.name = name;
   sensor.type = table.choice("type", sensor_types());
   read_sensor_type(table, sensor);
+  allow_driver_tables(table, "sensor");
   table.only({"type", "robot", "mode", "rate", "source", "replay", "frozen_after", "noise_max", "host"});
   sensor.host = read_host(table, deployment);
   sensor.robot = read_robot_of(table, deployment);

@@ -74,7 +74,7 @@ void settle_simulator(const Table& root, Deployment& deployment) {
 
 void settle_sensor(const Table& root, const Deployment& deployment, SensorEntry& sensor) {
   const Table table = root.table("sensors").table(sensor.name);
-  const bool simulated = sensor.source == "simulated" && deployment.sim;
+  const bool simulated = sensor.in_world() && deployment.sim;
   if (!table.has("host"))
     sensor.host = !sensor.robot.empty() ? deployment.robot(sensor.robot).host : simulated ? deployment.sim->host : "";
   if (simulated && sensor.host != deployment.sim->host)
