@@ -1,0 +1,314 @@
+#include "drivers/ur/ur_hardware.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "allocations.hpp"
+#include "drivers/ur/ur_rig.hpp"
+
+namespace mrroc::ur {
+namespace {
+
+using testing::HasSubstr;
+
+class InBothInterfaces : public testing::TestWithParam<Interface> {};
+
+TEST_P(InBothInterfaces, FollowsSetPoints) {
+  Rig rig(GetParam());
+  EXPECT_TRUE(rig.input.synchronised);
+  EXPECT_NEAR(rig.input.motors[1], -1.5 * kGear, 1e-9);
+  ASSERT_TRUE(rig.start());
+  const Six before = rig.joints();
+  rig.rate << 20, -10, 0, 5, 0, -30;  // of the shafts, rad/s
+  rig.ticks(250);
+  rig.rate.setZero();
+  const JointVector end = rig.set;
+  EXPECT_TRUE(rig.tick_until([&] { return (rig.input.motors - end).cwiseAbs().maxCoeff() < 1e-2 * kGear; }));
+  EXPECT_TRUE(rig.tick_until([&] { return (rig.input.motors - end).cwiseAbs().maxCoeff() < 1e-4 * kGear; }));
+  EXPECT_TRUE(rig.healthy());
+  const Six after = rig.joints();
+  EXPECT_GT(after[0], before[0] + 0.05);
+  EXPECT_LT(after[5], before[5] - 0.05);
+  EXPECT_NEAR(after[2], before[2], 1e-3);
+}
+
+TEST_P(InBothInterfaces, DisabledItHoldsWithPowerOn) {
+  Rig rig(GetParam());
+  ASSERT_TRUE(rig.start());
+  rig.rate[0] = 20;
+  rig.ticks(50);
+  rig.enable(false);
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->state().script == ScriptState::holding; }));
+  const Six there = rig.joints();
+  rig.ticks(50);
+  EXPECT_NEAR(rig.joints()[0], there[0], 1e-3);
+  EXPECT_EQ(rig.hardware->state().robot_mode, RobotMode::running);
+  EXPECT_TRUE(rig.healthy());
+  EXPECT_TRUE(rig.start());
+}
+
+TEST_P(InBothInterfaces, WithoutSetPointsTheControlScriptStopsTheRobot) {
+  Rig rig(GetParam(), free_ports(), [](UrOptions& options) { options.watchdog = 0.05; });
+  for (int attempt = 0; attempt < 5 && !rig.start(); ++attempt) rig.recover();
+  ASSERT_TRUE(rig.healthy());
+  rig.rate[0] = 20;
+  rig.ticks(30);
+  while (!rig.controller.ask([](VirtualController& c) { return c.program().empty(); })) std::this_thread::yield();
+  EXPECT_NEAR(rig.controller.ask([](VirtualController& c) { return c.velocity(); })[0], 0, 1e-3);
+  ASSERT_TRUE(rig.finds(ErrorCode::drive_not_ready));
+  EXPECT_THAT(rig.text(), HasSubstr("received no set-points"));
+}
+
+INSTANTIATE_TEST_SUITE_P(UrHardware, InBothInterfaces, testing::Values(Interface::position, Interface::velocity));
+
+TEST(UrHardware, SwitchesPowerOnAndReleasesBrakes) {
+  Rig rig;
+  EXPECT_EQ(rig.hardware->state().robot_mode, RobotMode::power_off);
+  EXPECT_TRUE(rig.healthy()) << "an arm without power is no fault before it is enabled";
+  ASSERT_TRUE(rig.start());
+  EXPECT_EQ(rig.hardware->state().robot_mode, RobotMode::running);
+  EXPECT_EQ(rig.controller.ask([](VirtualController& c) { return std::string(c.program()); }), "mrroc_control");
+}
+
+TEST(UrHardware, SetsPayloadToolVoltageAndSpeedSlider) {
+  Rig rig(Interface::position, free_ports(), [](UrOptions& options) {
+    options.payload_mass = 1.5;
+    options.tool_voltage = 24;
+    options.speed_slider = 0.5;
+  });
+  ASSERT_TRUE(rig.start());
+  EXPECT_EQ(rig.controller.ask([](VirtualController& c) { return c.payload(); }), 1.5);
+  EXPECT_EQ(rig.controller.ask([](VirtualController& c) { return c.tool_voltage(); }), 24);
+  EXPECT_EQ(rig.controller.ask([](VirtualController& c) { return c.speed_slider(); }), 0.5);
+}
+
+TEST(UrHardware, ExchangesTheControllersTerminals) {
+  Rig rig;
+  rig.controller.servers.with([](VirtualController& c) { c.set_inputs(0x8001, 2.5, 7); });
+  EXPECT_TRUE(rig.tick_until([&] { return rig.input.inputs.digital == 0x8001; }));
+  EXPECT_EQ(rig.input.inputs.analog[0], 2.5);
+  EXPECT_EQ(rig.input.inputs.analog[1], 7);
+  EXPECT_EQ(rig.controller.ask([](VirtualController& c) { return c.digital_outputs(); }), 0u);
+  ControllerIo outputs;
+  outputs.set(3, true);
+  outputs.set(12, true);
+  outputs.analog = {5, 1};
+  rig.hardware->set_outputs(outputs);  // the drives are off
+  EXPECT_TRUE(rig.tick_until(
+      [&] { return rig.controller.ask([](VirtualController& c) { return c.digital_outputs(); }) == 0x1008u; }));
+  EXPECT_NEAR(rig.controller.ask([](VirtualController& c) { return c.analog_output(0); }), 5, 1e-9);
+  EXPECT_NEAR(rig.controller.ask([](VirtualController& c) { return c.analog_output(1); }), 1, 1e-9);
+}
+
+struct StateFault {
+  const char* name;
+  ErrorCode code;
+  const char* text;
+  std::function<void(VirtualController&)> cause, repair;
+};
+
+class StateFaults : public testing::TestWithParam<StateFault> {};
+
+TEST_P(StateFaults, AreReportedAndRecovered) {
+  const StateFault& fault = GetParam();
+  Rig rig;
+  ASSERT_TRUE(rig.start());
+  rig.controller.servers.with(fault.cause);
+  ASSERT_TRUE(rig.finds(fault.code)) << rig.text();
+  EXPECT_THAT(rig.text(), HasSubstr(fault.text));
+  rig.enable(false);
+  rig.ticks(5);
+  if (fault.repair) {
+    EXPECT_FALSE(rig.recover()) << "its cause is still there";
+    rig.controller.servers.with(fault.repair);
+  }
+  ASSERT_TRUE(rig.recover());
+  rig.rate[0] = 20;
+  const double before = rig.joints()[0];
+  rig.ticks(100);
+  EXPECT_GT(rig.joints()[0], before + 0.01);
+  EXPECT_TRUE(rig.healthy());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    UrHardware, StateFaults,
+    testing::Values(
+        StateFault{"ProtectiveStop",
+                   ErrorCode::drive_fault,
+                   "protective stop",
+                   [](VirtualController& c) { c.protective_stop(); },
+                   {}},
+        StateFault{"EmergencyStop", ErrorCode::emergency_stop, "ROBOT_EMERGENCY_STOP",
+                   [](VirtualController& c) { c.emergency_stop(true); },
+                   [](VirtualController& c) { c.emergency_stop(false); }},
+        StateFault{"SafeguardStop", ErrorCode::drive_not_ready, "SAFEGUARD_STOP",
+                   [](VirtualController& c) { c.safeguard_stop(true); },
+                   [](VirtualController& c) { c.safeguard_stop(false); }},
+        StateFault{
+            "PowerOff", ErrorCode::drive_not_ready, "POWER_OFF", [](VirtualController& c) { c.power_off(); }, {}},
+        StateFault{"ProgramStopped",
+                   ErrorCode::drive_not_ready,
+                   "does not run",
+                   [](VirtualController& c) { c.stop_program(); },
+                   {}},
+        StateFault{"OtherProgram",
+                   ErrorCode::drive_not_ready,
+                   "",
+                   [](VirtualController& c) { c.start_program("def other():\nend\n"); },
+                   {}},
+        StateFault{"JointFault", ErrorCode::drive_fault, "joint mode FAULT",
+                   [](VirtualController& c) { c.fail_joint(3); }, [](VirtualController& c) { c.power_off(); }}),
+    [](const auto& fault) { return std::string(fault.param.name); });
+
+TEST(UrHardware, NamesTheAxisOfAJointFault) {
+  Rig rig;
+  rig.controller.servers.with([](VirtualController& c) { c.fail_joint(3); });
+  ASSERT_TRUE(rig.finds(ErrorCode::drive_fault));
+  EXPECT_EQ(rig.input.fault_axis, 3);
+}
+
+TEST(UrHardware, ReportsThatTheRobotIsNotInRemoteControl) {
+  Rig rig;
+  rig.controller.servers.with([](VirtualController& c) { c.set_remote_control(false); });
+  EXPECT_FALSE(rig.start());
+  EXPECT_EQ(rig.input.fault, ErrorCode::drive_not_ready);
+  EXPECT_THAT(rig.text(), HasSubstr("remote control"));
+  rig.controller.servers.with([](VirtualController& c) { c.set_remote_control(true); });
+  EXPECT_TRUE(rig.recover());
+}
+
+TEST(UrHardware, ConnectsAgainAfterACut) {
+  Rig rig;
+  ASSERT_TRUE(rig.start());
+  rig.controller.servers.refuse(true);
+  ASSERT_TRUE(rig.finds(ErrorCode::hardware_silent));
+  EXPECT_THAT(rig.text(), HasSubstr("RTDE interface at 127.0.0.1:"));
+  rig.enable(false);
+  rig.controller.servers.refuse(false);
+  ASSERT_TRUE(rig.recover());
+  EXPECT_GE(rig.hardware->counters().connections, 2u);
+}
+
+TEST(UrHardware, ConnectsAgainAfterARestartOfTheController) {
+  Rig rig;
+  ASSERT_TRUE(rig.start());
+  rig.controller.servers.restart();
+  ASSERT_TRUE(rig.tick_until([&] { return rig.input.fault != ErrorCode::none; }));
+  rig.enable(false);
+  ASSERT_TRUE(rig.recover());
+}
+
+TEST(UrHardware, GarbageEndsTheConnection) {
+  Rig rig;
+  ASSERT_TRUE(rig.start());
+  rig.controller.servers.send_garbage();
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().connections == 2; }));
+  EXPECT_TRUE(rig.recover());
+}
+
+TEST(UrHardware, CountsLostAndDoubledPackages) {
+  Rig rig;
+  ASSERT_TRUE(rig.start());
+  const LinkCounters before = rig.hardware->counters();
+  rig.controller.servers.lose(7);
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().lost == before.lost + 7; }));
+  rig.controller.servers.repeat(5);
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().doubled == before.doubled + 5; }));
+  rig.controller.servers.delay(10);
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().late > before.late; }));
+  EXPECT_EQ(rig.hardware->counters().lost, before.lost + 7);
+  EXPECT_TRUE(rig.healthy());
+  EXPECT_GT(rig.hardware->counters().sent, before.sent);
+}
+
+TEST(UrHardware, TheTickOfARepeatedReadingIsRepeated) {
+  Rig rig;
+  rig.ticks(5);
+  rig.controller.servers.refuse(true);
+  ASSERT_TRUE(rig.finds(ErrorCode::hardware_silent));
+  const Tick last = rig.input.tick;
+  rig.ticks(3);
+  EXPECT_EQ(rig.input.tick, last);
+  EXPECT_LT(rig.input.tick, rig.now);
+}
+
+TEST(UrHardware, OpenNamesTheAddressAndTheProblem) {
+  const SixJoints model(Interface::position);
+  UrOptions options;
+  std::string text;
+  {
+    Controller controller;
+    options = controller.driver_options();
+  }
+  try {
+    UrHardware(options, model, kPeriod).open();
+  } catch (const HardwareError& error) {
+    EXPECT_EQ(error.code(), ErrorCode::hardware_silent);
+    text = error.what();
+  }
+  EXPECT_THAT(text, HasSubstr("127.0.0.1:" + std::to_string(options.rtde_port)));
+  EXPECT_THAT(text, HasSubstr("refused"));
+}
+
+TEST(UrHardware, OpenNamesRegistersThatAnotherClientWrites) {
+  Controller controller;
+  const SixJoints model(Interface::position);
+  UrHardware first(controller.driver_options(), model, kPeriod);
+  first.open();
+  UrHardware second(controller.driver_options(), model, kPeriod);
+  std::string text;
+  try {
+    second.open();
+  } catch (const HardwareError& error) {
+    text = error.what();
+  }
+  EXPECT_THAT(text, HasSubstr("input_int_register_24"));
+}
+
+TEST(UrHardware, RejectsInvalidArguments) {
+  const SixJoints model(Interface::position), currents(Interface::current);
+  UrOptions options;
+  EXPECT_THROW(UrHardware(options, model, kPeriod), HardwareError);  // no address
+  options.address = "127.0.0.1";
+  options.script = MRROC_SOURCE_DIR "/drivers/ur/control.script";
+  EXPECT_NO_THROW(UrHardware(options, model, kPeriod));
+  EXPECT_THROW(UrHardware(options, currents, kPeriod), HardwareError);
+  EXPECT_THROW(UrHardware(options, edp::Slide(), kPeriod), HardwareError);
+  options.servo_gain = 1;
+  EXPECT_THROW(UrHardware(options, model, kPeriod), HardwareError);
+}
+
+TEST(UrHardware, ATickAllocatesNothing) {
+  for (const Interface interface : {Interface::position, Interface::velocity}) {
+    Rig rig(interface);
+    ASSERT_TRUE(rig.start());
+    std::uint64_t allocated = 0;
+    ControllerIo outputs;
+    const auto ticks = [&](int count) {
+      for (int i = 0; i < count; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        outputs.set(0, i % 2 == 0);
+        ++rig.now;
+        const std::uint64_t before = test::thread_allocations();
+        rig.hardware->read(rig.now, rig.input);
+        rig.hardware->set_points(rig.set, rig.rate);
+        rig.hardware->set_outputs(outputs);
+        rig.hardware->write(rig.now, rig.rate);
+        allocated += test::thread_allocations() - before;
+      }
+    };
+    rig.rate[0] = 5;
+    ticks(100);
+    rig.controller.servers.with([](VirtualController& c) { c.protective_stop(); });
+    ticks(50);
+    rig.hardware->enable(false);
+    rig.hardware->reset_fault();
+    ticks(50);
+    rig.controller.servers.cut();
+    ticks(50);
+    EXPECT_EQ(allocated, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::ur
