@@ -1,0 +1,127 @@
+#include "sim/ur/virtual_controller.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace mrroc::sim::ur {
+namespace {
+
+using mrroc::ur::rtde::FieldType;
+using mrroc::ur::rtde::Value;
+
+struct Controller : VirtualController {
+  explicit Controller(bool powered = false)
+      : VirtualController({.powered = powered}, std::make_unique<ExactJoints>(Six{1, 2, 3, 4, 5, 6})) {}
+
+  bool step_until(auto condition) {
+    for (int i = 0; i < 10000; ++i) {
+      if (condition()) return true;
+      step();
+    }
+    return false;
+  }
+
+  template <class T>
+  T value(const std::string& name) const {
+    return std::get<T>((*output(name))());
+  }
+
+  void write(const std::string& name, const Value& value) { input(name)->set(value); }
+};
+
+TEST(VirtualController, PowersUpInItsOrder) {
+  Controller controller;
+  EXPECT_EQ(controller.robot_mode(), RobotMode::power_off);
+  EXPECT_EQ(controller.dashboard("brake release"), "Brake releasing");
+  for (int i = 0; i < 200; ++i) controller.step();
+  EXPECT_EQ(controller.robot_mode(), RobotMode::power_off) << "brakes need power";
+  EXPECT_EQ(controller.dashboard("power on"), "Powering on");
+  EXPECT_TRUE(controller.step_until([&] { return controller.robot_mode() == RobotMode::power_on; }));
+  EXPECT_TRUE(controller.step_until([&] { return controller.robot_mode() == RobotMode::idle; }));
+  EXPECT_EQ(controller.robot_status(), 1u);
+  EXPECT_EQ(controller.dashboard("brake release"), "Brake releasing");
+  EXPECT_TRUE(controller.step_until([&] { return controller.robot_mode() == RobotMode::running; }));
+  EXPECT_EQ(controller.value<std::int32_t>("robot_mode"), 7);
+}
+
+TEST(VirtualController, AProtectiveStopIsHeldForItsTime) {
+  Controller controller(true);
+  ASSERT_TRUE(controller.start_program("def a():\nend\n"));
+  controller.protective_stop();
+  EXPECT_EQ(controller.safety_mode(), SafetyMode::protective_stop);
+  EXPECT_EQ(controller.runtime(), RuntimeState::stopped);
+  EXPECT_EQ(controller.safety_status() & 1u << 2, 1u << 2);
+  const double begin = controller.time();
+  EXPECT_TRUE(controller.step_until(
+      [&] { return controller.dashboard("unlock protective stop") == "Protective stop releasing"; }));
+  EXPECT_NEAR(controller.time() - begin, 5, 0.01);
+  EXPECT_EQ(controller.safety_mode(), SafetyMode::normal);
+  EXPECT_EQ(controller.robot_mode(), RobotMode::running);
+}
+
+TEST(VirtualController, AnEmergencyStopTakesThePower) {
+  Controller controller(true);
+  controller.emergency_stop(true);
+  EXPECT_EQ(controller.robot_mode(), RobotMode::power_off);
+  controller.dashboard("power on");
+  for (int i = 0; i < 200; ++i) controller.step();
+  EXPECT_EQ(controller.robot_mode(), RobotMode::power_off);
+  controller.emergency_stop(false);
+  controller.dashboard("power on");
+  EXPECT_TRUE(controller.step_until([&] { return controller.robot_mode() == RobotMode::idle; }));
+}
+
+TEST(VirtualController, ProgramsNeedPowerAndRemoteControl) {
+  Controller controller;
+  EXPECT_FALSE(controller.start_program("def a():\nend\n"));
+  Controller powered(true);
+  EXPECT_FALSE(powered.start_program("no program"));
+  powered.set_remote_control(false);
+  EXPECT_FALSE(powered.start_program("def a():\nend\n"));
+  EXPECT_EQ(powered.dashboard("is in remote control"), "false");
+  powered.set_remote_control(true);
+  EXPECT_TRUE(powered.start_program("def a():\nend\n"));
+  EXPECT_EQ(powered.dashboard("programState"), "PLAYING a");
+  EXPECT_EQ(powered.dashboard("running"), "Program running: true");
+  EXPECT_EQ(powered.dashboard("stop"), "Stopped");
+  EXPECT_EQ(powered.dashboard("running"), "Program running: false");
+}
+
+TEST(VirtualController, OutputsAreWrittenUnderTheirMask) {
+  Controller controller;
+  controller.write("standard_digital_output_mask", std::uint8_t{0x0c});
+  controller.write("standard_digital_output", std::uint8_t{0xff});
+  EXPECT_EQ(controller.digital_outputs(), 0x0cu);
+  controller.write("standard_digital_output", std::uint8_t{0});
+  EXPECT_EQ(controller.digital_outputs(), 0x0cu) << "a mask is of one package";
+  controller.write("configurable_digital_output_mask", std::uint8_t{1});
+  controller.write("configurable_digital_output", std::uint8_t{1});
+  controller.write("tool_digital_output_mask", std::uint8_t{2});
+  controller.write("tool_digital_output", std::uint8_t{2});
+  EXPECT_EQ(controller.digital_outputs(), 0x2010cu);
+  EXPECT_EQ(controller.value<std::uint64_t>("actual_digital_output_bits"), 0x2010cu);
+}
+
+TEST(VirtualController, HasTheFieldsOfTheGuide) {
+  const Controller controller;
+  EXPECT_EQ(controller.output("no_such_field"), nullptr);
+  EXPECT_EQ(controller.input("actual_q"), nullptr);
+  EXPECT_EQ(controller.output("output_int_register_48"), nullptr);
+  EXPECT_EQ(controller.value<mrroc::ur::rtde::Vector6d>("actual_q"), (Six{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(controller.input("input_int_register_47")->type, FieldType::int32);
+  EXPECT_EQ(controller.input("speed_slider_mask")->type, FieldType::uint32);
+}
+
+TEST(VirtualController, ARestartBootsWithoutPower) {
+  Controller controller(true);
+  controller.step();
+  controller.restart();
+  EXPECT_EQ(controller.robot_mode(), RobotMode::booting);
+  EXPECT_EQ(controller.time(), 0);
+  EXPECT_TRUE(controller.step_until([&] { return controller.robot_mode() == RobotMode::power_off; }));
+  EXPECT_EQ(controller.position(), (Six{1, 2, 3, 4, 5, 6}));
+}
+
+}  // namespace
+}  // namespace mrroc::sim::ur
