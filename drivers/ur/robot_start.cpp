@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "clock/wall/monotonic.hpp"
 #include "drivers/ur/control_script.hpp"
@@ -40,9 +41,8 @@ class Repeated {
 
 }  // namespace
 
-RobotStart::RobotStart(const UrOptions& options, RtdeLink& link)
-    : options_(options), link_(link), script_(read_control_script(options)) {
-  control_program(script_, options_, 1, 0);  // its words are known
+RobotStart::RobotStart(const UrOptions& options, RtdeLink& link, std::string script)
+    : options_(options), link_(link), script_(std::move(script)) {
   wake_ = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   if (wake_ < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
   thread_ = std::thread([this] { run(); });

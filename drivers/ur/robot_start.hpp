@@ -16,8 +16,8 @@ namespace mrroc::ur {
 /// dashboard and the secondary interface answer slowly, some commands after seconds, so this is a thread of its own.
 class RobotStart {
  public:
-  /// Reads the control script. `link` must outlive it. Throws std::runtime_error.
-  RobotStart(const UrOptions& options, RtdeLink& link);
+  /// `script` is the control script, checked by `control_program`; `link` must outlive it.
+  RobotStart(const UrOptions& options, RtdeLink& link, std::string script);
   ~RobotStart();
   RobotStart(const RobotStart&) = delete;
   RobotStart& operator=(const RobotStart&) = delete;

@@ -66,11 +66,12 @@ void RtdeLink::connect() {
     };
     if (!accepted(PacketType::request_protocol_version, rtde::VersionRequest{}.payload()))
       throw rtde::ProtocolError("the controller refuses protocol version 2, its software must be 3.3 or newer");
-    version_ = rtde::ControllerVersion::from_payload(ask(PacketType::get_urcontrol_version, {}, deadline).payload);
-    frequency_ = options_.frequency;
-    if (frequency_ == 0) frequency_ = version_.major < kFirstMajorOfESeries ? kFrequencyOfCb3 : kFrequency;
+    const auto version =
+        rtde::ControllerVersion::from_payload(ask(PacketType::get_urcontrol_version, {}, deadline).payload);
+    const double greatest = version.major < kFirstMajorOfESeries ? kFrequencyOfCb3 : kFrequency;
+    frequency_.store(options_.frequency == 0 ? greatest : options_.frequency, std::memory_order_relaxed);
 
-    const rtde::OutputsRequest outputs{frequency_, state_fields(options_.registers)};
+    const rtde::OutputsRequest outputs{frequency(), state_fields(options_.registers)};
     state_recipe_ = rtde::accepted_recipe(
         rtde::SetupReply::from_payload(ask(PacketType::setup_outputs, outputs.payload(), deadline).payload),
         outputs.names);
@@ -87,7 +88,7 @@ void RtdeLink::connect() {
     disconnect(error.what());
     throw;
   }
-  clock_.start(1 / frequency_);
+  clock_.start(1 / frequency());
   last_received_ = clock::monotonic_ns();
   outputs_.reset();
   if (options_.speed_slider != 0) {

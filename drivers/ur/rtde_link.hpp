@@ -60,9 +60,8 @@ class RtdeLink {
   /// The same for one other thread.
   const edp::DriverText* problem_for_start() noexcept { return problem_for_start_.load(); }
   LinkCounters counters() const noexcept;
-  /// Hz. After `open`.
-  double frequency() const noexcept { return frequency_; }
-  const rtde::ControllerVersion& version() const noexcept { return version_; }
+  /// Hz, of the packages. After `open`. Any thread.
+  double frequency() const noexcept { return frequency_.load(std::memory_order_relaxed); }
 
  private:
   struct Output {
@@ -86,8 +85,7 @@ class RtdeLink {
   bool queue_empty() const noexcept { return queued_begin_ == queued_end_; }
 
   const UrOptions options_;
-  double frequency_ = 0;
-  rtde::ControllerVersion version_;
+  std::atomic<double> frequency_{0};
   TcpSocket socket_;
   std::string reason_;  ///< of the last disconnection
   rtde::PacketBuffer buffer_;

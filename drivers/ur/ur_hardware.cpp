@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "clock/wall/monotonic.hpp"
+#include "drivers/ur/control_script.hpp"
 
 namespace mrroc::ur {
 namespace {
@@ -31,6 +32,17 @@ const UrOptions& checked(const UrOptions& options, const RobotModel& model) {
   return options;
 }
 
+/// The control script, whose words have values.
+std::string script_of(const UrOptions& options) {
+  try {
+    std::string script = read_control_script(options);
+    control_program(script, options, 1, 0);
+    return script;
+  } catch (const std::runtime_error& error) {
+    refuse(error.what());
+  }
+}
+
 ControlMode mode_of(DriveParameters::Interface interface) noexcept {
   return interface == DriveParameters::Interface::velocity ? ControlMode::velocity : ControlMode::position;
 }
@@ -52,7 +64,7 @@ UrHardware::UrHardware(const UrOptions& options, const RobotModel& model, double
       drives_(model.parameters().drives),
       mode_(mode_of(drives_.interface)),
       link_(options_),
-      start_(options_, link_) {
+      start_(options_, link_, script_of(options_)) {
   position_ = velocity_ = origin_ = JointVector::Zero(kAxes);
 }
 

@@ -194,9 +194,12 @@ void ControllerServers::run() {
     std::vector<pollfd> entries{{wake_, POLLIN, 0}, {timer_, POLLIN, 0}};
     for (const Listener& listener : listeners_) entries.push_back({listener.fd, POLLIN, 0});
     std::vector<Client*> polled;
-    for (Client& client : clients_) {
-      entries.push_back({client.fd, static_cast<short>(client.queued.empty() ? POLLIN : POLLIN | POLLOUT), 0});
-      polled.push_back(&client);
+    {
+      const std::lock_guard lock(mutex_);
+      for (Client& client : clients_) {
+        entries.push_back({client.fd, static_cast<short>(client.queued.empty() ? POLLIN : POLLIN | POLLOUT), 0});
+        polled.push_back(&client);
+      }
     }
     ::poll(entries.data(), entries.size(), -1);
     const std::lock_guard lock(mutex_);

@@ -274,6 +274,9 @@ TEST(UrHardware, RejectsInvalidArguments) {
   EXPECT_NO_THROW(UrHardware(options, model, kPeriod));
   EXPECT_THROW(UrHardware(options, currents, kPeriod), HardwareError);
   EXPECT_THROW(UrHardware(options, edp::Slide(), kPeriod), HardwareError);
+  options.script = "/nowhere/control.script";
+  EXPECT_THROW(UrHardware(options, model, kPeriod), HardwareError);
+  options.script = MRROC_SOURCE_DIR "/drivers/ur/control.script";
   options.servo_gain = 1;
   EXPECT_THROW(UrHardware(options, model, kPeriod), HardwareError);
 }
