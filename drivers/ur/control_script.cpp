@@ -76,8 +76,8 @@ std::string control_program(const std::string& script, const UrOptions& options,
       line.replace(begin, end + 1 - begin, value->second);
       begin += value->second.size();
     }
-    text += line + "\n";
-    if (line.starts_with("def ")) text += "  " + std::string(kScriptHeader) + "\n";
+    text.append(line).append("\n");
+    if (line.starts_with("def ")) text.append("  ").append(kScriptHeader).append("\n");
   }
   return text;
 }

@@ -155,6 +155,7 @@ void RtdeLink::run() noexcept {
     if (socket_.is_open() && clock::monotonic_ns() - last_received_ > std::llround(options_.timeout * 1e9))
       disconnect(socket_.name() + ": no data package");
   }
+  transmit();  // the servo's last command switches the drives off
   if (!socket_.is_open()) return;
   try {
     std::vector<std::uint8_t> pause;
@@ -220,6 +221,7 @@ void RtdeLink::send(const Command& command) noexcept {
 }
 
 void RtdeLink::transmit() noexcept {
+  if (!socket_.is_open()) return;
   flush();
   const Command* const command = commands_.load();
   // a socket that takes nothing gets the newest set-points when it takes bytes again, not all of the missed ones

@@ -11,7 +11,7 @@ namespace mrroc::ur {
 namespace {
 
 constexpr int kAxes = 6;
-constexpr double kEngageTime = 2;  // s, for the control script's confirmation
+constexpr double kConfirmTime = 2;  // s, for the control script to confirm that it follows, or has stopped
 
 [[noreturn]] void refuse(const std::string& what) {
   throw HardwareError(ErrorCode::drive_not_ready, "UR controller: " + what);
@@ -64,7 +64,8 @@ UrHardware::UrHardware(const UrOptions& options, const RobotModel& model, double
       drives_(model.parameters().drives),
       mode_(mode_of(drives_.interface)),
       link_(options_),
-      start_(options_, link_, script_of(options_)) {
+      start_(options_, link_, script_of(options_)),
+      clock_(period) {
   position_ = velocity_ = origin_ = JointVector::Zero(kAxes);
 }
 
@@ -81,7 +82,9 @@ void UrHardware::open() {
 void UrHardware::enable(bool on) noexcept {
   wanted_ = on;
   if (!on) {
-    if (phase_ != Phase::failed) phase_ = Phase::off;
+    const bool follows = phase_ == Phase::engaging || phase_ == Phase::following;
+    if (phase_ != Phase::failed) phase_ = follows ? Phase::stopping : Phase::off;
+    phase_begin_ = now_;
     return;
   }
   phase_ = Phase::starting;
@@ -96,7 +99,9 @@ void UrHardware::reset_fault() noexcept {
   start_.request();
 }
 
-bool UrHardware::busy() const noexcept { return phase_ == Phase::starting || phase_ == Phase::engaging; }
+bool UrHardware::busy() const noexcept {
+  return phase_ == Phase::starting || phase_ == Phase::engaging || phase_ == Phase::stopping;
+}
 
 bool UrHardware::follows() const noexcept {
   const ScriptState wanted =
@@ -112,30 +117,35 @@ void UrHardware::advance() noexcept {
       phase_ = Phase::failed;
     } else {
       phase_ = wanted_ ? Phase::engaging : Phase::off;
-      engaged_ = now_;
+      phase_begin_ = now_;
       held_ = state_.position;
     }
   }
-  if (phase_ != Phase::engaging) return;
-  if (follows()) {
-    phase_ = Phase::following;
-  } else if (static_cast<double>(now_ - engaged_) * period_ > kEngageTime) {
-    phase_ = Phase::failed;
-    failure_ = StartFailed{edp::driver_text("the control script does not confirm that it follows")};
+  const bool expired = static_cast<double>(now_ - phase_begin_) * period_ > kConfirmTime;
+  if (phase_ == Phase::engaging) {
+    if (follows()) {
+      phase_ = Phase::following;
+    } else if (expired) {
+      phase_ = Phase::failed;
+      failure_ = StartFailed{edp::driver_text("the control script does not confirm that it follows")};
+    }
   }
+  // a stop that is not confirmed is that of the watchdog, or of the controller itself
+  const bool runs = code_of(following_fault(state_, start_.program())) == ErrorCode::none;
+  if (phase_ == Phase::stopping && (state_.script == ScriptState::holding || !runs || expired)) phase_ = Phase::off;
 }
 
 /// While the robot is made ready, only RobotStart judges its state.
 UrFault UrHardware::find_fault(Tick tick) const noexcept {
   if (phase_ == Phase::starting) return {};
-  const auto periods = static_cast<double>(tick - measured_) * period_ * link_.frequency();
+  const auto periods = static_cast<double>(tick - received_) * period_ * link_.frequency();
   const auto age = static_cast<double>(clock::monotonic_ns() - state_.received) * 1e-9 * link_.frequency();
   // a servo that catches up executes ticks faster than packages come
   if (std::min(periods, age) > options_.missed_max) return SilentController{static_cast<std::uint64_t>(age), {}};
   const UrFault unsafe = safety_fault(state_);
   if (code_of(unsafe) != ErrorCode::none) return unsafe;
   if (phase_ == Phase::failed) return failure_;
-  if (phase_ == Phase::off) return {};
+  if (phase_ == Phase::off || phase_ == Phase::stopping) return {};
   return following_fault(state_, start_.program());
 }
 
@@ -144,7 +154,8 @@ void UrHardware::read(Tick tick, edp::HardwareInput& input) noexcept {
   const RobotState* const newest = link_.newest();
   if (newest != nullptr && (!has_state_ || newest->number != state_.number)) {
     state_ = *newest;
-    measured_ = tick;
+    measured_ = clock_.take(state_.timestamp, state_.received, tick, clock::monotonic_ns());
+    received_ = tick;
     has_state_ = true;
   }
   if (!has_state_) {
@@ -152,8 +163,9 @@ void UrHardware::read(Tick tick, edp::HardwareInput& input) noexcept {
     return;
   }
   advance();
-  input.tick = measured_;
-  const JointVector joints = as_joints(state_.position);
+  input.tick = measured_.tick;
+  input.late = received_ == tick ? measured_.late : 0;
+  const JointVector joints = as_joints(state_.position) - measured_.rest * period_ * as_joints(state_.velocity);
   JointVector motors(kAxes);
   UrFault fault = find_fault(tick);
   if (model_.joints_to_motors(joints, motors) == ErrorCode::none) input.motors = motors + origin_;

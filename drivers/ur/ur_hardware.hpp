@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/ur/command.hpp"
+#include "drivers/ur/measurement_clock.hpp"
 #include "drivers/ur/options.hpp"
 #include "drivers/ur/robot_start.hpp"
 #include "drivers/ur/rtde_link.hpp"
@@ -19,8 +20,9 @@ namespace mrroc::ur {
 /// robot's parameters, position or velocity, selects servoj or speedj. With velocity the set-point r of the positions
 /// corrects the velocity v by the drives' position_gain: v + position_gain (r - q).
 ///
-/// Positions are the joint angles of the controller; the model converts them to shafts. They are absolute. The measured
-/// tick is repeated until a new package has come.
+/// Positions are the joint angles of the controller; the model converts them to shafts. They are absolute. Controller
+/// and servo have clocks of their own (MeasurementClock): a position is that of the tick that is reported with it,
+/// moved there by the measured velocity. Until a new package comes it is repeated, and so is its tick.
 ///
 /// `enable(true)` makes the robot ready: it releases a protective stop, switches power on, releases the brakes and
 /// starts the control script, which takes seconds. `enable(false)` stops the motion; the controller holds the arm, with
@@ -55,6 +57,7 @@ class UrHardware : public edp::Hardware {
     starting,   ///< RobotStart makes it ready
     engaging,   ///< the control script has to confirm that it follows
     following,  ///< it follows the servo's set-points
+    stopping,   ///< it has been switched off; the control script stops the motion
     failed      ///< it could not be made ready
   };
 
@@ -74,8 +77,10 @@ class UrHardware : public edp::Hardware {
   Phase phase_ = Phase::off;
   bool wanted_ = false;  ///< by the servo: power
   UrFault failure_;
-  Tick measured_ = 0;  ///< tick of the newest package
-  Tick engaged_ = 0;   ///< tick since which the control script has to follow
+  MeasurementClock clock_;
+  MeasurementClock::Measured measured_;  ///< of the newest package
+  Tick received_ = 0;                    ///< tick in which it was read
+  Tick phase_begin_ = 0;                 ///< tick since which the control script has to follow, or to stop
   Tick now_ = 0;
   rtde::Vector6d held_{};            ///< joints while the servo does not command yet
   JointVector position_, velocity_;  ///< set-points of the shafts

@@ -1,0 +1,143 @@
+// The driver below the EDP's own servo: its watches judge what the driver reads, and it orders power and recovery.
+#include "edp/servo/servo.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drivers/ur/ur_rig.hpp"
+#include "edp/command/effector.hpp"
+
+namespace mrroc::ur {
+namespace {
+
+class ServoRig {
+ public:
+  explicit ServoRig(Interface interface) : model_(interface) {
+    model_.change().home << 0, -1.5, 1.5, -1.5, -1.5, 0;
+    hardware_ = std::make_unique<UrHardware>(controller.driver_options(), model_, kPeriod);
+    hardware_->open();
+    servo_ = std::make_unique<edp::Servo>(models_, *hardware_, kPeriod, channel_);
+    effector_ = std::make_unique<edp::Effector>(models_, kPeriod, channel_);
+    effector_->enable(true);
+  }
+
+  /// The present tick of the wall clock, as the servo's thread: those that have passed are skipped.
+  void tick() {
+    const auto passed = std::chrono::steady_clock::now() - begin_;
+    now_ = std::max(now_ + 1, static_cast<Tick>(passed / kTick));
+    std::this_thread::sleep_until(begin_ + now_ * kTick);
+    servo_->tick(now_);
+    edp::Reply reply;
+    while (effector_->poll(reply)) reply_ = reply;
+  }
+
+  bool tick_until(const std::function<bool()>& condition) {
+    for (int i = 0; i < 20000; ++i) {
+      tick();
+      if (condition()) return true;
+    }
+    return false;
+  }
+
+  void ticks(int count) {
+    for (int i = 0; i < count; ++i) tick();
+  }
+
+  bool is_on() const { return servo_->snapshot().enabled(); }
+  ErrorCode fault() const { return servo_->snapshot().fault.code; }
+
+  void start_move(const JointVector& way) {
+    RobotCommand command;
+    command.kind = CommandKind::joint;
+    command.relative = true;
+    command.joints = way;
+    command.motion_steps = command.reply_step = 400;
+    send(command);
+  }
+
+  bool recover() {
+    RobotCommand command;
+    command.kind = CommandKind::recover;
+    send(command);
+    return tick_until([this] { return answered(); }) && is_on();
+  }
+
+  /// The last command has its answer.
+  bool answered() const { return reply_.command == number_; }
+  ErrorCode answer() const { return reply_.state.error.code; }
+
+  void leave() { servo_->leave(); }
+  bool drives_on() const { return servo_->drives_on(); }
+
+  Controller controller;
+
+ private:
+  void send(const RobotCommand& command) {
+    edp::Reply refused;
+    if (effector_->accept(command, ++number_, refused)) reply_ = refused;
+  }
+
+  static constexpr std::chrono::milliseconds kTick{2};
+
+  SixJoints model_;
+  std::unique_ptr<UrHardware> hardware_;
+  edp::ServoChannel channel_;
+  edp::ModelSet models_{model_};
+  std::unique_ptr<edp::Servo> servo_;
+  std::unique_ptr<edp::Effector> effector_;
+  edp::Reply reply_;
+  std::uint64_t number_ = 0;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  Tick now_ = 0;
+};
+
+JointVector way() {
+  JointVector way(6);
+  way << 0.2, -0.1, 0.1, 0, 0.05, -0.2;
+  return way;
+}
+
+class UrServo : public testing::TestWithParam<Interface> {};
+
+TEST_P(UrServo, Moves) {
+  ServoRig rig(GetParam());
+  ASSERT_TRUE(rig.tick_until([&] { return rig.is_on(); })) << describe(rig.fault());
+  const Six before = rig.controller.ask([](VirtualController& c) { return c.position(); });
+  rig.start_move(way());
+  ASSERT_TRUE(rig.tick_until([&] { return rig.answered(); }));
+  EXPECT_EQ(rig.answer(), ErrorCode::none) << describe(rig.answer());
+  rig.ticks(200);
+  const Six after = rig.controller.ask([](VirtualController& c) { return c.position(); });
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(after[i] - before[i], way()[static_cast<Eigen::Index>(i)], 1e-3) << i;
+  EXPECT_EQ(rig.fault(), ErrorCode::none);
+}
+
+TEST_P(UrServo, RecoversFromAProtectiveStopInMotion) {
+  ServoRig rig(GetParam());
+  ASSERT_TRUE(rig.tick_until([&] { return rig.is_on(); })) << describe(rig.fault());
+  rig.start_move(way());
+  rig.ticks(100);
+  rig.controller.servers.with([](VirtualController& c) { c.protective_stop(); });
+  ASSERT_TRUE(rig.tick_until([&] { return rig.fault() == ErrorCode::drive_fault; }));
+  ASSERT_TRUE(rig.tick_until([&] { return !rig.drives_on(); }));
+  ASSERT_TRUE(rig.recover()) << describe(rig.fault());
+  rig.start_move(-0.5 * way());
+  ASSERT_TRUE(rig.tick_until([&] { return rig.answered(); }));
+  EXPECT_EQ(rig.answer(), ErrorCode::none) << describe(rig.answer());
+}
+
+TEST_P(UrServo, LeavesInMotionWithAStop) {
+  ServoRig rig(GetParam());
+  ASSERT_TRUE(rig.tick_until([&] { return rig.is_on(); })) << describe(rig.fault());
+  rig.start_move(way());
+  rig.ticks(100);
+  rig.leave();
+  ASSERT_TRUE(rig.tick_until([&] { return !rig.drives_on(); }));
+  const auto velocity = rig.controller.ask([](VirtualController& c) { return c.velocity(); });
+  for (const double rate : velocity) EXPECT_NEAR(rate, 0, 2e-3);
+  EXPECT_EQ(rig.fault(), ErrorCode::none) << describe(rig.fault());
+}
+
+INSTANTIATE_TEST_SUITE_P(UrHardware, UrServo, testing::Values(Interface::position, Interface::velocity));
+
+}  // namespace
+}  // namespace mrroc::ur
