@@ -6,6 +6,7 @@ namespace mrroc::ur {
 
 std::vector<std::string> set_point_fields(int registers) {
   std::vector<std::string> fields;
+  fields.reserve(14);
   for (int i = 0; i < 2; ++i) fields.push_back("input_int_register_" + std::to_string(registers + i));
   for (int i = 0; i < 12; ++i) fields.push_back("input_double_register_" + std::to_string(registers + i));
   return fields;

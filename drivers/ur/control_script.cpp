@@ -72,7 +72,8 @@ std::string control_program(const std::string& script, const UrOptions& options,
       const std::string word = end == std::string::npos ? "" : line.substr(begin + 1, end - begin - 1);
       const auto value = words.find(word);
       if (value == words.end())
-        throw std::runtime_error("the control script has the unknown word @" + word + "@ in \"" + line + "\"");
+        throw std::runtime_error(
+            std::string("the control script has the unknown word @").append(word).append("@ in ").append(line));
       line.replace(begin, end + 1 - begin, value->second);
       begin += value->second.size();
     }

@@ -100,6 +100,22 @@ TEST(UrHardware, ExchangesTheControllersTerminals) {
   EXPECT_NEAR(rig.controller.ask([](VirtualController& c) { return c.analog_output(1); }), 1, 1e-9);
 }
 
+TEST(UrHardware, ACb3SendsAt125Hz) {
+  ControllerServers::Options cb3 = free_ports();
+  cb3.controller.version = {3, 15, 8, 1};
+  Rig rig(Interface::position, cb3);
+  ASSERT_TRUE(rig.start());
+  rig.rate[0] = 20;
+  const double before = rig.joints()[0];
+  rig.ticks(200);
+  EXPECT_GT(rig.joints()[0], before + 0.02);
+  EXPECT_TRUE(rig.healthy());
+  const LinkCounters first = rig.hardware->counters();
+  const double begin = rig.hardware->state().timestamp;
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().packages >= first.packages + 20; }));
+  EXPECT_NEAR((rig.hardware->state().timestamp - begin) / 0.008, 20, 2.1);
+}
+
 struct StateFault {
   const char* name;
   ErrorCode code;
