@@ -141,6 +141,18 @@ ControllerServers::~ControllerServers() {
   ::close(timer_);
 }
 
+std::uint64_t ControllerServers::periods() {
+  const std::lock_guard lock(mutex_);
+  return steps_;
+}
+
+std::size_t ControllerServers::rtde_clients() {
+  const std::lock_guard lock(mutex_);
+  return static_cast<std::size_t>(std::count_if(clients_.begin(), clients_.end(), [](const Client& client) {
+    return client.service == Service::rtde && !client.ended;
+  }));
+}
+
 void ControllerServers::with(const std::function<void(VirtualController&)>& action) {
   const std::lock_guard lock(mutex_);
   action(controller_);

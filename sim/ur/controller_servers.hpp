@@ -46,6 +46,9 @@ class ControllerServers {
 
   const Ports& ports() const noexcept { return ports_; }
 
+  std::uint64_t periods();     ///< of the controller so far; any thread
+  std::size_t rtde_clients();  ///< connected now; any thread
+
   /// Calls `action` with the controller between two periods. Any thread.
   void with(const std::function<void(VirtualController&)>& action);
 
