@@ -140,7 +140,9 @@ UrFault RobotStart::start() {
     if (!ask().is_in_remote_control()) return NotInRemoteControl{};
     switch (state->robot_mode) {
       case RobotMode::power_off:
-        if (power.due() && !ask().power_on()) last = "power on: " + ask().answer();
+        if (!power.due()) break;
+        ask().close_safety_popup();  // an emergency stop has left it
+        if (!ask().power_on()) last = "power on: " + ask().answer();
         break;
       case RobotMode::idle:
         if (brakes.due() && !ask().release_brakes()) last = "brake release: " + ask().answer();

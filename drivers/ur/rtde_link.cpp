@@ -44,6 +44,7 @@ RtdeLink::~RtdeLink() {
 }
 
 void RtdeLink::open() {
+  if (thread_.joinable()) return;  // it is open
   connect();
   const std::int64_t deadline = after(options_.timeout);
   while (packages_.load(std::memory_order_relaxed) == 0) {
