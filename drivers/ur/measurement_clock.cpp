@@ -18,13 +18,14 @@ MeasurementClock::Measured MeasurementClock::take(double timestamp, std::int64_t
   grid_ = continues ? std::min(grid, grid_) : grid;
   Measured measured;
   double ticks = started_ ? (timestamp + offset_ - grid_) / period_ : present;
-  if (const double excess = ticks - (present + kLatest); excess > 0) {  // the servo's ticks are longer than T
-    measured.late = excess;
-    grid_ += excess * period_;
-    ticks -= excess;
+  if (const double excess = ticks - (present + kLatest); excess > 0) {
+    const double step = std::max({0.0, excess - kMostAhead, std::min(excess, kStep * (present - present_))});
+    grid_ += step * period_;
+    ticks -= step;
   }
+  present_ = present;
   measured.tick = std::clamp(static_cast<Tick>(std::max(ticks, 0.0)), last_, std::max(now, last_));
-  measured.rest = std::clamp(ticks - static_cast<double>(measured.tick), -kLatest, kLatest);
+  measured.rest = std::clamp(ticks - static_cast<double>(measured.tick), -kLatest, kLatest + kMostAhead);
   last_ = measured.tick;
   return measured;
 }

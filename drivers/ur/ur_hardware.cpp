@@ -164,7 +164,6 @@ void UrHardware::read(Tick tick, edp::HardwareInput& input) noexcept {
   }
   advance();
   input.tick = measured_.tick;
-  input.late = received_ == tick ? measured_.late : 0;
   const JointVector joints = as_joints(state_.position) - measured_.rest * period_ * as_joints(state_.velocity);
   JointVector motors(kAxes);
   UrFault fault = find_fault(tick);

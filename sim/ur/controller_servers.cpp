@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <system_error>
 
@@ -27,6 +28,7 @@ using namespace mrroc::ur::rtde;
 namespace {
 
 constexpr std::size_t kMostQueued = 1 << 20;  // bytes of a client that does not read
+constexpr std::size_t kMostHeld = 10000;
 constexpr std::size_t kLongestProgram = 1 << 20;
 constexpr int kStatePeriods = 50;  // of the primary and secondary interfaces
 
@@ -99,7 +101,11 @@ struct ControllerServers::Client {
     std::vector<const VirtualController::Input*> fields;
   };
   std::map<std::uint8_t, InputRecipe> inputs;
-  std::vector<std::uint8_t> held;  ///< packages that are delayed
+  struct Held {
+    std::uint64_t due;  ///< period of the controller
+    std::vector<std::uint8_t> bytes;
+  };
+  std::deque<Held> held;  ///< packages that are delayed
   // the others
   std::string text;
 };
@@ -184,6 +190,16 @@ void ControllerServers::delay(int periods) {
   delay_ = periods;
 }
 
+void ControllerServers::lose_every(int n) {
+  const std::lock_guard lock(mutex_);
+  lose_every_ = n;
+}
+
+void ControllerServers::postpone(int periods) {
+  const std::lock_guard lock(mutex_);
+  postpone_ = periods;
+}
+
 void ControllerServers::send_garbage() {
   const std::lock_guard lock(mutex_);
   for (Client& client : clients_)
@@ -233,19 +249,19 @@ void ControllerServers::run() {
 void ControllerServers::step() {
   controller_.step();
   ++steps_;
-  const bool loses = lose_ > 0;
+  const bool loses = lose_ > 0 || (lose_every_ > 0 && steps_ % static_cast<std::uint64_t>(lose_every_) == 0);
   for (Client& client : clients_) {
     if (client.service == Service::rtde && client.started && steps_ % client.every == 0 && !loses) send_state(client);
     const bool states = client.service == Service::primary || client.service == Service::secondary;
     if (states && steps_ % kStatePeriods == 0) send_robot_state(client);
-  }
-  if (lose_ > 0) --lose_;
-  if (repeat_ > 0) --repeat_;
-  if (delay_ > 0 && --delay_ == 0)
-    for (Client& client : clients_) {
-      client.queued.insert(client.queued.end(), client.held.begin(), client.held.end());
-      client.held.clear();
+    const bool reads = client.queued.size() < kMostQueued;
+    for (; reads && !client.held.empty() && client.held.front().due <= steps_; client.held.pop_front()) {
+      const std::vector<std::uint8_t>& bytes = client.held.front().bytes;
+      client.queued.insert(client.queued.end(), bytes.begin(), bytes.end());
     }
+  }
+  for (int* const rest : {&lose_, &repeat_, &delay_})
+    if (*rest > 0) --*rest;
 }
 
 void ControllerServers::accept(Listener& listener) {
@@ -403,9 +419,9 @@ void ControllerServers::send_state(Client& client) {
   for (const VirtualController::Getter* field : client.outputs) values.push_back((*field)());
   std::vector<std::uint8_t> bytes(kHeaderSize + client.output_recipe.size());
   encode_data(client.output_recipe, values, bytes);
-  std::vector<std::uint8_t>& to = delay_ > 0 ? client.held : client.queued;
-  for (int copies = repeat_ > 0 ? 2 : 1; copies > 0; --copies)
-    if (to.size() < kMostQueued) to.insert(to.end(), bytes.begin(), bytes.end());
+  const std::uint64_t due = steps_ + static_cast<std::uint64_t>(std::max(delay_, postpone_));
+  for (int copies = repeat_ > 0 ? 2 : 1; copies > 0 && client.held.size() < kMostHeld; --copies)
+    client.held.push_back({client.held.empty() ? due : std::max(due, client.held.back().due), bytes});
 }
 
 void ControllerServers::take_lines(Client& client) {

@@ -53,13 +53,15 @@ class ControllerServers {
   void with(const std::function<void(VirtualController&)>& action);
 
   // disturbances of the RTDE connections; any thread
-  void cut();                 ///< ends all connections
-  void refuse(bool on);       ///< ends all connections, and accepts no new one
-  void lose(int packages);    ///< does not send the next ones
-  void repeat(int packages);  ///< sends each of the next ones twice
-  void delay(int periods);    ///< holds packages back, then sends all of them
-  void send_garbage();        ///< bytes that are not RTDE
-  void restart();             ///< ends all connections of all servers and boots
+  void cut();                  ///< ends all connections
+  void refuse(bool on);        ///< ends all connections, and accepts no new one
+  void lose(int packages);     ///< does not send the next ones
+  void lose_every(int n);      ///< does not send each n-th; 0: sends all
+  void repeat(int packages);   ///< sends each of the next ones twice
+  void delay(int periods);     ///< holds packages back, then sends all of them
+  void postpone(int periods);  ///< sends each so much later, until it is 0
+  void send_garbage();         ///< bytes that are not RTDE
+  void restart();              ///< ends all connections of all servers and boots
 
  private:
   enum class Service { rtde, dashboard, primary, secondary, realtime };
@@ -90,7 +92,7 @@ class ControllerServers {
   std::vector<Listener> listeners_;
   std::list<Client> clients_;
   std::uint64_t steps_ = 0;
-  int lose_ = 0, repeat_ = 0, delay_ = 0;
+  int lose_ = 0, lose_every_ = 0, repeat_ = 0, delay_ = 0, postpone_ = 0;
   bool refuse_ = false;
   int wake_ = -1, timer_ = -1;
   std::atomic<bool> end_{false};

@@ -40,7 +40,11 @@ void VirtualController::fill_outputs() {
   const auto real = [](double value) { return [value] { return value; }; };
   const auto three = [] { return Vector3d{}; };
   outputs_["timestamp"] = [this] { return time_; };
-  outputs_["actual_q"] = [this] { return plant_->position(); };
+  outputs_["actual_q"] = [this] {
+    Six position = plant_->position();
+    position[0] += false_by_;
+    return position;
+  };
   outputs_["actual_qd"] = [this] { return plant_->velocity(); };
   outputs_["target_q"] = [this] {
     return targets_.kind == JointTargets::Kind::position ? targets_.position : plant_->position();

@@ -70,6 +70,8 @@ class VirtualController {
   void power_off() noexcept;
   void fail_joint(std::size_t axis) noexcept;
   void stop_program() noexcept;
+  /// Adds `error` (rad, or NaN) to the measured position of the first joint; 0: measures right again.
+  void falsify(double error) noexcept { false_by_ = error; }
   void set_inputs(std::uint64_t digital, double analog0, double analog1) noexcept;
 
   RobotMode robot_mode() const noexcept { return robot_mode_; }
@@ -118,6 +120,7 @@ class VirtualController {
   double stopped_at_ = 0;  ///< of the protective stop
   bool remote_ = true;
   std::optional<std::size_t> failed_joint_;
+  double false_by_ = 0;  ///< rad
   std::uint64_t digital_inputs_ = 0, digital_outputs_ = 0;
   std::array<double, 2> analog_inputs_{}, analog_outputs_{};  ///< V
   double speed_slider_ = 1;

@@ -84,13 +84,32 @@ TEST(MeasurementClock, AnotherClockBeginsAtThePresent) {
   EXPECT_NEAR(take(3, 50), 50, 1e-6);
 }
 
+/// Each tick of this servo takes 5 % too long.
+TEST(MeasurementClock, LongTicksMakeSpeedsWrongByTheirLengthOnly) {
+  MeasurementClock clock(kServoPeriod);
+  double last = 0;
+  for (Tick now = 1; now < 5000; ++now) {
+    const double time = static_cast<double>(now) * 1.05 * kServoPeriod;
+    const double sent = std::floor(time / kServoPeriod) * kServoPeriod;
+    const auto measured = clock.take(sent, ns(sent), now, ns(time));
+    const double position = sent - measured.rest * kServoPeriod;
+    if (now > kSettled) {
+      ASSERT_EQ(measured.tick, now);
+      ASSERT_NEAR((position - last) / kServoPeriod, 1.05, 0.06) << now;
+    }
+    last = position;
+  }
+}
+
 TEST(MeasurementClock, APackageIsNotMeasuredInTheFuture) {
   MeasurementClock clock(kServoPeriod);
   clock.take(0, ns(0), 5, ns(0));
   const auto measured = clock.take(4 * kServoPeriod, ns(4 * kServoPeriod), 6, ns(4 * kServoPeriod));
   EXPECT_EQ(measured.tick, 6u);
-  EXPECT_NEAR(measured.late, 2, 0.01);
-  EXPECT_NEAR(measured.rest, 1, 0.01);
+  EXPECT_NEAR(measured.rest, 3 - MeasurementClock::kStep, 0.01);
+  const auto far = clock.take(100 * kServoPeriod, ns(100 * kServoPeriod), 7, ns(100 * kServoPeriod));
+  EXPECT_EQ(far.tick, 7u);
+  EXPECT_NEAR(far.rest, MeasurementClock::kLatest + MeasurementClock::kMostAhead, 0.01);
 }
 
 }  // namespace

@@ -237,6 +237,30 @@ TEST(UrHardware, CountsLostAndDoubledPackages) {
   EXPECT_GT(rig.hardware->counters().sent, before.sent);
 }
 
+TEST(UrHardware, PostponedPackagesArriveInTheirOrder) {
+  Rig rig;
+  ASSERT_TRUE(rig.start());
+  rig.controller.servers.postpone(5);
+  rig.ticks(50);
+  rig.controller.servers.postpone(0);
+  rig.ticks(50);
+  EXPECT_EQ(rig.hardware->counters().lost, 0u);
+  EXPECT_EQ(rig.hardware->counters().doubled, 0u);
+  EXPECT_TRUE(rig.healthy());
+  rig.controller.servers.lose_every(5);
+  const std::uint64_t lost = rig.hardware->counters().lost;
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().lost >= lost + 10; }));
+  EXPECT_TRUE(rig.healthy());
+}
+
+TEST(UrHardware, APositionThatIsNoNumberIsNotHidden) {
+  Rig rig;
+  rig.controller.servers.with([](VirtualController& c) { c.falsify(std::nan("")); });
+  EXPECT_TRUE(rig.tick_until([&] { return !std::isfinite(rig.input.motors[0]); }));
+  rig.controller.servers.with([](VirtualController& c) { c.falsify(0); });
+  EXPECT_TRUE(rig.tick_until([&] { return std::isfinite(rig.input.motors[0]); }));
+}
+
 TEST(UrHardware, TheTickOfARepeatedReadingIsRepeated) {
   Rig rig;
   rig.ticks(5);
