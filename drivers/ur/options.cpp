@@ -23,6 +23,7 @@ void check(const UrOptions& options) {
   check_range("frequency", options.frequency, 0, 500);
   check_range("timeout", options.timeout, 0.01, 60);
   check_range("start_timeout", options.start_timeout, 0.01, 600);
+  check_range("open_timeout", options.open_timeout, 0, 600);
   check_range("missed_max", options.missed_max, 1, 500);
   check_range("registers", options.registers, 0, 36);
   check_range("watchdog", options.watchdog, 0.004, 10);

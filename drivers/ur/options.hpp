@@ -16,6 +16,7 @@ struct UrOptions {
   double frequency = 0;       ///< Hz, of the controller's packages; 0: 500 Hz, of a CB3 125 Hz
   double timeout = 2;         ///< s, to connect and to get an answer
   double start_timeout = 60;  ///< s, until the robot has power, its brakes are released and the program runs
+  double open_timeout = 0;    ///< s, for which `open` tries again: a simulated controller starts at the same time
   int missed_max = 10;        ///< controller periods without a package; more: the controller is silent
   int registers = 24;         ///< first of the input and output registers, 12 of real numbers and 3 of integers
 

@@ -26,6 +26,11 @@ constexpr double kFrequency = 500, kFrequencyOfCb3 = 125;
 constexpr std::uint32_t kFirstMajorOfESeries = 5;
 constexpr std::size_t kQueue = 4096;
 
+void pause_between_attempts() noexcept {
+  const timespec pause{0, kBetweenAttempts * 1'000'000};
+  ::nanosleep(&pause, nullptr);
+}
+
 std::int64_t after(double seconds) { return clock::monotonic_ns() + std::llround(seconds * 1e9); }
 
 }  // namespace
@@ -45,7 +50,7 @@ RtdeLink::~RtdeLink() {
 
 void RtdeLink::open() {
   if (thread_.joinable()) return;  // it is open
-  connect();
+  connect_in_time();
   const std::int64_t deadline = after(options_.timeout);
   while (packages_.load(std::memory_order_relaxed) == 0) {
     if (!socket_.wait_readable(deadline)) throw ConnectionError(socket_.name() + ": no data package");
@@ -53,6 +58,18 @@ void RtdeLink::open() {
     if (!socket_.is_open()) throw ConnectionError(reason_);
   }
   thread_ = std::thread([this] { run(); });
+}
+
+void RtdeLink::connect_in_time() {
+  const std::int64_t deadline = after(options_.open_timeout);
+  for (;;) {
+    try {
+      return connect();
+    } catch (const ConnectionError&) {
+      if (clock::monotonic_ns() >= deadline) throw;
+    }
+    pause_between_attempts();
+  }
 }
 
 /// Negotiates; on return packages arrive.
@@ -182,8 +199,7 @@ void RtdeLink::wait() noexcept {
     ::poll(entries.data(), entries.size(), kWaitMs);
   } else {
     // the servo thread continues to hand set-points over: they must not make the attempts more frequent
-    timespec pause{0, kBetweenAttempts * 1'000'000};
-    ::nanosleep(&pause, nullptr);
+    pause_between_attempts();
   }
   std::uint64_t count = 0;
   [[maybe_unused]] const ssize_t taken = ::read(wake_, &count, sizeof count);

@@ -70,6 +70,7 @@ class RtdeLink {
   };
 
   void connect();
+  void connect_in_time();
   rtde::Packet ask(rtde::PacketType type, const std::vector<std::uint8_t>& payload, std::int64_t deadline);
   Output set_up_inputs(const std::vector<std::string>& fields, std::int64_t deadline);
   void disconnect(const std::string& reason) noexcept;

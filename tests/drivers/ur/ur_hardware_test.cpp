@@ -290,6 +290,26 @@ TEST(UrHardware, OpenNamesTheAddressAndTheProblem) {
   EXPECT_THAT(text, HasSubstr("refused"));
 }
 
+TEST(UrHardware, OpenMayWaitForTheController) {
+  const SixJoints model(Interface::position);
+  ControllerServers::Options ports = free_ports();
+  UrOptions options;
+  {
+    Controller controller;
+    options = controller.driver_options();
+    ports.rtde_port = options.rtde_port;
+  }
+  options.open_timeout = 60;
+  UrHardware hardware(options, model, kPeriod);
+  std::unique_ptr<Controller> controller;
+  std::thread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    controller = std::make_unique<Controller>(ports);
+  });
+  EXPECT_NO_THROW(hardware.open());
+  later.join();
+}
+
 TEST(UrHardware, OpenNamesRegistersThatAnotherClientWrites) {
   Controller controller;
   const SixJoints model(Interface::position);
