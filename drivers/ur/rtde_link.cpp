@@ -77,6 +77,7 @@ void RtdeLink::connect() {
   try {
     socket_ = TcpSocket("the RTDE interface", options_.address, options_.rtde_port, options_.timeout);
     buffer_.clear();
+    text_.clear();
     queued_begin_ = queued_end_ = 0;
     const std::int64_t deadline = after(options_.timeout);
     const auto accepted = [this, deadline](PacketType type, const std::vector<std::uint8_t>& payload) {
@@ -127,6 +128,7 @@ rtde::Packet RtdeLink::ask(PacketType type, const std::vector<std::uint8_t>& pay
     switch (buffer_.next(packet)) {
       case PacketBuffer::Next::packet:
         if (packet.type == type) return packet;
+        if (packet.type == PacketType::text_message) keep_text(packet);
         if (packet.type != PacketType::text_message && packet.type != PacketType::data_package)
           throw rtde::ProtocolError("the answer is of another kind than the request");
         continue;
@@ -137,7 +139,7 @@ rtde::Packet RtdeLink::ask(PacketType type, const std::vector<std::uint8_t>& pay
     }
     if (!socket_.wait_readable(deadline)) throw ConnectionError(socket_.name() + ": no answer");
     const long size = socket_.receive(buffer_.free_space());
-    if (size < 0) throw ConnectionError(socket_.name() + ": the controller has closed the connection");
+    if (size < 0) throw ConnectionError(end_of_connection());
     buffer_.filled(static_cast<std::size_t>(size));
   }
 }
@@ -149,6 +151,21 @@ RtdeLink::Output RtdeLink::set_up_inputs(const std::vector<std::string>& fields,
       rtde::SetupReply::from_payload(ask(PacketType::setup_inputs, request.payload(), deadline).payload), fields);
   for (const rtde::FieldType type : output.recipe.types) output.values.push_back(rtde::zero_of(type));
   return output;
+}
+
+/// A controller that refuses a package sends the reason as a text before it closes the connection.
+void RtdeLink::keep_text(const rtde::Packet& packet) noexcept {
+  try {
+    text_ = rtde::TextMessage::from_payload(packet.payload).message;
+  } catch (const rtde::ProtocolError&) {
+    text_.clear();  // of no effect on the robot
+  }
+}
+
+std::string RtdeLink::end_of_connection() const {
+  std::string reason = socket_.name() + ": the controller has closed the connection";
+  if (!text_.empty()) reason.append(": ").append(text_);
+  return reason;
 }
 
 void RtdeLink::disconnect(const std::string& reason) noexcept {
@@ -214,11 +231,12 @@ void RtdeLink::receive() noexcept {
     while (socket_.is_open() && (next = buffer_.next(packet)) == PacketBuffer::Next::packet) take(packet);
     if (next == PacketBuffer::Next::broken) disconnect(socket_.name() + ": the received bytes are not RTDE");
   }
-  if (size < 0) disconnect(socket_.name() + ": the controller has closed the connection");
+  if (size < 0) disconnect(end_of_connection());
 }
 
 void RtdeLink::take(const rtde::Packet& packet) noexcept {
-  if (packet.type != PacketType::data_package) return;  // texts, the answer to the start
+  if (packet.type == PacketType::text_message) keep_text(packet);
+  if (packet.type != PacketType::data_package) return;
   if (!rtde::decode_data(state_recipe_, packet.payload, state_values_) || !read_state(state_values_, state_))
     return disconnect(socket_.name() + ": a data package is not of the agreed recipe");
   last_received_ = state_.received = clock::monotonic_ns();
@@ -267,7 +285,7 @@ void RtdeLink::put(const Output& output) noexcept {
 void RtdeLink::flush() noexcept {
   if (queue_empty() || !socket_.is_open()) return;
   const long size = socket_.send(std::span(queue_).subspan(queued_begin_, queued_end_ - queued_begin_));
-  if (size < 0) return disconnect(socket_.name() + ": the controller has closed the connection");
+  if (size < 0) return disconnect(end_of_connection());
   queued_begin_ += static_cast<std::size_t>(size);
 }
 

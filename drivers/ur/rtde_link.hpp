@@ -33,7 +33,7 @@ struct LinkCounters {
 /// The RTDE connection to one controller. Its thread is the only one that uses the socket: it connects, agrees on the
 /// recipes, receives the robot's states and sends set-points. It connects again when the connection is lost, when the
 /// stream is not RTDE, or when no package has come for the timeout. Both directions are handed over lock-free: the
-/// servo thread never waits for it.
+/// servo thread never waits for it. The thread has the scheduling class of the thread that calls `open`.
 class RtdeLink {
  public:
   /// Copies the options; they must be valid.
@@ -73,6 +73,8 @@ class RtdeLink {
   void connect_in_time();
   rtde::Packet ask(rtde::PacketType type, const std::vector<std::uint8_t>& payload, std::int64_t deadline);
   Output set_up_inputs(const std::vector<std::string>& fields, std::int64_t deadline);
+  void keep_text(const rtde::Packet& packet) noexcept;
+  std::string end_of_connection() const;
   void disconnect(const std::string& reason) noexcept;
   void run() noexcept;
   void wait() noexcept;
@@ -89,6 +91,7 @@ class RtdeLink {
   std::atomic<double> frequency_{0};
   TcpSocket socket_;
   std::string reason_;  ///< of the last disconnection
+  std::string text_;    ///< the controller's last text of this connection
   rtde::PacketBuffer buffer_;
   rtde::Recipe state_recipe_;
   std::vector<rtde::Value> state_values_;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
+
 #include "config/table.hpp"
 
 namespace mrroc::ur {
@@ -41,6 +44,14 @@ TEST(DriverKeys, DefaultsAreThoseOfTheOptions) {
   EXPECT_EQ(options.tool_voltage, expected.tool_voltage);
   EXPECT_EQ(options.speed_slider, expected.speed_slider);
   EXPECT_EQ(options.torque_constants, expected.torque_constants);
+}
+
+TEST(DriverKeys, EveryKeyIsDescribed) {
+  std::ostringstream page;
+  page << std::ifstream(MRROC_SOURCE_DIR "/docs/how-to/ur.md").rdbuf();
+  const auto file = config::Table::load(MRROC_SOURCE_DIR "/drivers/ur/ur.toml");
+  for (const std::string& key : file.table("parameters").keys())
+    EXPECT_NE(page.str().find("`" + key + "`"), std::string::npos) << key;
 }
 
 /// A declared key that the driver does not read would be accepted and do nothing.
