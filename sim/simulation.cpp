@@ -87,7 +87,7 @@ Simulation::Simulation(const config::Deployment& deployment, world::WorldMemory&
     std::vector<std::string> joints;
     for (const AxisParameters& axis : parameters.axes) joints.push_back(axis.name);
     robots_.push_back(
-        {.memory = i, .world = world_.attach(robot.name, joints, parameters.home), .on_bus = robot.can.has_value()});
+        {.memory = i, .world = world_.attach(robot.name, joints, parameters.home), .on_bus = robot.driver.simulated});
   }
   for (std::size_t j = 0; j < deployment.sensors.size(); ++j) {
     const config::SensorEntry& sensor = deployment.sensors[j];

@@ -1,4 +1,5 @@
-// A simulated UR controller with six joints without masses, for clients that need one without a deployment.
+// ur_controller: a simulated UR controller. `mrroc run` starts it for a robot of the simulated world; by hand it has
+// six joints without masses.
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
@@ -6,7 +7,11 @@
 #include <iostream>
 #include <memory>
 
-#include "sim/ur/controller_servers.hpp"
+#include "config/robot_parameters_file.hpp"
+#include "config/robot_place.hpp"
+#include "process/process.hpp"
+#include "process/standard_files.hpp"
+#include "sim/ur/world_controller.hpp"
 
 namespace {
 
@@ -25,9 +30,32 @@ void serve(const ControllerServers::Options& options) {
   sigwait(&signals, &signal);
 }
 
+/// The ports of the robot for which this process stands in.
+ControllerServers::Options options_of(const mrroc::config::DriverEntry& driver) {
+  ControllerServers::Options options;
+  options.address = driver.text("address");
+  options.rtde_port = static_cast<int>(driver.number("rtde_port"));
+  options.dashboard_port = static_cast<int>(driver.number("dashboard_port"));
+  options.secondary_port = static_cast<int>(driver.number("script_port"));
+  options.primary_port = options.realtime_port = 0;  // which the driver does not use
+  return options;
+}
+
+/// As a process of a deployment.
+int serve_deployment(int argc, char** argv) {
+  mrroc::process::open_standard_files();
+  return mrroc::process::run_process(argc, argv, mrroc::links::ProcessRole::sim, [](mrroc::process::Process& process) {
+    const mrroc::config::RobotPlace place = mrroc::config::robot_of_process(process.deployment(), process.name());
+    const auto file = mrroc::config::Table::load(place.entry.files().parameters);
+    serve_world_controller(process, mrroc::config::read_robot_parameters(file), place.index,
+                           options_of(place.entry.driver));
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
+  if (argc > 1 && std::string(argv[1]) == "--deployment") return serve_deployment(argc, argv);
   ControllerServers::Options options;
   CLI::App app{"Simulated UR controller: RTDE, dashboard server, interfaces for programs"};
   app.add_option("--address", options.address, "IPv4 address of its ports")->capture_default_str();

@@ -30,7 +30,7 @@ config::Deployment one_robot() {
   config::RobotEntry robot;
   robot.name = "left";
   robot.type = "irb6";
-  robot.hardware = "mujoco";
+  robot.driver.world = true;
   robot.base = at(0, 0, 0.7);
   deployment.robots.push_back(robot);
   return deployment;

@@ -1,0 +1,22 @@
+#include "drivers/ur/driver_keys.hpp"
+#include "drivers/ur/ur_hardware.hpp"
+#include "edp/driver.hpp"
+
+namespace {
+
+using namespace mrroc;
+
+constexpr double kPatienceWithStandIn = 30;  // s: it waits for the simulated world
+
+std::unique_ptr<edp::Hardware> make(const edp::DriverContext& context) {
+  const config::DriverEntry& driver = context.robot.driver;
+  ur::UrOptions options = ur::options_of(driver.numbers, driver.texts);
+  options.payload_mass = context.robot.load.mass;
+  Eigen::Map<Eigen::Vector3d>(options.payload_centre.data()) = context.robot.load.centre;
+  if (driver.simulated) options.open_timeout = kPatienceWithStandIn;
+  return std::make_unique<ur::UrHardware>(options, context.model, context.servo_period);
+}
+
+}  // namespace
+
+MRROC_DRIVER(make)
