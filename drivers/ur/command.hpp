@@ -10,14 +10,14 @@
 
 namespace mrroc::ur {
 
-/// What the control script has to do.
+/// The command to the control script.
 enum class ControlMode : std::int32_t {
   hold = 0,  ///< stop, then hold
   position = 1,
   velocity = 2
 };
 
-/// What the servo thread hands over in one tick.
+/// The values that the servo thread hands over in one tick.
 struct Command {
   std::int32_t sequence = 0;  ///< differs in every tick; without a new one the control script stops the robot
   ControlMode mode = ControlMode::hold;

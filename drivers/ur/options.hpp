@@ -6,7 +6,7 @@
 
 namespace mrroc::ur {
 
-/// What the driver has to be given about one UR controller. The defaults are those of ur.toml.
+/// Settings of one UR controller. The defaults are those of ur.toml.
 struct UrOptions {
   std::string address;         ///< host name or IP address of the controller
   int rtde_port = 30004;       ///< real-time data exchange

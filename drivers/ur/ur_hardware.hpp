@@ -51,7 +51,7 @@ class UrHardware : public edp::Hardware {
   LinkCounters counters() const noexcept { return link_.counters(); }
 
  private:
-  /// What the driver has to make of the robot.
+  /// The state of the robot as a drive.
   enum class Phase {
     off,        ///< nothing; the robot holds
     starting,   ///< RobotStart makes it ready

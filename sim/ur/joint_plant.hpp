@@ -6,7 +6,7 @@ namespace mrroc::sim::ur {
 
 using Six = std::array<double, 6>;
 
-/// What a controller makes of its six joints in one period.
+/// The targets of the six joints for one period.
 struct JointTargets {
   enum class Kind {
     position,  ///< follow `position`

@@ -9,7 +9,7 @@
 
 namespace mrroc::sim::ur {
 
-/// What a running program of the controller uses.
+/// The parts of the controller that a running program uses.
 struct ProgramSurroundings {
   Registers& registers;
   ArmMotion& motion;

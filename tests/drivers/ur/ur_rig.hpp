@@ -113,7 +113,7 @@ class Rig {
   /// Until the servo commands the arm.
   ::testing::AssertionResult start() {
     enable(true);
-    if (!tick_until([this] { return !hardware->busy(); })) return ::testing::AssertionFailure() << "busy for ever";
+    if (!tick_until([this] { return !hardware->busy(); })) return ::testing::AssertionFailure() << "it stays busy";
     return healthy();
   }
 
@@ -121,7 +121,7 @@ class Rig {
     enabled = false;
     rate = JointVector::Zero(6);
     hardware->reset_fault();
-    if (!tick_until([this] { return !hardware->busy(); })) return ::testing::AssertionFailure() << "busy for ever";
+    if (!tick_until([this] { return !hardware->busy(); })) return ::testing::AssertionFailure() << "it stays busy";
     return healthy() ? start() : healthy();
   }
 

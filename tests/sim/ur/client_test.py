@@ -2,7 +2,7 @@
 """Tests the simulated UR controller with the third-party client ur_rtde.
 
 The client's ports are fixed, so each controller listens on a loopback address of its own. The tool's pose of the
-simulated controller is zero, so nothing is said about it here.
+simulated controller is zero and is not tested.
 
 Usage: client_test.py UR_CONTROLLER
 """
@@ -57,7 +57,7 @@ class ClientTest(unittest.TestCase):
             self.assertAlmostEqual(one, other, delta=delta)
 
     def await_true(self, condition):
-        while not condition():  # ctest's timeout ends a test that waits for ever
+        while not condition():  # ctest's timeout ends a test whose condition never holds
             time.sleep(0.002)
 
     def test_reads_the_state(self):
