@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "config/entries/answers.hpp"
-#include "config/entries/driver_entry.hpp"
 #include "config/entries/device_name.hpp"
+#include "config/entries/driver_entry.hpp"
 #include "config/entries/events.hpp"
 #include "config/entries/feeder_entry.hpp"
 #include "config/entries/force_sensors.hpp"

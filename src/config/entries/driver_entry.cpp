@@ -96,11 +96,8 @@ std::vector<std::string> sensor_drivers(const std::string& type) {
   return names;
 }
 
-void allow_driver_tables(const Table& table, const std::string& of) {
-  for (const std::string& name : driver_names()) {
-    const Table driver = declaration(name);
-    if (is_of(driver, of)) table.has(table_of(driver, name));
-  }
+void allow_driver_tables(const Table& table, const std::vector<std::string>& drivers) {
+  for (const std::string& name : drivers) table.has(table_of(declaration(name), name));
 }
 
 bool works_under(const DriverEntry& driver, ClockMode clock) {

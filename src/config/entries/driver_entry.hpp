@@ -25,8 +25,8 @@ DriverEntry read_driver(const Table& table, std::string_view key, const std::str
 /// Throws ConfigurationError for the sub-table of a driver of robots (sensors) that is not `name`, the value of `key`.
 void refuse_driver_tables(const Table& table, std::string_view key, const std::string& name, const std::string& of);
 
-/// Marks the sub-tables of all drivers of robots (sensors) as used, so that `read_driver` judges them.
-void allow_driver_tables(const Table& table, const std::string& of);
+/// Marks the sub-tables of these drivers as used, so that `read_driver` judges them.
+void allow_driver_tables(const Table& table, const std::vector<std::string>& drivers);
 
 /// Names of the drivers of robots, or of the sensor type `type`.
 std::vector<std::string> robot_drivers();

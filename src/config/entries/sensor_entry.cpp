@@ -83,7 +83,7 @@ SensorEntry read_sensor(const Table& table, const std::string& name, const Deplo
   sensor.name = name;
   sensor.type = table.choice("type", sensor_types());
   read_sensor_type(table, sensor);
-  allow_driver_tables(table, "sensor");
+  allow_driver_tables(table, sensor_drivers(sensor.type));
   table.only({"type", "robot", "mode", "rate", "source", "replay", "frozen_after", "noise_max", "host"});
   sensor.host = read_host(table, deployment);
   sensor.robot = read_robot_of(table, deployment);
