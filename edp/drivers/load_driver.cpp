@@ -1,5 +1,6 @@
 #include "edp/drivers/load_driver.hpp"
 
+#include "edp/drivers/driver_calls.hpp"
 #include "edp/drivers/guarded_hardware.hpp"
 #include "mrroc/errors.hpp"
 

@@ -28,9 +28,11 @@ Function next(const char* name) noexcept {
 #if !MRROC_SANITIZED
 extern "C" {
 // glibc's own names of the functions that it lets a program replace
+// NOLINTBEGIN(bugprone-reserved-identifier)
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
+// NOLINTEND(bugprone-reserved-identifier)
 
 void* malloc(std::size_t size) {
   ++allocated;

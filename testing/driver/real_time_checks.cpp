@@ -26,7 +26,7 @@ void is_real_time(Bench& bench) {
     expect(sum.locks == 0, std::to_string(sum.locks) + " locks in 200 ticks");
   }
   // a bus master waits for each answer of its slaves
-  const auto most = static_cast<std::uint64_t>(200 * (bench.axes() + 1));
+  const auto most = 200 * (static_cast<std::uint64_t>(bench.axes()) + 1);
   expect(sum.sleeps <= most, std::to_string(sum.sleeps) + " sleeps in 200 ticks, at most " + std::to_string(most));
 }
 

@@ -23,7 +23,7 @@ constexpr std::size_t kHubLength = 107;  // of a socket's path
 
 /// A kernel name is unchanged; a hub's path is relative to the folder of the deployment file.
 std::string read_interface(const Table& table) {
-  const std::string name = table.text("interface");
+  std::string name = table.text("interface");
   if (name.starts_with(kHub)) {
     const std::string path = beside(table.file(), name.substr(kHub.size())).string();
     if (name.size() == kHub.size()) table.fail("interface", in_quotes(name) + " has no path", "\"unix:PATH\"");

@@ -51,12 +51,12 @@ Table own_table(const Table& driver, const Table& table, std::string_view key, c
                 const DriverEntry& entry) {
   const std::string own = table_of(driver, entry.name);
   if (auto found = table.optional_table(own)) return *found;
+  std::string place = "a table [";
+  place.append(driver.text("of")).append("s.").append(device).append(".").append(own).append("] with its ");
   if (const auto parameters = driver.optional_table("parameters"))
     for (const std::string& name : parameters->table_names())
       if (!parameters->table(name).has("default"))
-        table.fail(key, in_quotes(entry.name) + " needs a table of its own",
-                   "a table [" + std::string(driver.choice("of", {"robot", "sensor"})) + "s." + device + "." + own +
-                       "] with its " + name);
+        table.fail(key, in_quotes(entry.name) + " needs a table of its own", place + name);
   return Table::parse(driver.file(), "");
 }
 
@@ -117,7 +117,7 @@ void refuse_driver_tables(const Table& table, std::string_view key, const std::s
 std::filesystem::path require_driver_library(const Table& table, std::string_view key, const std::string& name) {
   std::vector<std::string> places;
   for (const std::filesystem::path& folder : driver_directories()) {
-    const std::filesystem::path library = folder / (name + ".so");
+    std::filesystem::path library = folder / (name + ".so");
     std::error_code none;
     if (std::filesystem::is_regular_file(library, none)) return library;
     places.push_back(library.string());

@@ -20,7 +20,7 @@ constexpr double kMostPeriods = 1e9;  // weeks: a mistaken rate, and beyond the 
 
 std::string read_robot_of(const Table& table, const Deployment& deployment) {
   if (!table.has("robot")) return "";
-  const std::string name = table.text("robot");
+  std::string name = table.text("robot");
   std::vector<std::string> known;
   for (const auto& robot : deployment.robots) {
     if (robot.name == name) return name;

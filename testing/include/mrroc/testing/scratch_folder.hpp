@@ -34,7 +34,7 @@ class ScratchFolder {
   /// Writes a file into it, making its folders, and returns its path. Throws std::runtime_error when it cannot be
   /// written.
   std::filesystem::path write(const std::filesystem::path& name, std::string_view text) const {
-    const std::filesystem::path file = path_ / name;
+    std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
     std::ofstream stream(file, std::ios::binary);
     if (!(stream << text).flush()) throw std::runtime_error("cannot write " + file.string());
