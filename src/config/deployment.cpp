@@ -14,10 +14,10 @@
 #include "config/entries/robot_entry.hpp"
 #include "config/entries/sensor_entry.hpp"
 #include "config/network/hosts.hpp"
-#include "config/text/file_text.hpp"
 #include "config/network/network_entry.hpp"
 #include "config/resources.hpp"
 #include "config/table.hpp"
+#include "config/text/file_text.hpp"
 #include "config/text/message_text.hpp"
 
 namespace mrroc::config {
