@@ -15,6 +15,7 @@ set(MRROC_PUBLIC_HEADERS
   vsp/shell.hpp
   vsp/source.hpp
   vsp/virtual_sensor.hpp
+  vsp/wrench_source.hpp
 )
 
 # Headers that the public ones include: not for users, they may move. `headers` of ctest compares this list with the

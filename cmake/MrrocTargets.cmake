@@ -66,14 +66,15 @@ function(mrroc_add_robot name)
   endif()
 endfunction()
 
-# mrroc_add_sensor(TYPE [CLIENT ...] [SOURCES ...] [EXECUTABLE main.cpp]): a sensor type's folder. The class that a task program declares is
+# mrroc_add_sensor(TYPE [CLIENT ...] [SOURCES ...] [EXECUTABLE main.cpp] [WRENCH wrench.cpp]): a sensor type's folder. The class that a task program declares is
 # made from the channels in TYPE.toml: <mrroc/sensors/TYPE.hpp>; a folder that writes that header itself (in include/, for conditions
 # and the like) gets the base class from <mrroc/sensors/TYPE_channels.hpp>. CLIENT are further sources of
 # mrroc_sensor_TYPE, which a task program links; SOURCES those of mrroc_sensor_TYPE_vsp, its aggregating function, which
 # tests link; its data files are in share/mrroc/sensors/TYPE. EXECUTABLE is main() of its process TYPE_vsp, with the
-# aggregating function where there are no SOURCES.
+# aggregating function where there are no SOURCES. WRENCH: a source with MRROC_WRENCH_SOURCE, which makes the plug-in
+# lib/mrroc/sensors/TYPE.so of SOURCES, for the EDP of a robot whose force sensor is of this type.
 function(mrroc_add_sensor type)
-  cmake_parse_arguments(ARG "" "EXECUTABLE" "CLIENT;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "" "EXECUTABLE;WRENCH" "CLIENT;SOURCES" ${ARGN})
   set(made ${CMAKE_CURRENT_BINARY_DIR}/include)
   if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/include/mrroc/sensors/${type}.hpp)
     mrroc_sensor_class(${type} ${CMAKE_CURRENT_SOURCE_DIR}/${type}.toml ${made} Channels _channels)
@@ -93,37 +94,48 @@ function(mrroc_add_sensor type)
   if(ARG_EXECUTABLE)
     mrroc_program(${type}_vsp SOURCES ${ARG_EXECUTABLE} LINKS ${ARG_EXECUTABLE_LINKS} mrroc::vsp_shell)
   endif()
+  if(ARG_WRENCH)
+    mrroc_plugin(mrroc_wrench_${type} sensors ${type} ${CMAKE_BINARY_DIR} SOURCES ${ARG_WRENCH} LINKS mrroc::sensor_${type}_vsp)
+  endif()
+endfunction()
+
+# mrroc_plugin(TARGET KIND NAME INTO SOURCES ... LINKS ...): a shared library that programs load, INTO/lib/mrroc/KIND/NAME.so. Its
+# classes are invisible outside, so two of them may have the same names.
+function(mrroc_plugin target kind name into)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  add_library(${target} MODULE ${ARG_SOURCES})
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} PREFIX "" CXX_VISIBILITY_PRESET hidden
+    LIBRARY_OUTPUT_DIRECTORY ${into}/lib/mrroc/${kind})
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  target_compile_options(${target} PRIVATE ${MRROC_WARNINGS})
+  target_link_libraries(${target} PRIVATE mrroc::config mrroc::plugin mrroc::world_memory ${ARG_LINKS})
+  target_link_options(${target} PRIVATE -Wl,--exclude-libs,ALL -Wl,--no-undefined)
+  if(COMMAND mrroc_reuse_headers)
+    mrroc_reuse_headers(${target})
+  endif()
+  if(TARGET mrroc_drivers)
+    add_dependencies(mrroc_drivers ${target})
+  endif()
+  if(into STREQUAL CMAKE_BINARY_DIR)
+    install(TARGETS ${target} LIBRARY DESTINATION lib/mrroc/${kind} COMPONENT runtime
+      PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
+  endif()
 endfunction()
 
 # mrroc_add_driver(NAME SOURCES ... [LINKS ...]): a driver's folder, of robots or of sensors: the plug-in
-# lib/mrroc/drivers/NAME.so, with its declaration NAME.toml in share/mrroc/drivers/NAME. Its classes are invisible outside, so two
-# drivers may have the same names. With the variable MRROC_DRIVERS_INTO they are in that folder, and in no package.
+# lib/mrroc/drivers/NAME.so, with its declaration NAME.toml in share/mrroc/drivers/NAME. With the variable MRROC_DRIVERS_INTO they are in that folder, and in no package.
 function(mrroc_add_driver name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   set(into ${CMAKE_BINARY_DIR})
   if(MRROC_DRIVERS_INTO)
     set(into ${MRROC_DRIVERS_INTO})
   endif()
-  add_library(mrroc_driver_${name} MODULE ${ARG_SOURCES})
-  set_target_properties(mrroc_driver_${name} PROPERTIES OUTPUT_NAME ${name} PREFIX "" CXX_VISIBILITY_PRESET hidden
-    LIBRARY_OUTPUT_DIRECTORY ${into}/lib/mrroc/drivers)
-  target_compile_features(mrroc_driver_${name} PRIVATE cxx_std_20)
-  target_compile_options(mrroc_driver_${name} PRIVATE ${MRROC_WARNINGS})
-  target_link_libraries(mrroc_driver_${name} PRIVATE mrroc::edp mrroc::config mrroc::plugin mrroc::world_memory ${ARG_LINKS})
-  target_link_options(mrroc_driver_${name} PRIVATE -Wl,--exclude-libs,ALL -Wl,--no-undefined)
-  if(COMMAND mrroc_reuse_headers)
-    mrroc_reuse_headers(mrroc_driver_${name})
-  endif()
+  mrroc_plugin(mrroc_driver_${name} drivers ${name} ${into} SOURCES ${ARG_SOURCES} LINKS mrroc::edp ${ARG_LINKS})
   if(MRROC_DRIVERS_INTO)
     file(MAKE_DIRECTORY ${into}/share/mrroc/drivers)
     file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${into}/share/mrroc/drivers/${name} SYMBOLIC)
-    return()
-  endif()
-  mrroc_data(drivers ${name})
-  install(TARGETS mrroc_driver_${name} LIBRARY DESTINATION lib/mrroc/drivers COMPONENT runtime
-    PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
-  if(TARGET mrroc_drivers)
-    add_dependencies(mrroc_drivers mrroc_driver_${name})
+  else()
+    mrroc_data(drivers ${name})
   endif()
 endfunction()
 
@@ -138,7 +150,7 @@ function(mrroc_add_driver_test name)
   target_link_libraries(${name} PRIVATE mrroc::driver_test mrroc::robot_${ARG_TYPE} ${ARG_LINKS})
   add_test(NAME ${name} COMMAND ${name} ${ARG_DRIVER} ${ARG_TYPE} ${ARG_PARAMETERS})
   if(DEFINED mrroc_PREFIX)
-    set_tests_properties(${name} PROPERTIES ENVIRONMENT "MRROC_DRIVERS=${CMAKE_BINARY_DIR}/lib/mrroc/drivers:${mrroc_PREFIX}/lib/mrroc/drivers;MRROC_SHARE=${CMAKE_BINARY_DIR}/share/mrroc:${mrroc_PREFIX}/share/mrroc;MRROC_PROGRAMS=${CMAKE_BINARY_DIR}/bin:${mrroc_PREFIX}/libexec/mrroc:${mrroc_PREFIX}/bin")
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "MRROC_PLUGINS=${CMAKE_BINARY_DIR}/lib/mrroc:${mrroc_PREFIX}/lib/mrroc;MRROC_SHARE=${CMAKE_BINARY_DIR}/share/mrroc:${mrroc_PREFIX}/share/mrroc;MRROC_PROGRAMS=${CMAKE_BINARY_DIR}/bin:${mrroc_PREFIX}/libexec/mrroc:${mrroc_PREFIX}/bin")
   endif()
 endfunction()
 

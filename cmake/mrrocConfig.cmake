@@ -15,7 +15,7 @@ get_filename_component(mrroc_PREFIX ${CMAKE_CURRENT_LIST_DIR}/../../.. ABSOLUTE)
 foreach(command mrroc mrroc_render)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/bin/${command} @ONLY CONTENT [[#!/bin/sh
 export MRROC_PROGRAMS="@CMAKE_BINARY_DIR@/bin:@mrroc_PREFIX@/libexec/mrroc:@mrroc_PREFIX@/bin"
-export MRROC_DRIVERS="@CMAKE_BINARY_DIR@/lib/mrroc/drivers:@mrroc_PREFIX@/lib/mrroc/drivers"
+export MRROC_PLUGINS="@CMAKE_BINARY_DIR@/lib/mrroc:@mrroc_PREFIX@/lib/mrroc:${XDG_DATA_HOME:-$HOME/.local/share}/../lib/mrroc"
 export MRROC_SHARE="@CMAKE_BINARY_DIR@/share/mrroc:@mrroc_PREFIX@/share/mrroc:${XDG_DATA_HOME:-$HOME/.local/share}/mrroc"
 exec "@mrroc_PREFIX@/bin/@command@" "$@"
 ]])

@@ -86,9 +86,10 @@ class Shell {
     for (std::size_t i = 0; i < sensors.size(); ++i) {
       if (sensors[i].name != place_.entry.force_sensor) continue;
       const world::WorldMemory* const simulated = sensors[i].source == "simulated" ? &world() : nullptr;
-      return std::make_unique<WristSensor>(vsp::SourceContext{process_.deployment(), sensors[i], i, simulated,
-                                                              process_.clock().period(), &process_.clock(), nullptr,
-                                                              process_.faults().of(sensors[i].name, process_.clock())});
+      return std::make_unique<WristSensor>(
+          load_wrench_source(sensors[i]),
+          vsp::SourceContext{process_.deployment(), sensors[i], i, simulated, process_.clock().period(),
+                             &process_.clock(), nullptr, process_.faults().of(sensors[i].name, process_.clock())});
     }
     return nullptr;
   }

@@ -24,12 +24,11 @@ RANK = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folder
 # the public headers give a task their classes, including those that they include of the language
 PUBLIC = {"include/mrroc": {"src/core", "src/geometry", "src/language"}}
 
-# known exceptions: the cameras of the simulated world, the EDP's one sensor type
+# known exceptions: the cameras of the simulated world
 MISPLACED = {
     ("sensors", "sim/rendering/camera.hpp"),
     ("sensors", "sim/scene/model.hpp"),
     ("sensors", "sim/simulation.hpp"),
-    ("edp", "sensors/force_torque/force_torque_sensor.hpp"),
 }
 
 

@@ -1,14 +1,19 @@
 #include "edp/force/wrist_sensor.hpp"
 
-#include "geometry/rigid_motion.hpp"
 #include "vsp/make_source.hpp"
-#include "vsp/parameters.hpp"
 
 namespace mrroc::edp {
-WristSensor::WristSensor(const vsp::SourceContext& context)
-    : mount_(pose_from_rpy(vsp::vector3(context.entry, "position"), vsp::vector3(context.entry, "rotation"))) {
-  sensor_.set_up(context.entry, context.servo_period);
-  source_ = vsp::make_source(sensor_, context);
+
+WristSensor::WristSensor(std::unique_ptr<vsp::WrenchSource> sensor, const vsp::SourceContext& context)
+    : sensor_(std::move(sensor)) {
+  sensor_->set_up(context.entry, context.servo_period);
+  mount_ = sensor_->mount();
+  source_ = vsp::make_source(*sensor_, context);
+}
+
+std::unique_ptr<vsp::WrenchSource> load_wrench_source(const config::SensorEntry& entry) {
+  const plugin::Interface& library = plugin::load(entry.wrench_library, vsp::wrench_source_interface(nullptr));
+  return reinterpret_cast<vsp::MakeWrenchSource>(library.make)();
 }
 
 WrenchReading WristSensor::read(Tick tick, const Pose* flange) noexcept {
@@ -30,14 +35,14 @@ WrenchReading WristSensor::read(Tick tick, const Pose* flange) noexcept {
   }
   effector_state_.synchronised = flange != nullptr;
   if (flange != nullptr) effector_state_.pose = *flange;  // a robot without a tool
-  sensor_.effector_state(effector_state_);
+  sensor_->effector_state(effector_state_);
   SensorReading reading;
-  sensor_.aggregate(raw_, reading);
+  sensor_->aggregate(raw_, reading);
   result.error = reading.error.code;
   if (result.error == ErrorCode::none)
     result.wrench = Eigen::Map<const Wrench>(reading.values.data());
   else if (result.error == ErrorCode::sensor_out_of_range)
-    result.wrench = sensor_.load(raw_);
+    result.wrench = sensor_->load(raw_);
   return result;
 }
 

@@ -34,7 +34,7 @@ void ForceTorqueSensor::configure(const config::SensorEntry& entry, double servo
   gravity_ = vector3(entry, "gravity");
   noise_ = Noise{entry.name};
   gauges_ = Gauges::of(entry);
-  mount_ = pose_from_rpy(Eigen::Vector3d::Zero(), vector3(entry, "rotation")).linear();
+  mount_ = pose_from_rpy(vector3(entry, "position"), vector3(entry, "rotation"));
   const double cutoff = number(entry, "cutoff");
   if (cutoff > 0.5 / servo_period) {
     refuse(entry, "cutoff", std::to_string(cutoff) + " Hz",
@@ -55,7 +55,7 @@ std::unique_ptr<Source> ForceTorqueSensor::open_source(const SourceContext& cont
 
 void ForceTorqueSensor::effector_state(const RobotState& e) noexcept {
   orientation_.reset();  // a robot that has lost its synchronisation has no pose
-  if (e.synchronised) orientation_ = e.pose.linear() * e.tool.linear().transpose() * mount_;
+  if (e.synchronised) orientation_ = e.pose.linear() * e.tool.linear().transpose() * mount_.linear();
 }
 
 void ForceTorqueSensor::track(const RawReading& r) noexcept {

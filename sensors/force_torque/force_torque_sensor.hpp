@@ -5,7 +5,7 @@
 #include "sensors/force_torque/gauges.hpp"
 #include "sensors/force_torque/low_pass.hpp"
 #include "vsp/noise.hpp"
-#include "vsp/virtual_sensor.hpp"
+#include "vsp/wrench_source.hpp"
 
 namespace mrroc::vsp {
 
@@ -28,7 +28,7 @@ namespace mrroc::vsp {
 /// A saturated gauge, or a component of l beyond its range, is NonFatalError(sensor_out_of_range) at that reading: no
 /// value of it or of another reading is given, and the filter ignores it. With a mass, before the pose of a
 /// synchronised robot is known: NonFatalError(sensor_not_ready).
-class ForceTorqueSensor final : public VirtualSensor {
+class ForceTorqueSensor final : public WrenchSource {
  public:
   /// `support_force_x` ... `support_torque_z`, or `gauge_0` ... `gauge_5` when the deployment gives a calibration:
   /// after `configure()`.
@@ -42,8 +42,8 @@ class ForceTorqueSensor final : public VirtualSensor {
   void aggregate(const RawReading& r, SensorReading& v) noexcept override;
   bool bias(const RawReading& r) noexcept override;
 
-  /// l of a complete and finite r, N and N m, even outside the ranges.
-  Wrench load(const RawReading& r) const noexcept;
+  Pose mount() const override { return mount_; }
+  Wrench load(const RawReading& r) const noexcept override;
   /// Group delay of the low-pass for slow changes, s (`LowPass::delay`); 0 without.
   double delay() const noexcept { return filter_.delay(); }
 
@@ -66,8 +66,8 @@ class ForceTorqueSensor final : public VirtualSensor {
   Noise noise_{""};
   LowPass filter_;
   std::optional<Gauges> gauges_;
-  Eigen::Matrix3d mount_ = Eigen::Matrix3d::Identity();  ///< axes of the sensor frame in the flange frame
-  std::optional<Eigen::Matrix3d> orientation_;           ///< of the sensor frame in the base frame
+  Pose mount_ = Pose::Identity();               ///< the sensor frame in the flange frame
+  std::optional<Eigen::Matrix3d> orientation_;  ///< of the sensor frame in the base frame
   Wrench bias_ = Wrench::Zero();
 };
 

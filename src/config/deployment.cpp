@@ -145,7 +145,7 @@ void find_sensor_drivers(const Table& root, Deployment& deployment) {
   for (SensorEntry& sensor : deployment.sensors)
     if (sensor.driver && sensor.host == deployment.here)
       sensor.driver->library =
-          require_driver_library(root.table("sensors").table(sensor.name), "source", sensor.driver->name);
+          require_library(root.table("sensors").table(sensor.name), "source", "drivers", sensor.driver->name);
 }
 
 template <typename Entry>
@@ -203,7 +203,7 @@ Deployment load_deployment(const std::filesystem::path& file, const std::string&
   settle_places(root, deployment);
   find_sensor_drivers(root, deployment);
   check_stand_ins(root, deployment);
-  check_force_sensors(root, deployment);
+  settle_force_sensors(root, deployment);
   refuse_names_of_robots_processes(root, deployment);
   const auto simulated_drives =
       static_cast<std::size_t>(std::count_if(deployment.robots.begin(), deployment.robots.end(),

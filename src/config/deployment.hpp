@@ -100,7 +100,10 @@ struct SensorEntry : KeyValues {
   std::vector<Channel> channels, raw_channels;              ///< of v and of r
   std::vector<std::string> sources{"simulated", "replay"};  ///< supported sources
   bool wants_effector_state = false;                        ///< e_l of `robot` is sent to its VSP at every tick
-  std::string vsp_program;                                  ///< the type's `<type>_vsp`, absolute path
+  bool gives_wrench = false;                                ///< an EDP may read it as its robot's force sensor
+  /// For that: the library of its type, on the robot's own host, absolute; empty: no EDP reads it.
+  std::filesystem::path wrench_library;
+  std::string vsp_program;  ///< the type's `<type>_vsp`, absolute path
 
   /// Whether its raw readings are measured in the simulated world.
   bool in_world() const { return source == "simulated" || (driver && driver->simulated); }

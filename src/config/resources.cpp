@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kShare = "MRROC_SHARE";
 constexpr const char* kPrograms = "MRROC_PROGRAMS";
-constexpr const char* kDrivers = "MRROC_DRIVERS";
+constexpr const char* kPlugins = "MRROC_PLUGINS";
 constexpr const char* kHost = "MRROC_HOST";
 
 /// The folders that environment variable `name` lists, absolute; else `fallback`.
@@ -53,6 +53,17 @@ fs::path prefix() {
 bool holds_type(const fs::path& folder) {
   std::error_code none;
   return fs::is_regular_file(folder / (folder.filename().string() + ".toml"), none);
+}
+
+/// Folders with drivers/ and sensors/ of shared libraries.
+std::vector<fs::path> plugin_folders() {
+  std::vector<fs::path> own{prefix() / "lib" / "mrroc"};
+  std::error_code none;
+  const fs::path user = user_share();
+  if (const fs::path built = user.parent_path().parent_path() / "lib" / "mrroc";
+      !user.empty() && fs::is_directory(built, none))
+    own.push_back(built);
+  return folders(kPlugins, own);
 }
 
 /// The share folders for types of this kind. The framework's own drivers are always there: a list of other folders
@@ -107,14 +118,10 @@ fs::path find_program(const std::string& name) {
   return {};
 }
 
-std::vector<fs::path> driver_directories() {
-  std::vector<fs::path> own{prefix() / "lib" / "mrroc" / "drivers"};
-  std::error_code none;
-  const fs::path user = user_share();
-  if (const fs::path built = user.parent_path().parent_path() / "lib" / "mrroc" / "drivers";
-      !user.empty() && fs::is_directory(built, none))
-    own.push_back(built);
-  return folders(kDrivers, own);
+std::vector<fs::path> plugin_directories(const std::string& kind) {
+  std::vector<fs::path> directories = plugin_folders();
+  for (fs::path& folder : directories) folder /= kind;
+  return directories;
 }
 
 std::vector<std::string> robot_types() { return types("robots"); }
@@ -134,7 +141,7 @@ fs::path type_file(const std::string& kind, const std::string& type, const std::
 void hand_down_directories() {
   set_list(kShare, share_directories());
   set_list(kPrograms, program_directories());
-  set_list(kDrivers, driver_directories());
+  set_list(kPlugins, plugin_folders());
 }
 
 std::string this_host() {

@@ -23,9 +23,9 @@ std::vector<std::filesystem::path> program_directories();
 /// Path of the executable of this name in one of them; empty: in no folder.
 std::filesystem::path find_program(const std::string& name);
 
-/// Folders with the libraries of drivers, NAME.so: $MRROC_DRIVERS, else lib/mrroc/drivers of the same prefix as the
-/// share folder, then lib/mrroc/drivers beside the user's share folder.
-std::vector<std::filesystem::path> driver_directories();
+/// Folders with the plug-ins of KIND (`drivers`, `sensors`), NAME.so: KIND in each folder of $MRROC_PLUGINS, else in
+/// lib/mrroc of the prefix, then in lib/mrroc beside the user's share folder.
+std::vector<std::filesystem::path> plugin_directories(const std::string& kind);
 
 /// Names of the installed robot types, sensor types, drivers, sorted.
 std::vector<std::string> robot_types();

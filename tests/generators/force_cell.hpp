@@ -3,6 +3,7 @@
 #include "edp/force/wrist_sensor.hpp"
 #include "generators/simulated_cell.hpp"
 #include "sensors/entry.hpp"
+#include "sensors/force_torque/force_torque_sensor.hpp"
 
 namespace mrroc::test {
 
@@ -18,7 +19,8 @@ class ForceCell : public SimulatedCell {
             scene, {}, [keys](const config::Deployment& deployment, std::size_t slot, const world::WorldMemory& world) {
               const config::SensorEntry entry =
                   vsp::entry_of("force_torque", "wrist", "position = [0.0, 0.0, 0.09]\n" + keys);
-              return std::make_unique<edp::WristSensor>(vsp::SourceContext{deployment, entry, slot, &world, kPeriod});
+              return std::make_unique<edp::WristSensor>(std::make_unique<vsp::ForceTorqueSensor>(),
+                                                        vsp::SourceContext{deployment, entry, slot, &world, kPeriod});
             }) {}
 };
 

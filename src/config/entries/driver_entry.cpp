@@ -114,17 +114,6 @@ void refuse_driver_tables(const Table& table, std::string_view key, const std::s
   }
 }
 
-std::filesystem::path require_driver_library(const Table& table, std::string_view key, const std::string& name) {
-  std::vector<std::string> places;
-  for (const std::filesystem::path& folder : driver_directories()) {
-    std::filesystem::path library = folder / (name + ".so");
-    std::error_code none;
-    if (std::filesystem::is_regular_file(library, none)) return library;
-    places.push_back(library.string());
-  }
-  table.fail(key, "the library of driver " + in_quotes(name) + " is not there", alternatives(places));
-}
-
 DriverEntry read_driver(const Table& table, std::string_view key, const std::string& device, const std::string& type,
                         const std::string& host, const Deployment& deployment) {
   DriverEntry entry;

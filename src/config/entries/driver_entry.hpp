@@ -35,7 +35,4 @@ std::vector<std::string> sensor_drivers(const std::string& type);
 /// Whether `clock` is one under which the driver works; throws nothing.
 bool works_under(const DriverEntry& driver, ClockMode clock);
 
-/// The library of driver `name`, absolute; throws ConfigurationError at `key` of `table` where there is none.
-std::filesystem::path require_driver_library(const Table& table, std::string_view key, const std::string& name);
-
 }  // namespace mrroc::config

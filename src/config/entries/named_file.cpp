@@ -46,4 +46,16 @@ std::string require_program(const Table& table, std::string_view key, const std:
   table.fail(key, "no program " + in_quotes(program), expected);
 }
 
+std::filesystem::path require_library(const Table& table, std::string_view key, const std::string& kind,
+                                      const std::string& name) {
+  std::vector<std::string> places;
+  for (const std::filesystem::path& folder : plugin_directories(kind)) {
+    std::filesystem::path library = folder / (name + ".so");
+    std::error_code none;
+    if (std::filesystem::is_regular_file(library, none)) return library;
+    places.push_back(library.string());
+  }
+  table.fail(key, "the library of " + in_quotes(name) + " is not there", alternatives(places));
+}
+
 }  // namespace mrroc::config

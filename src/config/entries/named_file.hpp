@@ -19,4 +19,9 @@ std::filesystem::path beside(const std::filesystem::path& file, const std::files
 /// Throws ConfigurationError at `key` if it does not exist or may not be executed.
 std::string require_program(const Table& table, std::string_view key, const std::string& program);
 
+/// The plug-in NAME.so of KIND, `drivers` or `sensors`, in one of `plugin_directories(KIND)`, absolute. Throws
+/// ConfigurationError at `key` if it is in none.
+std::filesystem::path require_library(const Table& table, std::string_view key, const std::string& kind,
+                                      const std::string& name);
+
 }  // namespace mrroc::config

@@ -18,7 +18,7 @@ namespace {
 DriverEntry read_hardware(const Table& table, const RobotEntry& robot, const Deployment& deployment) {
   table.choice("hardware", robot_drivers());
   DriverEntry driver = read_driver(table, "hardware", robot.name, robot.type, robot.host, deployment);
-  if (robot.host == deployment.here) driver.library = require_driver_library(table, "hardware", driver.name);
+  if (robot.host == deployment.here) driver.library = require_library(table, "hardware", "drivers", driver.name);
   return driver;
 }
 

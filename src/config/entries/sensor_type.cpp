@@ -59,6 +59,7 @@ void read_sensor_type(const Table& table, SensorEntry& sensor) {
   read_sources(type, sensor);
   read_declared_keys(type, table, kCommonKeys, sensor);
   read_effector_state(type, sensor);
+  sensor.gives_wrench = type.boolean_or("wrench", false);
 }
 
 }  // namespace mrroc::config

@@ -14,6 +14,7 @@ namespace mrroc::config {
 ///
 ///     sources = ["simulated", "hardware"]  # supported; left out: simulated, replay
 ///     effector_state = true                # its VSP needs the robot's state at every tick; left out: false
+///     wrench = true                        # a robot's EDP may read it (vsp::WrenchSource); left out: false
 ///     effector_state_with = "tool_mass"    # or only where this parameter of the type's is not 0
 ///
 /// The type's own keys are declared as declared_keys.hpp says. Throws ConfigurationError, which names the deployment

@@ -21,7 +21,8 @@ class Wrist {
   Wrist(const std::string& toml, const std::string& lines) : entry_(entry_of("force_torque", "wrist", toml)) {
     entry_.source = "replay";
     entry_.replay = scratch_.write("gauges.txt", kGauges + lines);
-    sensor_.emplace(SourceContext{deployment_, entry_, 0, nullptr, kServoPeriod});
+    entry_.wrench_library = MRROC_BINARY_DIR "/lib/mrroc/sensors/force_torque.so";
+    sensor_.emplace(edp::load_wrench_source(entry_), SourceContext{deployment_, entry_, 0, nullptr, kServoPeriod});
   }
   edp::WrenchReading read(Tick tick, const Pose& flange) { return sensor_->read(tick, &flange); }
 
@@ -61,6 +62,15 @@ TEST(ForceTorqueInTheEdp, RotatesTheWeightIntoTheAxesOfARotatedSensor) {
   Wrist aside{std::string(kCalibration) + "tool_mass = 1.0\nrotation = [0.0, 0.0, 1.5707963267948966]",
               "0 0 -0.981 0 0 0 0\n"};
   EXPECT_LT(aside.read(0, pose_from_rpy({0, 0, 0}, {0, 1.5707963267948966, 0})).wrench.norm(), 1e-9);
+}
+
+/// A plug-in of another kind: a robot's driver.
+TEST(ForceTorqueInTheEdp, AnotherLibraryIsRefused) {
+  config::SensorEntry entry = entry_of("force_torque", "wrist", "");
+  for (const char* const library : {"/lib/mrroc/drivers/loopback.so", "/lib/mrroc/sensors/none.so", "/bin/mrroc"}) {
+    entry.wrench_library = std::string(MRROC_BINARY_DIR) + library;
+    EXPECT_THROW(edp::load_wrench_source(entry), SystemError) << library;
+  }
 }
 
 }  // namespace
