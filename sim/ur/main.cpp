@@ -7,6 +7,9 @@
 #include <iostream>
 #include <memory>
 
+#include "command/number_option.hpp"
+#include "command/parse_command.hpp"
+#include "command/printable.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/robot_place.hpp"
 #include "process/process.hpp"
@@ -56,21 +59,23 @@ int serve_deployment(int argc, char** argv) {
 
 int main(int argc, char** argv) try {
   if (argc > 1 && std::string(argv[1]) == "--deployment") return serve_deployment(argc, argv);
+  mrroc::process::open_standard_files();
   ControllerServers::Options options;
   CLI::App app{"Simulated UR controller: RTDE, dashboard server, interfaces for programs"};
   app.add_option("--address", options.address, "IPv4 address of its ports")->capture_default_str();
-  app.add_option("--rtde-port", options.rtde_port, "0: a free one")->capture_default_str();
-  app.add_option("--dashboard-port", options.dashboard_port)->capture_default_str();
-  app.add_option("--primary-port", options.primary_port)->capture_default_str();
-  app.add_option("--secondary-port", options.secondary_port)->capture_default_str();
-  app.add_option("--realtime-port", options.realtime_port)->capture_default_str();
+  const auto add_port = [&app](const std::string& name, int& port) {
+    mrroc::command::add_number<int>(app, name, port, 0, 65535, "0: a free one")->capture_default_str();
+  };
+  add_port("--rtde-port", options.rtde_port);
+  add_port("--dashboard-port", options.dashboard_port);
+  add_port("--primary-port", options.primary_port);
+  add_port("--secondary-port", options.secondary_port);
+  add_port("--realtime-port", options.realtime_port);
   app.add_flag("--powered", options.controller.powered, "The arm has power and its brakes are released");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto exit_code = mrroc::command::parse_command(app, argc, argv)) return *exit_code;
   serve(options);
   return 0;
 } catch (const std::exception& error) {
-  std::fputs("ur_controller: ", stderr);
-  std::fputs(error.what(), stderr);
-  std::fputs("\n", stderr);
-  return 1;
+  std::fprintf(stderr, "ur_controller: %s\n", mrroc::command::printable_lines(error.what()).c_str());
+  return 2;
 }

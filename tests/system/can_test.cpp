@@ -271,7 +271,7 @@ TEST(Can, RealDrivesNeedTheRealClock) {
   MrrocRun run({"run", file.string()});
   EXPECT_EQ(run.wait(), 2);
   EXPECT_NE(run.err().find("robots.arm.can"), std::string::npos) << run.err();
-  EXPECT_NE(run.err().find("clock = \"real\""), std::string::npos) << run.err();
+  EXPECT_NE(run.err().find("clock = 'real'"), std::string::npos) << run.err();
 }
 
 }  // namespace

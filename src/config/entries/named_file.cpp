@@ -28,7 +28,7 @@ fs::path beside(const fs::path& file, const fs::path& name) {
 
 fs::path require_file(const Table& table, std::string_view key) {
   const std::string name = table.text(key);
-  const fs::path path = beside(table.file(), name);
+  fs::path path = beside(table.file(), name);
   const auto problem = reading_problem(path);
   if (!problem.empty()) table.fail(key, in_quotes(name) + " " + problem, "a readable file " + path.string());
   return path;

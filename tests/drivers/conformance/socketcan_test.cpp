@@ -75,8 +75,8 @@ class Drives final : public StandIn {
   std::shared_ptr<const RobotModel> model_ = load_polycrank().front();
   /// The type's own table, but drives may answer as late as that goes: the machine may be busy.
   std::filesystem::path patient_drives_ = folder_.write(
-      "drives.toml",
-      "answer_time = 0.9\n" + config::read_file(config::type_file("robots", "polycrank", "polycrank_drives.toml")));
+      "drives.toml", "answer_time = 0.9\nmissed_max = 20\n" +
+                         config::read_file(config::type_file("robots", "polycrank", "polycrank_drives.toml")));
   config::DriveTable table_ = config::read_drive_table(patient_drives_, model_->parameters());
   std::atomic<bool> silent_{false}, loses_{false};
   int answers_ = 0;
