@@ -68,7 +68,7 @@ std::string describe(const Deployment& deployment) {
   for (const auto& line : lines) width = std::max(width, line.first.size());
   for (auto& [name, description] : lines) {
     name.resize(width + 2, ' ');
-    text += "  " + name + description + "\n";
+    text.append("  ").append(name).append(description).append("\n");
   }
   return text;
 }
