@@ -10,7 +10,7 @@
 #include <optional>
 #include <string_view>
 
-#include "clock/wall/monotonic.hpp"
+#include "clock/wall/wait.hpp"
 #include "config/text/message_text.hpp"
 #include "core/number_text.hpp"
 #include "drivers/netft/socket.hpp"
@@ -74,7 +74,7 @@ class Exchange {
 
  private:
   void wait(short events) {
-    if (wait_for(socket_.get(), events, deadline_)) return;
+    if (clock::wait_for(socket_.get(), events, deadline_)) return;
     fail(place_, "no complete answer within " + config::number_text(timeout_) + " s",
          "the configuration page of a Net F/T");
   }
@@ -101,7 +101,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The field `name` (in lower case) of the header lines; nothing: there is none.
+/// The field `name` (in lower case) of the header lines; nothing: they have no such field.
 std::optional<std::string> field(std::string_view header, std::string_view name) {
   while (!header.empty()) {
     const std::size_t end = header.find("\r\n");

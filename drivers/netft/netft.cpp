@@ -7,7 +7,7 @@ using namespace mrroc;
 
 std::unique_ptr<vsp::Source> make(const vsp::SourceContext& context) {
   const config::DriverEntry& driver = *context.entry.driver;
-  return netft::open_netft(netft::netft_options(context.entry, driver.numbers, driver.texts), context);
+  return netft::open_netft(netft::netft_options(context.entry, driver), context);
 }
 
 }  // namespace

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <thread>
 
-#include "clock/wall/monotonic.hpp"
+#include "clock/wall/wait.hpp"
 #include "config/text/message_text.hpp"
 #include "drivers/netft/http_get.hpp"
 #include "mrroc/errors.hpp"
@@ -24,13 +22,11 @@ using config::number_text;
 /// A deployment's keys below [sensors.NAME.netft].
 class Keys {
  public:
-  Keys(const config::SensorEntry& entry, const std::map<std::string, std::vector<double>>& numbers,
-       const std::map<std::string, std::string>& texts)
-      : entry_(entry), numbers_(numbers), texts_(texts) {}
+  Keys(const config::SensorEntry& entry, const config::KeyValues& values) : entry_(entry), values_(values) {}
 
   double number(const std::string& key) const {
-    const auto found = numbers_.find(key);
-    if (found == numbers_.end() || found->second.size() != 1) refuse(key, "missing", "a number");
+    const auto found = values_.numbers.find(key);
+    if (found == values_.numbers.end() || found->second.size() != 1) refuse(key, "missing", "a number");
     return found->second[0];
   }
   std::uint16_t port(const std::string& key) const {
@@ -41,8 +37,8 @@ class Keys {
     return static_cast<std::uint16_t>(value);
   }
   const std::string& text(const std::string& key) const {
-    const auto found = texts_.find(key);
-    if (found == texts_.end()) refuse(key, "missing", "a text");
+    const auto found = values_.texts.find(key);
+    if (found == values_.texts.end()) refuse(key, "missing", "a text");
     return found->second;
   }
   [[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected) const {
@@ -51,8 +47,7 @@ class Keys {
 
  private:
   const config::SensorEntry& entry_;
-  const std::map<std::string, std::vector<double>>& numbers_;
-  const std::map<std::string, std::string>& texts_;
+  const config::KeyValues& values_;
 };
 
 std::optional<Calibration> calibration_of(const Keys& keys) {
@@ -77,6 +72,8 @@ Requests requests_of(const Keys& keys) {
   keys.refuse("requests", in_quotes(text), "'automatic', 'stream' or 'polled'");
 }
 
+constexpr std::int64_t kBetweenAttempts = clock::kSecond / 50;
+
 /// The configuration page. A box that is still starting refuses the connection: tries again until `start_timeout`.
 std::string get_page(const NetftOptions& options) {
   const std::int64_t end = clock::monotonic_ns() + to_ns(options.start_timeout);
@@ -86,7 +83,7 @@ std::string get_page(const NetftOptions& options) {
     } catch (const HardwareError&) {
       if (clock::monotonic_ns() > end) throw;
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    clock::pause(kBetweenAttempts);
   }
 }
 
@@ -158,9 +155,8 @@ void check(const vsp::SourceContext& context) {
 
 }  // namespace
 
-NetftOptions netft_options(const config::SensorEntry& entry, const std::map<std::string, std::vector<double>>& numbers,
-                           const std::map<std::string, std::string>& texts) {
-  const Keys keys(entry, numbers, texts);
+NetftOptions netft_options(const config::SensorEntry& entry, const config::KeyValues& values) {
+  const Keys keys(entry, values);
   NetftOptions options;
   options.address = keys.text("address");
   options.port = keys.port("port");

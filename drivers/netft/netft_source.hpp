@@ -37,8 +37,7 @@ struct NetftOptions {
 
 /// The options from a table's numbers and texts, which have been checked against netft.toml and completed. Throws
 /// SystemError(configuration), which names the key of `entry`, for values that contradict each other.
-NetftOptions netft_options(const config::SensorEntry& entry, const std::map<std::string, std::vector<double>>& numbers,
-                           const std::map<std::string, std::string>& texts);
+NetftOptions netft_options(const config::SensorEntry& entry, const config::KeyValues& values);
 
 /// An ATI Net F/T as the hardware of a sensor of the type `force_torque`: r is the wrench s with which the wrist
 /// supports the tool (N, N m), that is the negative of the load that the Net F/T measures. A reading's tick is that of

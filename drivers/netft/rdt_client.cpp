@@ -9,7 +9,7 @@
 #include <csignal>
 #include <system_error>
 
-#include "clock/wall/monotonic.hpp"
+#include "clock/wall/wait.hpp"
 #include "config/text/message_text.hpp"
 #include "mrroc/errors.hpp"
 
@@ -101,12 +101,12 @@ void RdtClient::await_first() {
                                                           ", expected a Net F/T that sends by RDT over UDP");
     }
     if (now >= request_at_) request(now);
-    if (!wait_for(socket_.get(), POLLIN, std::min(deadline, request_at_))) continue;
+    if (!clock::wait_for(socket_.get(), POLLIN, std::min(deadline, request_at_))) continue;
     std::uint8_t byte = 0;
     // a host without the port refuses every request
     if (::recv(socket_.get(), &byte, 1, MSG_PEEK) < 0 && errno != EAGAIN) {
       error = errno;
-      wait_for(end_.get(), POLLIN, std::min(deadline, request_at_));
+      clock::wait_for(end_.get(), POLLIN, std::min(deadline, request_at_));
       continue;
     }
     receive();

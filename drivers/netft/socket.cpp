@@ -1,13 +1,9 @@
 #include "drivers/netft/socket.hpp"
 
 #include <netdb.h>
-#include <poll.h>
 
-#include <algorithm>
-#include <cerrno>
 #include <memory>
 
-#include "clock/wall/monotonic.hpp"
 #include "core/shown_text.hpp"
 #include "mrroc/errors.hpp"
 
@@ -31,18 +27,6 @@ sockaddr_in resolve(const std::string& host, std::uint16_t port) {
 
 std::string place_text(const std::string& host, std::uint16_t port) {
   return core::shown(host).append(":").append(std::to_string(port));
-}
-
-bool wait_for(int fd, short events, std::int64_t deadline) {
-  for (;;) {
-    const std::int64_t remaining = std::max<std::int64_t>(deadline - clock::monotonic_ns(), 0);
-    pollfd each{fd, events, 0};
-    const timespec limit = clock::to_timespec(remaining);
-    const int ready = ::ppoll(&each, 1, &limit, nullptr);
-    if (ready > 0) return true;
-    if (ready == 0) return false;
-    if (errno != EINTR) return true;  // the next call on `fd` reports it
-  }
 }
 
 }  // namespace mrroc::netft

@@ -11,7 +11,7 @@
 
 namespace mrroc::netft {
 
-/// An open file descriptor, closed at the end of its scope; -1: there is none.
+/// An open file descriptor, closed at the end of its scope; -1: no file.
 class Descriptor {
  public:
   explicit Descriptor(int fd = -1) noexcept : fd_(fd) {}
@@ -37,7 +37,7 @@ inline const sockaddr* generic(const sockaddr_in& address) noexcept {
 inline sockaddr* generic(sockaddr_in& address) noexcept { return reinterpret_cast<sockaddr*>(&address); }
 
 /// The IPv4 address of `host`, a name or a number. Waits for the name server where it is a name. Throws
-/// HardwareError(sensor_hardware) when there is none.
+/// HardwareError(sensor_hardware) when the name has no address.
 sockaddr_in resolve(const std::string& host, std::uint16_t port);
 
 /// "host:port", for messages.
@@ -45,9 +45,5 @@ std::string place_text(const std::string& host, std::uint16_t port);
 
 /// A time in s as nanoseconds.
 inline std::int64_t to_ns(double seconds) noexcept { return std::llround(seconds * 1e9); }
-
-/// Waits until `fd` has one of the poll `events`, or an error, or `deadline` on CLOCK_MONOTONIC (ns) has passed; false:
-/// the latter.
-bool wait_for(int fd, short events, std::int64_t deadline);
 
 }  // namespace mrroc::netft

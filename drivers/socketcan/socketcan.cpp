@@ -1,7 +1,5 @@
-#include <unistd.h>
-
 #include "can/bus.hpp"
-#include "clock/wall/monotonic.hpp"
+#include "clock/wall/wait.hpp"
 #include "config/drives/drive_table.hpp"
 #include "drivers/socketcan/can_hardware.hpp"
 #include "edp/driver.hpp"
@@ -11,18 +9,18 @@ namespace {
 
 using namespace mrroc;
 
-constexpr std::int64_t kPatienceWithBus = 10 * clock::kSecond;
+constexpr std::int64_t kBusTimeout = 10 * clock::kSecond, kBetweenAttempts = clock::kSecond / 50;
 
 /// The simulated drives may not have made the hub's socket yet.
 std::unique_ptr<can::Bus> open_bus(const std::string& name) {
-  const std::int64_t end = clock::monotonic_ns() + kPatienceWithBus;
+  const std::int64_t end = clock::monotonic_ns() + kBusTimeout;
   for (;;) {
     try {
       return can::open_bus(name);
     } catch (const std::runtime_error& error) {
       if (!name.starts_with("unix:") || clock::monotonic_ns() > end)
         throw HardwareError(ErrorCode::hardware_silent, error.what());
-      ::usleep(20'000);
+      clock::pause(kBetweenAttempts);
     }
   }
 }

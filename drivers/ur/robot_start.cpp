@@ -10,14 +10,14 @@
 #include <system_error>
 #include <utility>
 
-#include "clock/wall/monotonic.hpp"
+#include "clock/wall/wait.hpp"
 #include "drivers/ur/control_script.hpp"
 #include "drivers/ur/dashboard_client.hpp"
 
 namespace mrroc::ur {
 namespace {
 
-constexpr int kPauseMs = 20;
+constexpr std::int64_t kPause = 20'000'000;                    // ns
 constexpr std::int64_t kBetweenCommands = clock::kSecond / 2;  // ns, before the same command is repeated
 
 /// Numbers of programs differ between runs, because the registers keep the number of the program before.
@@ -95,8 +95,7 @@ void RobotStart::run() noexcept {
 
 /// False: the end.
 bool RobotStart::pause() noexcept {
-  timespec pause{0, kPauseMs * 1'000'000};
-  ::nanosleep(&pause, nullptr);
+  clock::pause(kPause);
   return !end_.load(std::memory_order_acquire);
 }
 

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "clock/wall/monotonic.hpp"
+#include "clock/wall/wait.hpp"
 #include "drivers/ur/rtde/protocol_error.hpp"
 
 namespace mrroc::ur {
@@ -20,16 +20,11 @@ namespace {
 using rtde::PacketBuffer;
 using rtde::PacketType;
 
-constexpr int kWaitMs = 50;                     // between two checks for a silent controller
-constexpr std::int64_t kBetweenAttempts = 200;  // ms
+constexpr int kWaitMs = 50;  // between two checks for a silent controller
+constexpr std::int64_t kBetweenAttempts = clock::kSecond / 5;
 constexpr double kFrequency = 500, kFrequencyOfCb3 = 125;
 constexpr std::uint32_t kFirstMajorOfESeries = 5;
 constexpr std::size_t kQueue = 4096;
-
-void pause_between_attempts() noexcept {
-  const timespec pause{0, kBetweenAttempts * 1'000'000};
-  ::nanosleep(&pause, nullptr);
-}
 
 std::int64_t after(double seconds) { return clock::monotonic_ns() + std::llround(seconds * 1e9); }
 
@@ -68,7 +63,7 @@ void RtdeLink::connect_in_time() {
     } catch (const ConnectionError&) {
       if (clock::monotonic_ns() >= deadline) throw;
     }
-    pause_between_attempts();
+    clock::pause(kBetweenAttempts);
   }
 }
 
@@ -216,7 +211,7 @@ void RtdeLink::wait() noexcept {
     ::poll(entries.data(), entries.size(), kWaitMs);
   } else {
     // the servo thread continues to hand set-points over: they must not make the attempts more frequent
-    pause_between_attempts();
+    clock::pause(kBetweenAttempts);
   }
   std::uint64_t count = 0;
   [[maybe_unused]] const ssize_t taken = ::read(wake_, &count, sizeof count);

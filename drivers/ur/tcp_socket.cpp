@@ -8,14 +8,13 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <utility>
 
-#include "clock/wall/monotonic.hpp"
+#include "clock/wall/wait.hpp"
 
 namespace mrroc::ur {
 namespace {
@@ -23,17 +22,6 @@ namespace {
 struct FreeList {
   void operator()(addrinfo* list) const noexcept { freeaddrinfo(list); }
 };
-
-/// Waits for one of `events`; false: the deadline came first.
-bool wait_for(int fd, short events, std::int64_t deadline) noexcept {
-  for (;;) {
-    const std::int64_t rest = deadline - clock::monotonic_ns();
-    if (rest <= 0) return false;
-    pollfd entry{fd, events, 0};
-    const int timeout = static_cast<int>(std::min<std::int64_t>(rest / 1'000'000 + 1, 3'600'000));
-    if (::poll(&entry, 1, timeout) > 0) return true;
-  }
-}
 
 }  // namespace
 
@@ -53,7 +41,7 @@ TcpSocket::TcpSocket(const std::string& service, const std::string& address, int
     reason = ::connect(fd_, entry->ai_addr, entry->ai_addrlen) == 0 ? 0 : errno;
     if (reason == EINPROGRESS) {
       socklen_t size = sizeof reason;
-      if (!wait_for(fd_, POLLOUT, deadline))
+      if (!clock::wait_for(fd_, POLLOUT, deadline))
         reason = ETIMEDOUT;
       else
         ::getsockopt(fd_, SOL_SOCKET, SO_ERROR, &reason, &size);
@@ -95,14 +83,14 @@ long TcpSocket::send(std::span<const std::uint8_t> bytes) noexcept {
   return errno == EAGAIN || errno == EINTR ? 0 : -1;
 }
 
-bool TcpSocket::wait_readable(std::int64_t deadline) const noexcept { return wait_for(fd_, POLLIN, deadline); }
+bool TcpSocket::wait_readable(std::int64_t deadline) const noexcept { return clock::wait_for(fd_, POLLIN, deadline); }
 
 void TcpSocket::send_all(std::span<const std::uint8_t> bytes, std::int64_t deadline) {
   while (!bytes.empty()) {
     const long size = send(bytes);
     if (size < 0) fail("the connection has ended");
     bytes = bytes.subspan(static_cast<std::size_t>(size));
-    if (!bytes.empty() && !wait_for(fd_, POLLOUT, deadline)) fail("it does not take our data");
+    if (!bytes.empty() && !clock::wait_for(fd_, POLLOUT, deadline)) fail("it does not take our data");
   }
 }
 

@@ -6,14 +6,14 @@ namespace {
 
 using namespace mrroc;
 
-constexpr double kPatienceWithStandIn = 30;  // s: it waits for the simulated world
+constexpr double kStandInTimeout = 30;  // s: it waits for the simulated world
 
 std::unique_ptr<edp::Hardware> make(const edp::DriverContext& context) {
   const config::DriverEntry& driver = context.robot.driver;
-  ur::UrOptions options = ur::options_of(driver.numbers, driver.texts);
+  ur::UrOptions options = ur::options_of(driver);
   options.payload_mass = context.robot.load.mass;
   Eigen::Map<Eigen::Vector3d>(options.payload_centre.data()) = context.robot.load.centre;
-  if (driver.simulated) options.open_timeout = kPatienceWithStandIn;
+  if (driver.simulated) options.open_timeout = kStandInTimeout;
   return std::make_unique<ur::UrHardware>(options, context.model, context.servo_period);
 }
 

@@ -41,7 +41,8 @@ NetftLoad load_of_world(const world::WorldMemory& world, std::size_t slot) {
 
 std::size_t sensor_of_process(const config::Deployment& deployment, const std::string& name) {
   for (std::size_t i = 0; i < deployment.sensors.size(); ++i) {
-    if (name == deployment.sensors[i].name + "_netft") return i;
+    const config::SensorEntry& sensor = deployment.sensors[i];
+    if (sensor.driver && name == sensor.stand_in_process()) return i;
   }
   throw SystemError(ErrorCode::simulator, "the deployment has no sensor for the process " + name);
 }

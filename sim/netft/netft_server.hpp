@@ -77,6 +77,7 @@ class NetftServer {
   std::size_t clients() const;     ///< that have a stream
 
  private:
+  static constexpr std::size_t kMaxConnections = 8;  ///< of HTTP
   struct Client {
     sockaddr_in address{};
     netft::Command mode = netft::Command::start_realtime;

@@ -1,7 +1,5 @@
 #include "sim/ur/controller_servers.hpp"
 
-#include <arpa/inet.h>
-#include <fcntl.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
@@ -13,101 +11,27 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <deque>
-#include <map>
 #include <system_error>
 
-#include "drivers/ur/rtde/packet.hpp"
-#include "drivers/ur/rtde/protocol_error.hpp"
-#include "drivers/ur/rtde/recipe.hpp"
+#include "sim/ur/controller_client.hpp"
+#include "sim/ur/robot_state_message.hpp"
+#include "sim/ur/tcp_listener.hpp"
 
 namespace mrroc::sim::ur {
-
-using namespace mrroc::ur::rtde;
 
 namespace {
 
 constexpr std::size_t kMostQueued = 1 << 20;  // bytes of a client that does not read
-constexpr std::size_t kMostHeld = 10000;
 constexpr std::size_t kLongestProgram = 1 << 20;
 constexpr int kStatePeriods = 50;  // of the primary and secondary interfaces
 
 [[noreturn]] void fail(const std::string& what) { throw std::system_error(errno, std::generic_category(), what); }
-
-/// A socket that accepts connections, and its port.
-std::pair<int, int> open_listener(const std::string& address, int port) {
-  const std::string where = address + ":" + std::to_string(port);
-  const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (fd < 0) fail(where);
-  const int on = 1;
-  ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  sockaddr_in name{};
-  name.sin_family = AF_INET;
-  name.sin_port = htons(static_cast<std::uint16_t>(port));
-  if (::inet_pton(AF_INET, address.c_str(), &name.sin_addr) != 1) {
-    ::close(fd);
-    errno = EINVAL;
-    fail(where);
-  }
-  socklen_t size = sizeof name;
-  if (::bind(fd, reinterpret_cast<sockaddr*>(&name), size) != 0 || ::listen(fd, 16) != 0 ||
-      ::getsockname(fd, reinterpret_cast<sockaddr*>(&name), &size) != 0) {
-    const int reason = errno;
-    ::close(fd);
-    errno = reason;
-    fail(where);
-  }
-  return {fd, ntohs(name.sin_port)};
-}
-
-template <class T>
-void put(std::vector<std::uint8_t>& bytes, T value) {
-  std::array<std::uint8_t, sizeof(T)> memory{};
-  WireWriter writer(memory);
-  writer.put(value);
-  bytes.insert(bytes.end(), memory.begin(), memory.end());
-}
-
-/// A package of the primary or secondary interface, or a part of one: its length, its kind, its contents.
-std::vector<std::uint8_t> framed(std::uint8_t kind, const std::vector<std::uint8_t>& contents) {
-  std::vector<std::uint8_t> bytes;
-  put(bytes, static_cast<std::int32_t>(contents.size() + 5));
-  put(bytes, kind);
-  bytes.insert(bytes.end(), contents.begin(), contents.end());
-  return bytes;
-}
 
 }  // namespace
 
 struct ControllerServers::Listener {
   Service service;
   int fd;
-};
-
-struct ControllerServers::Client {
-  Service service;
-  int fd;
-  std::vector<std::uint8_t> queued;
-  bool ended = false;
-  // RTDE
-  PacketBuffer packets;
-  bool started = false;
-  std::uint64_t every = 0;  ///< periods between two data packages
-  std::vector<const VirtualController::Getter*> outputs;
-  Recipe output_recipe;
-  struct InputRecipe {
-    Recipe recipe;
-    std::vector<std::string> names;
-    std::vector<const VirtualController::Input*> fields;
-  };
-  std::map<std::uint8_t, InputRecipe> inputs;
-  struct Held {
-    std::uint64_t due;  ///< period of the controller
-    std::vector<std::uint8_t> bytes;
-  };
-  std::deque<Held> held;  ///< packages that are delayed
-  // the others
-  std::string text;
 };
 
 ControllerServers::ControllerServers(const Options& options, std::unique_ptr<JointPlant> plant)
@@ -303,127 +227,6 @@ void ControllerServers::take(Client& client) {
   }
 }
 
-void ControllerServers::answer(Client& client, std::uint8_t type, const std::vector<std::uint8_t>& payload) {
-  append_packet(client.queued, static_cast<PacketType>(type), payload);
-}
-
-void ControllerServers::take_rtde(Client& client) {
-  Packet packet;
-  PacketBuffer::Next next = PacketBuffer::Next::incomplete;
-  try {
-    while ((next = client.packets.next(packet)) == PacketBuffer::Next::packet) {
-      const auto type = static_cast<std::uint8_t>(packet.type);
-      switch (packet.type) {
-        case PacketType::request_protocol_version: {
-          const auto request = VersionRequest::from_payload(packet.payload);
-          answer(client, type, Acceptance{request.version == kProtocolVersion}.payload());
-          break;
-        }
-        case PacketType::get_urcontrol_version:
-          answer(client, type, controller_.version().payload());
-          break;
-        case PacketType::setup_outputs:
-          set_up_outputs(client, packet.payload);
-          break;
-        case PacketType::setup_inputs:
-          set_up_inputs(client, packet.payload);
-          break;
-        case PacketType::start:
-        case PacketType::pause: {
-          const bool starts = packet.type == PacketType::start;
-          const bool accepted = client.output_recipe.id != 0;
-          client.started = starts && accepted;
-          answer(client, type, Acceptance{accepted}.payload());
-          break;
-        }
-        case PacketType::data_package:
-          take_data(client, packet.payload);
-          break;
-        case PacketType::text_message:
-          break;
-      }
-    }
-  } catch (const ProtocolError& error) {
-    answer(client, static_cast<std::uint8_t>(PacketType::text_message),
-           TextMessage{error.what(), "RTDE", TextMessage::Level::error}.payload());
-    client.ended = true;
-  }
-  if (next == PacketBuffer::Next::broken) client.ended = true;
-}
-
-void ControllerServers::set_up_outputs(Client& client, Bytes payload) {
-  const auto request = OutputsRequest::from_payload(payload);
-  SetupReply reply{1, {}};
-  client.outputs.clear();
-  client.output_recipe = {1, {}};
-  for (const std::string& name : request.names) {
-    const VirtualController::Getter* const field = controller_.output(name);
-    if (field == nullptr) {
-      reply.types.emplace_back(kNotFound);
-      reply.id = client.output_recipe.id = 0;
-      continue;
-    }
-    const FieldType type = type_of((*field)());
-    reply.types.emplace_back(name_of(type));
-    client.outputs.push_back(field);
-    client.output_recipe.types.push_back(type);
-  }
-  const double full = 1 / options_.controller.period;
-  const double frequency = std::clamp(std::isfinite(request.frequency) ? request.frequency : full, 1.0, full);
-  client.every = static_cast<std::uint64_t>(std::lround(full / frequency));
-  answer(client, static_cast<std::uint8_t>(PacketType::setup_outputs), reply.payload());
-}
-
-bool ControllerServers::is_in_use(const Client& own, const std::string& name) const {
-  return std::any_of(clients_.begin(), clients_.end(), [&](const Client& client) {
-    return &client != &own && !client.ended &&
-           std::any_of(client.inputs.begin(), client.inputs.end(), [&name](const auto& entry) {
-             const auto& names = entry.second.names;
-             return std::find(names.begin(), names.end(), name) != names.end();
-           });
-  });
-}
-
-void ControllerServers::set_up_inputs(Client& client, Bytes payload) {
-  const auto request = InputsRequest::from_payload(payload);
-  const auto id = static_cast<std::uint8_t>(client.inputs.size() + 1);
-  SetupReply reply{id, {}};
-  Client::InputRecipe recipe{{id, {}}, request.names, {}};
-  for (const std::string& name : request.names) {
-    const VirtualController::Input* const field = controller_.input(name);
-    const bool used = field != nullptr && is_in_use(client, name);
-    if (field == nullptr || used) {
-      reply.types.emplace_back(used ? kInUse : kNotFound);
-      reply.id = 0;
-      continue;
-    }
-    reply.types.emplace_back(name_of(field->type));
-    recipe.recipe.types.push_back(field->type);
-    recipe.fields.push_back(field);
-  }
-  if (reply.id != 0) client.inputs.emplace(id, std::move(recipe));
-  answer(client, static_cast<std::uint8_t>(PacketType::setup_inputs), reply.payload());
-}
-
-void ControllerServers::take_data(Client& client, Bytes payload) {
-  const auto found = payload.empty() ? client.inputs.end() : client.inputs.find(payload[0]);
-  if (found == client.inputs.end()) throw ProtocolError("a data package of an unknown recipe");
-  std::vector<Value> values(found->second.fields.size());
-  if (!decode_data(found->second.recipe, payload, values))
-    throw ProtocolError("a data package of another length than its recipe");
-  for (std::size_t i = 0; i < values.size(); ++i) found->second.fields[i]->set(values[i]);
-}
-
-void ControllerServers::send_state(Client& client) {
-  std::vector<Value> values;
-  for (const VirtualController::Getter* field : client.outputs) values.push_back((*field)());
-  std::vector<std::uint8_t> bytes(kHeaderSize + client.output_recipe.size());
-  encode_data(client.output_recipe, values, bytes);
-  const std::uint64_t due = steps_ + static_cast<std::uint64_t>(std::max(delay_, postpone_));
-  for (int copies = repeat_ > 0 ? 2 : 1; copies > 0 && client.held.size() < kMostHeld; --copies)
-    client.held.push_back({client.held.empty() ? due : std::max(due, client.held.back().due), bytes});
-}
-
 void ControllerServers::take_lines(Client& client) {
   for (std::size_t end = 0; (end = client.text.find('\n')) != std::string::npos;) {
     std::string line = client.text.substr(0, end);
@@ -456,28 +259,7 @@ void ControllerServers::take_programs(Client& client) {
 
 void ControllerServers::send_robot_state(Client& client) {
   if (client.queued.size() > kMostQueued) return;
-  const bool emergency = (controller_.safety_status() & 1u << 7) != 0;
-  const bool protective = (controller_.safety_status() & 1u << 2) != 0;
-  std::vector<std::uint8_t> mode;
-  put(mode, static_cast<std::uint64_t>(controller_.time() * 1e6));
-  const bool power = (controller_.robot_status() & 1u) != 0, runs = (controller_.robot_status() & 2u) != 0;
-  for (const bool flag : {true, true, power, emergency, protective, runs, false})
-    put(mode, static_cast<std::uint8_t>(flag));
-  put(mode, static_cast<std::uint8_t>(controller_.robot_mode()));
-  put(mode, std::uint8_t{0});
-  for (const double value : {controller_.speed_slider(), 1.0, 1.0}) put(mode, value);
-  put(mode, std::uint8_t{0});
-  std::vector<std::uint8_t> joints;
-  for (std::size_t i = 0; i < 6; ++i) {
-    for (const double value : {controller_.position()[i], controller_.position()[i], controller_.velocity()[i]})
-      put(joints, value);
-    for (const float value : {0.0F, 48.0F, 30.0F, 30.0F}) put(joints, value);
-    put(joints, static_cast<std::uint8_t>(controller_.joint_mode(i)));
-  }
-  std::vector<std::uint8_t> parts = framed(0, mode);
-  const std::vector<std::uint8_t> second = framed(1, joints);
-  parts.insert(parts.end(), second.begin(), second.end());
-  const std::vector<std::uint8_t> bytes = framed(16, parts);
+  const std::vector<std::uint8_t> bytes = robot_state_message(controller_);
   client.queued.insert(client.queued.end(), bytes.begin(), bytes.end());
 }
 

@@ -91,6 +91,9 @@ class VirtualController {
   JointMode joint_mode(std::size_t axis) const noexcept;
 
  private:
+  bool emergency() const noexcept {
+    return safety_mode_ == SafetyMode::robot_emergency_stop || safety_mode_ == SafetyMode::system_emergency_stop;
+  }
   void fill_outputs();
   void fill_inputs();
   void advance_power() noexcept;

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <initializer_list>
 
+#include "mrroc/fnv.hpp"
+
 namespace mrroc::plugin {
 
 /// What a plug-in exports, as the symbol `mrroc_plugin`: what it is, which headers it was compiled with, and a function
@@ -15,12 +17,12 @@ struct Interface {
   void (*make)();
 };
 
-/// FNV-1a hash of the sizes of the types that cross an interface: a plug-in that was compiled with other headers would
+/// Hash of the sizes of the types that cross an interface: a plug-in that was compiled with other headers would
 /// read other members.
 constexpr std::uint64_t layout_of(std::initializer_list<std::uint64_t> sizes) noexcept {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const std::uint64_t size : sizes) hash = (hash ^ size) * 1099511628211U;
-  return hash;
+  Fnv1a hash;
+  for (const std::uint64_t size : sizes) hash.add(size);
+  return hash.value();
 }
 
 /// Loads `library` and returns its interface, which is valid until the process ends: a library is not unloaded. Throws

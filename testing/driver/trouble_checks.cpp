@@ -113,7 +113,7 @@ void finds_drive_fault(Bench& bench) {
 
 void finds_restart(Bench& bench) {
   begin(bench, Trouble::restart);
-  expect_stop(bench, "the device starts anew");
+  expect_stop(bench, "the device restarts");
   bench.device().set(Trouble::restart, false);
   bench.servo_ticks(20);
   expect_recovery(bench, "a restart");
@@ -129,7 +129,7 @@ constexpr std::array kTroubleChecks{
     Check{"not_finite", "a measurement that is no number stops the robot", finds_not_finite},
     Check{"jump", "a measurement that jumps stops the robot", finds_jump},
     Check{"drive_fault", "a drive's fault is found, and can be reset", finds_drive_fault},
-    Check{"restart", "a device that starts anew is found, and the robot can be recovered", finds_restart}};
+    Check{"restart", "a device that restarts is found, and the robot can be recovered", finds_restart}};
 
 }  // namespace
 

@@ -81,7 +81,7 @@ def check_driver(build, project):
     done = subprocess.run([build / "bin/mrroc", "run", "--quiet", project / "stream/demo.toml"], env=environment, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False)
     if done.returncode == 0 or "stream.so" not in done.stdout or "expected a shared library" not in done.stdout:
-        sys.exit(f"a library that is none: exit code {done.returncode}\n{done.stdout}")
+        sys.exit(f"an invalid library: exit code {done.returncode}\n{done.stdout}")
 
 
 def main():

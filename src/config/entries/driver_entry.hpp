@@ -18,7 +18,7 @@ namespace mrroc::config {
 ///
 /// and its own keys as declared_keys.hpp says. `device` is the name of the robot or sensor, `type` its type, `host` its
 /// host. Throws ConfigurationError also for keys of a driver that is not this one, a driver that needs the simulated
-/// world where there is none, another clock, and on the device's own host for a missing library or stand-in.
+/// world without a [sim], another clock, and on the device's own host for a missing library or stand-in.
 DriverEntry read_driver(const Table& table, std::string_view key, const std::string& device, const std::string& type,
                         const std::string& host, const Deployment& deployment);
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "clock/wall/monotonic.hpp"
+#include "clock/wall/wait.hpp"
 #include "drivers/netft/socket.hpp"
 #include "mrroc/errors.hpp"
 
@@ -50,7 +51,7 @@ class Server {
     ASSERT_EQ(::getsockname(listener_.get(), generic(address), &size), 0);
     port_ = ntohs(address.sin_port);
     while (!ended_) {
-      if (!wait_for(listener_.get(), POLLIN, clock::monotonic_ns() + clock::kSecond / 100)) continue;
+      if (!clock::wait_for(listener_.get(), POLLIN, clock::monotonic_ns() + clock::kSecond / 100)) continue;
       client_ = Descriptor(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
       char text[1024];
       const ssize_t received = ::recv(client_.get(), text, sizeof text, 0);

@@ -29,7 +29,7 @@ class Keys {
     }
     texts["address"] = "192.168.1.1";
   }
-  NetftOptions options() const { return netft_options(entry_, numbers, texts); }
+  NetftOptions options() const { return netft_options(entry_, {numbers, texts}); }
   std::string refusal() const {
     try {
       options();

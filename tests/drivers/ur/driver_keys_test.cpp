@@ -24,7 +24,7 @@ TEST(DriverKeys, DefaultsAreThoseOfTheOptions) {
       numbers[key] = {declared.number("default")};
     }
   }
-  const UrOptions options = options_of(numbers, texts), expected;
+  const UrOptions options = options_of({numbers, texts}), expected;
   EXPECT_NO_THROW(check(options));
   EXPECT_EQ(options.address, "robot");
   EXPECT_EQ(options.rtde_port, expected.rtde_port);
@@ -64,13 +64,13 @@ TEST(DriverKeys, EveryDeclaredKeyIsRead) {
     numbers[key] = std::vector<double>(6, 1);
     texts[key] = "text";
   }
-  EXPECT_NO_THROW(options_of(numbers, texts));
+  EXPECT_NO_THROW(options_of({numbers, texts}));
   for (const std::string& key : declared) {
     auto fewer = numbers;
     auto fewer_texts = texts;
     fewer.erase(key);
     fewer_texts.erase(key);
-    EXPECT_THROW(options_of(fewer, fewer_texts), std::out_of_range) << key;
+    EXPECT_THROW(options_of({fewer, fewer_texts}), std::out_of_range) << key;
   }
 }
 

@@ -18,7 +18,7 @@ import NetFT
 import pynetft
 
 SENSOR = sys.argv.pop(1)
-PATIENCE = 30  # s; long, so that a busy machine does not cause a failure
+TIMEOUT = 30  # s; long, so that a busy machine does not cause a failure
 LOAD = (12.5, -3.25, 40.0, 0.5, -1.5, 2.0)
 RDT_PORT = 49152  # NetFT knows no other
 
@@ -56,7 +56,7 @@ class ClientsTest(unittest.TestCase):
         return sensor
 
     def assert_eventually(self, condition):
-        deadline = time.monotonic() + PATIENCE
+        deadline = time.monotonic() + TIMEOUT
         while not condition():
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.01)
@@ -64,16 +64,16 @@ class ClientsTest(unittest.TestCase):
     def netft(self, sensor):
         client = NetFT.Sensor(sensor.address)
         self.addCleanup(client.sock.close)
-        client.sock.settimeout(PATIENCE)
+        client.sock.settimeout(TIMEOUT)
         return client
 
     def pynetft(self, sensor, **options):
         config = pynetft.Config(sensor_host=sensor.address, http_port=sensor.http_port, receive_timeout=1.0,
-                                configuration_connect_timeout=PATIENCE, configuration_timeout=PATIENCE, **options)
+                                configuration_connect_timeout=TIMEOUT, configuration_timeout=TIMEOUT, **options)
         client = pynetft.Client(config)
         client.start()
         self.addCleanup(client.stop)
-        self.assertTrue(client.wait_for_first_sample(PATIENCE))
+        self.assertTrue(client.wait_for_first_sample(TIMEOUT))
         return client
 
     def test_netft_measures_the_load(self):
@@ -188,7 +188,7 @@ class ClientsTest(unittest.TestCase):
             for packet in (b"", b"\x12", b"\x12\x34\x00\x01\x00\x00\x00\x00", bytes(2000)):
                 other.sendto(packet, (sensor.address, RDT_PORT))
         with self.assertRaises(urllib.error.HTTPError):
-            urllib.request.urlopen(f"http://{sensor.address}:{sensor.http_port}/", timeout=PATIENCE)
+            urllib.request.urlopen(f"http://{sensor.address}:{sensor.http_port}/", timeout=TIMEOUT)
         with socket.create_connection((sensor.address, sensor.http_port)) as other:
             other.sendall(bytes(10000))
         client = self.netft(sensor)

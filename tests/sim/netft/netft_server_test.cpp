@@ -63,6 +63,7 @@ TEST(SimulatedNetft, ProcessIsNamedAfterItsSensor) {
   deployment.sensors.resize(2);
   deployment.sensors[0].name = "eye";
   deployment.sensors[1].name = "wrist";
+  deployment.sensors[1].driver.emplace().name = "netft";
   EXPECT_EQ(sensor_of_process(deployment, "wrist_netft"), 1u);
   EXPECT_THROW(sensor_of_process(deployment, "wrist"), SystemError);
 }

@@ -20,7 +20,7 @@ enum class Trouble {
   jump,         ///< it measures 5 rad of the first shaft more from now on
   no_power,     ///< it refuses to be switched on
   drive_fault,  ///< one of its drives has a fault, until it is reset after the end of this trouble
-  restart       ///< it starts anew: without power, and without memory of what it was ordered
+  restart       ///< it restarts: without power, and without memory of what it was ordered
 };
 
 /// The device at the other end of a driver, made by the driver's author for the test. The test's thread makes every

@@ -34,7 +34,6 @@ class Bad final : public edp::Hardware {
     if (is("crashes") && tick == 30) ::raise(SIGSEGV);
     good_.read(tick, input);
     if (is("late_tick")) input.tick = tick + 1;
-    if (is("relative")) input.synchronised = false;
     for (double& position : input.motors) position += is("off_the_shaft") ? 0.02 : 0;
     if (is("hides_silence")) input.fault = ErrorCode::none;
   }
