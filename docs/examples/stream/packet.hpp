@@ -1,5 +1,5 @@
 #pragma once
-struct Packet {  // set-points, rad of the shafts; in the answer of the same number the measured positions
-  unsigned long long number, enabled;
+struct Packet {  // of a tick: set-points, rad of the shafts; in the answer of the same tick the measured positions
+  unsigned long long tick, enabled;
   double position[8];
 };

@@ -92,7 +92,7 @@ class StreamStandIn final : public StandIn {
   Packet obey(const Packet& order) {
     const std::lock_guard lock(mutex_);
     for (Eigen::Index i = 0; i < axes_ && order.enabled != 0; ++i) state_.position[i] = order.position[i];
-    state_.number = order.number;
+    state_.tick = order.tick;
     Packet answer = state_;
     if (on(Trouble::not_finite)) answer.position[0] = std::numeric_limits<double>::quiet_NaN();
     if (on(Trouble::jump)) answer.position[0] += 5;
@@ -100,7 +100,7 @@ class StreamStandIn final : public StandIn {
   }
 
   void answer(const Packet& packet) {
-    if (on(Trouble::loss) && packet.number % 5 == 0) return;
+    if (on(Trouble::loss) && packet.tick % 5 == 0) return;
     waiting_.push_back(packet);
     if (on(Trouble::lateness) && waiting_.size() <= 3) return;
     while (!waiting_.empty()) {
