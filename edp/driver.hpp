@@ -26,14 +26,15 @@ struct DriverContext {
 using MakeHardware = std::unique_ptr<Hardware> (*)(const DriverContext& context);
 
 /// Version of `Hardware` and DriverContext. A driver of another version is refused when it is loaded.
-inline constexpr std::uint32_t kDriverVersion = 1;
+inline constexpr std::uint32_t kDriverVersion = 2;
 
 /// The interface of a robot driver whose factory is `make`.
 inline plugin::Interface driver_interface(MakeHardware make) noexcept {
-  return {"robot driver", kDriverVersion,
-          plugin::layout_of({sizeof(HardwareInput), sizeof(DriverContext), sizeof(config::RobotEntry),
-                             sizeof(RobotParameters), sizeof(AxisParameters), sizeof(world::WorldMemory), kMaxJoints}),
-          reinterpret_cast<void (*)()>(make)};
+  return {
+      "robot driver", kDriverVersion,
+      plugin::layout_of({sizeof(HardwareInput), sizeof(BeatCounters), sizeof(DriverContext), sizeof(config::RobotEntry),
+                         sizeof(RobotParameters), sizeof(AxisParameters), sizeof(world::WorldMemory), kMaxJoints}),
+      reinterpret_cast<void (*)()>(make)};
 }
 
 }  // namespace mrroc::edp

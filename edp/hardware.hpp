@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "edp/robot_clock.hpp"
 #include "edp/safety/fault.hpp"
 #include "mrroc/errors.hpp"
 #include "mrroc/signals.hpp"
@@ -23,9 +24,9 @@ enum class Homing : std::uint8_t { none, running, attained, failed };
 
 /// The feedback of the drives in one tick.
 struct HardwareInput {
-  /// When it was measured: the tick of `read`, unless the drives report another one. The tick of the reading before:
+  /// When it was measured, ticks of the servo: now, unless the drives report another time. That of the reading before:
   /// positions are repeated, extrapolated, or perhaps not new.
-  Tick tick = 0;
+  double time = 0;
   double late = 0;                    ///< and how long after it at most, servo periods: on a bus, until it was answered
   JointVector motors;                 ///< shaft positions, rad, as the encoders resolve them
   JointVector current;                ///< measured currents, A
@@ -59,6 +60,8 @@ class Hardware {
   /// True: the drives follow the currents of `write`; false: they follow `set_points` and regulate on their own. A
   /// current that no drive follows does not show that an axis is stuck (MotionWatch).
   virtual bool follows_current() const noexcept { return false; }
+  /// The clock of a robot that keeps the servo's time; null: it follows the deployment's.
+  virtual RobotClock* clock() noexcept { return nullptr; }
   /// Positions at tick `tick`. Values that it does not write stay NaN, and are detected. Servo thread.
   virtual void read(Tick tick, HardwareInput& input) noexcept = 0;
   /// Set-points of the shafts (rad, rad/s) at this tick, for drives that regulate on their own; the others follow the

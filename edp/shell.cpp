@@ -144,7 +144,7 @@ class Shell {
       feed();
       exchange();
       store_telemetry();
-      process_.status().counters(counters(&thread.ticker()));
+      process_.status().counters(counters(&thread.statistics()));
     } while (clock.wait(kNever) != clock::Wake::interrupted && !clock.stopping());
     // the thread's destructor stops the robot and switches the drives off
   }
@@ -191,22 +191,30 @@ class Shell {
     }
   }
 
-  links::Counters counters(const clock::Ticker* ticker) {
+  links::Counters counters(const clock::TickStatistics* ticks) {
     links::Counters counters;
     if (const Snapshot* snapshot = effector_.snapshot()) {
       counters.ticks = snapshot->counters.ticks;
       counters.missed_ticks = snapshot->counters.missed;
     }
     counters.late_commands = effector_.counters().late;
-    if (ticker == nullptr) return counters;
-    counters.missed_ticks = ticker->missed();  // skipped or executed late
+    if (ticks == nullptr) return counters;
+    counters.missed_ticks = ticks->missed();  // skipped or executed late
     const auto microseconds = [](std::uint64_t ns) { return static_cast<double>(ns) * 1e-3; };
-    counters.wakeup_p50_us = microseconds(ticker->lateness().percentile(0.5));
-    counters.wakeup_p99_us = microseconds(ticker->lateness().percentile(0.99));
-    counters.wakeup_max_us = microseconds(ticker->lateness().max());
-    counters.execution_p50_us = microseconds(ticker->execution().percentile(0.5));
-    counters.execution_p99_us = microseconds(ticker->execution().percentile(0.99));
-    counters.execution_max_us = microseconds(ticker->execution().max());
+    counters.wakeup_p50_us = microseconds(ticks->lateness().percentile(0.5));
+    counters.wakeup_p99_us = microseconds(ticks->lateness().percentile(0.99));
+    counters.wakeup_max_us = microseconds(ticks->lateness().max());
+    counters.execution_p50_us = microseconds(ticks->execution().percentile(0.5));
+    counters.execution_p99_us = microseconds(ticks->execution().percentile(0.99));
+    counters.execution_max_us = microseconds(ticks->execution().max());
+    if (const RobotClock* const robot = servo_.robot_clock()) {
+      const BeatCounters beats = robot->counters();
+      counters.packages = beats.packages;
+      counters.packages_lost = beats.lost;
+      counters.packages_doubled = beats.doubled;
+      counters.packages_late = beats.late;
+      counters.packages_bunched = beats.bunched;
+    }
     return counters;
   }
 

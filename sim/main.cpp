@@ -119,8 +119,8 @@ void serve_real(mrroc::process::Process& process, mrroc::sim::Simulation& simula
       check_pace(simulated, process.clock());
     }
     mrroc::links::Counters counters;
-    counters.ticks = ticker.ticks();
-    counters.missed_ticks = ticker.missed();
+    counters.ticks = ticker.statistics().ticks();
+    counters.missed_ticks = ticker.statistics().missed();
     process.status().counters(counters);
   }
 }

@@ -50,6 +50,12 @@ Json json_of(const links::ProcessStatus& status) {
             {"ticks", status.counters.ticks},
             {"missed_ticks", status.counters.missed_ticks},
             {"late_commands", status.counters.late_commands}};
+  if (status.counters.packages > 0)
+    json["packages"] =
+        Json{{"received", status.counters.packages},        {"lost", status.counters.packages_lost},
+             {"doubled", status.counters.packages_doubled}, {"late", status.counters.packages_late},
+             {"bunched", status.counters.packages_bunched}, {"skew_p99_us", status.counters.wakeup_p99_us},
+             {"skew_max_us", status.counters.wakeup_max_us}};
   if (status.error.code != ErrorCode::none)
     json["error"] = Json{{"code", static_cast<int>(status.error.code)},
                          {"text", std::string{describe(status.error.code)}},

@@ -10,10 +10,19 @@ void add_servo(std::string& text, const links::ProcessStatus& status, bool real)
   const links::Counters& counters = status.counters;
   text += fmt::format("  {:<10} {} ticks, {} missed, {} late commands", status.process.view(), counters.ticks,
                       counters.missed_ticks, counters.late_commands);
-  if (real) {
+  const bool keeps_time = counters.packages > 0;
+  if (real && !keeps_time) {
     text += fmt::format("; wake-up p50 {:.0f} p99 {:.0f} max {:.0f} us; tick p50 {:.0f} p99 {:.0f} max {:.0f} us",
                         counters.wakeup_p50_us, counters.wakeup_p99_us, counters.wakeup_max_us,
                         counters.execution_p50_us, counters.execution_p99_us, counters.execution_max_us);
+  }
+  if (keeps_time) {
+    text += fmt::format("; skew p50 {:.0f} p99 {:.0f} max {:.0f} us; tick p50 {:.0f} p99 {:.0f} max {:.0f} us",
+                        counters.wakeup_p50_us, counters.wakeup_p99_us, counters.wakeup_max_us,
+                        counters.execution_p50_us, counters.execution_p99_us, counters.execution_max_us);
+    text += fmt::format("\n  {:<10} {} packages of its clock, {} lost, {} doubled, {} late, {} bunched", "",
+                        counters.packages, counters.packages_lost, counters.packages_doubled, counters.packages_late,
+                        counters.packages_bunched);
   }
   text += "\n";
 }

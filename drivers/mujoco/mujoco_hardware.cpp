@@ -46,7 +46,7 @@ void MujocoHardware::read(Tick tick, HardwareInput& input) noexcept {
   world::JointMeasurement measurement;
   input.fault = await(tick, measurement) ? ErrorCode::none : ErrorCode::hardware_silent;
   if (input.fault == ErrorCode::none) {
-    input.tick = measurement.tick;
+    input.time = static_cast<double>(measurement.tick);
     input.inputs = measurement.inputs;
     for (Eigen::Index i = 0; i < joints_.size(); ++i) {
       joints_[i] = measurement.position[static_cast<std::size_t>(i)];

@@ -169,7 +169,7 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
   input.motors.resize(count);
   input.current.resize(count);
   input.fault = ErrorCode::none;
-  input.tick = measured_;
+  input.time = static_cast<double>(measured_);
   if (timing_.real) input.late = late_;
   if (bus_error_ != BusError::none) {
     input.fault = stops_the_bus(bus_error_) ? ErrorCode::bus_off : ErrorCode::bus_error;

@@ -26,21 +26,33 @@ constexpr double kFrequency = 500, kFrequencyOfCb3 = 125;
 constexpr std::uint32_t kFirstMajorOfESeries = 5;
 constexpr std::size_t kQueue = 4096;
 
+void signal(int eventfd) noexcept {
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const ssize_t written = ::write(eventfd, &one, sizeof one);
+}
+
+void clear(int eventfd) noexcept {
+  std::uint64_t count = 0;
+  [[maybe_unused]] const ssize_t read = ::read(eventfd, &count, sizeof count);
+}
+
 std::int64_t after(double seconds) { return clock::monotonic_ns() + std::llround(seconds * 1e9); }
 
 }  // namespace
 
-RtdeLink::RtdeLink(const UrOptions& options) : options_(options), queue_(kQueue) {
-  wake_ = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  if (wake_ < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
+RtdeLink::RtdeLink(const UrOptions& options, double servo_period)
+    : options_(options), servo_period_(servo_period), queue_(kQueue) {
+  for (int* const each : {&wake_, &received_})
+    if ((*each = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) < 0)
+      throw std::system_error(errno, std::generic_category(), "eventfd");
 }
 
 RtdeLink::~RtdeLink() {
   end_.store(true, std::memory_order_release);
-  const std::uint64_t one = 1;
-  [[maybe_unused]] const ssize_t written = ::write(wake_, &one, sizeof one);
+  signal(wake_);
   if (thread_.joinable()) thread_.join();
   ::close(wake_);
+  ::close(received_);
 }
 
 void RtdeLink::open() {
@@ -67,6 +79,14 @@ void RtdeLink::connect_in_time() {
   }
 }
 
+/// The greatest that is not above the servo's, a fraction of the controller's own.
+double RtdeLink::frequency_of(std::uint32_t major) const noexcept {
+  if (options_.frequency != 0) return options_.frequency;
+  const double own = major < kFirstMajorOfESeries ? kFrequencyOfCb3 : kFrequency;
+  constexpr double kRounding = 1e-6;
+  return own / std::max(std::ceil(own * servo_period_ - kRounding), 1.0);
+}
+
 /// Negotiates; on return packages arrive.
 void RtdeLink::connect() {
   try {
@@ -82,8 +102,7 @@ void RtdeLink::connect() {
       throw rtde::ProtocolError("the controller refuses protocol version 2, its software must be 3.3 or newer");
     const auto version =
         rtde::ControllerVersion::from_payload(ask(PacketType::get_urcontrol_version, {}, deadline).payload);
-    const double greatest = version.major < kFirstMajorOfESeries ? kFrequencyOfCb3 : kFrequency;
-    frequency_.store(options_.frequency == 0 ? greatest : options_.frequency, std::memory_order_relaxed);
+    frequency_.store(frequency_of(version.major), std::memory_order_relaxed);
 
     const rtde::OutputsRequest outputs{frequency(), state_fields(options_.registers)};
     state_recipe_ = rtde::accepted_recipe(
@@ -178,7 +197,7 @@ void RtdeLink::report(const std::string& reason) noexcept {
 void RtdeLink::run() noexcept {
   while (!end_.load(std::memory_order_acquire)) {
     if (!socket_.is_open()) reconnect();
-    wait();
+    poll();
     if (!socket_.is_open()) continue;
     transmit();
     receive();
@@ -204,7 +223,7 @@ void RtdeLink::reconnect() noexcept {
 }
 
 /// Until the socket or the servo thread has something, or a while has passed.
-void RtdeLink::wait() noexcept {
+void RtdeLink::poll() noexcept {
   std::array<pollfd, 2> entries{{{wake_, POLLIN, 0}, {socket_.fd(), POLLIN, 0}}};
   if (!queue_empty()) entries[1].events |= POLLOUT;
   if (socket_.is_open()) {
@@ -213,11 +232,17 @@ void RtdeLink::wait() noexcept {
     // the servo thread continues to hand set-points over: they must not make the attempts more frequent
     clock::pause(kBetweenAttempts);
   }
-  std::uint64_t count = 0;
-  [[maybe_unused]] const ssize_t taken = ::read(wake_, &count, sizeof count);
+  clear(wake_);
+}
+
+bool RtdeLink::wait(std::int64_t deadline) noexcept {
+  if (!clock::wait_for(received_, POLLIN, deadline)) return false;
+  clear(received_);
+  return true;
 }
 
 void RtdeLink::receive() noexcept {
+  const std::uint64_t before = packages_.load(std::memory_order_relaxed);
   long size = 0;
   while (socket_.is_open() && (size = socket_.receive(buffer_.free_space())) > 0) {
     buffer_.filled(static_cast<std::size_t>(size));
@@ -227,6 +252,10 @@ void RtdeLink::receive() noexcept {
     if (next == PacketBuffer::Next::broken) disconnect(socket_.name() + ": the received bytes are not RTDE");
   }
   if (size < 0) disconnect(end_of_connection());
+  const std::uint64_t taken = packages_.load(std::memory_order_relaxed) - before;
+  if (taken == 0) return;
+  bunched_.fetch_add(taken - 1, std::memory_order_relaxed);
+  signal(received_);
 }
 
 void RtdeLink::take(const rtde::Packet& packet) noexcept {
@@ -236,7 +265,7 @@ void RtdeLink::take(const rtde::Packet& packet) noexcept {
     return disconnect(socket_.name() + ": a data package is not of the agreed recipe");
   last_received_ = state_.received = clock::monotonic_ns();
   state_.number = packages_.fetch_add(1, std::memory_order_relaxed) + 1;
-  const PackageClock::Verdict verdict = clock_.take(state_.timestamp, state_.received);
+  const edp::PackageClock::Verdict verdict = clock_.take(state_.timestamp, state_.received);
   lost_.fetch_add(verdict.lost, std::memory_order_relaxed);
   late_.fetch_add(verdict.late, std::memory_order_relaxed);
   doubled_.fetch_add(verdict.doubled, std::memory_order_relaxed);
@@ -246,8 +275,7 @@ void RtdeLink::take(const rtde::Packet& packet) noexcept {
 
 void RtdeLink::send(const Command& command) noexcept {
   commands_.store(command);
-  const std::uint64_t one = 1;
-  [[maybe_unused]] const ssize_t written = ::write(wake_, &one, sizeof one);
+  signal(wake_);
 }
 
 void RtdeLink::transmit() noexcept {
@@ -286,8 +314,11 @@ void RtdeLink::flush() noexcept {
 
 LinkCounters RtdeLink::counters() const noexcept {
   constexpr auto kRelaxed = std::memory_order_relaxed;
-  return {packages_.load(kRelaxed), lost_.load(kRelaxed),   late_.load(kRelaxed),       doubled_.load(kRelaxed),
-          sent_.load(kRelaxed),     unsent_.load(kRelaxed), connections_.load(kRelaxed)};
+  return {{packages_.load(kRelaxed), lost_.load(kRelaxed), doubled_.load(kRelaxed), late_.load(kRelaxed),
+           bunched_.load(kRelaxed)},
+          sent_.load(kRelaxed),
+          unsent_.load(kRelaxed),
+          connections_.load(kRelaxed)};
 }
 
 }  // namespace mrroc::ur

@@ -10,21 +10,18 @@
 #include "core/lockfree/latest_value.hpp"
 #include "drivers/ur/command.hpp"
 #include "drivers/ur/options.hpp"
-#include "drivers/ur/package_clock.hpp"
 #include "drivers/ur/robot_state.hpp"
 #include "drivers/ur/rtde/messages.hpp"
 #include "drivers/ur/rtde/packet.hpp"
 #include "drivers/ur/tcp_socket.hpp"
+#include "edp/package_clock.hpp"
+#include "edp/robot_clock.hpp"
 #include "edp/safety/fault.hpp"
 
 namespace mrroc::ur {
 
 /// Packages since `open`.
-struct LinkCounters {
-  std::uint64_t packages = 0;
-  std::uint64_t lost = 0;         ///< missing in the controller's time
-  std::uint64_t late = 0;         ///< received more than a period after their time
-  std::uint64_t doubled = 0;      ///< with the time of the one before
+struct LinkCounters : edp::BeatCounters {
   std::uint64_t sent = 0;         ///< set-points
   std::uint64_t unsent = 0;       ///< set-points that newer ones have replaced before they could be sent
   std::uint64_t connections = 0;  ///< made, the first included
@@ -36,8 +33,9 @@ struct LinkCounters {
 /// servo thread never waits for it. The thread has the scheduling class of the thread that calls `open`.
 class RtdeLink {
  public:
-  /// Copies the options; they must be valid.
-  explicit RtdeLink(const UrOptions& options);
+  /// Copies the options; they must be valid. Without a frequency among them packages come once in `servo_period` (s) at
+  /// most.
+  RtdeLink(const UrOptions& options, double servo_period);
   ~RtdeLink();
   RtdeLink(const RtdeLink&) = delete;
   RtdeLink& operator=(const RtdeLink&) = delete;
@@ -46,6 +44,9 @@ class RtdeLink {
   /// port and problem: no connection, no answer, protocol version, refused fields.
   void open();
 
+  /// Waits until packages have come since the last call; false: none before `deadline` (CLOCK_MONOTONIC, ns). Servo
+  /// thread.
+  bool wait(std::int64_t deadline) noexcept;
   /// The newest state; null before the first. Servo thread.
   const RobotState* newest() noexcept { return for_servo_.load(); }
   /// The same for one other thread.
@@ -77,7 +78,8 @@ class RtdeLink {
   std::string end_of_connection() const;
   void disconnect(const std::string& reason) noexcept;
   void run() noexcept;
-  void wait() noexcept;
+  void poll() noexcept;
+  double frequency_of(std::uint32_t major) const noexcept;
   void reconnect() noexcept;
   void receive() noexcept;
   void take(const rtde::Packet& packet) noexcept;
@@ -88,6 +90,7 @@ class RtdeLink {
   bool queue_empty() const noexcept { return queued_begin_ == queued_end_; }
 
   const UrOptions options_;
+  const double servo_period_;
   std::atomic<double> frequency_{0};
   TcpSocket socket_;
   std::string reason_;  ///< of the last disconnection
@@ -98,7 +101,7 @@ class RtdeLink {
   Output set_points_, terminals_, slider_;
   std::vector<std::uint8_t> queue_;  ///< bytes that the socket has not taken yet
   std::size_t queued_begin_ = 0, queued_end_ = 0;
-  PackageClock clock_;
+  edp::PackageClock clock_;
   RobotState state_;
   std::int64_t last_received_ = 0;
   std::optional<ControllerIo> outputs_;  ///< as last sent
@@ -109,8 +112,10 @@ class RtdeLink {
   core::LatestValue<Command> commands_;
   core::LatestValue<edp::DriverText> problem_for_servo_, problem_for_start_;
   std::atomic<bool> up_{false}, end_{false};
-  std::atomic<std::uint64_t> packages_{0}, lost_{0}, late_{0}, doubled_{0}, sent_{0}, unsent_{0}, connections_{0};
-  int wake_ = -1;  ///< eventfd
+  std::atomic<std::uint64_t> packages_{0}, lost_{0}, late_{0}, doubled_{0}, bunched_{0}, sent_{0}, unsent_{0},
+      connections_{0};
+  int wake_ = -1;      ///< eventfd of this thread: the servo has something to send
+  int received_ = -1;  ///< eventfd of the servo: packages have come
   std::thread thread_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "clock/wall/monotonic.hpp"
 #include "drivers/ur/control_script.hpp"
@@ -63,9 +64,8 @@ UrHardware::UrHardware(const UrOptions& options, const RobotModel& model, double
       period_(period),
       drives_(model.parameters().drives),
       mode_(mode_of(drives_.interface)),
-      link_(options_),
-      start_(options_, link_, script_of(options_)),
-      clock_(period) {
+      link_(options_, period),
+      start_(options_, link_, script_of(options_)) {
   position_ = velocity_ = origin_ = JointVector::Zero(kAxes);
 }
 
@@ -149,22 +149,28 @@ UrFault UrHardware::find_fault(Tick tick) const noexcept {
   return following_fault(state_, start_.program());
 }
 
+bool UrHardware::wait(std::int64_t deadline, edp::Beat& beat) noexcept {
+  const RobotState* newest = nullptr;
+  if (!link_.wait(deadline) || (newest = link_.newest()) == nullptr) return false;
+  state_ = *newest;
+  has_state_ = fresh_ = true;
+  beat = {state_.timestamp, state_.received};
+  return true;
+}
+
 void UrHardware::read(Tick tick, edp::HardwareInput& input) noexcept {
   now_ = tick;
-  const RobotState* const newest = link_.newest();
-  if (newest != nullptr && (!has_state_ || newest->number != state_.number)) {
-    state_ = *newest;
-    measured_ = clock_.take(state_.timestamp, state_.received, tick, clock::monotonic_ns());
-    received_ = tick;
-    has_state_ = true;
-  }
   if (!has_state_) {
     input.fault = ErrorCode::hardware_silent;
     return;
   }
+  if (std::exchange(fresh_, false)) {
+    measured_ = input.time;
+    received_ = tick;
+  }
   advance();
-  input.tick = measured_.tick;
-  const JointVector joints = as_joints(state_.position) - measured_.rest * period_ * as_joints(state_.velocity);
+  input.time = measured_;
+  const JointVector joints = as_joints(state_.position);
   JointVector motors(kAxes);
   UrFault fault = find_fault(tick);
   if (model_.joints_to_motors(joints, motors) == ErrorCode::none) input.motors = motors + origin_;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "drivers/ur/command.hpp"
-#include "drivers/ur/measurement_clock.hpp"
 #include "drivers/ur/options.hpp"
 #include "drivers/ur/robot_start.hpp"
 #include "drivers/ur/rtde_link.hpp"
@@ -20,15 +19,15 @@ namespace mrroc::ur {
 /// robot's parameters, position or velocity, selects servoj or speedj. With velocity the set-point r of the positions
 /// corrects the velocity v by the drives' position_gain: v + position_gain (r - q).
 ///
-/// Positions are the joint angles of the controller; the model converts them to shafts. They are absolute. Controller
-/// and servo have clocks of their own (MeasurementClock): a position is that of the tick that is reported with it,
-/// moved there by the measured velocity. Until a new package comes it is repeated, and so is its tick.
+/// Positions are the joint angles of the controller; the model converts them to shafts. They are absolute. The
+/// controller keeps the time: the servo ticks with its packages (RobotClock), and sends one set-point for each. In a
+/// tick without a new package the positions are repeated, and so is their time.
 ///
 /// `enable(true)` makes the robot ready: it releases a protective stop, switches power on, releases the brakes and
 /// starts the control script, which takes seconds. `enable(false)` stops the motion; the controller holds the arm, with
 /// its power on. `reset_fault` makes the robot ready, too. The control script stops the robot when this process ends or
 /// the connection is cut.
-class UrHardware : public edp::Hardware {
+class UrHardware : public edp::Hardware, private edp::RobotClock {
  public:
   /// `model` must outlive it; `period` in s. Throws HardwareError: options that are invalid, a robot that does not have
   /// six axes or whose drives follow currents, a control script that cannot be read.
@@ -40,6 +39,7 @@ class UrHardware : public edp::Hardware {
   void enable(bool on) noexcept override;
   void reset_fault() noexcept override;
   bool busy() const noexcept override;
+  edp::RobotClock* clock() noexcept override { return this; }
   void read(Tick tick, edp::HardwareInput& input) noexcept override;
   void set_points(const JointVector& position, const JointVector& velocity) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
@@ -48,7 +48,7 @@ class UrHardware : public edp::Hardware {
 
   /// The newest state of the controller. Servo thread.
   const RobotState& state() const noexcept { return state_; }
-  LinkCounters counters() const noexcept { return link_.counters(); }
+  LinkCounters link_counters() const noexcept { return link_.counters(); }
 
  private:
   /// The state of the robot as a drive.
@@ -60,6 +60,10 @@ class UrHardware : public edp::Hardware {
     stopping,   ///< it has been switched off; the control script stops the motion
     failed      ///< it could not be made ready
   };
+
+  double period() const noexcept override { return 1 / link_.frequency(); }
+  bool wait(std::int64_t deadline, edp::Beat& beat) noexcept override;
+  edp::BeatCounters counters() const noexcept override { return link_.counters(); }
 
   void advance() noexcept;
   UrFault find_fault(Tick tick) const noexcept;
@@ -74,13 +78,13 @@ class UrHardware : public edp::Hardware {
   RobotStart start_;
   RobotState state_;
   bool has_state_ = false;
+  bool fresh_ = false;  ///< no tick has read it yet
   Phase phase_ = Phase::off;
   bool wanted_ = false;  ///< by the servo: power
   UrFault failure_;
-  MeasurementClock clock_;
-  MeasurementClock::Measured measured_;  ///< of the newest package
-  Tick received_ = 0;                    ///< tick in which it was read
-  Tick phase_begin_ = 0;                 ///< tick since which the control script has to follow, or to stop
+  double measured_ = 0;   ///< when the robot was in that state, ticks
+  Tick received_ = 0;     ///< tick in which it was read
+  Tick phase_begin_ = 0;  ///< tick since which the control script has to follow, or to stop
   Tick now_ = 0;
   rtde::Vector6d held_{};            ///< joints while the servo does not command yet
   JointVector position_, velocity_;  ///< set-points of the shafts

@@ -20,6 +20,7 @@ class GuardedHardware final : public Hardware {
   void reset_fault() noexcept override;
   bool waits() const noexcept override { return hardware_->waits(); }
   bool follows_current() const noexcept override { return hardware_->follows_current(); }
+  RobotClock* clock() noexcept override { return hardware_->clock(); }
   void read(Tick tick, HardwareInput& input) noexcept override;
   void set_points(const JointVector& position, const JointVector& velocity) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;

@@ -28,6 +28,7 @@ class InjectedHardware final : public Hardware {
   }
   bool waits() const noexcept override { return hardware_->waits(); }
   bool follows_current() const noexcept override { return hardware_->follows_current(); }
+  RobotClock* clock() noexcept override { return hardware_->clock(); }
   void read(Tick tick, HardwareInput& input) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
   void set_outputs(const ControllerIo& outputs) noexcept override { hardware_->set_outputs(outputs); }

@@ -19,13 +19,13 @@ class CurrentWatch {
   void reset() noexcept { ticks_.fill(0); }
   /// Takes the currents (A) measured after another `ticks` ticks. Returns the first axis that has been at its limit for
   /// too long, or -1.
-  int check(const JointVector& current, Tick ticks) noexcept {
+  int check(const JointVector& current, double ticks) noexcept {
     int beyond = -1;
     for (std::size_t i = parameters_->axes.size(); i-- > 0;) {
       const AxisParameters& axis = parameters_->axes[i];
       const bool at_limit = !(std::abs(current[static_cast<Eigen::Index>(i)]) < axis.current_max);
       ticks_[i] = at_limit ? ticks_[i] + ticks : 0;
-      if (static_cast<double>(ticks_[i]) * period_ > axis.current_max_time) beyond = static_cast<int>(i);
+      if (ticks_[i] * period_ > axis.current_max_time) beyond = static_cast<int>(i);
     }
     return beyond;
   }
@@ -33,7 +33,7 @@ class CurrentWatch {
  private:
   const RobotParameters* parameters_;
   double period_;
-  std::array<Tick, kMaxJoints> ticks_{};  ///< at the limit without a break
+  std::array<double, kMaxJoints> ticks_{};  ///< at the limit without a break
 };
 
 }  // namespace mrroc::edp

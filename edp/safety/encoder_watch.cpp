@@ -1,5 +1,6 @@
 #include "edp/safety/encoder_watch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrroc::edp {
@@ -15,9 +16,9 @@ EncoderWatch::EncoderWatch(const RobotModel& model, double period) noexcept : co
   }
 }
 
-EncoderWatch::Finding EncoderWatch::check(const JointVector& motors, Tick tick) noexcept {
+EncoderWatch::Finding EncoderWatch::check(const JointVector& motors, double time) noexcept {
   Finding finding;
-  if (!jumped_) ticks_ = tick > tick_ ? static_cast<double>(tick - tick_) : 1.0;
+  if (!jumped_) ticks_ = time > time_ ? std::max(time - time_, 1.0) : 1.0;
   for (std::size_t i = 0; i < count_; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     if (!std::isfinite(motors[k])) return {static_cast<int>(i), NotFinite{}};
@@ -28,7 +29,7 @@ EncoderWatch::Finding EncoderWatch::check(const JointVector& motors, Tick tick) 
   jumped_ = finding.axis >= 0;
   if (jumped_) return finding;
   good_ = motors;
-  tick_ = tick;
+  time_ = time;
   return finding;
 }
 

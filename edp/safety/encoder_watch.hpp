@@ -25,8 +25,8 @@ class EncoderWatch {
   /// `model`: any of the robot's; `period` in s.
   EncoderWatch(const RobotModel& model, double period) noexcept;
 
-  /// Takes the readings (rad) of tick `tick`, which need not be later than the last one's: drives may repeat them.
-  Finding check(const JointVector& motors, Tick tick) noexcept;
+  /// Takes the readings (rad) of a time (ticks) that need not be later than the last one's: drives may repeat them.
+  Finding check(const JointVector& motors, double time) noexcept;
   /// From now on the same readings are greater by `shift`.
   void shift(const JointVector& shift) noexcept { good_ += shift; }
 
@@ -34,7 +34,7 @@ class EncoderWatch {
   std::size_t count_;
   std::array<double, kMaxJoints> way_{};  ///< largest motion in a tick, rad
   JointVector good_;                      ///< the last good readings; empty before the first
-  Tick tick_ = 0;                         ///< the tick of `good_`
+  double time_ = 0;                       ///< of `good_`, ticks
   double ticks_ = 1;                      ///< ticks for the motion since then
   bool jumped_ = false;
 };

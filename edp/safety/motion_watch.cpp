@@ -50,14 +50,14 @@ void MotionWatch::begin(const RobotModel& model, const Seen& seen, Taken taken) 
 
 Fault MotionWatch::check_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken,
                                int homing) noexcept {
-  if (taken.tick <= ring_[(readings_ - 1) % kReadings].taken.tick) return {};  // the same reading again
+  if (taken.time <= ring_[(readings_ - 1) % kReadings].taken.time) return {};  // the same reading again
   const Reading last = ring_[(readings_ - 1) % kReadings], oldest = ring_[readings_ % kReadings];
   const bool full = readings_ >= kReadings;
   ring_[readings_++ % kReadings] = {taken, joints};
-  const auto periods = static_cast<double>(taken.tick - last.taken.tick);
+  const double periods = taken.time - last.taken.time;
   const double longest = period_ * (periods + taken.late);
   const double shortest = period_ * (periods - last.taken.late);
-  const double whole_time = period_ * (static_cast<double>(taken.tick - oldest.taken.tick) + taken.late);
+  const double whole_time = period_ * (taken.time - oldest.taken.time + taken.late);
   const bool exact = longest == shortest;
   Fault fault;
   for (Eigen::Index i = joints.size(); i-- > 0;) {

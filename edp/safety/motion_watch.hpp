@@ -46,10 +46,11 @@ class MotionWatch {
     const JointVector& current;         ///< A, positive along the shafts' positions: given last, else measured
     bool given = true;                  ///< `current` was given to drives that follow it; false: measured
   };
-  /// When a reading was taken: at its tick or up to `late` servo periods after it. Drives on a bus measure when they
-  /// are asked or keep time on their own, so a servo that wakes late does not know which. In doubt a motion is slow.
+  /// When a reading was taken: at `time`, ticks, or up to `late` servo periods after it. Drives on a bus measure when
+  /// they are asked or keep time on their own, so a servo that wakes late does not know which. In doubt a motion is
+  /// slow.
   struct Taken {
-    Tick tick = 0;
+    double time = 0;
     double late = 0;
   };
   /// Once per servo tick. The first axis that is too fast, else one that is stuck (`moves`: it is commanded, not

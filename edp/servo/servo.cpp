@@ -51,7 +51,8 @@ bool Servo::use(std::uint8_t index) noexcept {
   return true;
 }
 
-bool Servo::tick(Tick tick) noexcept {
+bool Servo::tick(Tick tick, double ahead) noexcept {
+  now_ = static_cast<double>(tick) + ahead;
   measure(tick);
   obey_order();
   watch(tick);
@@ -75,10 +76,26 @@ bool Servo::tick(Tick tick) noexcept {
     desired_ = DesiredState::resting_at(joints_);
     desired_motors_ = previous_motors_ = measured_motors_;
   }
-  hardware_.set_points(desired_motors_,
-                       (desired_motors_ - previous_motors_) / (period_ * static_cast<double>(elapsed_)));
+  hardware_.set_points(desired_motors_, (desired_motors_ - previous_motors_) / (period_ * elapsed_));
   hardware_.write(tick, current_);
+  if (tap_ != nullptr) record(tick);
   return publish(tick);
+}
+
+void Servo::record(Tick tick) noexcept {
+  sample_.tick = tick;
+  sample_.ahead = now_ - static_cast<double>(tick);
+  sample_.measured = input_.time;
+  sample_.motors = measured_motors_;
+  sample_.current = input_.current;
+  sample_.set_point = desired_motors_;
+  sample_.given = current_;
+  sample_.wrench = force_.wrench();
+  sample_.inputs = input_.inputs;
+  sample_.outputs = outputs_;
+  sample_.state = state_;
+  sample_.fault = fault_;
+  tap_->put(sample_);
 }
 
 void Servo::leave() noexcept {
@@ -207,6 +224,7 @@ bool Servo::publish(Tick tick) noexcept {
   }
   outbox_count_ = 0;
   last_ = tick;
+  then_ = now_;
   ticked_ = true;
   return news;
 }

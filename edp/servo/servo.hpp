@@ -17,6 +17,7 @@
 #include "edp/servo/emergency_latch.hpp"
 #include "edp/servo/regulator.hpp"
 #include "edp/servo/servo_state.hpp"
+#include "edp/servo/servo_tap.hpp"
 #include "edp/servo/synchroniser.hpp"
 #include "language/stop.hpp"
 
@@ -24,7 +25,10 @@ namespace mrroc::edp {
 
 /// The servo of one robot. One tick: read the hardware, estimate the state, take the set-point of this tick, check
 /// the limits, regulate, write the hardware, count. Its owner ticks it: its own thread in real time, the
-/// participant in lockstep; the other side of `ServoChannel` may be any single thread.
+/// participant in lockstep; the other side of `ServoChannel` may be any single thread. A robot that keeps the time of
+/// its servo ticks beside the grid: at x = k + ahead, 0 <= ahead < 1, in ticks. Set-points are those of x, so that they
+/// are as smooth as on the grid; all else happens in whole ticks. When the robot's period is the shorter one, a tick k
+/// comes twice now and then.
 ///
 /// Set-points: macrosteps one after the other, each from the tick at which its predecessor ended. When a macrostep ends
 /// in motion and no successor has come by the next tick, the robot brakes within its limits from its set-point and
@@ -63,15 +67,20 @@ class Servo {
   /// The digital input that presses the emergency stop while it is off. Before the first tick.
   void use_emergency_terminal(int terminal) noexcept { emergency_.use_terminal(terminal); }
 
-  /// Executes tick `tick`, greater than the last one; a gap counts as missed ticks. True: reports have been put out,
-  /// the comms side should poll.
-  bool tick(Tick tick) noexcept;
+  /// A recorder reads every tick from `tap`, which must outlive this object. Before the first tick.
+  void use_tap(ServoTap& tap) noexcept { tap_ = &tap; }
+
+  /// Executes tick `tick`, `ahead` of its period after it has begun: later than the last time. A gap counts as missed
+  /// ticks. True: reports have been put out, the comms side should poll.
+  bool tick(Tick tick, double ahead = 0) noexcept;
 
   /// The process ends: from the next tick on the robot stops, then its drives go off, and no order switches them on
   /// again. The servo's thread.
   void leave() noexcept;
   /// Whether the drives wait for each tick (Hardware::waits), so that none may be skipped.
   bool drives_wait() const noexcept { return hardware_.waits(); }
+  /// Of the robot, where it keeps the time (Hardware::clock); else null.
+  RobotClock* robot_clock() noexcept { return hardware_.clock(); }
   /// False once nothing moves any more: the drives are off, and have reported it. The servo's thread.
   bool drives_on() const noexcept { return has_power(state_) || (leaving_ && hardware_.busy()); }
 
@@ -93,7 +102,7 @@ class Servo {
   bool use(std::uint8_t model) noexcept;
   void widen_limits() noexcept;
   void measure(Tick tick) noexcept;
-  void check_encoders(Tick tick) noexcept;
+  void check_encoders() noexcept;
   void find_fault(const Fault& fault) noexcept;
   bool switch_on() noexcept;
   void give_up_power() noexcept;
@@ -102,10 +111,10 @@ class Servo {
   Fault find_in_motion() noexcept;
   void watch_force(Tick tick) noexcept;
   void abort_pending() noexcept;
-  void interrupt(const ErrorReport& report, Tick from) noexcept;
+  void interrupt(const ErrorReport& report, double from) noexcept;
   void advance(Tick tick) noexcept;
   void follow(double time, Tick tick) noexcept;
-  void follow_force(Tick tick) noexcept;
+  void follow_force(double now) noexcept;
   bool synchronise(Tick tick) noexcept;
   int synchronised_axis() const noexcept;
   /// The same, where the axis's drive finds its position on its own.
@@ -115,7 +124,7 @@ class Servo {
   void put_out(const ControllerIo& outputs) noexcept;
   bool start_next(Tick tick) noexcept;
   void refuse_foreign() noexcept;
-  void brake(Tick from) noexcept;
+  void brake(double from) noexcept;
   void stop(StopCategory category) noexcept;
   void stop_and_switch_off() noexcept;
   void drives_off() noexcept;
@@ -123,6 +132,7 @@ class Servo {
   bool keeps_limits(Tick tick) noexcept;
   void regulate() noexcept;
   bool publish(Tick tick) noexcept;
+  void record(Tick tick) noexcept;
 
   const ModelSet& models_;
   const RobotModel* model_;
@@ -140,7 +150,9 @@ class Servo {
   // measured
   bool ticked_ = false;  ///< at least once
   Tick last_ = 0;        ///< the last executed tick
-  Tick elapsed_ = 1;     ///< since then
+  double then_ = 0;      ///< the same, and how far ahead of it, ticks
+  double now_ = 0;       ///< of the tick under way
+  double elapsed_ = 1;   ///< between these
   HardwareInput input_;
   JointVector joints_, velocity_, measured_motors_, measured_increment_;
   JointVector read_joints_;  ///< those of the last new reading
@@ -158,6 +170,7 @@ class Servo {
   JointVector desired_motors_, previous_position_, previous_motors_;
   JointVector position_min_, position_max_;  ///< widened by where the robot was switched on
   Macrostep active_;
+  double origin_ = 0;  ///< when `active_` began: its start, but a stop begins at the set-point before it
   bool running_ = false;
   Tick boundary_ = 0;  ///< tick in which the last macrostep ended
   std::uint64_t finished_ = 0;
@@ -167,8 +180,8 @@ class Servo {
   // force
   ForceWatch force_;
   ForceMotion force_motion_;
-  bool forced_ = false;  ///< the last macrostep started is one of force
-  Tick force_tick_ = 0;  ///< tick of its last set-point
+  bool forced_ = false;    ///< the last macrostep started is one of force
+  double force_time_ = 0;  ///< of its last set-point, ticks
   std::uint32_t interruptions_ = 0;
   ErrorReport interruption_;
 
@@ -185,6 +198,8 @@ class Servo {
   std::size_t outbox_count_ = 0;
   ServoCounters counters_;
   Snapshot snapshot_;
+  ServoTap* tap_ = nullptr;
+  ServoSample sample_;
 };
 
 }  // namespace mrroc::edp

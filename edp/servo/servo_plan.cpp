@@ -10,7 +10,7 @@ void Servo::advance(Tick tick) noexcept {
   for (;;) {
     if (running_ && active_.kind == Macrostep::Kind::force) {
       const Tick end = active_.start + active_.steps;
-      follow_force(std::min(tick, end));
+      follow_force(std::min(now_, static_cast<double>(end)));
       if (active_.kind == Macrostep::Kind::force && tick < end) return;
     }
     if (running_) {
@@ -18,10 +18,10 @@ void Servo::advance(Tick tick) noexcept {
       if (active_.kind == Macrostep::Kind::synchronise) {
         if (!synchronise(tick)) return;
       } else if (step < active_.steps) {
-        const double time = static_cast<double>(step) * period_;
+        const double time = (now_ - origin_) * period_;
         if (active_.kind == Macrostep::Kind::stop)
           desired_ = stop_.at(time);
-        else if (active_.kind == Macrostep::Kind::path && step > 0)
+        else if (active_.kind == Macrostep::Kind::path && time > 0)
           follow(time, tick);
         return;
       }
@@ -36,13 +36,13 @@ void Servo::advance(Tick tick) noexcept {
       running_ = false;
       boundary_ = active_.start + active_.steps;
       if (active_.ticket != 0) finished_ = active_.ticket;
-      if (boundary_ == tick) return;
+      if (static_cast<double>(boundary_) >= now_) return;
     }
     if (start_next(tick)) continue;
     if (desired_.at_rest()) return;
     if (active_.kind != Macrostep::Kind::stop)
       ++counters_.stops;  // else a hold that ended before its stop: it continues
-    brake(boundary_);
+    brake(static_cast<double>(boundary_));
     braking_ = true;
     refuse_foreign();
   }
@@ -57,13 +57,13 @@ void Servo::follow(double time, Tick tick) noexcept {
     latch({code}, tick);
 }
 
-/// The set-point of tick `tick` of the force macrostep, which is not its end or a tick before it.
-void Servo::follow_force(Tick tick) noexcept {
-  if (tick == force_tick_) return;
-  const ErrorReport report = force_motion_.step(active_.force, force_.wrench(), force_.mount(),
-                                                period_ * static_cast<double>(tick - force_tick_), desired_);
-  if (report.error_class != ErrorClass::none) return interrupt(report, force_tick_);
-  force_tick_ = tick;
+/// The set-point of the force macrostep at `now`, ticks, at its end at most.
+void Servo::follow_force(double now) noexcept {
+  if (now <= force_time_) return;
+  const ErrorReport report =
+      force_motion_.step(active_.force, force_.wrench(), force_.mount(), period_ * (now - force_time_), desired_);
+  if (report.error_class != ErrorClass::none) return interrupt(report, force_time_);
+  force_time_ = now;
 }
 
 /// One tick of the synchronisation; true: it is over.
@@ -116,7 +116,7 @@ bool Servo::start_next(Tick tick) noexcept {
   const Macrostep* next = channel_.macrosteps.front();
   if (next == nullptr || next->epoch != epoch_ || state_ == ServoState::stopping || next->start > tick) return false;
   if (next->kind == Macrostep::Kind::unplanned) {
-    brake(boundary_);
+    brake(static_cast<double>(boundary_));
     braking_ = false;
     refuse_foreign();
     return true;
@@ -126,10 +126,11 @@ bool Servo::start_next(Tick tick) noexcept {
   running_ = true;
   // a moving predecessor ended at `start`, even in a missed tick; a resting robot begins now
   active_.start = std::max({active_.start, boundary_, last_});
+  origin_ = static_cast<double>(active_.start);
   if (active_.kind == Macrostep::Kind::stop) stop_.plan(desired_);
   if (active_.kind == Macrostep::Kind::force) {
     if (!forced_) force_motion_.start(desired_, active_.force.tool);
-    force_tick_ = active_.start;
+    force_time_ = origin_;
   }
   forced_ = active_.kind == Macrostep::Kind::force;
   if (active_.with_outputs) put_out(active_.outputs);
@@ -155,13 +156,15 @@ void Servo::refuse_foreign() noexcept {
   }
 }
 
-void Servo::brake(Tick from) noexcept {
+/// From the set-point, which is that of the time `from`, ticks.
+void Servo::brake(double from) noexcept {
   ++epoch_;
   forced_ = false;
   stop_.plan(desired_);
   active_.kind = Macrostep::Kind::stop;
   active_.ticket = 0;
-  active_.start = from;
+  active_.start = static_cast<Tick>(from);
+  origin_ = from;
   active_.steps = stop_.ticks();
   active_.from = desired_;
   active_.to = stop_.end();
@@ -179,7 +182,7 @@ void Servo::stop_and_switch_off() noexcept {
   if (homing_axis() >= 0) return drives_off();  // a drive that homes does not follow our stop
   if (running_ && active_.ticket != 0) finished_ = active_.ticket;
   abort_pending();
-  brake(last_);
+  brake(then_);
   braking_ = false;
   state_ = ServoState::stopping;
 }
@@ -195,8 +198,8 @@ void Servo::drives_off() noexcept {
   current_.setZero();
 }
 
-/// The motion is given up: the robot brakes from the desired state, which is that of tick `from`.
-void Servo::interrupt(const ErrorReport& report, Tick from) noexcept {
+/// The motion is given up: the robot brakes from the desired state, which is that of the time `from`.
+void Servo::interrupt(const ErrorReport& report, double from) noexcept {
   ++interruptions_;
   interruption_ = report;
   if (active_.ticket != 0) finished_ = active_.ticket;

@@ -22,8 +22,10 @@ ServoThread::ServoThread(Servo& servo, clock::Clock& clock, Tick notify_every)
     : servo_(servo),
       clock_(clock),
       notify_every_(notify_every),
-      ticker_(clock.epoch_ns(), std::llround(clock.period() * 1e9)),
-      thread_([this] { run(); }) {}
+      ticker_(clock.epoch_ns(), std::llround(clock.period() * 1e9)) {
+  if (RobotClock* const robot = servo.robot_clock()) robot_ticker_.emplace(*robot, clock.epoch_ns(), clock.period());
+  thread_ = std::thread([this] { run(); });
+}
 
 ServoThread::~ServoThread() {
   end_.store(true, std::memory_order_release);
@@ -32,18 +34,33 @@ ServoThread::~ServoThread() {
 
 void ServoThread::run() noexcept {
   raise_priority();
+  robot_ticker_ ? follow_robot() : follow_grid();
+}
+
+void ServoThread::follow_grid() noexcept {
   Tick next = 0;
   for (;;) {
     const Tick present = ticker_.wait_next();
     if (next == 0 || !servo_.drives_wait()) next = present;
-    for (; next <= present; ++next) {
-      const bool ending = end_.load(std::memory_order_acquire);
-      if (ending) servo_.leave();
-      const bool forward = notify_every_ != 0 && next % notify_every_ == 0;
-      if (servo_.tick(next) || forward) clock_.notify();
-      if (ending && !servo_.drives_on()) return;
-    }
+    for (; next <= present; ++next)
+      if (!tick(next, 0)) return;
   }
+}
+
+void ServoThread::follow_robot() noexcept {
+  for (;;) {
+    const RobotTicker::Place next = robot_ticker_->wait_next();
+    if (!tick(next.tick, next.ahead)) return;
+  }
+}
+
+/// False: the robot has stopped for the end.
+bool ServoThread::tick(Tick tick, double ahead) noexcept {
+  const bool ending = end_.load(std::memory_order_acquire);
+  if (ending) servo_.leave();
+  const bool forward = notify_every_ != 0 && tick % notify_every_ == 0;
+  if (servo_.tick(tick, ahead) || forward) clock_.notify();
+  return !ending || servo_.drives_on();
 }
 
 }  // namespace mrroc::edp

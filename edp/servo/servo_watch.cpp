@@ -26,9 +26,9 @@ void Servo::widen_limits() noexcept {
 }
 
 void Servo::measure(Tick tick) noexcept {
-  elapsed_ = ticked_ ? tick - last_ : 1;
-  const Tick last_read = input_.tick;
-  input_.tick = tick;
+  elapsed_ = ticked_ ? now_ - then_ : 1;
+  const double last_read = input_.time;
+  input_.time = now_;
   input_.late = 0;
   input_.motors.setConstant(kNothing);
   input_.current.setConstant(kNothing);
@@ -36,9 +36,10 @@ void Servo::measure(Tick tick) noexcept {
   input_.fault_detail = {};
   hardware_.read(tick, input_);
   found_ = {input_.fault, input_.fault_axis, input_.fault_detail};
-  check_encoders(tick);
+  check_encoders();
   if (!ticked_) {
     last_ = tick == 0 ? 0 : tick - 1;
+    then_ = static_cast<double>(last_);
     measured_motors_ = desired_motors_ = input_.motors;
     if (!use(input_.synchronised ? 0 : ModelSet::kShafts)) find_fault({ErrorCode::motor_limit});
   } else if (!input_.synchronised && model_index_ != ModelSet::kShafts) {
@@ -52,21 +53,21 @@ void Servo::measure(Tick tick) noexcept {
   if (emergency_.check(input_.inputs)) find_fault({ErrorCode::emergency_stop});
   if (ticked_) {
     measured_increment_ = input_.motors - measured_motors_;
-    if (input_.tick > last_read)  // else it is a repeated reading
-      velocity_ = (joints - read_joints_) / (period_ * static_cast<double>(input_.tick - last_read));
+    if (input_.time > last_read)  // else it is a repeated reading
+      velocity_ = (joints - read_joints_) / (period_ * (input_.time - last_read));
   }
-  if (!ticked_ || input_.tick > last_read) read_joints_ = joints;
+  if (!ticked_ || input_.time > last_read) read_joints_ = joints;
   measured_motors_ = input_.motors;
   joints_ = joints;
   ++counters_.ticks;
-  counters_.missed += elapsed_ - 1;
+  if (tick > last_ + 1) counters_.missed += tick - last_ - 1;
 }
 
 /// Implausible positions and currents are replaced by the last valid ones.
-void Servo::check_encoders(Tick tick) noexcept {
+void Servo::check_encoders() noexcept {
   if (found_.code != ErrorCode::hardware_silent || !input_.motors.allFinite()) {
     // after a silence the first reading may be old, but the axis could move during all that time
-    const EncoderWatch::Finding finding = encoders_.check(input_.motors, std::max(input_.tick, tick));
+    const EncoderWatch::Finding finding = encoders_.check(input_.motors, std::max(input_.time, now_));
     if (finding.axis >= 0) {
       find_fault({ErrorCode::encoder_fault, finding.axis, finding.detail});
       input_.motors = measured_motors_;
@@ -92,7 +93,7 @@ void Servo::watch(Tick tick) noexcept {
     const bool given = hardware_.follows_current();
     find_fault(motion_.check(
         *model_, {joints_, velocity_, measured_motors_, desired_motors_, given ? current_ : input_.current, given},
-        {input_.tick, input_.late}, moves, homing_axis()));
+        {input_.time, input_.late}, moves, homing_axis()));
   }
   if (found_.code != ErrorCode::none) latch(found_, tick);
   if (has_power(state_) && fault_.code != ErrorCode::none)
@@ -128,7 +129,7 @@ void Servo::watch_force(Tick tick) noexcept {
     if (active_.kind == Macrostep::Kind::path) doing = ForceWatch::Doing::moving;
     if (active_.kind == Macrostep::Kind::force) doing = ForceWatch::Doing::following;
   }
-  if (const ErrorReport report = force_.check(doing); report.error_class != ErrorClass::none) interrupt(report, last_);
+  if (const ErrorReport report = force_.check(doing); report.error_class != ErrorClass::none) interrupt(report, then_);
 }
 
 void Servo::latch(const Fault& fault, Tick tick) noexcept {
@@ -148,7 +149,7 @@ bool Servo::keeps_limits(Tick tick) noexcept {
     if (i == homing) continue;  // the set-point is where the drive has brought it
     const AxisParameters& axis = model_->parameters().axes[static_cast<std::size_t>(i)];
     const double position = desired_.position[i];
-    const double velocity = (position - previous_position_[i]) / (period_ * static_cast<double>(elapsed_));
+    const double velocity = (position - previous_position_[i]) / (period_ * elapsed_);
     if (!(position >= position_min_[i])) latch({ErrorCode::joint_limit, i, Excess{position, axis.position_min}}, tick);
     if (!(position <= position_max_[i])) latch({ErrorCode::joint_limit, i, Excess{position, axis.position_max}}, tick);
     if (!(std::abs(velocity) <= axis.velocity_max * (1 + kRounding) + kRounding))

@@ -92,12 +92,13 @@ void DriveRack::begin_cycle(bool on_bus) {
 void DriveRack::measure() {
   const Newest newest = plant_tick_(tick_, any_powered(), synced_);
   const JointVector last = input_.motors;
-  input_.tick = newest.tick;
+  input_.time = static_cast<double>(newest.tick);
   plant_.read(newest.tick, input_);
   if (last.size() == 0) per_period_.setZero(input_.motors.size());
-  if (input_.tick > tick_ && last.size() != 0)
-    per_period_ = (input_.motors - last) / static_cast<double>(input_.tick - tick_);
-  tick_ = input_.tick;
+  const auto measured = static_cast<Tick>(input_.time);
+  if (measured > tick_ && last.size() != 0)
+    per_period_ = (input_.motors - last) / static_cast<double>(measured - tick_);
+  tick_ = measured;
   const double age = std::clamp(newest.age, -kOldest, kOldest);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);

@@ -54,7 +54,7 @@ ControllerServers::ControllerServers(const Options& options, std::unique_ptr<Joi
     for (const Listener& listener : listeners_) ::close(listener.fd);
     throw;
   }
-  const auto ns = std::lround(options.controller.period * 1e9);
+  const auto ns = std::lround(options.controller.period / options.clock_rate * 1e9);
   const itimerspec interval{{0, ns}, {0, ns}};
   ::timerfd_settime(timer_, 0, &interval, nullptr);
   thread_ = std::thread([this] { run(); });

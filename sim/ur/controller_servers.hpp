@@ -21,7 +21,8 @@ namespace mrroc::sim::ur {
 ///   30001  primary and 30002 secondary interface: take programs, send the robot's state ten times a second
 ///   30003  real-time interface: takes programs, sends nothing
 ///
-/// One thread serves all of them and steps the controller on the wall clock. Periods that the host has missed are made
+/// One thread serves all of them and steps the controller on a clock of its own, faster than the wall clock by
+/// `clock_rate`. Periods that the host has missed are made
 /// up for, so the controller's time does not fall behind.
 class ControllerServers {
  public:
@@ -32,6 +33,7 @@ class ControllerServers {
     int primary_port = 30001;
     int secondary_port = 30002;
     int realtime_port = 30003;
+    double clock_rate = 1;  ///< seconds of the controller in a second of the host
     VirtualController::Options controller;
   };
   struct Ports {

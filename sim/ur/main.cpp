@@ -21,13 +21,13 @@ namespace {
 using namespace mrroc::sim::ur;
 
 /// Until SIGINT or SIGTERM comes.
-void serve(const ControllerServers::Options& options) {
+void serve(const ControllerServers::Options& options, const Six& joints) {
   // blocked before the servers' thread starts, so that only this thread takes them
   sigset_t signals;
   sigemptyset(&signals);
   for (const int signal : {SIGINT, SIGTERM}) sigaddset(&signals, signal);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  ControllerServers servers(options, std::make_unique<ExactJoints>(Six{0, -1.5, 1.5, -1.5, -1.5, 0}));
+  ControllerServers servers(options, std::make_unique<ExactJoints>(joints));
   std::cout << "RTDE " << options.address << ":" << servers.ports().rtde << std::endl;
   int signal = 0;
   sigwait(&signals, &signal);
@@ -71,9 +71,14 @@ int main(int argc, char** argv) try {
   add_port("--primary-port", options.primary_port);
   add_port("--secondary-port", options.secondary_port);
   add_port("--realtime-port", options.realtime_port);
+  mrroc::command::add_number<double>(app, "--clock-rate", options.clock_rate, 0.5, 2,
+                                     "Seconds of its clock in a second of the host")
+      ->capture_default_str();
+  Six joints{0, -1.5, 1.5, -1.5, -1.5, 0};
+  app.add_option("--joints", joints, "Where the arm is at the start, rad")->capture_default_str();
   app.add_flag("--powered", options.controller.powered, "The arm has power and its brakes are released");
   if (const auto exit_code = mrroc::command::parse_command(app, argc, argv)) return *exit_code;
-  serve(options);
+  serve(options, joints);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "ur_controller: %s\n", mrroc::command::printable_lines(error.what()).c_str());

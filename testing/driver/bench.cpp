@@ -4,6 +4,7 @@
 #include <limits>
 #include <thread>
 
+#include "clock/wall/monotonic.hpp"
 #include "config/entries/driver_entry.hpp"
 #include "config/resources.hpp"
 #include "edp/drivers/load_driver.hpp"
@@ -67,23 +68,37 @@ void Bench::open() {
   make();
   target = home();
   hardware_->open();
+  if (edp::RobotClock* const clock = hardware_->clock(); clock != nullptr && !device().simulated_time())
+    ticker_.emplace(*clock, clock::monotonic_ns(), period());
+}
+
+void Bench::close() {
+  ticker_.reset();
+  hardware_.reset();
+}
+
+edp::RobotTicker::Place Bench::next() {
+  const edp::RobotTicker::Place place = ticker_ ? ticker_->wait_next() : edp::RobotTicker::Place{now_, 0};
+  now_ = place.tick + 1;
+  device().advance(place.tick);
+  return place;
 }
 
 void Bench::pace() const {
-  if (!subject_.stand_in.simulated_time()) std::this_thread::sleep_for(std::chrono::duration<double>(period()));
+  if (!ticker_ && !subject_.stand_in.simulated_time())
+    std::this_thread::sleep_for(std::chrono::duration<double>(period()));
 }
 
 const edp::HardwareInput& Bench::tick() {
-  device().advance(now_);
+  const auto [tick, ahead] = next();
   input_ = {};
   input_.motors = JointVector::Constant(axes(), std::numeric_limits<double>::quiet_NaN());
   input_.current = input_.motors;
-  input_.tick = now_;
-  hardware_->read(now_, input_);
+  input_.time = static_cast<double>(tick) + ahead;
+  hardware_->read(tick, input_);
   device().read(input_.motors);
   hardware_->set_points(target, JointVector::Zero(axes()));
-  hardware_->write(now_, JointVector::Zero(axes()));
-  ++now_;
+  hardware_->write(tick, JointVector::Zero(axes()));
   if (after_tick) after_tick();
   pace();
   return input_;
@@ -114,9 +129,9 @@ void Bench::servo_ticks(int count) {
 }
 
 Counts Bench::count_servo_tick() {
-  device().advance(now_);
+  const auto [tick, ahead] = next();
   const Counts before = counts();
-  servo_->tick(now_++);
+  servo_->tick(tick, ahead);
   const Counts done = counts() - before;
   device().read(seen().motors);
   edp::Reply reply;

@@ -9,6 +9,7 @@
 #include "config/deployment.hpp"
 #include "edp/check/model_set.hpp"
 #include "edp/command/effector.hpp"
+#include "edp/servo/robot_ticker.hpp"
 #include "edp/servo/servo.hpp"
 #include "mrroc/testing/driver.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
@@ -63,7 +64,7 @@ class Bench {
   void make();
   /// Starts the device at home, makes the driver, opens it.
   void open();
-  void close() { hardware_.reset(); }
+  void close();
   edp::Hardware& hardware() { return *hardware_; }
 
   /// One tick without a servo: reads, gives the set-point `target`, writes currents of zero.
@@ -97,6 +98,7 @@ class Bench {
   Tick now() const { return now_; }
 
  private:
+  edp::RobotTicker::Place next();
   void pace() const;
   bool answered(std::uint64_t number);
 
@@ -105,7 +107,8 @@ class Bench {
   config::Deployment deployment_;
   std::unique_ptr<edp::Hardware> hardware_;
   edp::HardwareInput input_;
-  Tick now_ = 0;
+  Tick now_ = 0;                            ///< after the last tick
+  std::optional<edp::RobotTicker> ticker_;  ///< of a robot that keeps the time
   edp::ServoChannel channel_;
   std::optional<edp::ModelSet> models_;
   std::unique_ptr<edp::Servo> servo_;

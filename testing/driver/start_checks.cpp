@@ -76,14 +76,14 @@ void reads_true_positions(Bench& bench) {
 
 void names_its_tick(Bench& bench) {
   read_first(bench);
-  Tick last = 0;
+  double last = 0;
   for (int i = 0; i < 100; ++i) {
     const edp::HardwareInput& input = bench.tick();
-    expect(input.tick < bench.now(),
-           "a measurement of tick " + std::to_string(input.tick) + " at tick " + std::to_string(bench.now() - 1));
-    expect(input.tick >= last,
-           "a measurement of tick " + std::to_string(input.tick) + " after one of " + std::to_string(last));
-    last = input.tick;
+    expect(input.time < static_cast<double>(bench.now()),
+           "a measurement of tick " + std::to_string(input.time) + " at tick " + std::to_string(bench.now() - 1));
+    expect(input.time >= last,
+           "a measurement of tick " + std::to_string(input.time) + " after one of " + std::to_string(last));
+    last = input.time;
   }
 }
 

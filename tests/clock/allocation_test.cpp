@@ -46,7 +46,7 @@ TEST(Allocation, NoneInATicker) {
   Ticker ticker(0, 100'000);
   EXPECT_EQ(allocations_of([&] {
               for (int i = 0; i < 20; ++i) ticker.wait_next();
-              EXPECT_GT(ticker.lateness().percentile(0.99) + ticker.execution().max(), 0U);
+              EXPECT_GT(ticker.statistics().lateness().percentile(0.99) + ticker.statistics().execution().max(), 0U);
             }),
             0U);
 }

@@ -36,7 +36,7 @@ class Stream final : public edp::Hardware {
     input.motors = shafts_ + offset_;
     input.current = JointVector::Zero(count_);
     input.synchronised = true;
-    input.tick = answered_;
+    input.time = static_cast<double>(answered_);
     input.fault = tick - answered_ > 10 ? ErrorCode::hardware_silent : ErrorCode::none;
   }
   void set_points(const JointVector& position, const JointVector&) noexcept override { target_ = position - offset_; }

@@ -12,14 +12,13 @@ Ticker::Ticker(std::int64_t epoch_ns, std::int64_t period_ns) noexcept : epoch_n
 }
 
 Tick Ticker::wait_next() noexcept {
-  if (woken_ns_ != 0) execution_.add(monotonic_ns() - woken_ns_);
+  statistics_.end(monotonic_ns());
   const timespec due = to_timespec(begin_of(next_));
   while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR) {
   }
-  woken_ns_ = monotonic_ns();
-  const auto present = static_cast<Tick>((woken_ns_ - epoch_ns_) / period_ns_);
-  missed_.store(missed() + (present - next_), std::memory_order_relaxed);
-  lateness_.add(woken_ns_ - begin_of(present));
+  const std::int64_t now = monotonic_ns();
+  const auto present = static_cast<Tick>((now - epoch_ns_) / period_ns_);
+  statistics_.begin(now, now - begin_of(present), present - next_);
   next_ = present + 1;
   return present;
 }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 
-#include "clock/wall/histogram.hpp"
+#include "clock/wall/tick_statistics.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::clock {
@@ -23,13 +22,8 @@ class Ticker {
   /// when that one has begun already.
   Tick wait_next() noexcept;
 
-  /// Ticks returned, ticks missed.
-  std::uint64_t ticks() const noexcept { return lateness_.count(); }
-  std::uint64_t missed() const noexcept { return missed_.load(std::memory_order_relaxed); }
-  /// From a tick's time on the grid to the return of `wait_next`, ns.
-  const Histogram& lateness() const noexcept { return lateness_; }
-  /// From the return of `wait_next` to the next call of it, ns.
-  const Histogram& execution() const noexcept { return execution_; }
+  /// A tick ends with the next call of `wait_next`. Any thread.
+  const TickStatistics& statistics() const noexcept { return statistics_; }
 
  private:
   std::int64_t begin_of(Tick tick) const noexcept { return epoch_ns_ + static_cast<std::int64_t>(tick) * period_ns_; }
@@ -37,10 +31,7 @@ class Ticker {
   std::int64_t epoch_ns_;
   std::int64_t period_ns_;
   Tick next_;
-  std::int64_t woken_ns_ = 0;  // 0: no tick has been returned
-  std::atomic<std::uint64_t> missed_{0};
-  Histogram lateness_;
-  Histogram execution_;
+  TickStatistics statistics_;
 };
 
 }  // namespace mrroc::clock

@@ -8,7 +8,7 @@
 #include "clock/wall/monotonic.hpp"
 
 /// Waits of threads that talk to devices and other machines: never in lockstep's order of events, never in a servo
-/// tick.
+/// tick, but between two of a robot that keeps the time.
 namespace mrroc::clock {
 
 /// Sleeps for `ns`, or less after a signal. Any thread.

@@ -39,9 +39,12 @@ bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.ticks, w.ticks) && v.field(m.missed_ticks, w.missed_ticks) &&
          v.field(m.late_commands, w.late_commands) && v.field(m.stale_replies, w.stale_replies) &&
          v.field(m.common_steps, w.common_steps) && v.field(m.skew_ticks, w.skew_ticks) &&
-         v.field(m.wakeup_p50_us, w.wakeup_p50_us) && v.field(m.wakeup_p99_us, w.wakeup_p99_us) &&
-         v.field(m.wakeup_max_us, w.wakeup_max_us) && v.field(m.execution_p50_us, w.execution_p50_us) &&
-         v.field(m.execution_p99_us, w.execution_p99_us) && v.field(m.execution_max_us, w.execution_max_us);
+         v.field(m.packages, w.packages) && v.field(m.packages_lost, w.packages_lost) &&
+         v.field(m.packages_doubled, w.packages_doubled) && v.field(m.packages_late, w.packages_late) &&
+         v.field(m.packages_bunched, w.packages_bunched) && v.field(m.wakeup_p50_us, w.wakeup_p50_us) &&
+         v.field(m.wakeup_p99_us, w.wakeup_p99_us) && v.field(m.wakeup_max_us, w.wakeup_max_us) &&
+         v.field(m.execution_p50_us, w.execution_p50_us) && v.field(m.execution_p99_us, w.execution_p99_us) &&
+         v.field(m.execution_max_us, w.execution_max_us);
 }
 
 template <Is<RobotCommand> M, class Wire, class Visitor>

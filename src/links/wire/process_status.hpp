@@ -16,6 +16,11 @@ struct Counters {
   std::uint64_t stale_replies = 0;
   std::uint64_t common_steps = 0;  ///< of several robots
   std::uint64_t skew_ticks = 0;    ///< their worst: last minus first start of a macrostep
+  std::uint64_t packages = 0;      ///< of a robot that keeps the time of its servo (BeatCounters); 0: it does not
+  std::uint64_t packages_lost = 0;
+  std::uint64_t packages_doubled = 0;
+  std::uint64_t packages_late = 0;
+  std::uint64_t packages_bunched = 0;
   double wakeup_p50_us = 0;
   double wakeup_p99_us = 0;
   double wakeup_max_us = 0;

@@ -31,9 +31,9 @@ TEST(Ticker, ReturnsOrCountsEveryTickOnAFixedGrid) {
   Tick last = ticker.wait_next();
   std::uint64_t returned = 1;
   EXPECT_GE(monotonic_ns(), epoch + static_cast<std::int64_t>(last) * kPeriod);
-  EXPECT_EQ(last, ticker.missed());  // the grid begins with tick 0
+  EXPECT_EQ(last, ticker.statistics().missed());  // the grid begins with tick 0
   for (int i = 0; i < 60; ++i) {
-    const std::uint64_t missed = ticker.missed();
+    const std::uint64_t missed = ticker.statistics().missed();
     // a tick that overruns four periods and a little: at least three are lost entirely
     const bool overrun = i % 20 == 10;
     if (overrun) delay_until(epoch + static_cast<std::int64_t>(last) * kPeriod + kPeriod * 201 / 50);
@@ -43,23 +43,24 @@ TEST(Ticker, ReturnsOrCountsEveryTickOnAFixedGrid) {
     ++returned;
     EXPECT_GE(monotonic_ns(), epoch + static_cast<std::int64_t>(tick) * kPeriod);
     EXPECT_GT(tick, last);
-    EXPECT_EQ(ticker.missed() - missed, tick - last - 1);
-    EXPECT_GE(ticker.missed() - missed, overrun ? 3U : 0U);
+    EXPECT_EQ(ticker.statistics().missed() - missed, tick - last - 1);
+    EXPECT_GE(ticker.statistics().missed() - missed, overrun ? 3U : 0U);
     last = tick;
   }
-  EXPECT_EQ(ticker.ticks(), returned);
-  EXPECT_EQ(ticker.ticks() + ticker.missed(), last + 1);
-  EXPECT_EQ(ticker.lateness().count(), returned);
-  EXPECT_EQ(ticker.execution().count(), returned - 1);
-  EXPECT_LT(ticker.lateness().max(), static_cast<std::uint64_t>(kPeriod));  // the present tick is never a period old
-  EXPECT_GE(ticker.execution().max(), static_cast<std::uint64_t>(3 * kPeriod));
+  EXPECT_EQ(ticker.statistics().ticks(), returned);
+  EXPECT_EQ(ticker.statistics().ticks() + ticker.statistics().missed(), last + 1);
+  EXPECT_EQ(ticker.statistics().lateness().count(), returned);
+  EXPECT_EQ(ticker.statistics().execution().count(), returned - 1);
+  EXPECT_LT(ticker.statistics().lateness().max(),
+            static_cast<std::uint64_t>(kPeriod));  // the present tick is never a period old
+  EXPECT_GE(ticker.statistics().execution().max(), static_cast<std::uint64_t>(3 * kPeriod));
 }
 
 TEST(Ticker, BeginsWithTheNextTickAfterTheEpoch) {
   const std::int64_t epoch = monotonic_ns() - 100 * kPeriod;
   Ticker ticker(epoch, kPeriod);
   EXPECT_GE(ticker.wait_next(), 101U);
-  EXPECT_LT(ticker.missed(), 100U);  // ticks before its construction do not count
+  EXPECT_LT(ticker.statistics().missed(), 100U);  // ticks before its construction do not count
 }
 
 TEST(Histogram, IsEmptyAtFirst) {

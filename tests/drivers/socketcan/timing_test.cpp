@@ -39,7 +39,7 @@ class TurningRig {
   }
   HardwareInput read(Tick tick) {
     HardwareInput input;
-    input.tick = tick;
+    input.time = static_cast<double>(tick);
     hardware_.read(tick, input);
     hardware_.write(tick, JointVector::Zero(4));
     return input;
@@ -95,12 +95,12 @@ TEST(Timing, NothingIsLateInLockstep) {
 
 TEST(Timing, ExtrapolatedOrPossiblyOldReadingIsOfNoNewTick) {
   TurningRig rig(false);
-  for (Tick tick = 1; tick < 5; ++tick) EXPECT_EQ(rig.read(tick).tick, tick);
+  for (Tick tick = 1; tick < 5; ++tick) EXPECT_EQ(rig.read(tick).time, tick);
   rig.cut(true);
-  EXPECT_EQ(rig.read(5).tick, 4u) << "guessed";
+  EXPECT_EQ(rig.read(5).time, 4) << "guessed";
   rig.cut(false);
-  EXPECT_EQ(rig.read(6).tick, 4u) << "it may be the answer to the SYNC before";
-  EXPECT_EQ(rig.read(7).tick, 7u);
+  EXPECT_EQ(rig.read(6).time, 4) << "it may be the answer to the SYNC before";
+  EXPECT_EQ(rig.read(7).time, 7);
 }
 
 TEST(Timing, DriveThatAlwaysAnswersTooLateIsSilent) {

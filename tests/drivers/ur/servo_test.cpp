@@ -15,17 +15,16 @@ class ServoRig {
     model_.change().home << 0, -1.5, 1.5, -1.5, -1.5, 0;
     hardware_ = std::make_unique<UrHardware>(controller.driver_options(), model_, kPeriod);
     hardware_->open();
+    ticker_.emplace(*hardware_->clock(), clock::monotonic_ns(), kPeriod);
     servo_ = std::make_unique<edp::Servo>(models_, *hardware_, kPeriod, channel_);
     effector_ = std::make_unique<edp::Effector>(models_, kPeriod, channel_);
     effector_->enable(true);
   }
 
-  /// The present tick of the wall clock, as the servo's thread: those that have passed are skipped.
+  /// The next tick of the controller, as the servo's thread.
   void tick() {
-    const auto passed = std::chrono::steady_clock::now() - begin_;
-    now_ = std::max(now_ + 1, static_cast<Tick>(passed / kTick));
-    std::this_thread::sleep_until(begin_ + now_ * kTick);
-    servo_->tick(now_);
+    const auto [present, ahead] = ticker_->wait_next();
+    servo_->tick(present, ahead);
     edp::Reply reply;
     while (effector_->poll(reply)) reply_ = reply;
   }
@@ -76,8 +75,6 @@ class ServoRig {
     if (effector_->accept(command, ++number_, refused)) reply_ = refused;
   }
 
-  static constexpr std::chrono::milliseconds kTick{2};
-
   SixJoints model_;
   std::unique_ptr<UrHardware> hardware_;
   edp::ServoChannel channel_;
@@ -86,8 +83,7 @@ class ServoRig {
   std::unique_ptr<edp::Effector> effector_;
   edp::Reply reply_;
   std::uint64_t number_ = 0;
-  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  Tick now_ = 0;
+  std::optional<edp::RobotTicker> ticker_;
 };
 
 JointVector way() {

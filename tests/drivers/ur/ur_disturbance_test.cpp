@@ -96,7 +96,7 @@ TEST(UrHardware, ConnectsAgainAfterACut) {
   rig.enable(false);
   rig.controller.servers.refuse(false);
   ASSERT_TRUE(rig.recover());
-  EXPECT_GE(rig.hardware->counters().connections, 2u);
+  EXPECT_GE(rig.hardware->link_counters().connections, 2u);
 }
 
 TEST(UrHardware, ConnectsAgainAfterARestartOfTheController) {
@@ -112,23 +112,23 @@ TEST(UrHardware, GarbageEndsTheConnection) {
   Rig rig;
   ASSERT_TRUE(rig.start());
   rig.controller.servers.send_garbage();
-  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().connections == 2; }));
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->link_counters().connections == 2; }));
   EXPECT_TRUE(rig.recover());
 }
 
 TEST(UrHardware, CountsLostAndDoubledPackages) {
   Rig rig;
   ASSERT_TRUE(rig.start());
-  const LinkCounters before = rig.hardware->counters();
+  const LinkCounters before = rig.hardware->link_counters();
   rig.controller.servers.lose(7);
-  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().lost == before.lost + 7; }));
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->link_counters().lost == before.lost + 7; }));
   rig.controller.servers.repeat(5);
-  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().doubled == before.doubled + 5; }));
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->link_counters().doubled == before.doubled + 5; }));
   rig.controller.servers.delay(10);
-  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().late > before.late; }));
-  EXPECT_EQ(rig.hardware->counters().lost, before.lost + 7);
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->link_counters().late > before.late; }));
+  EXPECT_EQ(rig.hardware->link_counters().lost, before.lost + 7);
   EXPECT_TRUE(rig.healthy());
-  EXPECT_GT(rig.hardware->counters().sent, before.sent);
+  EXPECT_GT(rig.hardware->link_counters().sent, before.sent);
 }
 
 TEST(UrHardware, PostponedPackagesArriveInTheirOrder) {
@@ -138,12 +138,12 @@ TEST(UrHardware, PostponedPackagesArriveInTheirOrder) {
   rig.ticks(50);
   rig.controller.servers.postpone(0);
   rig.ticks(50);
-  EXPECT_EQ(rig.hardware->counters().lost, 0u);
-  EXPECT_EQ(rig.hardware->counters().doubled, 0u);
+  EXPECT_EQ(rig.hardware->link_counters().lost, 0u);
+  EXPECT_EQ(rig.hardware->link_counters().doubled, 0u);
   EXPECT_TRUE(rig.healthy());
   rig.controller.servers.lose_every(5);
-  const std::uint64_t lost = rig.hardware->counters().lost;
-  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().lost >= lost + 10; }));
+  const std::uint64_t lost = rig.hardware->link_counters().lost;
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->link_counters().lost >= lost + 10; }));
   EXPECT_TRUE(rig.healthy());
 }
 
@@ -155,15 +155,15 @@ TEST(UrHardware, APositionThatIsNoNumberIsNotHidden) {
   EXPECT_TRUE(rig.tick_until([&] { return std::isfinite(rig.input.motors[0]); }));
 }
 
-TEST(UrHardware, TheTickOfARepeatedReadingIsRepeated) {
+TEST(UrHardware, TheTimeOfARepeatedReadingIsRepeated) {
   Rig rig;
   rig.ticks(5);
   rig.controller.servers.refuse(true);
   ASSERT_TRUE(rig.finds(ErrorCode::hardware_silent));
-  const Tick last = rig.input.tick;
+  const double last = rig.input.time;
   rig.ticks(3);
-  EXPECT_EQ(rig.input.tick, last);
-  EXPECT_LT(rig.input.tick, rig.now);
+  EXPECT_EQ(rig.input.time, last);
+  EXPECT_LT(rig.input.time, static_cast<double>(rig.now));
 }
 
 }  // namespace

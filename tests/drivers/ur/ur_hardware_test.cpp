@@ -110,9 +110,9 @@ TEST(UrHardware, ACb3SendsAt125Hz) {
   rig.ticks(200);
   EXPECT_GT(rig.joints()[0], before + 0.02);
   EXPECT_TRUE(rig.healthy());
-  const LinkCounters first = rig.hardware->counters();
+  const LinkCounters first = rig.hardware->link_counters();
   const double begin = rig.hardware->state().timestamp;
-  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->counters().packages >= first.packages + 20; }));
+  ASSERT_TRUE(rig.tick_until([&] { return rig.hardware->link_counters().packages >= first.packages + 20; }));
   EXPECT_NEAR((rig.hardware->state().timestamp - begin) / 0.008, 20, 2.1);
 }
 

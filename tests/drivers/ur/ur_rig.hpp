@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <functional>
 #include <memory>
-#include <thread>
+#include <optional>
 
+#include "clock/wall/monotonic.hpp"
 #include "drivers/ur/six_joints.hpp"
 #include "drivers/ur/ur_hardware.hpp"
+#include "edp/servo/robot_ticker.hpp"
 #include "sim/ur/controller_servers.hpp"
 
 namespace mrroc::ur {
@@ -59,8 +60,8 @@ class Controller {
   ControllerServers servers;
 };
 
-/// The driver with a servo that ticks on the wall clock. Nothing here depends on how long a tick takes: conditions are
-/// awaited, and a condition that never holds fails the test.
+/// The driver with a servo that ticks with the controller. Nothing here depends on how long a tick takes: conditions
+/// are awaited, and a condition that never holds fails the test.
 class Rig {
  public:
   explicit Rig(Interface interface = Interface::position,
@@ -71,6 +72,7 @@ class Rig {
     if (change) change(options);
     hardware = std::make_unique<UrHardware>(options, model, kPeriod);
     hardware->open();
+    ticker.emplace(*hardware->clock(), clock::monotonic_ns(), kPeriod);
     set = JointVector::Zero(6);
     tick();
     set = input.motors;
@@ -78,9 +80,9 @@ class Rig {
 
   /// One tick of a servo: it commands `set` moving with `rate` once it is on.
   void tick() {
-    std::this_thread::sleep_until(next_);
-    next_ = std::max(next_ + std::chrono::milliseconds(2), std::chrono::steady_clock::now());
-    ++now;
+    const auto [present, ahead] = ticker->wait_next();
+    now = present;
+    input.time = static_cast<double>(present) + ahead;
     input.motors = JointVector::Constant(6, std::nan(""));
     input.fault_axis = -1;
     input.fault_detail = {};
@@ -143,6 +145,7 @@ class Rig {
   Controller controller;
   SixJoints model;
   std::unique_ptr<UrHardware> hardware;
+  std::optional<edp::RobotTicker> ticker;
   edp::HardwareInput input;
   JointVector set, rate = JointVector::Zero(6);  ///< set-points of the shafts
   Tick now = 0;
@@ -150,7 +153,6 @@ class Rig {
 
  private:
   static constexpr int kMostTicks = 20000;
-  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace mrroc::ur

@@ -39,7 +39,7 @@ class HeldDrives : public Hardware {
 
  protected:
   void report(Tick tick, HardwareInput& input) const {
-    input.tick = tick;
+    input.time = static_cast<double>(tick);
     input.motors = shafts_;
     input.current = current;
     input.synchronised = true;

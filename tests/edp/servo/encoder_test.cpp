@@ -37,7 +37,8 @@ Fault after_ways(const std::vector<double>& ways, const std::vector<double>& lat
     velocity[0] = way * full / kPeriod;
     const JointVector motors = GearedModel::kGear * joints;
     const double lateness = late.empty() ? 0 : late[tick - 1];
-    fault = watch.check(model, {joints, velocity, motors, motors, one(0)}, {++tick, lateness}, true, homing);
+    fault = watch.check(model, {joints, velocity, motors, motors, one(0)}, {static_cast<double>(++tick), lateness},
+                        true, homing);
   }
   fault.tick = tick;
   return fault;
@@ -111,7 +112,7 @@ TEST(Encoder, AxisMayHaveMovedAfterASilence) {
     rig.run(500);
     rig.hardware.spoil = [sure](HardwareInput& input) {
       input.motors[0] += 50;  // moved by hand, in a second
-      if (!sure) input.tick = 0;
+      if (!sure) input.time = 0;
     };
     rig.hardware.fault = ErrorCode::none;
     EXPECT_EQ(recover(rig), ErrorCode::none);

@@ -59,7 +59,7 @@ TEST(ServoThread, TicksTheServoWakesTheCommsSideAndEndsWithTheRobotAtRestAndTheD
     while (clock.notified == before) std::this_thread::yield();
     ASSERT_TRUE(effector.poll(reply));
     EXPECT_EQ(reply.state.error.code, ErrorCode::none);
-    EXPECT_GT(thread.ticker().ticks(), 0u);
+    EXPECT_GT(thread.statistics().ticks(), 0u);
   }
   EXPECT_FALSE(hardware.powered);
   EXPECT_FALSE(servo.drives_on());
@@ -102,7 +102,8 @@ TEST(ServoThread, WaitingDrivesGetEveryTickOthersThePresentOne) {
     {
       ServoThread thread(servo, clock);
       while (hardware.overruns < 5) std::this_thread::yield();
-      EXPECT_GE(thread.ticker().missed(), 5u) << "two of three periods are lost entirely in each but the last overrun";
+      EXPECT_GE(thread.statistics().missed(), 5u)
+          << "two of three periods are lost entirely in each but the last overrun";
     }
     std::uint64_t skipped = 0;
     for (std::size_t i = 1; i < hardware.asked.size(); ++i) {

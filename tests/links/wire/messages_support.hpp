@@ -260,9 +260,11 @@ struct Arbitrary<mrroc::links::Counters> {
   static Gen<mrroc::links::Counters> arbitrary() {
     using T = mrroc::links::Counters;
     return gen::build<T>(gen::set(&T::ticks), gen::set(&T::missed_ticks), gen::set(&T::late_commands),
-                         gen::set(&T::stale_replies), gen::set(&T::wakeup_p50_us), gen::set(&T::wakeup_p99_us),
-                         gen::set(&T::wakeup_max_us), gen::set(&T::execution_p50_us), gen::set(&T::execution_p99_us),
-                         gen::set(&T::execution_max_us));
+                         gen::set(&T::stale_replies), gen::set(&T::common_steps), gen::set(&T::skew_ticks),
+                         gen::set(&T::packages), gen::set(&T::packages_lost), gen::set(&T::packages_doubled),
+                         gen::set(&T::packages_late), gen::set(&T::packages_bunched), gen::set(&T::wakeup_p50_us),
+                         gen::set(&T::wakeup_p99_us), gen::set(&T::wakeup_max_us), gen::set(&T::execution_p50_us),
+                         gen::set(&T::execution_p99_us), gen::set(&T::execution_max_us));
   }
 };
 

@@ -33,7 +33,7 @@ class Bad final : public edp::Hardware {
     for (int i = 0; i < 30 && is("sleeps"); ++i) ::usleep(1);
     if (is("crashes") && tick == 30) ::raise(SIGSEGV);
     good_.read(tick, input);
-    if (is("late_tick")) input.tick = tick + 1;
+    if (is("late_tick")) input.time = static_cast<double>(tick + 1);
     for (double& position : input.motors) position += is("off_the_shaft") ? 0.02 : 0;
     if (is("hides_silence")) input.fault = ErrorCode::none;
   }

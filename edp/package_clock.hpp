@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-namespace mrroc::ur {
+namespace mrroc::edp {
 
-/// Judges each package by its time at the controller and the time at which it was received.
+/// Judges each package of a controller by its time there and the time at which it was received, for BeatCounters.
 ///
 /// With T the period, a package whose controller time is n T after that of the package before has n - 1 lost ones
 /// before it, and n = 0 is a doubled one. It is late when it is received more than T after the time that the earliest
@@ -34,4 +34,4 @@ class PackageClock {
   bool started_ = false;
 };
 
-}  // namespace mrroc::ur
+}  // namespace mrroc::edp

@@ -1,20 +1,20 @@
-#include "drivers/ur/package_clock.hpp"
+#include "edp/package_clock.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace mrroc::ur {
+namespace mrroc::edp {
 namespace {
 
-constexpr double kPeriod = 0.002;
+constexpr double kPackagePeriod = 0.002;
 
 /// Packages of a controller whose clock is 1000 s behind.
 struct Packages {
-  Packages() { clock.start(kPeriod); }
+  Packages() { clock.start(kPackagePeriod); }
   /// The package of period `n`, received `delay` s after its time.
   PackageClock::Verdict take(int n, double delay = 0) {
-    const double time = n * kPeriod;
+    const double time = n * kPackagePeriod;
     return clock.take(time, std::llround((1000 + time * (1 + drift) + delay) * 1e9));
   }
   PackageClock clock;
@@ -49,8 +49,8 @@ TEST(PackageClock, RecognisesDoubledPackages) {
 TEST(PackageClock, APackageIsLateAfterMoreThanAPeriod) {
   Packages packages;
   for (int i = 0; i < 10; ++i) packages.take(i);
-  EXPECT_FALSE(packages.take(10, 0.9 * kPeriod).late);
-  EXPECT_TRUE(packages.take(11, 1.2 * kPeriod).late);
+  EXPECT_FALSE(packages.take(10, 0.9 * kPackagePeriod).late);
+  EXPECT_TRUE(packages.take(11, 1.2 * kPackagePeriod).late);
   EXPECT_FALSE(packages.take(12).late);
 }
 
@@ -74,4 +74,4 @@ TEST(PackageClock, ATimeThatGoesBackIsARestart) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur
+}  // namespace mrroc::edp

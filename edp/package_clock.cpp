@@ -1,9 +1,9 @@
-#include "drivers/ur/package_clock.hpp"
+#include "edp/package_clock.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace mrroc::ur {
+namespace mrroc::edp {
 
 void PackageClock::start(double period) noexcept {
   period_ = period;
@@ -29,4 +29,4 @@ PackageClock::Verdict PackageClock::take(double timestamp, std::int64_t received
   return verdict;
 }
 
-}  // namespace mrroc::ur
+}  // namespace mrroc::edp
