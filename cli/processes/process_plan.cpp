@@ -9,7 +9,7 @@ std::vector<PlannedProcess> plan_processes(const config::Deployment& deployment)
     if (robot.driver.simulated)
       plan.push_back({robot.drives_process(), robot.driver.stand_in, clock::Part::world, false, robot.host});
   for (const config::SensorEntry& sensor : deployment.sensors)
-    if (sensor.driver && sensor.driver->simulated)
+    if (sensor.has_stand_in())
       plan.push_back({sensor.stand_in_process(), sensor.driver->stand_in, clock::Part::world, false, sensor.host});
   for (const config::RobotEntry& robot : deployment.robots) {
     plan.push_back({robot.edp_process(), robot.edp_program, clock::Part::drives, false, robot.host});

@@ -125,7 +125,7 @@ void refuse_names_of_robots_processes(const Table& root, const Deployment& deplo
 /// long for one.
 void check_stand_ins(const Table& root, const Deployment& deployment) {
   for (const SensorEntry& sensor : deployment.sensors) {
-    if (!sensor.driver || !sensor.driver->simulated) continue;
+    if (!sensor.has_stand_in()) continue;
     const std::string process = sensor.stand_in_process();
     const Table table = root.table("sensors").table(sensor.name);
     const auto same = [&process](const auto& device) { return device.name == process; };
@@ -208,9 +208,9 @@ Deployment load_deployment(const std::filesystem::path& file, const std::string&
   const auto simulated_drives =
       static_cast<std::size_t>(std::count_if(deployment.robots.begin(), deployment.robots.end(),
                                              [](const RobotEntry& robot) { return robot.driver.simulated; }));
-  const auto simulated_sensors = static_cast<std::size_t>(
-      std::count_if(deployment.sensors.begin(), deployment.sensors.end(),
-                    [](const SensorEntry& sensor) { return sensor.driver && sensor.driver->simulated; }));
+  const auto simulated_sensors =
+      static_cast<std::size_t>(std::count_if(deployment.sensors.begin(), deployment.sensors.end(),
+                                             [](const SensorEntry& sensor) { return sensor.has_stand_in(); }));
   const std::size_t processes = 2 * deployment.robots.size() + simulated_drives + simulated_sensors +
                                 deployment.sensors.size() + 1 + (deployment.sim ? 1 : 0);
   if (processes > kMostProcesses) {

@@ -35,6 +35,7 @@ struct DriverEntry : KeyValues {
   std::string name;               ///< folder drivers/<name>
   std::filesystem::path library;  ///< on this process's host, absolute; empty on others
   bool world = false;             ///< its device is part of the simulated world
+  std::string controller;         ///< of a sensor: the robots' driver whose controller contains it; else empty
   bool simulated = false;         ///< `stand_in` simulates its device, in the simulated world
   std::string stand_in;           ///< absolute path; empty: a real device
   std::vector<ClockMode> clocks;  ///< under which it works
@@ -107,7 +108,8 @@ struct SensorEntry : KeyValues {
 
   /// Whether its raw readings are measured in the simulated world.
   bool in_world() const { return source == "simulated" || (driver && driver->simulated); }
-  /// Name of the process of the stand-in for its hardware.
+  /// Whether a process simulates its hardware, and the name of that process.
+  bool has_stand_in() const { return driver && !driver->stand_in.empty(); }
   std::string stand_in_process() const { return name + "_" + driver->name; }
 };
 

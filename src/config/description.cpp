@@ -45,7 +45,7 @@ std::string describe(const SensorEntry& sensor) {
   text += sensor.source;
   if (!sensor.replay.empty()) text += " of " + sensor.replay.string();
   text += ": VSP " + sensor.vsp_program;
-  return sensor.driver && sensor.driver->simulated ? text + ", stand-in " + sensor.driver->stand_in : text;
+  return sensor.has_stand_in() ? text + ", stand-in " + sensor.driver->stand_in : text;
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ void check_period(const Table& table, const Table& parameters, const Deployment&
 }  // namespace
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
-  allow_driver_tables(table, robot_drivers());
+  allow_driver_tables(table, "robot", robot_drivers());
   table.only({"type", "parameters", "program", "hardware", "host", "mount", "position", "rotation", "synchronised",
               "emergency_stop", "force_sensor", "force_limit", "torque_limit", "load"});
   RobotEntry robot;

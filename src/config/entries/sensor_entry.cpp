@@ -53,6 +53,24 @@ void read_mode(const Table& table, double servo_period, SensorEntry& sensor) {
   }
 }
 
+/// A sensor inside the controller of its robot is simulated where the robot is.
+void join_controller(const Table& table, const Deployment& deployment, SensorEntry& sensor) {
+  DriverEntry& driver = *sensor.driver;
+  if (driver.controller.empty()) return;
+  std::vector<std::string> suitable;
+  for (const RobotEntry& robot : deployment.robots) {
+    if (robot.driver.name != driver.controller) continue;
+    suitable.push_back(robot.name);
+    if (robot.name != sensor.robot) continue;
+    driver.simulated = robot.driver.simulated;
+    return;
+  }
+  table.fail(table.has("robot") ? "robot" : "source",
+             "source " + in_quotes(driver.controller) + " is the controller of a robot",
+             suitable.empty() ? "a robot with hardware = " + in_quotes(driver.controller)
+                              : "robot = " + alternatives(suitable));
+}
+
 void read_source(const Table& table, const Deployment& deployment, SensorEntry& sensor) {
   const std::vector<std::string> drivers = sensor_drivers(sensor.type);
   if (table.has("source")) {
@@ -62,6 +80,8 @@ void read_source(const Table& table, const Deployment& deployment, SensorEntry& 
   }
   if (std::find(drivers.begin(), drivers.end(), sensor.source) != drivers.end())
     sensor.driver = read_driver(table, "source", sensor.name, sensor.type, sensor.host, deployment);
+  if (sensor.driver)
+    join_controller(table, deployment, sensor);
   else
     refuse_driver_tables(table, "source", sensor.source, "sensor");
   if (sensor.source == "replay") {
@@ -83,7 +103,7 @@ SensorEntry read_sensor(const Table& table, const std::string& name, const Deplo
   sensor.name = name;
   sensor.type = table.choice("type", sensor_types());
   read_sensor_type(table, sensor);
-  allow_driver_tables(table, sensor_drivers(sensor.type));
+  allow_driver_tables(table, "sensor", sensor_drivers(sensor.type));
   table.only({"type", "robot", "mode", "rate", "source", "replay", "frozen_after", "noise_max", "host"});
   sensor.host = read_host(table, deployment);
   sensor.robot = read_robot_of(table, deployment);
