@@ -7,14 +7,12 @@
 #include <thread>
 #include <vector>
 
+#include "clock/wall/package_clock.hpp"
 #include "core/lockfree/latest_value.hpp"
 #include "drivers/ur/command.hpp"
 #include "drivers/ur/options.hpp"
 #include "drivers/ur/robot_state.hpp"
-#include "drivers/ur/rtde/messages.hpp"
-#include "drivers/ur/rtde/packet.hpp"
-#include "drivers/ur/tcp_socket.hpp"
-#include "edp/package_clock.hpp"
+#include "drivers/ur/rtde_connection.hpp"
 #include "edp/robot_clock.hpp"
 #include "edp/safety/fault.hpp"
 
@@ -65,43 +63,22 @@ class RtdeLink {
   double frequency() const noexcept { return frequency_.load(std::memory_order_relaxed); }
 
  private:
-  struct Output {
-    rtde::Recipe recipe;
-    std::vector<rtde::Value> values;
-  };
-
   void connect();
   void connect_in_time();
-  rtde::Packet ask(rtde::PacketType type, const std::vector<std::uint8_t>& payload, std::int64_t deadline);
-  Output set_up_inputs(const std::vector<std::string>& fields, std::int64_t deadline);
-  void keep_text(const rtde::Packet& packet) noexcept;
-  std::string end_of_connection() const;
-  void disconnect(const std::string& reason) noexcept;
+  void lose(const std::string& reason) noexcept;
   void run() noexcept;
   void poll() noexcept;
-  double frequency_of(std::uint32_t major) const noexcept;
   void reconnect() noexcept;
   void receive() noexcept;
-  void take(const rtde::Packet& packet) noexcept;
+  bool take(const std::vector<rtde::Value>& values) noexcept;
   void transmit() noexcept;
-  void put(const Output& output) noexcept;
   void report(const std::string& reason) noexcept;
-  void flush() noexcept;
-  bool queue_empty() const noexcept { return queued_begin_ == queued_end_; }
 
   const UrOptions options_;
-  const double servo_period_;
   std::atomic<double> frequency_{0};
-  TcpSocket socket_;
-  std::string reason_;  ///< of the last disconnection
-  std::string text_;    ///< the controller's last text of this connection
-  rtde::PacketBuffer buffer_;
-  rtde::Recipe state_recipe_;
-  std::vector<rtde::Value> state_values_;
-  Output set_points_, terminals_, slider_;
-  std::vector<std::uint8_t> queue_;  ///< bytes that the socket has not taken yet
-  std::size_t queued_begin_ = 0, queued_end_ = 0;
-  edp::PackageClock clock_;
+  RtdeConnection connection_;
+  RtdeConnection::Input set_points_, terminals_, slider_;
+  clock::PackageClock clock_;
   RobotState state_;
   std::int64_t last_received_ = 0;
   std::optional<ControllerIo> outputs_;  ///< as last sent

@@ -35,6 +35,8 @@ struct ControllerVersion {
   friend auto operator<=>(const ControllerVersion&, const ControllerVersion&) = default;
 };
 std::string describe(const ControllerVersion& version);
+/// False: a CB3.
+inline bool is_e_series(const ControllerVersion& version) noexcept { return version.major >= 5; }
 
 /// TEXT_MESSAGE of the controller.
 struct TextMessage {

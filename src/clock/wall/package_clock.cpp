@@ -1,9 +1,9 @@
-#include "edp/package_clock.hpp"
+#include "clock/wall/package_clock.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace mrroc::edp {
+namespace mrroc::clock {
 
 void PackageClock::start(double period) noexcept {
   period_ = period;
@@ -29,4 +29,4 @@ PackageClock::Verdict PackageClock::take(double timestamp, std::int64_t received
   return verdict;
 }
 
-}  // namespace mrroc::edp
+}  // namespace mrroc::clock

@@ -1,10 +1,10 @@
-#include "edp/package_clock.hpp"
+#include "clock/wall/package_clock.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace mrroc::edp {
+namespace mrroc::clock {
 namespace {
 
 constexpr double kPackagePeriod = 0.002;
@@ -74,4 +74,4 @@ TEST(PackageClock, ATimeThatGoesBackIsARestart) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::clock

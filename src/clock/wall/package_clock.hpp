@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace mrroc::edp {
+namespace mrroc::clock {
 
 /// Judges each package of a controller by its time there and the time at which it was received, for BeatCounters.
 ///
@@ -34,4 +34,4 @@ class PackageClock {
   bool started_ = false;
 };
 
-}  // namespace mrroc::edp
+}  // namespace mrroc::clock
