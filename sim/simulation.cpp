@@ -17,6 +17,13 @@ bool in_world(const config::RobotEntry& robot) { return robot.in_world(); }
 
 bool in_world(const config::SensorEntry& sensor) { return sensor.in_world(); }
 
+/// Whether the robot's simulated controller measures the load on its flange.
+bool measures_flange(const config::Deployment& deployment, const config::RobotEntry& robot) {
+  return std::any_of(deployment.sensors.begin(), deployment.sensors.end(), [&](const config::SensorEntry& sensor) {
+    return in_world(sensor) && sensor.robot == robot.name && sensor.driver && !sensor.driver->controller.empty();
+  });
+}
+
 bool looks_at_world(const config::SensorEntry& sensor) { return sensor.texts.contains("camera"); }
 
 std::size_t snapshot_values(const mjModel& model) {
@@ -88,6 +95,7 @@ Simulation::Simulation(const config::Deployment& deployment, world::WorldMemory&
     for (const AxisParameters& axis : parameters.axes) joints.push_back(axis.name);
     robots_.push_back(
         {.memory = i, .world = world_.attach(robot.name, joints, parameters.home), .on_bus = robot.driver.simulated});
+    if (measures_flange(deployment, robot)) flanges_.push_back({i, FlangeSensor(world_.model(), robot.name)});
   }
   for (std::size_t j = 0; j < deployment.sensors.size(); ++j) {
     const config::SensorEntry& sensor = deployment.sensors[j];
@@ -177,6 +185,12 @@ void Simulation::publish(Tick tick) {
     memory_.readings[slot.memory].store(reading);
   }
   if (looked_at_ || (may_be_watched_ && memory_.watched.load(std::memory_order_relaxed) != 0)) store_snapshot(tick);
+  for (const FlangeSlot& slot : flanges_) {
+    world::FlangeMeasurement measurement{};
+    measurement.tick = tick;
+    slot.sensor.measure(world_.model(), std::as_const(world_).data(), measurement);
+    memory_.flanges[slot.memory].store(measurement);
+  }
   // last: a servo that sees them also reads its force sensor
   for (const Slot& slot : robots_) {
     world::JointMeasurement measurement{};

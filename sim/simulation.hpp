@@ -4,6 +4,7 @@
 
 #include "config/deployment.hpp"
 #include "sim/feeder.hpp"
+#include "sim/flange_sensor.hpp"
 #include "sim/sensors.hpp"
 #include "sim/state_file.hpp"
 #include "sim/world.hpp"
@@ -20,7 +21,8 @@ Composition compose_all(const config::Deployment& deployment);
 /// The simulated world of one deployment, tied to the memory through which drivers and VSPs reach it. Slot i of
 /// `drives` and `measurements` is deployment.robots[i] (unused for other hardware than `mujoco`), slot j of `readings`
 /// deployment.sensors[j] (unused for other sources than `simulated`). A simulated sensor whose type has the parameter
-/// `camera` views the world itself: it needs no MJCF sensor, and `snapshot` is stored for it at every tick.
+/// `camera` views the world itself: it needs no MJCF sensor, and `snapshot` is stored for it at every tick. Slot i of
+/// `flanges` is that of a simulated robot whose controller is a sensor of the deployment.
 ///
 /// One thread. `step` allocates nothing.
 class Simulation {
@@ -63,6 +65,10 @@ class Simulation {
     std::size_t memory;
     SensorSource source;
   };
+  struct FlangeSlot {
+    std::size_t memory;
+    FlangeSensor sensor;
+  };
   bool drives(const Slot& slot, Tick tick) const noexcept;
   bool is_due(Slot& slot, Tick tick) noexcept;
   void advance(Tick tick);
@@ -75,6 +81,7 @@ class Simulation {
   World world_;
   std::vector<Slot> robots_;
   std::vector<SensorSlot> sensors_;
+  std::vector<FlangeSlot> flanges_;
   std::vector<Feeder> feeders_;
   bool looked_at_ = false;           ///< some sensor uses the snapshot
   bool may_be_watched_ = false;      ///< the world fits into one

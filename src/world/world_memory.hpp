@@ -57,6 +57,14 @@ struct JointMeasurement {
   ControllerIo inputs;                      ///< of the robot's controller
 };
 
+/// sim -> the stand-in of a robot's controller that measures the load on its flange, every tick (`sim::FlangeLoad`).
+struct FlangeMeasurement {
+  Tick tick = 0;
+  std::array<double, 3> position{};  ///< of the flange in the robot's base frame, m
+  std::array<double, 9> rotation{};  ///< of its axes there, row major
+  std::array<double, 6> load{};      ///< in its axes, about its origin: 3 forces (N), 3 torques (N m)
+};
+
 /// sim -> VSPs that render the world (cameras), every tick if there is one, and the runner while a client watches the
 /// world (`WorldMemory::watched`): the state from which a picture is drawn.
 /// The poses of bodies follow from it and the model, which every process composes from the deployment. An endless belt
@@ -73,6 +81,7 @@ struct WorldSnapshot {
 struct WorldMemory {
   std::array<core::SharedSlot<JointDrive>, kMaxRobots> drives;
   std::array<core::SharedSlot<JointMeasurement>, kMaxRobots> measurements;
+  std::array<core::SharedSlot<FlangeMeasurement>, kMaxRobots> flanges;
   std::array<core::SharedSlot<RawReading>, kMaxSensors> readings;  ///< sim -> VSP, every tick
   core::SharedSlot<WorldSnapshot> snapshot;
   std::atomic<std::uint32_t> watched{0};  ///< runner -> sim: not 0 while a client watches the snapshots
