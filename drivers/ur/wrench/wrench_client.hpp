@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <thread>
+
+#include "core/lockfree/latest_value.hpp"
+#include "core/lockfree/shared_slot.hpp"
+#include "drivers/ur/package_clock.hpp"
+#include "drivers/ur/rtde_connection.hpp"
+#include "drivers/ur/wrench/flange_wrench.hpp"
+
+namespace mrroc::ur {
+
+/// The controller and the times of its client, s.
+struct WrenchOptions {
+  std::string address;
+  int port = 30004;
+  double frequency = 0;      ///< Hz, of the packages; 0: the controller's greatest
+  double timeout = 0.05;     ///< without a package, after which the connection is made again
+  double start_timeout = 5;  ///< to connect, and for the first package
+};
+
+/// A wrench of the controller, and when it arrived.
+struct MeasuredWrench {
+  WrenchPackage package;
+  TorquePoint point = TorquePoint::flange;
+  std::int64_t arrival_ns = 0;  ///< CLOCK_MONOTONIC
+};
+
+struct WrenchCounters {
+  std::uint64_t packages = 0;
+  std::uint64_t lost = 0;         ///< missing in the controller's time
+  std::uint64_t late = 0;         ///< received more than a period after their time
+  std::uint64_t doubled = 0;      ///< with the time of the one before
+  std::uint64_t restarts = 0;     ///< of the controller's time
+  std::uint64_t connections = 0;  ///< made, the first included
+};
+
+/// "of 7000 packages 3 lost, 1 late", with every counter of a disturbance that is not 0; empty: there was none.
+std::string disturbances(const WrenchCounters& counters);
+
+/// Receives a controller's wrench by RTDE in a thread of its own, which begins and ends with this object; the newest
+/// one is handed over without locks. The connection has outputs only, so it takes no register from any other client. It
+/// is made again when it is lost, or when no package has come for the timeout.
+class WrenchClient {
+ public:
+  /// Connects and waits for the first package. Throws ConnectionError as RtdeConnection, and when none has come in
+  /// `start_timeout`; std::system_error when there is no thread.
+  explicit WrenchClient(const WrenchOptions& options);
+  ~WrenchClient();
+  WrenchClient(const WrenchClient&) = delete;
+  WrenchClient& operator=(const WrenchClient&) = delete;
+
+  /// The newest wrench; unchanged until the next call. One thread; no lock, no allocation.
+  const MeasuredWrench& newest() noexcept { return *handed_.load(); }
+  /// Any thread.
+  WrenchCounters counters() const noexcept;
+
+ private:
+  void connect();
+  void await_first();
+  void serve() noexcept;
+  void receive() noexcept;
+  void take(const WrenchPackage& package) noexcept;
+  bool is_ending(int wait_ms) const noexcept;
+
+  const WrenchOptions options_;
+  int end_ = -1;  ///< eventfd that ends the thread
+  // the thread's own
+  RtdeConnection connection_;
+  PackageClock clock_;
+  MeasuredWrench newest_;
+  WrenchCounters counted_;
+  // handed over
+  core::LatestValue<MeasuredWrench> handed_;
+  core::SharedSlot<WrenchCounters> counters_;
+  std::thread thread_;
+};
+
+}  // namespace mrroc::ur
