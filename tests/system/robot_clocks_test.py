@@ -86,12 +86,12 @@ class RobotClocks(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         self.assertEqual(len(re.findall(r"skew 0 ticks\n", done.stdout)), 7, "six Moves and all of their steps")
         for name in RATES:
-            line = re.search(rf"  {name} +(\d+) ticks, .*\n +(\d+) packages of its clock, (\d+) lost, (\d+) doubled", done.stdout)
+            line = re.search(rf"  {name}_edp +(\d+) ticks, .*\n +(\d+) packages of its clock, (\d+) lost, (\d+) doubled", done.stdout)
             self.assertIsNotNone(line, name)
             self.assertGreater(int(line[1]), 1000)
             self.assertGreater(int(line[2]), 1000)
             self.assertEqual((line[3], line[4]), ("0", "0"))
-        self.assertIsNone(re.search(r"  common .*\n +\d+ packages", done.stdout), "it has no clock of its own")
+        self.assertIsNone(re.search(r"  common_edp .*\n +\d+ packages", done.stdout), "it has no clock of its own")
 
 
 if __name__ == "__main__":

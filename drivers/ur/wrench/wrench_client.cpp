@@ -117,7 +117,7 @@ void WrenchClient::receive() noexcept {
 
 void WrenchClient::take(const WrenchPackage& package) noexcept {
   newest_.arrival_ns = clock::monotonic_ns();
-  const PackageClock::Verdict verdict = clock_.take(package.timestamp, newest_.arrival_ns);
+  const clock::PackageClock::Verdict verdict = clock_.take(package.timestamp, newest_.arrival_ns);
   ++counted_.packages;
   counted_.lost += verdict.lost;
   counted_.late += verdict.late ? 1 : 0;

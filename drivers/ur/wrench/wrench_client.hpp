@@ -6,7 +6,7 @@
 
 #include "core/lockfree/latest_value.hpp"
 #include "core/lockfree/shared_slot.hpp"
-#include "drivers/ur/package_clock.hpp"
+#include "clock/wall/package_clock.hpp"
 #include "drivers/ur/rtde_connection.hpp"
 #include "drivers/ur/wrench/flange_wrench.hpp"
 
@@ -69,7 +69,7 @@ class WrenchClient {
   int end_ = -1;  ///< eventfd that ends the thread
   // the thread's own
   RtdeConnection connection_;
-  PackageClock clock_;
+  clock::PackageClock clock_;
   MeasuredWrench newest_;
   WrenchCounters counted_;
   // handed over

@@ -1,6 +1,7 @@
 // Three arms in step: two whose controllers keep the time, one on the clock of the deployment.
 #include <cstdio>
 
+#include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/generators/together.hpp"
 #include "mrroc/mp.hpp"
@@ -17,6 +18,7 @@ class RobotClocks : public mp::Task {
   Irb6 common{*this, "common"};
 
   void run() override {
+    Wait({slow, fast, common}, {}, ElapsedSteps{1});
     for (int i = 0; i < 6; ++i) {
       const double way = i % 2 == 0 ? 0.3 : -0.3;
       const Outcome outcome = Move({slow, fast, common}, {}, Together{by(slow, way), by(fast, -way), by(common, way)});
