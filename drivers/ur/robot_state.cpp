@@ -52,7 +52,9 @@ std::vector<std::string> state_fields(int registers) {
                                   "speed_scaling",
                                   "actual_digital_input_bits",
                                   "standard_analog_input0",
-                                  "standard_analog_input1"};
+                                  "standard_analog_input1",
+                                  "tool_analog_input0",
+                                  "tool_analog_input1"};
   for (int i = 0; i < 3; ++i) fields.push_back("output_int_register_" + std::to_string(registers + i));
   return fields;
 }
@@ -76,6 +78,8 @@ bool read_state(std::span<const rtde::Value> values, RobotState& state) noexcept
       .take(state.digital_inputs)
       .take(state.analog_inputs[0])
       .take(state.analog_inputs[1])
+      .take(state.analog_inputs[2])
+      .take(state.analog_inputs[3])
       .take_as<std::int32_t>(state.script)
       .take(state.script_sequence)
       .take(state.script_program);

@@ -88,7 +88,7 @@ struct RobotState {
   std::uint32_t safety_status = 0;  ///< bits, see the guide
   double speed_scaling = 0;         ///< 0 to 1, of the program's motion
   std::uint64_t digital_inputs = 0;
-  std::array<double, 2> analog_inputs{};  ///< V or A
+  std::array<double, 4> analog_inputs{};  ///< standard 0 and 1, of the tool 0 and 1; V or A
   ScriptState script = ScriptState::none;
   std::int32_t script_sequence = 0;  ///< of the set-points that the script executes
   std::int32_t script_program = 0;   ///< number of the uploaded program

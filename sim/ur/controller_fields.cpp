@@ -1,5 +1,6 @@
 // The fields of a UR controller that RTDE reads and writes: RTDE guide, tables of outputs and inputs.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "sim/ur/virtual_controller.hpp"
@@ -39,18 +40,28 @@ void VirtualController::fill_outputs() {
   outputs_["target_qd"] = [this] { return targets_.velocity; };
   for (const char* name :
        {"target_qdd", "target_current", "target_moment", "actual_current", "actual_current_window",
-        "joint_control_output", "actual_TCP_pose", "actual_TCP_speed", "actual_TCP_force", "target_TCP_pose",
-        "target_TCP_speed", "ft_raw_wrench", "payload_inertia", "actual_current_as_torque"})
+        "joint_control_output", "actual_TCP_speed", "target_TCP_speed", "payload_inertia", "actual_current_as_torque"})
     outputs_[name] = six(0);
+  outputs_["actual_TCP_pose"] = outputs_["target_TCP_pose"] = [this] { return tool_pose(); };
+  outputs_["tcp_offset"] = [this] { return tool_offset(); };
+  outputs_["actual_TCP_force"] = [this] { return tool_force(); };
+  outputs_["ft_raw_wrench"] = [this] { return flange_load(); };
+  outputs_["tcp_force_scalar"] = [this] {
+    const Six force = tool_force();
+    return std::hypot(force[0], force[1], force[2]);
+  };
   outputs_["joint_temperatures"] = six(30);
   outputs_["actual_joint_voltage"] = six(48);
-  for (const char* name : {"actual_tool_accelerometer", "payload_cog", "elbow_position", "elbow_velocity"})
-    outputs_[name] = three;
-  for (const char* name : {"actual_execution_time", "actual_momentum", "actual_robot_current", "io_current",
-                           "tcp_force_scalar", "tool_output_current"})
+  for (const char* name : {"actual_tool_accelerometer", "elbow_position", "elbow_velocity"}) outputs_[name] = three;
+  for (const char* name :
+       {"actual_execution_time", "actual_momentum", "actual_robot_current", "io_current", "tool_output_current"})
     outputs_[name] = real(0);
   for (const char* name : {"actual_main_voltage", "actual_robot_voltage"}) outputs_[name] = real(48);
-  outputs_["payload"] = [this] { return payload_; };
+  outputs_["payload"] = [this] { return settings_.payload; };
+  outputs_["payload_cog"] = [this] {
+    const Eigen::Vector3d& centre = settings_.payload_centre;
+    return Vector3d{centre[0], centre[1], centre[2]};
+  };
   outputs_["speed_scaling"] = real(1);
   outputs_["target_speed_fraction"] = [this] { return speed_slider_; };
   outputs_["actual_digital_input_bits"] = [this] { return digital_inputs_; };
@@ -66,9 +77,10 @@ void VirtualController::fill_outputs() {
   outputs_["robot_status_bits"] = [this] { return robot_status(); };
   outputs_["safety_status_bits"] = [this] { return safety_status(); };
   outputs_["analog_io_types"] = [] { return std::uint32_t{0xf}; };
-  outputs_["tool_output_voltage"] = [this] { return static_cast<std::int32_t>(tool_voltage_); };
+  outputs_["tool_output_voltage"] = [this] { return static_cast<std::int32_t>(settings_.tool_voltage); };
   for (std::size_t i = 0; i < 2; ++i) {
     outputs_["standard_analog_input" + std::to_string(i)] = [this, i] { return analog_inputs_[i]; };
+    outputs_["tool_analog_input" + std::to_string(i)] = [this, i] { return analog_inputs_[2 + i]; };
     outputs_["standard_analog_output" + std::to_string(i)] = [this, i] { return analog_outputs_[i]; };
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(kRegisters); ++i) {

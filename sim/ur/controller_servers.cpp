@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "sim/ur/controller_client.hpp"
+#include "sim/ur/realtime_message.hpp"
 #include "sim/ur/robot_state_message.hpp"
 #include "sim/ur/tcp_listener.hpp"
 
@@ -24,6 +25,7 @@ namespace {
 constexpr std::size_t kMostQueued = 1 << 20;  // bytes of a client that does not read
 constexpr std::size_t kLongestProgram = 1 << 20;
 constexpr int kStatePeriods = 50;  // of the primary and secondary interfaces
+constexpr int kPeriodsOfCb3 = 4;   // of 2 ms
 
 [[noreturn]] void fail(const std::string& what) { throw std::system_error(errno, std::generic_category(), what); }
 
@@ -177,7 +179,10 @@ void ControllerServers::step() {
   for (Client& client : clients_) {
     if (client.service == Service::rtde && client.started && steps_ % client.every == 0 && !loses) send_state(client);
     const bool states = client.service == Service::primary || client.service == Service::secondary;
-    if (states && steps_ % kStatePeriods == 0) send_robot_state(client);
+    if (states && steps_ % kStatePeriods == 0) send(client, robot_state_message(controller_));
+    const std::uint64_t realtime_periods = is_e_series(controller_.version()) ? 1 : kPeriodsOfCb3;
+    if (client.service == Service::realtime && steps_ % realtime_periods == 0)
+      send(client, realtime_message(controller_));
     const bool reads = client.queued.size() < kMostQueued;
     for (; reads && !client.held.empty() && client.held.front().due <= steps_; client.held.pop_front()) {
       const std::vector<std::uint8_t>& bytes = client.held.front().bytes;
@@ -239,13 +244,14 @@ void ControllerServers::take_lines(Client& client) {
   if (client.text.size() > kLongestProgram) client.ended = true;
 }
 
-/// A program ends with a line "end" that is not indented. Other lines, single commands, are skipped.
+/// A program ends with a line "end" that is not indented. Other lines are single commands, or of no effect.
 void ControllerServers::take_programs(Client& client) {
   std::string& text = client.text;
   while (!text.empty()) {
     const std::size_t line_end = text.find('\n');
     if (line_end == std::string::npos) break;
     if (!text.starts_with("def ")) {
+      controller_.start_program(text.substr(0, line_end));
       text.erase(0, line_end + 1);
       continue;
     }
@@ -257,9 +263,8 @@ void ControllerServers::take_programs(Client& client) {
   if (text.size() > kLongestProgram) client.ended = true;
 }
 
-void ControllerServers::send_robot_state(Client& client) {
+void ControllerServers::send(Client& client, const std::vector<std::uint8_t>& bytes) {
   if (client.queued.size() > kMostQueued) return;
-  const std::vector<std::uint8_t> bytes = robot_state_message(controller_);
   client.queued.insert(client.queued.end(), bytes.begin(), bytes.end());
 }
 

@@ -19,7 +19,7 @@ namespace mrroc::sim::ur {
 ///   30004  RTDE: data packages at 500 Hz and its fractions
 ///   29999  dashboard server
 ///   30001  primary and 30002 secondary interface: take programs, send the robot's state ten times a second
-///   30003  real-time interface: takes programs, sends nothing
+///   30003  real-time interface: takes programs, sends the robot's state in each period, of a CB3 at 125 Hz
 ///
 /// One thread serves all of them and steps the controller on a clock of its own, faster than the wall clock by
 /// `clock_rate`. Periods that the host has missed are made
@@ -83,7 +83,7 @@ class ControllerServers {
   void take_data(Client& client, mrroc::ur::rtde::Bytes payload);
   bool is_in_use(const Client& own, const std::string& name) const;
   void send_state(Client& client);
-  void send_robot_state(Client& client);
+  static void send(Client& client, const std::vector<std::uint8_t>& bytes);
   static void flush(Client& client);
   void end_clients(bool all);
 

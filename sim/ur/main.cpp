@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "command/number_option.hpp"
 #include "command/parse_command.hpp"
@@ -21,13 +23,15 @@ namespace {
 using namespace mrroc::sim::ur;
 
 /// Until SIGINT or SIGTERM comes.
-void serve(const ControllerServers::Options& options, const Six& joints) {
+void serve(const ControllerServers::Options& options, const Six& start, const std::vector<double>& load) {
   // blocked before the servers' thread starts, so that only this thread takes them
   sigset_t signals;
   sigemptyset(&signals);
   for (const int signal : {SIGINT, SIGTERM}) sigaddset(&signals, signal);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  ControllerServers servers(options, std::make_unique<ExactJoints>(joints));
+  auto joints = std::make_unique<ExactJoints>(start);
+  if (!load.empty()) joints->set_load(Eigen::Map<const mrroc::Wrench>(load.data()));
+  ControllerServers servers(options, std::move(joints));
   std::cout << "RTDE " << options.address << ":" << servers.ports().rtde << std::endl;
   int signal = 0;
   sigwait(&signals, &signal);
@@ -77,8 +81,16 @@ int main(int argc, char** argv) try {
   Six joints{0, -1.5, 1.5, -1.5, -1.5, 0};
   app.add_option("--joints", joints, "Where the arm is at the start, rad")->capture_default_str();
   app.add_flag("--powered", options.controller.powered, "The arm has power and its brakes are released");
+  std::string polyscope = "5.11";
+  app.add_option("--polyscope", polyscope, "Version of its software, MAJOR.MINOR; below 5: of a CB3")
+      ->check(CLI::IsMember({"3.4", "3.15", "5.4", "5.11"}))
+      ->capture_default_str();
+  std::vector<double> load;
+  app.add_option("--load", load, "On the flange, in its frame: 3 forces (N), 3 torques (N m)")->expected(6);
   if (const auto exit_code = mrroc::command::parse_command(app, argc, argv)) return *exit_code;
-  serve(options, joints);
+  options.controller.version.major = static_cast<std::uint32_t>(std::stoul(polyscope));
+  options.controller.version.minor = static_cast<std::uint32_t>(std::stoul(polyscope.substr(2)));
+  serve(options, joints, load);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "ur_controller: %s\n", mrroc::command::printable_lines(error.what()).c_str());

@@ -5,6 +5,7 @@
 
 #include "drivers/ur/command.hpp"
 #include "drivers/ur/robot_state.hpp"
+#include "sim/ur/single_command.hpp"
 
 namespace mrroc::sim::ur {
 namespace {
@@ -196,6 +197,7 @@ class OtherProgram : public Program {
 }  // namespace
 
 std::unique_ptr<Program> make_program(const std::string& text) {
+  if (auto command = make_single_command(text)) return command;
   std::smatch match;
   if (!std::regex_search(text, match, std::regex("(?:^|\\n)def\\s+(\\w+)\\s*\\(")))
     throw std::invalid_argument("the text defines no function");

@@ -33,6 +33,7 @@ class Program {
 ///   def mrroc_control():   the control script of drivers/ur, with its numbers read from the text
 ///   def rtde_control():    the control script of the client library ur_rtde: movej, servoj, speedj, their stops
 ///   any other              it runs for a short time and does nothing
+///   a single line          single_command.hpp
 ///
 /// Throws std::invalid_argument when the text is not a program, or lacks a number.
 std::unique_ptr<Program> make_program(const std::string& text);

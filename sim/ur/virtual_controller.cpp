@@ -1,9 +1,10 @@
 #include "sim/ur/virtual_controller.hpp"
 
 #include <algorithm>
-#include <regex>
 #include <stdexcept>
 #include <utility>
+
+#include "sim/ur/single_command.hpp"
 
 namespace mrroc::sim::ur {
 VirtualController::VirtualController(Options options, std::unique_ptr<JointPlant> plant)
@@ -19,7 +20,19 @@ void VirtualController::step() {
   run_program();
   const bool released = robot_mode_ == RobotMode::running && !emergency();
   targets_ = released ? motion_.targets(*plant_) : JointTargets{};
+  exchange_terminals();
   plant_->step(targets_, options_.period);
+}
+
+void VirtualController::exchange_terminals() {
+  ControllerIo outputs;
+  outputs.digital = static_cast<std::uint16_t>(digital_outputs_ & 0xffff);
+  std::copy(analog_outputs_.begin(), analog_outputs_.end(), outputs.analog.begin());
+  plant_->set_outputs(outputs);
+  const std::optional<ControllerIo> inputs = plant_->inputs();
+  if (!inputs) return;
+  digital_inputs_ = inputs->digital;
+  std::copy_n(inputs->analog.begin(), analog_inputs_.size(), analog_inputs_.begin());
 }
 
 void VirtualController::advance_power() noexcept {
@@ -96,7 +109,7 @@ void VirtualController::stop_program() noexcept {
 
 void VirtualController::set_inputs(std::uint64_t digital, double analog0, double analog1) noexcept {
   digital_inputs_ = digital;
-  analog_inputs_ = {analog0, analog1};
+  analog_inputs_ = {analog0, analog1, 0, 0};
 }
 
 std::uint32_t VirtualController::robot_status() const noexcept {
@@ -133,16 +146,14 @@ bool VirtualController::start_program(const std::string& text) {
   if (!remote_ || robot_mode_ != RobotMode::running || safety_mode_ != SafetyMode::normal || failed_joint_)
     return false;
   try {
+    auto program = make_program(text);
     motion_.cancel();
-    program_ = make_program(text);
-  } catch (const std::invalid_argument&) {
+    program_ = std::move(program);
+  } catch (const std::logic_error&) {  // of std::stod, too
     return false;
   }
-  std::smatch match;
-  if (std::regex_search(text, match, std::regex("\\n\\s*set_payload\\(([0-9.e+-]+)")))
-    payload_ = std::stod(match[1].str());
-  if (std::regex_search(text, match, std::regex("\\n\\s*set_tool_voltage\\((\\d+)\\)")))
-    tool_voltage_ = std::stoi(match[1].str());
+  read_settings(text, settings_);
+  set_outputs_of(text, digital_outputs_, analog_outputs_);
   return true;
 }
 

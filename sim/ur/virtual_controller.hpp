@@ -13,6 +13,7 @@
 #include "drivers/ur/rtde/value.hpp"
 #include "mrroc/signals.hpp"
 #include "sim/ur/program.hpp"
+#include "sim/ur/program_settings.hpp"
 
 namespace mrroc::sim::ur {
 
@@ -24,9 +25,9 @@ using mrroc::ur::SafetyMode;
 /// The state of a UR controller without its servers: power, safety, the running program, registers, terminals, and the
 /// arm. It is written from the manuals (RTDE guide, dashboard server) of an e-Series with PolyScope 5.11. One thread.
 ///
-/// Simplified: power and brakes take kPowerTime and kBrakeTime instead of some ten seconds; the tool's pose, the wrench
-/// and the accelerometer are zero; currents are zero; temperatures and voltages are constant; the speed slider does not
-/// slow programs down; a protective stop comes on command only.
+/// Simplified: power and brakes take kPowerTime and kBrakeTime instead of some ten seconds; currents and the
+/// accelerometer are zero; temperatures and voltages are constant; the speed slider does not slow programs down; a
+/// protective stop comes on command only. The wrench is that of a sensor in the flange, on a CB3 as well.
 class VirtualController {
  public:
   struct Options {
@@ -72,6 +73,7 @@ class VirtualController {
   void stop_program() noexcept;
   /// Adds `error` (rad, or NaN) to the measured position of the first joint; 0: measures right again.
   void falsify(double error) noexcept { false_by_ = error; }
+  /// Where nothing is wired to the inputs.
   void set_inputs(std::uint64_t digital, double analog0, double analog1) noexcept;
 
   RobotMode robot_mode() const noexcept { return robot_mode_; }
@@ -84,8 +86,23 @@ class VirtualController {
   std::uint64_t digital_outputs() const noexcept { return digital_outputs_; }
   double analog_output(std::size_t i) const noexcept { return analog_outputs_[i]; }
   double speed_slider() const noexcept { return speed_slider_; }
-  double payload() const noexcept { return payload_; }
-  int tool_voltage() const noexcept { return tool_voltage_; }
+  std::uint64_t digital_inputs() const noexcept { return digital_inputs_; }
+  double analog_input(std::size_t i) const noexcept { return analog_inputs_[i]; }
+  double payload() const noexcept { return settings_.payload; }
+  const Eigen::Vector3d& payload_centre() const noexcept { return settings_.payload_centre; }
+  int tool_voltage() const noexcept { return settings_.tool_voltage; }
+  double period() const noexcept { return options_.period; }
+  const JointTargets& targets() const noexcept { return targets_; }
+
+  // controller_wrench.cpp
+  /// actual_TCP_pose and tcp_offset: m and rotation vector, in the base and in the flange frame.
+  Six tool_pose() const;
+  Six tool_offset() const;
+  /// actual_TCP_force: the wrench of the environment on the tool, in the axes of the base frame, about the flange's
+  /// origin; of a CB3 about the tool's. The payload's weight is taken out, gravity being along -z of the base frame.
+  Six tool_force() const;
+  /// ft_raw_wrench: the load on the flange, in its frame.
+  Six flange_load() const;
   std::uint32_t robot_status() const noexcept;
   std::uint32_t safety_status() const noexcept;
   JointMode joint_mode(std::size_t axis) const noexcept;
@@ -98,6 +115,7 @@ class VirtualController {
   void fill_inputs();
   void advance_power() noexcept;
   void run_program();
+  void exchange_terminals();
   void halt(SafetyMode mode) noexcept;
   std::string unlock();
   std::string power_on();
@@ -125,10 +143,10 @@ class VirtualController {
   std::optional<std::size_t> failed_joint_;
   double false_by_ = 0;  ///< rad
   std::uint64_t digital_inputs_ = 0, digital_outputs_ = 0;
-  std::array<double, 2> analog_inputs_{}, analog_outputs_{};  ///< V
+  std::array<double, 4> analog_inputs_{};   ///< V; 2 and 3 are those of the tool
+  std::array<double, 2> analog_outputs_{};  ///< V
   double speed_slider_ = 1;
-  double payload_ = 0;
-  int tool_voltage_ = 0;
+  ProgramSettings settings_;
   // outputs are written under masks: each package has the mask before the values
   std::uint8_t standard_mask_ = 0, configurable_mask_ = 0, tool_mask_ = 0, analog_mask_ = 0;
   std::uint32_t slider_mask_ = 0;

@@ -31,12 +31,19 @@ void WorldJoints::measure() {
     position_[i] = measurement.position[i];
     velocity_[i] = measurement.velocity[i];
   }
+  inputs_ = measurement.inputs;
+  world::FlangeMeasurement flange;
+  if (!memory_.flanges[slot_].load(flange)) return;
+  flange_.pose.translation() = Eigen::Map<const Eigen::Vector3d>(flange.position.data());
+  flange_.pose.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(flange.rotation.data());
+  flange_.load = Eigen::Map<const Wrench>(flange.load.data());
 }
 
 void WorldJoints::step(const JointTargets& targets, double period) {
   measure();
   world::JointDrive drive;
   drive.tick = tick_;
+  drive.outputs = outputs_;
   drive.joint_count = static_cast<std::uint32_t>(position_.size());
   drive.enabled = targets.kind == JointTargets::Kind::brake ? 0 : 1;
   drive.bandwidth = 2 * std::numbers::pi * robot_.drives.bandwidth;

@@ -12,6 +12,9 @@ namespace mrroc::sim::ur {
 ///
 /// The controller and the world have periods of their own: each step takes the newest measurement and drives its tick.
 /// So the world's ticks may not be shorter than the controller's periods: the world would wait for each drive.
+///
+/// The flange is that of `sim::FlangeSensor` where the world measures it, else unloaded at the base; the terminals are
+/// those of `sim::ControllerWiring`.
 class WorldJoints : public JointPlant {
  public:
   /// Robot slot `slot` of `memory`, whose first measurement is there; `memory` must outlive this object. Throws
@@ -21,6 +24,9 @@ class WorldJoints : public JointPlant {
   void step(const JointTargets& targets, double period) override;
   Six position() const override { return position_; }
   Six velocity() const override { return velocity_; }
+  Flange flange() const override { return flange_; }
+  std::optional<ControllerIo> inputs() const override { return inputs_; }
+  void set_outputs(const ControllerIo& outputs) override { outputs_ = outputs; }
 
  private:
   void measure();
@@ -30,6 +36,8 @@ class WorldJoints : public JointPlant {
   std::size_t slot_;
   Tick tick_ = 0;  ///< of the newest measurement
   Six position_{}, velocity_{};
+  Flange flange_;
+  ControllerIo inputs_, outputs_;
   JointTargets last_;
 };
 

@@ -11,12 +11,16 @@ namespace {
 
 class ServoRig {
  public:
-  explicit ServoRig(Interface interface) : model_(interface) {
+  /// `emergency_stop`: digital input that presses it; -1: none does.
+  explicit ServoRig(Interface interface, int emergency_stop = -1) : model_(interface) {
     model_.change().home << 0, -1.5, 1.5, -1.5, -1.5, 0;
+    if (emergency_stop >= 0) release(emergency_stop);
     hardware_ = std::make_unique<UrHardware>(controller.driver_options(), model_, kPeriod);
     hardware_->open();
     ticker_.emplace(*hardware_->clock(), clock::monotonic_ns(), kPeriod);
     servo_ = std::make_unique<edp::Servo>(models_, *hardware_, kPeriod, channel_);
+    if (emergency_stop >= 0) servo_->use_emergency_terminal(emergency_stop);
+    servo_->use_emergency_stop(emergency_stop_);
     effector_ = std::make_unique<edp::Effector>(models_, kPeriod, channel_);
     effector_->enable(true);
   }
@@ -64,6 +68,15 @@ class ServoRig {
   bool answered() const { return reply_.command == number_; }
   ErrorCode answer() const { return reply_.state.error.code; }
 
+  /// The emergency stop that is wired to this input; `release` does not reset it.
+  void press() {
+    controller.servers.with([](VirtualController& c) { c.set_inputs(0, 0, 0); });
+  }
+  void release(int input) {
+    controller.servers.with([input](VirtualController& c) { c.set_inputs(std::uint64_t{1} << input, 0, 0); });
+  }
+  void reset() { emergency_stop_.reset(); }
+
   void leave() { servo_->leave(); }
   bool drives_on() const { return servo_->drives_on(); }
 
@@ -77,6 +90,7 @@ class ServoRig {
 
   SixJoints model_;
   std::unique_ptr<UrHardware> hardware_;
+  clock::EmergencyStop emergency_stop_;
   edp::ServoChannel channel_;
   edp::ModelSet models_{model_};
   std::unique_ptr<edp::Servo> servo_;
@@ -131,6 +145,27 @@ TEST_P(UrServo, LeavesInMotionWithAStop) {
   const auto velocity = rig.controller.ask([](VirtualController& c) { return c.velocity(); });
   for (const double rate : velocity) EXPECT_NEAR(rate, 0, 2e-3);
   EXPECT_EQ(rig.fault(), ErrorCode::none) << describe(rig.fault());
+}
+
+/// The key `emergency_stop = 9` of a robot: a configurable input of the controller.
+TEST_P(UrServo, AnInputOfTheControllerPressesTheEmergencyStop) {
+  constexpr int kInput = 9;
+  ServoRig rig(GetParam(), kInput);
+  ASSERT_TRUE(rig.tick_until([&] { return rig.is_on(); })) << describe(rig.fault());
+  rig.start_move(way());
+  rig.ticks(100);
+  rig.press();
+  ASSERT_TRUE(rig.tick_until([&] { return rig.fault() == ErrorCode::emergency_stop; }));
+  ASSERT_TRUE(rig.tick_until([&] { return !rig.drives_on(); }));
+  EXPECT_TRUE(rig.tick_until([&] {
+    const Six rates = rig.controller.ask([](VirtualController& c) { return c.velocity(); });
+    return std::all_of(rates.begin(), rates.end(), [](double rate) { return std::abs(rate) < 2e-3; });
+  })) << "the control script has stopped it";
+  rig.release(kInput);
+  rig.ticks(50);
+  EXPECT_FALSE(rig.recover()) << "it stays latched until the operator resets it";
+  rig.reset();
+  EXPECT_TRUE(rig.recover()) << describe(rig.fault());
 }
 
 INSTANTIATE_TEST_SUITE_P(UrHardware, UrServo, testing::Values(Interface::position, Interface::velocity));

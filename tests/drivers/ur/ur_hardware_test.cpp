@@ -100,6 +100,36 @@ TEST(UrHardware, ExchangesTheControllersTerminals) {
   EXPECT_NEAR(rig.controller.ask([](VirtualController& c) { return c.analog_output(1); }), 1, 1e-9);
 }
 
+/// Things that are wired to the controller, and to the connector of the tool.
+struct WiredJoints : ExactJoints {
+  WiredJoints() : ExactJoints(Six{0, -1.5, 1.5, -1.5, -1.5, 0}) {}
+  std::optional<ControllerIo> inputs() const override {
+    ControllerIo inputs;
+    inputs.digital = 0x0102;
+    inputs.analog = {1, 2, 3, 4};
+    return inputs;
+  }
+};
+
+TEST(UrHardware, ReadsTheAnalogueInputsOfTheToolBehindTheStandardOnes) {
+  const ControllerServers servers(free_ports(), std::make_unique<WiredJoints>());
+  UrOptions options;
+  options.address = "127.0.0.1";
+  options.rtde_port = servers.ports().rtde;
+  options.script = MRROC_SOURCE_DIR "/drivers/ur/control.script";
+  options.timeout = 30;
+  const SixJoints model(Interface::position);
+  UrHardware hardware(options, model, kPeriod);
+  hardware.open();
+  edp::HardwareInput input;
+  for (Tick tick = 1; input.inputs.digital != 0x0102; ++tick) {
+    ASSERT_LT(tick, 100000u);
+    hardware.read(tick, input);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(input.inputs.analog[i], static_cast<double>(i + 1)) << i;
+}
+
 TEST(UrHardware, ACb3SendsAt125Hz) {
   ControllerServers::Options cb3 = free_ports();
   cb3.controller.version = {3, 15, 8, 1};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "drivers/ur/command.hpp"
@@ -108,9 +110,24 @@ TEST(OtherProgram, RunsForAWhile) {
   while (running.step()) ASSERT_LT(++steps, 1000);
 }
 
+TEST(SingleCommand, MovejMovesWithItsSpeed) {
+  Running running("movej([0.1,0,-0.2,0,0,0], a=2, v=0.5, r=0)");
+  EXPECT_EQ(running.program->name(), "movej");
+  double fastest = 0;
+  for (int steps = 0; running.step(); ++steps) {
+    ASSERT_LT(steps, 10000);
+    fastest = std::max(fastest, std::abs(running.joints.velocity()[2]));
+  }
+  EXPECT_NEAR(fastest, 0.5, 0.1);
+  EXPECT_NEAR(running.joints.position()[0], 0.1, 1e-3);
+  EXPECT_NEAR(running.joints.position()[2], -0.2, 1e-3);
+}
+
 TEST(MakeProgram, RejectsTextsThatAreNoPrograms) {
   EXPECT_THROW(make_program(""), std::invalid_argument);
-  EXPECT_THROW(make_program("set_digital_out(1, True)\n"), std::invalid_argument);
+  for (const char* line :
+       {"movej([1,2,3])", "stopj()", "stopj(0)", "# movej", "a = 1", "movej([0,0,0,0,0,0], a=1, v=0)", "stopj(1e999)"})
+    EXPECT_THROW(make_program(line), std::invalid_argument) << line;
   EXPECT_THROW(make_program("def mrroc_control():\nend\n"), std::invalid_argument);
   std::string wrong = control_text();
   wrong.replace(wrong.find("read_input_integer_register(24)"), 31, "read_input_integer_register(47)");

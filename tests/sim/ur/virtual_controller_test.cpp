@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace mrroc::sim::ur {
@@ -111,6 +113,54 @@ TEST(VirtualController, HasTheFieldsOfTheGuide) {
   EXPECT_EQ(controller.value<mrroc::ur::rtde::Vector6d>("actual_q"), (Six{1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(controller.input("input_int_register_47")->type, FieldType::int32);
   EXPECT_EQ(controller.input("speed_slider_mask")->type, FieldType::uint32);
+}
+
+/// The figures of the UR5e's data sheet at joint angles of zero.
+TEST(VirtualController, TheToolIsWhereAUr5eHasIt) {
+  VirtualController controller({.powered = true}, std::make_unique<ExactJoints>(Six{}));
+  const Six pose = controller.tool_pose();
+  EXPECT_NEAR(pose[0], -0.425 - 0.3922, 1e-9);
+  EXPECT_NEAR(pose[1], -0.1333 - 0.0996, 1e-9);
+  EXPECT_NEAR(pose[2], 0.1625 - 0.0997, 1e-9);
+  EXPECT_NEAR(std::hypot(pose[3], pose[4], pose[5]), std::numbers::pi / 2, 1e-9);
+  ASSERT_TRUE(controller.start_program("set_tcp(p[0, 0, 0.1, 0, 0, 0])"));
+  EXPECT_NEAR(controller.tool_pose()[1], pose[1] - 0.1, 1e-9);
+  EXPECT_EQ(controller.tool_offset(), (Six{0, 0, 0.1, 0, 0, 0}));
+}
+
+TEST(VirtualController, TheWrenchIsThatOfTheEnvironmentInTheBaseFrame) {
+  auto joints = std::make_unique<ExactJoints>(Six{});
+  joints->set_load((Wrench() << 0, 5, 0, 0, 0, 0).finished());  // along y of the flange, which is z of the base
+  VirtualController controller({.powered = true}, std::move(joints));
+  EXPECT_NEAR(controller.tool_force()[2], 5, 1e-9);
+  EXPECT_NEAR(controller.flange_load()[1], 5, 1e-9);
+  ASSERT_TRUE(controller.start_program("set_payload(0.5, [0, 0, 0.1])"));
+  EXPECT_NEAR(controller.tool_force()[2], 5 + 0.5 * 9.81, 1e-9) << "a payload that is missing";
+  EXPECT_NEAR(controller.flange_load()[1], 5, 1e-9);
+}
+
+/// Terminals with things wired to them.
+struct WiredJoints : ExactJoints {
+  WiredJoints() : ExactJoints(Six{}) { wired.analog = {1, 2, 3, 4}; }
+  std::optional<ControllerIo> inputs() const override { return wired; }
+  void set_outputs(const ControllerIo& outputs) override { received = outputs; }
+  ControllerIo wired, received;
+};
+
+TEST(VirtualController, ExchangesItsTerminalsWithThePlant) {
+  auto plant = std::make_unique<WiredJoints>();
+  WiredJoints& wired = *plant;
+  VirtualController controller({.powered = true}, std::move(plant));
+  wired.wired.digital = 0x8001;
+  controller.step();
+  EXPECT_EQ(std::get<std::uint64_t>((*controller.output("actual_digital_input_bits"))()), 0x8001u);
+  EXPECT_EQ(std::get<double>((*controller.output("standard_analog_input1"))()), 2);
+  EXPECT_EQ(std::get<double>((*controller.output("tool_analog_input0"))()), 3);
+  ASSERT_TRUE(controller.start_program("set_digital_out(3, True)"));
+  ASSERT_TRUE(controller.start_program("set_analog_out(1, 0.5)"));
+  controller.step();
+  EXPECT_EQ(wired.received.digital, 8u);
+  EXPECT_EQ(wired.received.analog[1], 5);
 }
 
 TEST(VirtualController, ARestartBootsWithoutPower) {

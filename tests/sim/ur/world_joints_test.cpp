@@ -38,7 +38,7 @@ config::Deployment one_robot() {
 
 /// A controller and a world with the same period.
 struct InWorld {
-  InWorld() : simulation(one_robot(), *memory) {
+  explicit InWorld(const config::Deployment& deployment = one_robot()) : simulation(deployment, *memory) {
     simulation.publish_initial();
     joints = std::make_unique<WorldJoints>(regulated(), *memory, 0);
   }
@@ -92,6 +92,68 @@ TEST(WorldJoints, BrakesHold) {
   const Six begin = world.joints->position();
   world.run(300, [] { return JointTargets{}; });
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(world.joints->position()[i], begin[i], 1e-3) << i;
+}
+
+constexpr const char* kWiredScene = R"(<mujoco><compiler angle="radian"/>
+<worldbody>
+  <body name="valve" pos="3 0 0">
+    <joint name="valve" type="slide" limited="true" range="0 1" damping="20"/>
+    <geom size="0.01" mass="0.1"/>
+  </body>
+</worldbody>
+<actuator><position name="left/output_3" joint="valve" kp="100" ctrllimited="true" ctrlrange="0 1"/></actuator>
+<sensor><jointpos name="left/input_12" joint="valve"/><jointpos name="left/analog_input_0" joint="valve"/></sensor>
+</mujoco>)";
+
+TEST(WorldJoints, TerminalsAreWiredToTheWorld) {
+  const task_test::ScratchFolder folder;
+  config::Deployment deployment = one_robot();
+  deployment.sim->scene = folder.write("scene.xml", kWiredScene);
+  InWorld world(deployment);
+  EXPECT_FALSE(world.joints->inputs()->on(12));
+  ControllerIo outputs;
+  outputs.set(3, true);
+  world.joints->set_outputs(outputs);
+  world.run(1000, [] { return JointTargets{}; });
+  EXPECT_TRUE(world.joints->inputs()->on(12));
+  EXPECT_GT(world.joints->inputs()->analog[0], 0.1);
+}
+
+/// A robot with a sensor inside its simulated controller.
+config::Deployment measuring() {
+  config::Deployment deployment = one_robot();
+  config::SensorEntry wrist;
+  wrist.name = "wrist";
+  wrist.type = "force_torque";
+  wrist.robot = "left";
+  wrist.source = "ur";
+  wrist.driver.emplace();
+  wrist.driver->controller = "ur";
+  wrist.driver->simulated = true;
+  deployment.sensors.push_back(wrist);
+  return deployment;
+}
+
+TEST(WorldJoints, TheFlangeCarriesTheForcesOnTheToolWithoutTheArmsOwnWeight) {
+  InWorld world(measuring());
+  world.run(200, [] { return JointTargets{}; });
+  const Flange free = world.joints->flange();
+  EXPECT_LT(free.load.norm(), 0.01) << free.load.transpose();
+  const mjModel& model = world.simulation.world().model();
+  const int site = mj_name2id(&model, mjOBJ_SITE, "left/wrist");
+  const mjData& data = world.simulation.world().data();
+  EXPECT_NEAR(free.pose.translation().z(), data.site_xpos[3 * site + 2] - 0.7, 1e-9) << "in the base frame";
+  // 20 N upwards on the tool, at its centre of mass
+  const int tool = model.site_bodyid[site];
+  world.simulation.world().data().xfrc_applied[6 * tool + 2] = 20;
+  world.run(200, [] { return JointTargets{}; });
+  const Flange pushed = world.joints->flange();
+  const Eigen::Vector3d force = pushed.pose.linear() * pushed.load.head<3>();
+  EXPECT_NEAR(force.z(), 20, 0.05);
+  EXPECT_NEAR(force.head<2>().norm(), 0, 0.05);
+  const Eigen::Vector3d centre(data.xipos[3 * tool], data.xipos[3 * tool + 1], data.xipos[3 * tool + 2] - 0.7);
+  const Eigen::Vector3d torque = pushed.pose.linear() * pushed.load.tail<3>();
+  EXPECT_LT((torque - (centre - pushed.pose.translation()).cross(Eigen::Vector3d(0, 0, 20))).norm(), 0.05);
 }
 
 TEST(WorldJoints, RejectsInvalidArguments) {
