@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Tests the simulated UR controller with the third-party client ur_rtde.
 
-The client's ports are fixed, so each controller listens on a loopback address of its own. The tool's pose of the
-simulated controller is zero and is not tested.
+The client's ports are fixed, so each controller listens on a loopback address of its own.
 
 Usage: client_test.py UR_CONTROLLER
 """
 
+import math
 import random
 import subprocess
 import sys
@@ -73,6 +73,21 @@ class ClientTest(unittest.TestCase):
                 self.assertEqual(receiver.getJointMode(), [253] * 6)
                 self.assertEqual(receiver.getRuntimeState(), 1)
                 self.assertEqual(len(receiver.getActualTCPPose()), 6)
+
+    def test_reads_tool_and_wrench(self):
+        # along the flange's z axis, whose direction in the base frame follows from the pose
+        load = [0, 0, 25, 0, 0, 0]
+        receiver = self.receiver(self.controller("--powered", "--load", *map(str, load)))
+        pose, force = receiver.getActualTCPPose(), receiver.getActualTCPForce()
+        self.assertAlmostEqual(math.hypot(*force[:3]), 25, delta=1e-9)
+        self.assertNear(force[3:], [0, 0, 0], 1e-9)
+        angle = math.hypot(*pose[3:])
+        axis = [each / angle for each in pose[3:]]
+        # the third column of the rotation by `angle` about `axis`: where the flange points
+        z = [(1 - math.cos(angle)) * axis[0] * axis[2] + math.sin(angle) * axis[1],
+             (1 - math.cos(angle)) * axis[1] * axis[2] - math.sin(angle) * axis[0],
+             math.cos(angle) + (1 - math.cos(angle)) * axis[2] ** 2]
+        self.assertNear(force[:3], [25 * each for each in z], 1e-9)
 
     def test_sends_at_each_frequency(self):
         address = self.controller()
