@@ -73,13 +73,15 @@ def free_port(kind):
         return probe.getsockname()[1]
 
 
-def by_controller(deployment):
-    """The deployment with the arm behind a UR controller and a Net F/T as its sensor, both simulated, patient with a busy machine."""
+def by_controller(deployment, source):
+    """The deployment with the arm behind a UR controller, and the wrench from a Net F/T or from the controller itself ("netft" or "ur").
+    All are simulated, and patient with a busy machine."""
     tcp = [free_port(socket.SOCK_STREAM) for _ in range(4)]
     controller = (f'hardware = "ur"\nur = {{ address = "127.0.0.1", simulated = true, missed_max = 100, watchdog = 0.5, '
                   f"rtde_port = {tcp[0]}, dashboard_port = {tcp[1]}, script_port = {tcp[2]} }}")
-    sensor = (f'mode = "interactive"\nsource = "netft"\nnetft = {{ address = "127.0.0.1", simulated = true, timeout = 0.5, '
-              f"port = {free_port(socket.SOCK_DGRAM)}, http_port = {tcp[3]} }}")
+    keys = {"netft": f'address = "127.0.0.1", simulated = true, timeout = 0.5, port = {free_port(socket.SOCK_DGRAM)}, http_port = {tcp[3]}',
+            "ur": "timeout = 0.5, start_timeout = 30"}[source]
+    sensor = f'mode = "interactive"\nsource = "{source}"\n{source} = {{ {keys} }}'
     return (deployment.replace('clock = "lockstep"', 'clock = "real"').replace('hardware = "mujoco"', controller)
             .replace('mode = "interactive"', sensor))
 
@@ -167,7 +169,8 @@ class Arm:
         program = self.options.mrroc.parent.parent / "tests/press_at_home_ecp"
         runs = [("", lambda deployment: deployment)]
         if self.options.controllers:
-            runs += [(f" by its controller, run {number + 1}", by_controller) for number in range(self.options.runs)]
+            runs += [(f" by its controller with source = {source}, run {number + 1}", lambda text, source=source: by_controller(text, source))
+                     for source in ("ur", "netft") for number in range(self.options.runs)]
         for how, change in runs:
             forces = [step["wrench"][:3] for step in steps(program, PAD.format(x, y, z - self.pad), change=change) if "wrench" in step]
             force = max(math.dist(each, forces[0]) for each in forces)  # without the weight behind the sensor
