@@ -24,8 +24,8 @@ enum class Homing : std::uint8_t { none, running, attained, failed };
 
 /// The feedback of the drives in one tick.
 struct HardwareInput {
-  /// When it was measured, ticks of the servo: now, unless the drives report another time. That of the reading before:
-  /// positions are repeated, extrapolated, or perhaps not new.
+  /// When it was measured, ticks of the servo: now, or when the last package of the robot's clock was, unless the
+  /// drives report another time. That of the reading before: positions are repeated, extrapolated, or perhaps not new.
   double time = 0;
   double late = 0;                    ///< and how long after it at most, servo periods: on a bus, until it was answered
   JointVector motors;                 ///< shaft positions, rad, as the encoders resolve them

@@ -164,12 +164,8 @@ void UrHardware::read(Tick tick, edp::HardwareInput& input) noexcept {
     input.fault = ErrorCode::hardware_silent;
     return;
   }
-  if (std::exchange(fresh_, false)) {
-    measured_ = input.time;
-    received_ = tick;
-  }
+  if (std::exchange(fresh_, false)) received_ = tick;
   advance();
-  input.time = measured_;
   const JointVector joints = as_joints(state_.position);
   JointVector motors(kAxes);
   UrFault fault = find_fault(tick);

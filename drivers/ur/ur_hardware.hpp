@@ -21,7 +21,7 @@ namespace mrroc::ur {
 ///
 /// Positions are the joint angles of the controller; the model converts them to shafts. They are absolute. The
 /// controller keeps the time: the servo ticks with its packages (RobotClock), and sends one set-point for each. In a
-/// tick without a new package the positions are repeated, and so is their time.
+/// tick without a new package the positions are repeated.
 ///
 /// `enable(true)` makes the robot ready: it releases a protective stop, switches power on, releases the brakes and
 /// starts the control script, which takes seconds. `enable(false)` stops the motion; the controller holds the arm, with
@@ -82,7 +82,6 @@ class UrHardware : public edp::Hardware, private edp::RobotClock {
   Phase phase_ = Phase::off;
   bool wanted_ = false;  ///< by the servo: power
   UrFault failure_;
-  double measured_ = 0;   ///< when the robot was in that state, ticks
   Tick received_ = 0;     ///< tick in which it was read
   Tick phase_begin_ = 0;  ///< tick since which the control script has to follow, or to stop
   Tick now_ = 0;

@@ -16,9 +16,9 @@ EncoderWatch::EncoderWatch(const RobotModel& model, double period) noexcept : co
   }
 }
 
-EncoderWatch::Finding EncoderWatch::check(const JointVector& motors, double time) noexcept {
+EncoderWatch::Finding EncoderWatch::check(const JointVector& motors, double time, double now) noexcept {
   Finding finding;
-  if (!jumped_) ticks_ = time > time_ ? std::max(time - time_, 1.0) : 1.0;
+  if (!jumped_) ticks_ = std::max(now - time_, 1.0);
   for (std::size_t i = 0; i < count_; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     if (!std::isfinite(motors[k])) return {static_cast<int>(i), NotFinite{}};
@@ -29,7 +29,7 @@ EncoderWatch::Finding EncoderWatch::check(const JointVector& motors, double time
   jumped_ = finding.axis >= 0;
   if (jumped_) return finding;
   good_ = motors;
-  time_ = time;
+  time_ = std::max(time_, time);
   return finding;
 }
 

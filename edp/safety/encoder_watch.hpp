@@ -25,8 +25,10 @@ class EncoderWatch {
   /// `model`: any of the robot's; `period` in s.
   EncoderWatch(const RobotModel& model, double period) noexcept;
 
-  /// Takes the readings (rad) of a time (ticks) that need not be later than the last one's: drives may repeat them.
-  Finding check(const JointVector& motors, double time) noexcept;
+  /// Takes the readings (rad) of the time `time`, which need not be later than the last one's: drives may repeat them.
+  /// They are judged by the time (ticks) from the last good reading until `now`: after a silence the first reading may
+  /// be old, but the axis could move during all that time.
+  Finding check(const JointVector& motors, double time, double now) noexcept;
   /// From now on the same readings are greater by `shift`.
   void shift(const JointVector& shift) noexcept { good_ += shift; }
 

@@ -23,7 +23,8 @@ RobotTicker::Place RobotTicker::wait_next() noexcept {
     const bool came = clock_.wait(deadline, beat);
     const std::int64_t now = clock::monotonic_ns();
     if (!came) deadline = now + std::llround(beat_);
-    const double next = came ? grid_.place(beat) : on_wall(now);
+    if (came) measured_ = grid_.place(beat);
+    const double next = came ? measured_ : on_wall(now);
     if (!(next >= last_ + kLeast)) continue;
     const double beats = std::max(std::round((next - last_) * period_ / beat_), 1.0);
     statistics_.begin(now, std::llround(std::abs(on_wall(now) - next) * period_),
@@ -31,7 +32,7 @@ RobotTicker::Place RobotTicker::wait_next() noexcept {
     ticked_ = true;
     last_ = next;
     const double whole = std::floor(next);
-    return {static_cast<Tick>(whole), next - whole};
+    return {static_cast<Tick>(whole), next - whole, measured_};
   }
 }
 

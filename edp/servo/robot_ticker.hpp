@@ -22,7 +22,8 @@ class RobotTicker {
   /// A place on the common grid: so much of its period after a tick has begun.
   struct Place {
     Tick tick = 0;
-    double ahead = 0;  ///< 0 <= ahead < 1
+    double ahead = 0;     ///< 0 <= ahead < 1
+    double measured = 0;  ///< when the period of the last package began, ticks: before this one if none has come
   };
   /// Waits for the next tick: at least kLeast of a period after the last one.
   Place wait_next() noexcept;
@@ -42,6 +43,7 @@ class RobotTicker {
   const double beat_;    ///< of the controller, ns
   RobotGrid grid_;
   double last_ = -kLeast;
+  double measured_ = 0;
   bool ticked_ = false;
   clock::TickStatistics statistics_;
 };

@@ -51,9 +51,9 @@ bool Servo::use(std::uint8_t index) noexcept {
   return true;
 }
 
-bool Servo::tick(Tick tick, double ahead) noexcept {
+bool Servo::tick(Tick tick, double ahead, double measured) noexcept {
   now_ = static_cast<double>(tick) + ahead;
-  measure(tick);
+  measure(tick, measured);
   obey_order();
   watch(tick);
   if (has_power(state_)) {

@@ -70,9 +70,12 @@ class Servo {
   /// A recorder reads every tick from `tap`, which must outlive this object. Before the first tick.
   void use_tap(ServoTap& tap) noexcept { tap_ = &tap; }
 
-  /// Executes tick `tick`, `ahead` of its period after it has begun: later than the last time. A gap counts as missed
-  /// ticks. True: reports have been put out, the comms side should poll.
-  bool tick(Tick tick, double ahead = 0) noexcept;
+  /// Executes tick `tick`, whose readings are of its begin. A gap counts as missed ticks. True: reports have been put
+  /// out, the comms side should poll.
+  bool tick(Tick tick) noexcept { return this->tick(tick, 0, static_cast<double>(tick)); }
+  /// The same at `ahead` of the tick's period, later than the last time; the readings are of the time `measured`,
+  /// ticks.
+  bool tick(Tick tick, double ahead, double measured) noexcept;
 
   /// The process ends: from the next tick on the robot stops, then its drives go off, and no order switches them on
   /// again. The servo's thread.
@@ -101,7 +104,7 @@ class Servo {
 
   bool use(std::uint8_t model) noexcept;
   void widen_limits() noexcept;
-  void measure(Tick tick) noexcept;
+  void measure(Tick tick, double measured) noexcept;
   void check_encoders() noexcept;
   void find_fault(const Fault& fault) noexcept;
   bool switch_on() noexcept;

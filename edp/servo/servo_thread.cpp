@@ -43,23 +43,22 @@ void ServoThread::follow_grid() noexcept {
     const Tick present = ticker_.wait_next();
     if (next == 0 || !servo_.drives_wait()) next = present;
     for (; next <= present; ++next)
-      if (!tick(next, 0)) return;
+      if (!tick({next, 0, static_cast<double>(next)})) return;
   }
 }
 
 void ServoThread::follow_robot() noexcept {
   for (;;) {
-    const RobotTicker::Place next = robot_ticker_->wait_next();
-    if (!tick(next.tick, next.ahead)) return;
+    if (!tick(robot_ticker_->wait_next())) return;
   }
 }
 
 /// False: the robot has stopped for the end.
-bool ServoThread::tick(Tick tick, double ahead) noexcept {
+bool ServoThread::tick(RobotTicker::Place place) noexcept {
   const bool ending = end_.load(std::memory_order_acquire);
   if (ending) servo_.leave();
-  const bool forward = notify_every_ != 0 && tick % notify_every_ == 0;
-  if (servo_.tick(tick, ahead) || forward) clock_.notify();
+  const bool forward = notify_every_ != 0 && place.tick % notify_every_ == 0;
+  if (servo_.tick(place.tick, place.ahead, place.measured) || forward) clock_.notify();
   return !ending || servo_.drives_on();
 }
 

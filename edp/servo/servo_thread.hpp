@@ -36,7 +36,7 @@ class ServoThread {
   void run() noexcept;
   void follow_grid() noexcept;
   void follow_robot() noexcept;
-  bool tick(Tick tick, double ahead) noexcept;
+  bool tick(RobotTicker::Place place) noexcept;
 
   Servo& servo_;
   clock::Clock& clock_;

@@ -25,10 +25,10 @@ void Servo::widen_limits() noexcept {
   }
 }
 
-void Servo::measure(Tick tick) noexcept {
+void Servo::measure(Tick tick, double measured) noexcept {
   elapsed_ = ticked_ ? now_ - then_ : 1;
   const double last_read = input_.time;
-  input_.time = now_;
+  input_.time = measured;
   input_.late = 0;
   input_.motors.setConstant(kNothing);
   input_.current.setConstant(kNothing);
@@ -66,8 +66,7 @@ void Servo::measure(Tick tick) noexcept {
 /// Implausible positions and currents are replaced by the last valid ones.
 void Servo::check_encoders() noexcept {
   if (found_.code != ErrorCode::hardware_silent || !input_.motors.allFinite()) {
-    // after a silence the first reading may be old, but the axis could move during all that time
-    const EncoderWatch::Finding finding = encoders_.check(input_.motors, std::max(input_.time, now_));
+    const EncoderWatch::Finding finding = encoders_.check(input_.motors, input_.time, now_);
     if (finding.axis >= 0) {
       find_fault({ErrorCode::encoder_fault, finding.axis, finding.detail});
       input_.motors = measured_motors_;

@@ -78,7 +78,8 @@ void Bench::close() {
 }
 
 edp::RobotTicker::Place Bench::next() {
-  const edp::RobotTicker::Place place = ticker_ ? ticker_->wait_next() : edp::RobotTicker::Place{now_, 0};
+  const edp::RobotTicker::Place place =
+      ticker_ ? ticker_->wait_next() : edp::RobotTicker::Place{now_, 0, static_cast<double>(now_)};
   now_ = place.tick + 1;
   device().advance(place.tick);
   return place;
@@ -90,11 +91,11 @@ void Bench::pace() const {
 }
 
 const edp::HardwareInput& Bench::tick() {
-  const auto [tick, ahead] = next();
+  const auto [tick, ahead, measured] = next();
   input_ = {};
   input_.motors = JointVector::Constant(axes(), std::numeric_limits<double>::quiet_NaN());
   input_.current = input_.motors;
-  input_.time = static_cast<double>(tick) + ahead;
+  input_.time = measured;
   hardware_->read(tick, input_);
   device().read(input_.motors);
   hardware_->set_points(target, JointVector::Zero(axes()));
@@ -129,9 +130,9 @@ void Bench::servo_ticks(int count) {
 }
 
 Counts Bench::count_servo_tick() {
-  const auto [tick, ahead] = next();
+  const auto [tick, ahead, measured] = next();
   const Counts before = counts();
-  servo_->tick(tick, ahead);
+  servo_->tick(tick, ahead, measured);
   const Counts done = counts() - before;
   device().read(seen().motors);
   edp::Reply reply;

@@ -27,8 +27,8 @@ class ServoRig {
 
   /// The next tick of the controller, as the servo's thread.
   void tick() {
-    const auto [present, ahead] = ticker_->wait_next();
-    servo_->tick(present, ahead);
+    const auto [present, ahead, measured] = ticker_->wait_next();
+    servo_->tick(present, ahead, measured);
     edp::Reply reply;
     while (effector_->poll(reply)) reply_ = reply;
   }

@@ -43,7 +43,7 @@ class BesideTheGrid {
   void tick() {
     const double place = phase_ + rate_ * n_++;
     const double whole = std::floor(place);
-    servo.tick(static_cast<Tick>(whole), place - whole);
+    servo.tick(static_cast<Tick>(whole), place - whole, place);
     Reply reply;
     while (effector.poll(reply)) replies.push_back(reply);
     const double position = servo.snapshot().desired.position[0];

@@ -1,0 +1,5 @@
+# troubles of drivers' devices and of the network to them
+mrroc_bench(driver_faults SOURCES driver_faults/cell.cpp driver_faults/main.cpp driver_faults/troubles.cpp
+  LINKS mrroc_netft_source mrroc_simulated_netft mrroc_simulated_ur mrroc_ur_hardware)
+target_include_directories(bench_driver_faults PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_compile_definitions(bench_driver_faults PRIVATE MRROC_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
