@@ -56,8 +56,9 @@ std::vector<std::uint8_t> realtime_message(const VirtualController& controller) 
   writer.add(static_cast<double>(controller.digital_outputs()));
   writer.add(static_cast<double>(controller.runtime()));
   if (is_from(3, 5)) writer.zeros(6);  // elbow
+  if (is_from(5, 4)) writer.add(static_cast<double>(controller.safety_mode()));
   if (is_from(5, 10)) {
-    writer.add(static_cast<double>(controller.safety_mode())).zeros(3).add(controller.payload());
+    writer.zeros(3).add(controller.payload());
     for (const double value : controller.payload_centre()) writer.add(value);
     writer.zeros(6);  // inertia
   }
