@@ -23,10 +23,12 @@ import zipfile
 PLATFORMS = ("manylinux2014_x86_64", "manylinux_2_28_x86_64", "any")
 TIMEOUT = 600  # s, of one command
 FORCE = (10, 16)  # N: the task stops when it measures the first
-SCENE = """<mujoco><compiler angle="radian"/><option timestep="0.001" cone="elliptic"/><worldbody>{}</worldbody></mujoco>"""
+SCENE = """<mujoco><compiler angle="radian"/><option timestep="0.001" cone="elliptic"/><worldbody>{}</worldbody>{}</mujoco>"""
 # as soft as the workpiece of the task press
 PAD = """<body name="pad" pos="{} {} {}"><joint name="pad" type="slide" axis="0 0 1" stiffness="5000" damping="60"/>
 <geom type="cylinder" size="0.1 0.01" mass="0.1" solref="0.004 1"/></body>"""
+# input 3 of the arm's controller is on: the first value of a unit quaternion that does not turn is 1
+RELEASED = """<sensor><framequat name="arm/input_3" objtype="body" objname="pad"/></sensor>"""
 PRESS = """[deployment]
 name = "press"
 clock = "lockstep"
@@ -35,6 +37,8 @@ type = "{}"
 program = "{}"
 hardware = "mujoco"
 force_sensor = "wrist"
+force_limit = [60.0, 60.0, 60.0]
+torque_limit = [20.0, 20.0, 20.0]
 [sensors.wrist]
 type = "force_torque"
 robot = "arm"
@@ -75,9 +79,9 @@ def free_port(kind):
 
 def by_controller(deployment, source):
     """The deployment with the arm behind a UR controller, and the wrench from a Net F/T or from the controller itself ("netft" or "ur").
-    All are simulated, and patient with a busy machine."""
+    All are simulated, and patient with a busy machine; an emergency stop is wired to the controller."""
     tcp = [free_port(socket.SOCK_STREAM) for _ in range(4)]
-    controller = (f'hardware = "ur"\nur = {{ address = "127.0.0.1", simulated = true, missed_max = 100, watchdog = 0.5, '
+    controller = (f'hardware = "ur"\nemergency_stop = 3\nur = {{ address = "127.0.0.1", simulated = true, missed_max = 100, watchdog = 0.5, '
                   f"rtde_port = {tcp[0]}, dashboard_port = {tcp[1]}, script_port = {tcp[2]} }}")
     keys = {"netft": f'address = "127.0.0.1", simulated = true, timeout = 0.5, port = {free_port(socket.SOCK_DGRAM)}, http_port = {tcp[3]}',
             "ur": "timeout = 0.5, start_timeout = 30"}[source]
@@ -159,24 +163,28 @@ class Arm:
         trace = folder / "trace"
 
         def steps(program, *bodies, change=lambda deployment: deployment):
-            (folder / "press.xml").write_text(SCENE.format("".join(bodies)), encoding="utf-8")
+            (folder / "press.xml").write_text(SCENE.format("".join(bodies), RELEASED if bodies else ""), encoding="utf-8")
             (folder / "press.toml").write_text(change(PRESS.format(self.name, program)), encoding="utf-8")
             self.mrroc("run", folder / "press.toml", "--quiet", "--black-box", "", "--trace", trace)
             return [{key: [float(number) for number in values.split(",")] for key, values in re.findall(r" (pose|wrench)=(\S+)", line)}
                     for line in trace.read_text(encoding="utf-8").splitlines()]
 
         x, y, z = next(step["pose"][:3] for step in steps("mrroc_arm_demo") if "pose" in step)
-        program = self.options.mrroc.parent.parent / "tests/press_at_home_ecp"
+        pad = PAD.format(x, y, z - self.pad)
+        programs = self.options.mrroc.parent.parent / "tests"
         runs = [("", lambda deployment: deployment)]
         if self.options.controllers:
             runs += [(f" by its controller with source = {source}, run {number + 1}", lambda text, source=source: by_controller(text, source))
-                     for source in ("ur", "netft") for number in range(self.options.runs)]
+                     for source in ("netft", "ur") for number in range(self.options.runs)]
         for how, change in runs:
-            forces = [step["wrench"][:3] for step in steps(program, PAD.format(x, y, z - self.pad), change=change) if "wrench" in step]
+            forces = [step["wrench"][:3] for step in steps(programs / "press_at_home_ecp", pad, change=change) if "wrench" in step]
             force = max(math.dist(each, forces[0]) for each in forces)  # without the weight behind the sensor
             if not FORCE[0] <= force <= FORCE[1]:
                 raise RuntimeError(f"{self.name}: pressed with {force:.1f} N{how}, expected {FORCE[0]} to {FORCE[1]} N")
             print(f"{self.name}: pressed with {force:.1f} N{how}", flush=True)
+            if self.options.controllers:
+                steps(programs / "force_at_home_ecp", pad, change=change)  # ends with an error unless every part holds
+                print(f"{self.name}: force law, lead-through and force limit{how}", flush=True)
 
     def picture(self):
         self.options.pictures.mkdir(parents=True, exist_ok=True)
