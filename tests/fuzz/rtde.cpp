@@ -25,7 +25,7 @@ void check_message(Bytes payload) {
 void check_data(const Recipe& recipe, Bytes payload) {
   std::vector<Value> values(recipe.types.size());
   if (!decode_data(recipe, payload, values)) return;
-  std::vector<std::uint8_t> written(kMaxPacket);
+  std::vector<std::uint8_t> written(kHeaderSize + payload.size());
   written.resize(encode_data(recipe, values, written));
   fuzz::require(written.size() == payload.size() + kHeaderSize, "a data package has its recipe's length");
   for (std::size_t i = 0, at = kHeaderSize + 1; i < values.size(); at += size_of(recipe.types[i]), ++i)
