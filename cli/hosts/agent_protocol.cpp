@@ -103,7 +103,7 @@ std::vector<std::pair<std::string, std::string>> files_of(const config::Deployme
   for (const config::RobotEntry& robot : deployment.robots)
     if (robot.can)
       files.emplace_back(std::string("robots.").append(robot.name) + ".can.drives: eds",
-                         hash_of(config::eds_file(config::Table::load(robot.can->drives))));
+                         hash_of(config::eds_file(config::Table::load(robot.can->drives), config::kGeneralDriveEds)));
   return files;
 }
 

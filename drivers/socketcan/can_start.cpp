@@ -221,7 +221,7 @@ void CanHardware::set_up(std::size_t axis) {
   begin_set_up(drive, drive.setup().start());
   std::int64_t deadline = clock::monotonic_ns() + kPatienceWithSdo;
   bool asked_again = false;
-  while (drive.setup().status() == DriveSetup::Status::writing) {
+  while (drive.setup().status() == NodeSetup::Status::writing) {
     can::Frame frame, next;
     if (bus_->receive(frame, deadline)) {
       note(frame);
@@ -240,7 +240,7 @@ void CanHardware::set_up(std::size_t axis) {
     send(next);
     deadline = clock::monotonic_ns() + kPatienceWithSdo;
   }
-  if (drive.setup().status() == DriveSetup::Status::refused)
+  if (drive.setup().status() == NodeSetup::Status::refused)
     fail(ErrorCode::configuration, axis,
          "refuses " + drive.setup().setting().name + " = " + std::to_string(drive.setup().setting().value) + ": " +
              std::string(describe(drive.setup().abort())));

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "canopen/emergency.hpp"
+#include "drivers/socketcan/setting_list.hpp"
 #include "drivers/socketcan/ticks_of.hpp"
 
 namespace mrroc::edp {
@@ -68,7 +69,7 @@ void Drive::take_heartbeat(const can::Frame& frame, Tick tick, can::Frame& next)
   const auto state = static_cast<NmtState>(frame.data[0] & 0x7f);
   if (state == NmtState::boot_up) {  // in service or not: its counter and its set-up are reset
     position_.lose();
-    if (setup_.status() == DriveSetup::Status::writing) next = setup_.start();
+    if (setup_.status() == NodeSetup::Status::writing) next = setup_.start();
     asked_ = tick;
   }
   if (answers_.in_service()) judge(state, tick);
@@ -90,7 +91,7 @@ void Drive::take_response(const can::Frame& frame, Tick tick, can::Frame& next) 
   } else {
     display_.take(frame, next);
   }
-  if (setup_.status() != DriveSetup::Status::done) return;
+  if (setup_.status() != NodeSetup::Status::done) return;
   setup_.give_up();
   begin(tick);
   next = nmt_frame(NmtCommand::start, node_);
@@ -149,7 +150,7 @@ AxisSwitches Drive::switches() const noexcept {
 }
 
 DriveFault Drive::fault(Tick tick) const noexcept {
-  if (setup_.status() == DriveSetup::Status::refused) return SetupRefused{setup_.setting().object, setup_.abort()};
+  if (setup_.status() == NodeSetup::Status::refused) return SetupRefused{setup_.setting().object, setup_.abort()};
   if (restarted_) return Restarted{};
   if (answers_.has_duplicate()) return DuplicateNode{answers_.surplus()};
   if (answers_.is_missed())

@@ -10,6 +10,7 @@
 #include "drivers/socketcan/drive_setup.hpp"
 #include "drivers/socketcan/homing_run.hpp"
 #include "drivers/socketcan/mode_display.hpp"
+#include "drivers/socketcan/node_setup.hpp"
 #include "edp/hardware.hpp"
 
 namespace mrroc::edp {
@@ -90,7 +91,7 @@ class Drive {
   /// step is accepted.
   bool may_operate() const noexcept;
 
-  DriveSetup& setup() noexcept { return setup_; }
+  NodeSetup& setup() noexcept { return setup_; }
 
  private:
   /// Of the last TPDO 1, beside the position.
@@ -120,7 +121,7 @@ class Drive {
   double home_;  ///< rad of the shaft at the origin of a drive that has homed
   DrivePdos pdos_;
 
-  DriveSetup setup_;
+  NodeSetup setup_;
   ModeDisplay display_;
   DrivePosition position_;
   DriveAnswers answers_;

@@ -52,7 +52,7 @@ void Drive::reset(Tick tick, double position, can::Frame& next) noexcept {
 }
 
 bool Drive::repeats(Tick tick, can::Frame& next) noexcept {
-  if (setup_.status() != DriveSetup::Status::writing || tick <= asked_ + answer_ticks_) return false;
+  if (setup_.status() != NodeSetup::Status::writing || tick <= asked_ + answer_ticks_) return false;
   next = setup_.again();
   asked_ = tick;
   return true;

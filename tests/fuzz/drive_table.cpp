@@ -23,13 +23,13 @@ void check(const config::DriveTable& table, const RobotParameters& robot) {
     fuzz::require(drive.node >= 1 && drive.node <= canopen::kMaxNode, "a node has a number");
     fuzz::require(nodes.insert(drive.node).second, "every node has its own number");
     fuzz::require(std::isfinite(drive.units_per_turn) && std::abs(drive.units_per_turn) >= 1, "a turn has units");
-    for (const config::DriveSetting& setting : drive.settings) {
+    for (const config::NodeSetting& setting : drive.settings) {
       const int bits = 8 * setting.size;
       fuzz::require(bits == 64 || (setting.value >= -(1LL << (bits - 1)) && setting.value < 1LL << bits),
                     "a setting fits its object");
     }
     try {
-      for (const config::DriveSetting& setting : edp::drive_settings(table, drive, 0.002))
+      for (const config::NodeSetting& setting : edp::drive_settings(table, drive, 0.002))
         fuzz::require(setting.size >= 1 && setting.size <= 8, "a setting is a number of whole bytes");
     } catch (const config::ConfigurationError&) {  // a homing speed beyond 32 bits
     }

@@ -1,16 +1,9 @@
 #include "config/drives/drive_objects.hpp"
 
-#include <algorithm>
-#include <array>
-#include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "canopen/object_value.hpp"
 #include "canopen/objects.hpp"
-#include "config/entries/named_file.hpp"
-#include "config/resources.hpp"
-#include "config/text/file_text.hpp"
 #include "config/text/message_text.hpp"
 
 namespace mrroc::config {
@@ -66,73 +59,18 @@ void check_objects(const Table& table, const canopen::EdsFile& eds, DriveMode mo
                  "a drive for mode " + in_quotes(table.text("mode")) + ", which needs it in its PDOs");
 }
 
-/// An error that another part of the framework reports: "<problem>, expected <what>", or the problem alone.
-[[noreturn]] void fail_with(const Table& table, const std::string& key, const std::string& message,
-                            const std::string& usual) {
-  constexpr std::string_view kExpected = ", expected ";
-  const std::size_t at = message.find(kExpected);
-  if (at == std::string::npos) table.fail(key, message, usual);
-  table.fail(key, message.substr(0, at), message.substr(at + kExpected.size()));
-}
-
-DriveSetting read_setting(const Table& table, const std::string& key, const DriveTable& drives) {
-  const canopen::EdsFile& eds = drives.eds;
-  DriveSetting setting;
-  setting.name = key;
-  try {
-    setting.object = eds.object(key);
-  } catch (const std::invalid_argument& error) {
-    fail_with(table, key, error.what(), "an object of the drive");
-  }
-  const canopen::ObjectEntry& entry = *eds.find(setting.object);
-  if (!entry.writable()) table.fail(key, "may only be read", "an object that may be written");
-  refuse_own(table, key, setting.object, drives.absolute_encoders);
-  const std::size_t size = canopen::size_of(entry.type);
-  if (size == 0 || entry.type == canopen::DataType::real32)
-    table.fail(key, "is not of an integer type", "an object with an integer");
-  setting.value = table.integer(key, canopen::least(entry.type), canopen::greatest(entry.type));
-  setting.size = static_cast<std::uint8_t>(size);
-  return setting;
-}
-
 }  // namespace
 
-std::filesystem::path eds_file(const Table& table) {
-  const std::string name = table.text("eds");
-  std::filesystem::path file = beside(table.file(), name);
-  for (const std::filesystem::path& share : share_directories())
-    if (!std::filesystem::exists(file)) file = share / "canopen" / "standard" / name;
-  if (!std::filesystem::exists(file))
-    table.fail("eds", in_quotes(name) + " is not there", "an EDS file beside this one, or 'cia402.eds'");
-  return file;
+canopen::EdsFile read_drive_eds(const Table& table, DriveMode mode) {
+  canopen::EdsFile eds = load_eds(table, kGeneralDriveEds);
+  check_objects(table, eds, mode);
+  return eds;
 }
 
-canopen::EdsFile read_eds(const Table& table, DriveMode mode) {
-  const std::string name = table.text("eds");
-  const std::filesystem::path file = eds_file(table);
-  if (const std::string problem = reading_problem(file); !problem.empty())
-    table.fail("eds", in_quotes(name) + " " + problem, "an EDS file of CiA 306");
-  try {
-    canopen::EdsFile eds = canopen::EdsFile::load(file);
-    check_objects(table, eds, mode);
-    return eds;
-  } catch (const canopen::EdsError& error) {
-    fail_with(table, "eds", error.what(), "an EDS file of CiA 306");
-  }
-}
-
-void read_settings(const Table& owner, const DriveTable& drives, std::vector<DriveSetting>& settings) {
-  const auto table = owner.optional_table("objects");
-  if (!table) return;
-  std::vector<DriveSetting> own;
-  for (const std::string& key : table->keys()) {
-    own.push_back(read_setting(*table, key, drives));
-    const auto same = [&own](const DriveSetting& setting) { return setting.object == own.back().object; };
-    if (const auto earlier = std::find_if(own.begin(), own.end() - 1, same); earlier != own.end() - 1)
-      table->fail(key, "is the object of " + in_quotes(earlier->name), "each object once");
-  }
-  settings.insert(settings.end(), own.begin(), own.end());
-  table->finish();
+CheckObject check_drive_object(bool absolute_encoders) {
+  return [absolute_encoders](const Table& table, const std::string& key, Object object) {
+    refuse_own(table, key, object, absolute_encoders);
+  };
 }
 
 }  // namespace mrroc::config

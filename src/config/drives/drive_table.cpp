@@ -141,14 +141,15 @@ void check_node(const Table& table, canopen::NodeId node, const DriveTable& driv
 
 void read_drives(const Table& file, const RobotParameters& robot, DriveTable& drives) {
   const std::vector<Table> tables = file.tables("drives");
-  std::vector<DriveSetting> common;
-  read_settings(file, drives, common);
+  const CheckObject check = check_drive_object(drives.absolute_encoders);
+  std::vector<NodeSetting> common;
+  read_settings(file, drives.eds, check, common);
   const std::vector<const Table*> sorted = by_axis(file, tables, robot);
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     DriveEntry drive = read_drive(*sorted[i], robot.axes[i], drives.mode);
     check_node(*sorted[i], drive.node, drives);
     drive.settings = common;
-    read_settings(*sorted[i], drives, drive.settings);
+    read_settings(*sorted[i], drives.eds, check, drive.settings);
     drives.drives.push_back(std::move(drive));
   }
 }
@@ -173,7 +174,7 @@ DriveTable read_drive_table(const std::filesystem::path& file, const RobotParame
   drives.target_at_sync =
       (table.has("set_points") ? table.choice("set_points", {"at sync", "at once"}) : usual) == "at sync";
   drives.status_every = static_cast<int>(table.integer_or("status_every", drives.status_every, 1, 240));
-  drives.eds = read_eds(table, drives.mode);
+  drives.eds = read_drive_eds(table, drives.mode);
   read_drives(table, robot, drives);
   return drives;
 }

@@ -8,18 +8,10 @@
 #include "canopen/drive_state.hpp"
 #include "canopen/eds_file.hpp"
 #include "canopen/identifiers.hpp"
-#include "canopen/objects.hpp"
+#include "config/drives/node_objects.hpp"
 #include "mrroc/robot_parameters.hpp"
 
 namespace mrroc::config {
-
-/// A value that is written into a drive before it is used.
-struct DriveSetting {
-  canopen::Object object;
-  std::string name;  ///< as in the file
-  std::int64_t value = 0;
-  std::uint8_t size = 0;  ///< bytes
-};
 
 /// Homing of a drive (CiA 402-2, homing mode).
 struct DriveHoming {
@@ -38,7 +30,7 @@ struct DriveEntry {
   double rated_current = 0;  ///< A: 1000 per mille of torque (6071h, 6077h)
   double position_gain = 0;  ///< 1/s, cyclic velocity: speed per rad of position error
   DriveHoming homing;
-  std::vector<DriveSetting> settings;  ///< in the order of the file, those of all drives first
+  std::vector<NodeSetting> settings;  ///< in the order of the file, those of all drives first
 };
 
 /// The drives of a robot on a CAN bus, one per axis in the axes' order: robots/<type>/<type>_drives.toml or a local

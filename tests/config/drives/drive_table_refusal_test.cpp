@@ -171,7 +171,7 @@ TEST_F(DriveTableTest, RefusesInvalidSettings) {
       "Motor rated torque, Target torque, Torque actual value, Torque offset) or an address like 0x6040 or 0x1018:1");
   EXPECT_EQ(
       with("'0x5fff' = 1"),
-      "crane_drives.toml:4: objects.0x5fff: object 5FFFh:0 is not in the EDS file, expected an object of the drive");
+      "crane_drives.toml:4: objects.0x5fff: object 5FFFh:0 is not in the EDS file, expected an object of the node");
   EXPECT_EQ(with("'Statusword' = 1"),
             "crane_drives.toml:4: objects.Statusword: may only be read, expected an object that may be written");
   EXPECT_EQ(with("'Max torque' = 70000"),

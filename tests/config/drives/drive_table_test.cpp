@@ -92,7 +92,7 @@ TEST_F(DriveTableTest, SettingsAreNamedAsInTheEdsFileOrByAddress) {
                                        "[drives.objects]\n'homing acceleration' = 70000\n"
                                        "'Software position limit/Min position limit' = -900\n'0x607D:2' = 900\n"
                                        "'max torque' = 800\n"));
-  const std::vector<DriveSetting>& own = drives.drives[0].settings;
+  const std::vector<NodeSetting>& own = drives.drives[0].settings;
   ASSERT_EQ(own.size(), 6u);  // those of all drives first, each in the order of the file
   EXPECT_EQ(own[0].object, (Object{0x6072}));
   EXPECT_EQ(own[0].name, "Max torque");

@@ -14,14 +14,14 @@ namespace {
 
 using namespace canopen;
 
-std::vector<config::DriveSetting> settings(DriveMode mode, double period = kCanPeriod) {
+std::vector<config::NodeSetting> settings(DriveMode mode, double period = kCanPeriod) {
   const config::DriveTable table = table_for(Slide{}.parameters(), mode);
   return drive_settings(table, table.drives[0], period);
 }
 
-std::int64_t last(const std::vector<config::DriveSetting>& all, Object object) {
+std::int64_t last(const std::vector<config::NodeSetting>& all, Object object) {
   std::int64_t value = -1;
-  for (const config::DriveSetting& setting : all)
+  for (const config::NodeSetting& setting : all)
     if (setting.object == object) value = setting.value;
   return value;
 }
@@ -126,7 +126,7 @@ TEST(DriveSetup, ValueOfTheTableReplacesTheDefault) {
     table.drives[0].settings.push_back({object, to_text(object), 0, 2});
   const auto all = drive_settings(table, table.drives[0], kCanPeriod);
   for (const Object object : {kQuickStopOption, kFaultReactionOption, kAbortConnectionOption}) {
-    const auto same = [object](const config::DriveSetting& setting) { return setting.object == object; };
+    const auto same = [object](const config::NodeSetting& setting) { return setting.object == object; };
     EXPECT_EQ(std::count_if(all.begin(), all.end(), same), 1) << to_text(object);
     EXPECT_EQ(last(all, object), 0);
   }

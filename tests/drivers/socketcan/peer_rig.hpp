@@ -100,7 +100,7 @@ class PeerTest : public testing::TestWithParam<canopen::DriveMode> {
   const Snapshot& seen() const { return servo->snapshot(); }
   std::string text() const { return std::string(make_report(seen().fault, model.parameters()).detail.view()); }
 
-  std::vector<config::DriveSetting> settings;  ///< of each drive, in addition to the driver's own
+  std::vector<config::NodeSetting> settings;  ///< of each drive, in addition to the driver's own
   TwoSlides model;
   config::DriveTable table;
   TestBus bus;
