@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 namespace mrroc::sim {
 
@@ -95,35 +94,10 @@ void DriveNode::nmt(NmtCommand command, std::int64_t now) {
   }
 }
 
-/// The values of one PDO as it is configured; nothing when it is not used.
-std::optional<PdoMapping> DriveNode::mapping(std::uint16_t parameters, std::uint16_t mapping_index,
-                                             std::uint32_t& identifier, int& transmission) const {
-  const auto raw = static_cast<std::uint32_t>(store_.number({parameters, 1}));
-  if ((raw & kPdoNotUsed) != 0 || raw == 0) return {};
-  identifier = raw & 0x7ff;
-  transmission = static_cast<int>(store_.number({parameters, 2}));
-  std::vector<MappedObject> objects;
-  for (std::int64_t i = 1; i <= store_.number({mapping_index, 0}); ++i)
-    objects.push_back(MappedObject::of_entry(
-        static_cast<std::uint32_t>(store_.number({mapping_index, static_cast<std::uint8_t>(i)}))));
-  try {
-    return PdoMapping(objects);
-  } catch (const std::invalid_argument&) {
-    return {};
-  }
-}
-
 void DriveNode::use_pdos() {
-  const auto configured = [this](std::uint16_t parameters, std::uint16_t index) {
-    Pdo pdo;
-    const auto map = mapping(parameters, index, pdo.identifier, pdo.transmission);
-    if (!map) return std::optional<Pdo>{};
-    pdo.mapping = *map;
-    return std::optional<Pdo>{pdo};
-  };
-  command_ = configured(kReceivePdoParameters, kReceivePdoMapping);
-  feedback_ = configured(kTransmitPdoParameters, kTransmitPdoMapping);
-  status_ = configured(kTransmitPdoParameters + 1, kTransmitPdoMapping + 1);
+  command_ = configured_pdo(store_, kReceivePdoParameters);
+  feedback_ = configured_pdo(store_, kTransmitPdoParameters);
+  status_ = configured_pdo(store_, kTransmitPdoParameters + 1);
 }
 
 void DriveNode::take(const can::Frame& frame, std::int64_t now) {
@@ -136,7 +110,7 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
     commanded_ = true;
     if (owes_) send(last_feedback_);
     owes_ = false;
-    if (command_->transmission > 240) return take_command(frame);
+    if (!command_->waits_for_sync()) return take_command(frame);
     pending_ = frame;
     has_pending_ = true;
   } else if (const auto watched = static_cast<std::uint32_t>(store_.number(kConsumerHeartbeat));
@@ -157,12 +131,7 @@ void DriveNode::take_request(const can::Frame& frame, std::int64_t now) {
 }
 
 void DriveNode::take_command(const can::Frame& frame) {
-  if (frame.size < command_->mapping.size()) return;
-  for (const MappedObject& mapped : command_->mapping.objects()) {
-    std::int64_t value = 0;
-    if (command_->mapping.read(frame, mapped.object, true, value)) store_.set(mapped.object, value);
-  }
-  obey();
+  if (command_->take(frame, store_)) obey();
 }
 
 void DriveNode::update(std::int64_t now) {
@@ -188,22 +157,14 @@ void DriveNode::synchronise() {
 }
 
 void DriveNode::send_status() {
-  if (withholds_ || !operational() || !status_ || status_->transmission < 1 || status_->transmission > 240 ||
-      syncs_ % status_->transmission != 0)
-    return;
-  can::Frame frame{status_->identifier, {}};
-  for (const MappedObject& mapped : status_->mapping.objects())
-    status_->mapping.write(frame, mapped.object, store_.number(mapped.object));
-  send(frame);
+  if (withholds_ || !operational() || !status_ || !status_->is_due(syncs_)) return;
+  send(status_->frame(store_));
 }
 
 void DriveNode::send_feedback() {
   if (!operational() || !feedback_) return;
   follow_state();
-  can::Frame frame{feedback_->identifier, {}};
-  for (const MappedObject& mapped : feedback_->mapping.objects())
-    feedback_->mapping.write(frame, mapped.object, store_.number(mapped.object));
-  if (!frozen_) last_feedback_ = frame;
+  if (!frozen_) last_feedback_ = feedback_->frame(store_);
   owes_ = lags_;
   if (!lags_) send(last_feedback_);
 }

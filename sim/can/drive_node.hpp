@@ -7,9 +7,9 @@
 
 #include "can/frame.hpp"
 #include "canopen/drive_state.hpp"
-#include "canopen/pdo_mapping.hpp"
 #include "config/drives/drive_table.hpp"
 #include "sim/can/motor_control.hpp"
+#include "sim/can/node_pdo.hpp"
 #include "sim/can/object_store.hpp"
 #include "sim/can/sdo_server.hpp"
 
@@ -97,17 +97,9 @@ class DriveNode {
   void obey();
   void follow_state();
   double home();
-  std::optional<canopen::PdoMapping> mapping(std::uint16_t parameters, std::uint16_t mapping, std::uint32_t& identifier,
-                                             int& transmission) const;
   void use_pdos();
   double shaft(std::int64_t units) const noexcept;
   std::int64_t units(double shaft) const noexcept;
-
-  struct Pdo {
-    canopen::PdoMapping mapping;
-    std::uint32_t identifier = 0;
-    int transmission = 255;
-  };
 
   canopen::NodeId node_;
   double units_per_rad_, velocity_units_per_rad_, rated_current_;
@@ -118,7 +110,7 @@ class DriveNode {
   MotorControl motor_;
   canopen::NmtState nmt_ = canopen::NmtState::boot_up;
   canopen::DriveState state_ = canopen::DriveState::switch_on_disabled;
-  std::optional<Pdo> command_, feedback_, status_;
+  std::optional<NodePdo> command_, feedback_, status_;
   can::Frame pending_;  ///< a set-point that waits for the SYNC
   bool has_pending_ = false, commanded_ = false;
   std::uint16_t controlword_ = 0;

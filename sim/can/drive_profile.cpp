@@ -10,7 +10,6 @@ using namespace canopen;
 
 namespace {
 
-constexpr std::uint16_t kHeartbeatError = 0x8130;
 constexpr std::uint16_t kPositionFollowingError = 0x8611;
 constexpr std::int64_t kNoWindow = 0xffffffff;
 constexpr Object kQuickStopDeceleration{0x6085};

@@ -10,6 +10,9 @@
 
 namespace mrroc::canopen {
 
+/// The error code of a node that has lost a heartbeat which it watches (CiA 301, table 26).
+inline constexpr std::uint16_t kHeartbeatError = 0x8130;
+
 /// A node's emergency message (CiA 301, 7.2.7): the error code of 603Fh, 0 when all errors have cleared.
 struct Emergency {
   NodeId node = 0;
