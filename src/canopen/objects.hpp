@@ -57,6 +57,17 @@ inline constexpr Object kDigitalOutputs{0x60fe, 1};
 inline constexpr Object kTargetVelocity{0x60ff};
 inline constexpr Object kSupportedModes{0x6502};  ///< bit n: mode n + 1 is supported
 
+// CiA 401: index of each array, whose parts 1, 2, ... are blocks of 8 digital terminals or single analogue ones
+inline constexpr std::uint16_t kReadInputs = 0x6000;
+inline constexpr std::uint16_t kWriteOutputs = 0x6200;
+inline constexpr std::uint16_t kOutputErrorMode = 0x6206;   ///< bit 1: the output takes its error value
+inline constexpr std::uint16_t kOutputErrorValue = 0x6207;  ///< when the node fails, is stopped or loses its master
+inline constexpr std::uint16_t kReadAnalogInputs = 0x6401;  ///< 16 bits, 32767 is the end of the range
+inline constexpr std::uint16_t kWriteAnalogOutputs = 0x6411;
+inline constexpr std::uint16_t kAnalogOutputErrorMode = 0x6443;   ///< 1: the output takes its error value
+inline constexpr std::uint16_t kAnalogOutputErrorValue = 0x6444;  ///< 32 bits
+inline constexpr Object kAnalogInterruptEnable{0x6423};           ///< without it some nodes send no analogue inputs
+
 /// Bits of 60FDh.
 inline constexpr std::uint32_t kNegativeLimitSwitch = 1u << 0;
 inline constexpr std::uint32_t kPositiveLimitSwitch = 1u << 1;
