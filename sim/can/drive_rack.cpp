@@ -18,7 +18,7 @@ constexpr std::int64_t kPatience = 500'000'000;  // ns: lockstep, for set-points
 }  // namespace
 
 DriveRack::DriveRack(const config::DriveTable& table, const RobotParameters& robot, double period, can::Bus& bus,
-                     edp::Hardware& plant, PlantTick plant_tick, Time time, AtCycle at_cycle)
+                     edp::Hardware& plant, PlantTick plant_tick, Time time, AtCycle at_cycle, const config::IoTable& io)
     : bus_(bus),
       plant_(plant),
       plant_tick_(std::move(plant_tick)),
@@ -29,6 +29,9 @@ DriveRack::DriveRack(const config::DriveTable& table, const RobotParameters& rob
   for (std::size_t i = 0; i < robot.axes.size(); ++i)
     nodes_.emplace_back(table, table.drives[i], robot.axes[i], period,
                         [this](const can::Frame& frame) { bus_.send(frame); });
+  io_nodes_.reserve(io.nodes.size());
+  for (const config::IoEntry& entry : io.nodes)
+    io_nodes_.emplace_back(entry, [this](const can::Frame& frame) { bus_.send(frame); });
 }
 
 std::int64_t DriveRack::now() const noexcept {
@@ -38,6 +41,11 @@ std::int64_t DriveRack::now() const noexcept {
 void DriveRack::with(const std::function<void(std::vector<DriveNode>&)>& action) {
   const std::lock_guard lock(mutex_);
   action(nodes_);
+}
+
+void DriveRack::with_io(const std::function<void(std::vector<IoNode>&)>& action) {
+  const std::lock_guard lock(mutex_);
+  action(io_nodes_);
 }
 
 bool DriveRack::any_powered() const noexcept {
@@ -51,6 +59,7 @@ bool DriveRack::all_commanded() const noexcept {
 void DriveRack::serve() {
   with([this](std::vector<DriveNode>& nodes) {
     for (DriveNode& node : nodes) node.boot(now());
+    for (IoNode& node : io_nodes_) node.boot(now());
   });
   while (!stop_.load()) {
     can::Frame frame;
@@ -58,6 +67,7 @@ void DriveRack::serve() {
     const std::lock_guard lock(mutex_);
     if (came) take(frame);
     for (DriveNode& node : nodes_) node.update(now());
+    for (IoNode& node : io_nodes_) node.update(now());
     const std::int64_t since = clock::monotonic_ns() - synced_;
     // lost set-points: the bus has lost a frame, or the master has died
     if (open_ && since > (time_ == Time::wall ? period_ : kPatience)) drive();
@@ -72,6 +82,7 @@ void DriveRack::take(const can::Frame& frame) {
     return;
   }
   for (DriveNode& node : nodes_) node.take(frame, now());
+  for (IoNode& node : io_nodes_) node.take(frame, now());
   if (open_ && all_commanded()) drive();
 }
 
@@ -84,6 +95,7 @@ void DriveRack::begin_cycle(bool on_bus) {
   cycles_.fetch_add(1);
   for (DriveNode& node : nodes_) node.synchronise();
   // PDOs that the master does not wait for come first, so that they have arrived when the others have
+  for (IoNode& node : io_nodes_) node.synchronise();
   for (DriveNode& node : nodes_) node.send_status();
   for (DriveNode& node : nodes_) node.send_feedback();
   if (all_commanded()) drive();
@@ -104,6 +116,7 @@ void DriveRack::measure() {
     const auto k = static_cast<Eigen::Index>(i);
     nodes_[i].measure(input_.motors[k] + age * per_period_[k], input_.current[k], input_.switches[i]);
   }
+  for (IoNode& node : io_nodes_) node.measure(input_.inputs);
 }
 
 void DriveRack::drive() {
@@ -114,6 +127,9 @@ void DriveRack::drive() {
   powered_.store(any_powered());
   if (let_go != let_go_) plant_.enable(let_go);
   let_go_ = let_go;
+  ControllerIo outputs;
+  for (const IoNode& node : io_nodes_) node.drive(outputs);
+  plant_.set_outputs(outputs);
   plant_.write(tick_, current);
 }
 

@@ -9,6 +9,7 @@
 #include "can/bus.hpp"
 #include "edp/hardware.hpp"
 #include "sim/can/drive_node.hpp"
+#include "sim/can/io_node.hpp"
 
 namespace mrroc::sim {
 
@@ -18,6 +19,9 @@ namespace mrroc::sim {
 /// the SYNC with its last velocity. One relay controls the brakes of all axes: they open while every drive has power.
 /// When a SYNC is missing while a motor has power, the cycle runs without it after two periods, because drives
 /// continue.
+///
+/// The I/O nodes on the same bus measure the plant's inputs at each SYNC, and send them before the drives answer; the
+/// plant gets their outputs with the currents.
 ///
 /// One thread serves it; any other thread may call `stop` and inject faults with `with`.
 class DriveRack {
@@ -34,9 +38,10 @@ class DriveRack {
   /// Changes the nodes at tick `tick` of the plant, before they answer its SYNC; `now`: their time, ns.
   using AtCycle = std::function<void(Tick tick, std::int64_t now, std::vector<DriveNode>& nodes)>;
 
-  /// `bus`, `plant` must outlive it. `period` in s.
+  /// `bus`, `plant` must outlive it. `period` in s. `io`: the I/O nodes.
   DriveRack(const config::DriveTable& table, const RobotParameters& robot, double period, can::Bus& bus,
-            edp::Hardware& plant, PlantTick plant_tick, Time time, AtCycle at_cycle = {});
+            edp::Hardware& plant, PlantTick plant_tick, Time time, AtCycle at_cycle = {},
+            const config::IoTable& io = {});
 
   /// Powers the drives on, then serves until `stop`. Throws the exceptions of the plant.
   void serve();
@@ -44,6 +49,8 @@ class DriveRack {
 
   /// Calls a function with the nodes between two frames. Any thread but the serving one.
   void with(const std::function<void(std::vector<DriveNode>&)>& action);
+  /// The same with the I/O nodes.
+  void with_io(const std::function<void(std::vector<IoNode>&)>& action);
   /// Whether some motor has power. Any thread.
   bool powered() const noexcept { return powered_.load(); }
   /// SYNCs served so far. Any thread.
@@ -65,6 +72,7 @@ class DriveRack {
   AtCycle at_cycle_;
   std::int64_t period_;  ///< ns
   std::vector<DriveNode> nodes_;
+  std::vector<IoNode> io_nodes_;
   edp::HardwareInput input_;
   JointVector per_period_;   ///< that the shafts have turned, rad
   Tick tick_ = 0;            ///< of the plant, in this cycle
