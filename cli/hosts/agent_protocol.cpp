@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "config/drives/drive_objects.hpp"
+#include "config/drives/io_table.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/text/file_text.hpp"
 #include "core/number_text.hpp"
@@ -100,10 +101,15 @@ std::vector<std::pair<std::string, std::filesystem::path>> input_files(const con
 std::vector<std::pair<std::string, std::string>> files_of(const config::Deployment& deployment) {
   std::vector<std::pair<std::string, std::string>> files;
   for (const auto& [key, file] : input_files(deployment)) files.emplace_back(key, hash_of(file));
-  for (const config::RobotEntry& robot : deployment.robots)
-    if (robot.can)
-      files.emplace_back(std::string("robots.").append(robot.name) + ".can.drives: eds",
-                         hash_of(config::eds_file(config::Table::load(robot.can->drives), config::kGeneralDriveEds)));
+  for (const config::RobotEntry& robot : deployment.robots) {
+    if (!robot.can) continue;
+    const std::string key = std::string("robots.").append(robot.name);
+    files.emplace_back(key + ".can.drives: eds",
+                       hash_of(config::eds_file(config::Table::load(robot.can->drives), config::kGeneralDriveEds)));
+    if (robot.can->io.empty()) continue;
+    for (const std::filesystem::path& file : config::io_eds_files(robot.can->io))
+      files.emplace_back(key + ".can.io: eds", hash_of(file));
+  }
   return files;
 }
 

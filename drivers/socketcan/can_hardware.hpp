@@ -10,21 +10,25 @@
 #include "can/bus_error.hpp"
 #include "canopen/sdo_client.hpp"
 #include "drivers/socketcan/drive.hpp"
+#include "drivers/socketcan/io_nodes.hpp"
 #include "mrroc/robot_parameters.hpp"
 
 namespace mrroc::edp {
 
-/// The drives of a robot on a CAN bus, one CiA 402 node per axis. The servo's thread is the bus's only thread: `read`
-/// sends the SYNC and takes the drives' answers, `write` sends each its command; both also send heartbeats, NMT
-/// commands and the set-up of a drive that has restarted. A cycle is
+/// The drives of a robot on a CAN bus, one CiA 402 node per axis, and the terminals of its controller, CiA 401 nodes.
+/// The servo's thread is the bus's only thread: `read` sends the SYNC and takes the nodes' answers, `write` sends each
+/// its command; both also send heartbeats, NMT commands and the set-up of a node that has restarted. A cycle is
 ///
-///   SYNC, TPDO 1 of every drive (and TPDO 2 at each `status_every`-th SYNC), RPDO 1 to every drive.
+///   SYNC, TPDO 1 of every drive (and TPDO 2 and the inputs at each `status_every`-th SYNC), changed outputs, RPDO 1 to
+///   every drive.
+///
+/// It waits for TPDO 1 of the drives, not for the inputs, which are the newest ones received.
 ///
 /// The position of a drive that leaves up to `missed_max` SYNCs unanswered is extrapolated; then the drive is silent.
 /// An error on the bus or in a drive is a fault of the robot, with the axis and the drive's own code.
 ///
 /// `enable(false)` is a quick stop: drives that still turn slow down on their own ramp before they let go. The drives
-/// watch our heartbeat, so they also do this when this process dies.
+/// watch our heartbeat, so they also do this when this process dies. Outputs take their error values then.
 class CanHardware : public Hardware {
  public:
   struct Timing {
@@ -34,15 +38,15 @@ class CanHardware : public Hardware {
 
   /// Opens the bus; throws HardwareError or std::runtime_error.
   using OpenBus = std::function<std::unique_ptr<can::Bus>()>;
-  /// `period` in s. `synchronised`: positions are right from the start.
+  /// `period` in s. `synchronised`: positions are right from the start. `io`: the I/O nodes on the same bus.
   CanHardware(config::DriveTable table, const RobotParameters& robot, double period, OpenBus open_bus, Timing timing,
-              bool synchronised);
+              bool synchronised, const config::IoTable& io = {});
   ~CanHardware() override;
 
-  /// Opens the bus, resets the drives' communication, waits for each to boot, takes the power of a drive that still has
-  /// it, clears a fault, sets each drive up and starts it, until all answer a SYNC. Throws HardwareError that names
-  /// drive, node and problem: no boot-up, not a CiA 402 drive, power or a fault that stays, a rejected setting, no
-  /// answer.
+  /// Opens the bus, resets the nodes' communication, waits for each to boot, takes the power of a drive that still has
+  /// it, clears a fault, sets each node up and starts it, until all answer a SYNC. Throws HardwareError that names
+  /// drive, node and problem: no boot-up, not a CiA 402 drive or a CiA 401 node with its terminals, power or a fault
+  /// that stays, a rejected setting, no answer.
   void open() override;
   void enable(bool on) noexcept override;
   void reset_fault() noexcept override;
@@ -52,6 +56,7 @@ class CanHardware : public Hardware {
   void read(Tick tick, HardwareInput& input) noexcept override;
   void set_points(const JointVector& position, const JointVector& velocity) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
+  void set_outputs(const ControllerIo& outputs) noexcept override { io_.set_outputs(outputs); }
   void set_origin(const JointVector& shift) noexcept override;
   bool homes() const noexcept override { return true; }
   void home(int axis) noexcept override;
@@ -60,17 +65,26 @@ class CanHardware : public Hardware {
   static constexpr double kPatienceWithTick = 2;   ///< s of wall time, for simulated drives in lockstep
 
  private:
+  // the start; a place is a drive's axis, or the number of axes and the place of an I/O node
+  std::size_t places() const noexcept { return drives_.size() + io_.all().size(); }
+  bool is_drive(std::size_t place) const noexcept { return place < drives_.size(); }
+  IoNode& io_node(std::size_t place) noexcept { return io_.all()[place - drives_.size()]; }
+  canopen::NodeId node_at(std::size_t place) const noexcept;
+  NodeSetup& setup_at(std::size_t place) noexcept;
   void await_boot();
   void note(const can::Frame& frame);
   void set_up_all();
+  void set_up(std::size_t place);
+  void write_settings(std::size_t place);
+  void prepare_drive(std::size_t axis, canopen::SdoClient& client);
   void check_modes(std::size_t axis, canopen::SdoClient& client) const;
-  void set_up(std::size_t axis);
   canopen::DriveState read_state(std::size_t axis, canopen::SdoClient& client);
   void take_power(std::size_t axis, canopen::SdoClient& client);
   void clear_fault(std::size_t axis, canopen::SdoClient& client);
-  void free_pdos(std::size_t axis, canopen::SdoClient& client);
+  void prepare_io_node(std::size_t place, canopen::SdoClient& client);
   void await_answers();
-  void begin_set_up(const Drive& drive, const can::Frame& first) noexcept;
+  bool all_answer() const noexcept;
+  void begin_set_up(canopen::NodeId node, const can::Frame& first) noexcept;
   void send(const can::Frame& frame) noexcept;
   void send_heartbeat() noexcept;
   void send_stops(Tick tick) noexcept;
@@ -78,9 +92,12 @@ class CanHardware : public Hardware {
   void take_error(const can::Frame& frame) noexcept;
   bool is_of_a_master(const can::Frame& frame) const noexcept;
   void dispatch(const can::Frame& frame) noexcept;
+  template <class Node>
+  bool pass(const can::Frame& frame, Node& node) noexcept;
   bool await_all(std::int64_t deadline) noexcept;
   void synchronise(Tick tick) noexcept;
-  [[noreturn]] void fail(ErrorCode code, std::size_t axis, const std::string& what) const;
+  void read_drives(Tick tick, HardwareInput& input) noexcept;
+  [[noreturn]] void fail(ErrorCode code, std::size_t place, const std::string& what) const;
 
   config::DriveTable table_;
   double period_;
@@ -89,7 +106,8 @@ class CanHardware : public Hardware {
   Timing timing_;
   bool synchronised_;
   std::vector<Drive> drives_;
-  std::vector<bool> set_up_;  ///< of each drive, during the start: since its last boot-up message
+  IoNodes io_;
+  std::vector<bool> set_up_;  ///< of each place, during the start: since its last boot-up message
   can::BusError bus_error_ = can::BusError::none;
   bool bus_off_ = false;  ///< the controller has left the bus, and has not come back yet
   Tick tick_ = 0;

@@ -30,11 +30,13 @@ std::unique_ptr<edp::Hardware> make(const edp::DriverContext& context) {
   const config::CanEntry& can = *context.robot.can;
   const RobotParameters& parameters = context.model.parameters();
   config::DriveTable table = config::read_drive_table(can.drives, parameters);
+  config::IoTable io;
+  if (!can.io.empty()) io = config::read_io_table(can.io, table);
   const auto timing = context.simulated_time ? CanHardware::Timing{CanHardware::kPatienceWithTick}
                                              : CanHardware::Timing{table.answer_time * context.servo_period, true};
   return std::make_unique<CanHardware>(
       std::move(table), parameters, context.servo_period, [name = can.interface] { return open_bus(name); }, timing,
-      context.robot.synchronised);
+      context.robot.synchronised, io);
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ constexpr StopCategory stop_category(ErrorCode reason) noexcept {
     case ErrorCode::over_current:
     case ErrorCode::limit_switch:
     case ErrorCode::bus_error:  // it still carries frames
+    case ErrorCode::io_fault:
     case ErrorCode::synchronisation_failed:
     case ErrorCode::not_enabled:  // switched off by order, or the deployment ends
     default:                      // a set-point that passes a limit, invalid joints

@@ -55,6 +55,7 @@ enum class ErrorCode : std::uint16_t {
   drive_not_ready = 118,
   heartbeat_lost = 119,
   drive_restarted = 120,
+  io_fault = 121,
   process_died = 200,
   process_silent = 201,
   link_lost = 202,

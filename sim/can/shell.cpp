@@ -10,7 +10,7 @@
 #include "can/bus.hpp"
 #include "can/hub.hpp"
 #include "clock/wall/monotonic.hpp"
-#include "config/drives/drive_table.hpp"
+#include "config/drives/io_table.hpp"
 #include "config/robot_place.hpp"
 #include "drivers/mujoco/mujoco_hardware.hpp"
 #include "mrroc/stopped.hpp"
@@ -39,12 +39,13 @@ class Drives {
         hub_(open_hub(place_.entry.can->interface)),
         bus_(can::open_bus(place_.entry.can->interface)),
         faults_(process.faults().of(process.name(), process.clock()), models_.front()->parameters()),
+        table_(config::read_drive_table(place_.entry.can->drives, models_.front()->parameters())),
         rack_(
-            config::read_drive_table(place_.entry.can->drives, models_.front()->parameters()),
-            models_.front()->parameters(), process.clock().period(), *bus_, plant_,
+            table_, models_.front()->parameters(), process.clock().period(), *bus_, plant_,
             [this](Tick last, bool wait, std::int64_t now) { return newest(last, wait, now); },
             process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall,
-            [this](Tick tick, std::int64_t now, auto& nodes) { faults_.apply(tick, now, nodes); }) {}
+            [this](Tick tick, std::int64_t now, auto& nodes) { faults_.apply(tick, now, nodes); },
+            io_table(*place_.entry.can, table_)) {}
 
   /// Its own thread serves the bus; this one waits for the end, which comes when no robot is driven any more.
   void serve() {
@@ -86,6 +87,10 @@ class Drives {
     return std::make_unique<can::Hub>(interface.substr(kHub.size()));
   }
 
+  static config::IoTable io_table(const config::CanEntry& can, const config::DriveTable& drives) {
+    return can.io.empty() ? config::IoTable{} : config::read_io_table(can.io, drives);
+  }
+
   /// Waits for the world: without it there are no shafts to measure.
   void await_world() {
     world::JointMeasurement measurement;
@@ -115,6 +120,7 @@ class Drives {
   std::unique_ptr<can::Hub> hub_;  ///< null: the bus is the kernel's
   std::unique_ptr<can::Bus> bus_;
   sim::InjectedDrives faults_;
+  config::DriveTable table_;
   sim::DriveRack rack_;
 };
 

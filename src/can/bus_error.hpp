@@ -27,6 +27,9 @@ enum class BusError : std::uint8_t {
 /// `frame.error` must be true. Never throws.
 BusError bus_error_of(const Frame& frame) noexcept;
 
+/// After these errors the bus passes no frames in either direction.
+constexpr bool stops_the_bus(BusError error) noexcept { return error == BusError::bus_off || error == BusError::down; }
+
 /// "bus off: the controller has left the bus after too many errors".
 const char* describe(BusError error) noexcept;
 

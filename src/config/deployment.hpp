@@ -45,6 +45,7 @@ struct DriverEntry : KeyValues {
 struct CanEntry {
   std::string interface;         ///< of the kernel ("can0"), or "unix:PATH" with an absolute path
   std::filesystem::path drives;  ///< the table of its drives, absolute
+  std::filesystem::path io;      ///< the table of its I/O nodes, absolute; empty: none
 };
 
 struct RobotEntry {

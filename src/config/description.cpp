@@ -25,9 +25,12 @@ std::string clock_name(ClockMode clock) {
 
 std::string on_host(const std::string& host) { return host.empty() ? "" : "host " + host + ", "; }
 
-/// " can0 with the drives of <file>".
+/// " can0 with the drives of <file> and the I/O nodes of <file>".
 std::string on_bus(const RobotEntry& robot) {
-  return robot.can ? " " + robot.can->interface + " with the drives of " + robot.can->drives.string() : "";
+  if (!robot.can) return "";
+  std::string text = " " + robot.can->interface + " with the drives of " + robot.can->drives.string();
+  if (!robot.can->io.empty()) text += " and the I/O nodes of " + robot.can->io.string();
+  return text;
 }
 
 std::string describe(const RobotEntry& robot) {

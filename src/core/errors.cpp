@@ -76,6 +76,8 @@ std::string_view describe(ErrorCode code) noexcept {
       return "a drive's heartbeat is lost";
     case ErrorCode::drive_restarted:
       return "a drive has restarted";
+    case ErrorCode::io_fault:
+      return "an I/O node fails";
     case ErrorCode::emergency_stop:
       return "the emergency stop is pressed or not reset";
     case ErrorCode::process_died:

@@ -50,7 +50,9 @@ def main():
 
     rows = {key: line for line in page.splitlines() if line.startswith("| `") for key in re.findall(r"`(\w+)`", line.split("|")[1])}
     tables = only((root / "src/config/drives/drive_table.cpp").read_text(encoding="utf-8"))
-    keys = sum([*tables, *only((root / "src/config/entries/can_entry.cpp").read_text(encoding="utf-8"))], [])
+    for file in ("src/config/drives/io_table.cpp", "src/config/entries/can_entry.cpp"):
+        tables += only((root / file).read_text(encoding="utf-8"))
+    keys = sum(tables, [])
     problems += [f"the key {key} has no row" for key in keys if key not in rows]
     struct = re.search(r"^struct DriveTable \{.*?^\};", (root / "src/config/drives/drive_table.hpp").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
     for key, value in DEFAULT.findall(struct.group()):

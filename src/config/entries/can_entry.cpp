@@ -6,11 +6,13 @@
 #include <cmath>
 
 #include "config/drives/drive_table.hpp"
+#include "config/drives/io_table.hpp"
 #include "config/entries/named_file.hpp"
 #include "config/resources.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/text/file_text.hpp"
 #include "config/text/message_text.hpp"
+#include "mrroc/signals.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::config {
@@ -79,25 +81,58 @@ void settle_synchronised(const Table& robot_table, const DriveTable& drives, Rob
                        "a homing_method, or absolute_encoders = true, in the table of drives");
 }
 
+/// A named table that this host reads: beside the deployment file.
+std::filesystem::path named_table(const Table& table, const std::string& key) {
+  return table.has(key) && !table.text(key).empty() ? beside(table.file(), table.text(key)) : std::filesystem::path();
+}
+
+void require_readable(const Table& table, const std::string& key, const std::filesystem::path& file,
+                      const std::string& what) {
+  if (const std::string problem = reading_problem(file); !problem.empty())
+    table.fail(key, in_quotes(file.string()) + " " + problem,
+               "a table of the robot's " + what + " (docs/how-to/can.md)");
+}
+
+void require_io(const Table& robot_table, const CanEntry& can) {
+  if (robot_table.has("emergency_stop") && can.io.empty())
+    robot_table.fail("emergency_stop", "a robot on a CAN bus has no inputs without I/O nodes",
+                     "a table of them, 'io' in [robots.NAME.can], or no such key");
+}
+
+/// An emergency stop on an input that is not there would be pressed permanently.
+void check_emergency_stop(const Table& robot_table, const IoTable& io) {
+  if (!robot_table.has("emergency_stop")) return;
+  const std::int64_t input = robot_table.integer("emergency_stop", 0, ControllerIo::kDigital - 1);
+  if (input < io.digital_inputs()) return;
+  std::string expected = "an input of them";
+  if (io.digital_inputs() > 0) expected += ", 0 to " + std::to_string(io.digital_inputs() - 1);
+  robot_table.fail("emergency_stop",
+                   std::to_string(input) + " is not an input of the I/O nodes of " + in_quotes(io.file.string()),
+                   expected);
+}
+
 }  // namespace
 
 void read_can(const Table& robot_table, const Deployment& deployment, RobotEntry& robot) {
   if (robot.driver.name != "socketcan") return;
-  if (robot_table.has("emergency_stop"))
-    robot_table.fail("emergency_stop", "a robot on a CAN bus has no inputs", "no such key");
   const Table table = robot_table.table("can");
   CanEntry& can = robot.can.emplace();
   can.interface = read_interface(table);
   check_period(table, deployment.servo_period);
   check_interface_is_free(table, deployment, robot);
   if (robot.driver.simulated) check_process_name(table, robot);
-  can.drives = table.has("drives") ? beside(table.file(), table.text("drives")) : robot.files().drives;
+  can.drives = named_table(table, "drives");
+  if (can.drives.empty()) can.drives = robot.files().drives;
+  can.io = named_table(table, "io");
+  require_io(robot_table, can);
   if (robot.host != deployment.here) return;
-  if (const std::string problem = reading_problem(can.drives); !problem.empty())
-    table.fail("drives", in_quotes(can.drives.string()) + " " + problem,
-               "a table of the robot's drives (docs/how-to/can.md)");
+  require_readable(table, "drives", can.drives, "drives");
   const RobotParameters parameters = read_robot_parameters(Table::load(robot.files().parameters));
-  settle_synchronised(robot_table, read_drive_table(can.drives, parameters), robot);
+  const DriveTable drives = read_drive_table(can.drives, parameters);
+  settle_synchronised(robot_table, drives, robot);
+  if (can.io.empty()) return;
+  require_readable(table, "io", can.io, "I/O nodes");
+  check_emergency_stop(robot_table, read_io_table(can.io, drives));
 }
 
 }  // namespace mrroc::config

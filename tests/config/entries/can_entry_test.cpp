@@ -67,6 +67,14 @@ TEST_F(CanEntryTest, HubIsBesideTheDeploymentFile) {
   EXPECT_EQ(load("interface = 'unix:/run/hub'\n").robot("arm").can->interface, "unix:/run/hub");
 }
 
+TEST_F(CanEntryTest, DeploymentMayHaveIoNodes) {
+  const std::string io = MRROC_SOURCE_DIR "/tests/config/valid/cell_io.toml";
+  const Deployment deployment = load("interface = 'can0'\nio = '" + io + "'\n", "emergency_stop = 2\n");
+  EXPECT_EQ(deployment.robot("arm").can->io, io);
+  EXPECT_EQ(deployment.robot("arm").emergency_stop, 2);
+  EXPECT_NE(describe(deployment).find(" and the I/O nodes of " + io + ": ECP"), std::string::npos);
+}
+
 TEST_F(CanEntryTest, DescriptionNamesBusAndDrives) {
   const std::string text = replaced(
       replaced(describe(load("interface = 'can0'\nsimulated = true\n")), programs_.path().string(), "PROGRAMS"),

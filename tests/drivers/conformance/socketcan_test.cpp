@@ -14,11 +14,12 @@ namespace {
 constexpr int kGlances = 40;
 constexpr std::uint32_t kLowestAnswer = 0x180;  // TPDO 1 of node 0: every set-point of the master is a later RPDO
 
-/// CiA 402 drives of a Polycrank on a hub.
+/// CiA 402 drives of a Polycrank on a hub, and a CiA 401 node.
 class Drives final : public StandIn {
  public:
   std::string keys() const override {
-    return "interface = \"unix:" + path() + "\"\ndrives = \"" + patient_drives_.string() + "\"";
+    return "interface = \"unix:" + path() + "\"\ndrives = \"" + patient_drives_.string() + "\"\nio = \"" +
+           terminals_.string() + "\"";
   }
   void start(const JointVector&) override {
     stop();
@@ -26,7 +27,7 @@ class Drives final : public StandIn {
     bus_.emplace([this](can::Frame& frame) { return passes(frame); });
     bus_name_ = bus_->name();
     std::filesystem::create_symlink(bus_name_.substr(5), path());
-    rack_.emplace(table_, *model_, *bus_, true);
+    rack_.emplace(table_, *model_, *bus_, true, edp::kCanPeriod, io_);
   }
   void stop() override {
     rack_.reset();
@@ -78,6 +79,9 @@ class Drives final : public StandIn {
       "drives.toml", "answer_time = 0.9\nmissed_max = 20\n" +
                          config::read_file(config::type_file("robots", "polycrank", "polycrank_drives.toml")));
   config::DriveTable table_ = config::read_drive_table(patient_drives_, model_->parameters());
+  std::filesystem::path terminals_ =
+      folder_.write("io.toml", "[[nodes]]\nnode = 40\neds = \"cia401.eds\"\ndigital_inputs = 8\ndigital_outputs = 8\n");
+  config::IoTable io_ = config::read_io_table(terminals_, table_);
   std::atomic<bool> silent_{false}, loses_{false};
   int answers_ = 0;
   std::uint64_t cycles_ = 0;

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "allocations.hpp"
-#include "can_rig.hpp"
 #include "edp/check/switched_gantry.hpp"
+#include "io_rig.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -82,6 +82,43 @@ TEST(AllocationOfHoming, HomingDoesNotAllocate) {
   }
   EXPECT_EQ(Counting::counted(), 0u);
   EXPECT_TRUE(rig.seen().synchronised);
+}
+
+/// Changing outputs, a node that is lost, restarts and is set up again.
+TEST(AllocationOfIo, IoNodesDoNotAllocate) {
+  IoRig rig;
+  rig.replies.reserve(100);
+  ASSERT_TRUE(rig.seen().enabled());
+  RobotCommand set_outputs, recover;
+  set_outputs.kind = CommandKind::set_outputs;
+  set_outputs.outputs.digital = 0xa5a5;
+  set_outputs.outputs.analog.fill(1);
+  recover.kind = CommandKind::recover;
+  {
+    const Counting scope;
+    rig.send(set_outputs);
+    rig.run(100);
+  }
+  EXPECT_EQ(Counting::counted(), 0u);
+  rig.with_node(0, [](auto& node) { node.cut(true); });
+  {
+    const Counting scope;
+    rig.run(100);
+    EXPECT_EQ(rig.seen().fault.code, ErrorCode::io_fault);
+  }
+  EXPECT_EQ(Counting::counted(), 0u);
+  rig.with_node(0, [](auto& node) {
+    node.cut(false);
+    node.boot(0);
+  });
+  {
+    const Counting scope;
+    rig.run(50);
+    rig.send(recover);
+    rig.run(600);
+  }
+  EXPECT_EQ(Counting::counted(), 0u);
+  EXPECT_TRUE(rig.seen().enabled()) << describe(rig.seen().fault.code);
 }
 
 }  // namespace

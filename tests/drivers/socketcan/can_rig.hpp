@@ -87,7 +87,7 @@ class TestBus {
 class Rack {
  public:
   Rack(const config::DriveTable& table, const RobotModel& model, const TestBus& bus, bool synchronised,
-       double period = kCanPeriod)
+       double period = kCanPeriod, const config::IoTable& io = {})
       : bus_(bus.open()),
         plant_(model, period, synchronised),
         rack_(
@@ -96,13 +96,14 @@ class Rack {
               tick_ = last + 1;
               return sim::DriveRack::Newest{tick_};
             },
-            sim::DriveRack::Time::plant),
+            sim::DriveRack::Time::plant, {}, io),
         thread_([this] { rack_.serve(); }) {}
   ~Rack() {
     rack_.stop();
     thread_.join();
   }
   void with(const std::function<void(std::vector<sim::DriveNode>&)>& action) { rack_.with(action); }
+  void with_io(const std::function<void(std::vector<sim::IoNode>&)>& action) { rack_.with_io(action); }
   /// Shafts of the plant, at rest between two ticks of the master.
   JointVector shafts() {
     JointVector shafts;
@@ -177,11 +178,12 @@ struct CanRig {
   explicit CanRig(canopen::DriveMode mode, bool synchronised = true, can::Hub::Disturbance fault = {})
       : CanRig(table_for(Model{}.parameters(), mode), synchronised, std::move(fault)) {}
 
-  CanRig(const config::DriveTable& drives, bool synchronised, can::Hub::Disturbance fault = {})
+  CanRig(const config::DriveTable& drives, bool synchronised, can::Hub::Disturbance fault = {},
+         const config::IoTable& io = {})
       : table(drives),
         bus(std::move(fault)),
-        rack(table, model, bus, synchronised),
-        hardware(table, model.parameters(), kCanPeriod, bus.opener(), kTestTiming, synchronised) {
+        rack(table, model, bus, synchronised, kCanPeriod, io),
+        hardware(table, model.parameters(), kCanPeriod, bus.opener(), kTestTiming, synchronised, io) {
     hardware.open();
     effector.enable(true);
     while (!seen().enabled() && seen().fault.code == ErrorCode::none && now < 3000) tick();
