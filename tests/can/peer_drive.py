@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Independent CiA 402 drives: nodes of python-canopen with the object dictionary of an EDS, for tests of a master.
+"""Independent CiA 402 drives, and CiA 401 I/O nodes: nodes of python-canopen with the object dictionary of an EDS, for tests
+of a master.
 
 Prints `ready` when they are on the bus. Obeys lines of its standard input, for every node or after `node N` for one:
-  emcy CODE               a fault with that error code
+  emcy CODE               a fault with that error code; 0 of an I/O node: its end
   limit positive|negative on|off
   jam on|off              the shaft does not turn
+  input BLOCK VALUE       of an I/O node: 8 digital inputs
+  analog NUMBER VALUE     of an I/O node: the counts of an analogue input
   silence, speak          no frames in or out, as with its plug pulled, and back
   reboot                  power off and on
   die                     the program ends without output
@@ -18,8 +21,9 @@ import threading
 
 import canopen
 
+from peer_drive_node import PeerDrive
+from peer_io_node import ANALOG_INPUTS, INPUTS, PeerIo
 from peer_motor import NEGATIVE_LIMIT, POSITIVE_LIMIT
-from peer_node import PeerNode
 from unix_bus import open_bus
 
 TICK = 0.005  # s between updates of the timers and the motor
@@ -27,9 +31,13 @@ TICK = 0.005  # s between updates of the timers and the motor
 
 def obey(peer, words):
     name, rest = words[0], words[1:]
-    motor = peer.motor
+    motor = getattr(peer, "motor", None)
     if name == "emcy":
-        peer.fault(int(rest[0], 0))
+        peer.fault(int(rest[0], 0)) if int(rest[0], 0) else peer.heal()
+    elif name == "input":
+        peer.set_input(INPUTS, int(rest[0]), int(rest[1], 0))
+    elif name == "analog":
+        peer.set_input(ANALOG_INPUTS, int(rest[0]), int(rest[1], 0))
     elif name == "limit":
         bit = {"positive": POSITIVE_LIMIT, "negative": NEGATIVE_LIMIT}[rest[0]]
         motor.inputs = motor.inputs | bit if is_on(rest[1]) else motor.inputs & ~bit
@@ -67,11 +75,14 @@ def main():
     parser.add_argument("--bus", required=True, help="a network interface, or unix:PATH of a hub")
     parser.add_argument("--eds", required=True)
     parser.add_argument("--cycle", type=float, metavar="S", help="motors turn by S at each SYNC; default: real time")
+    parser.add_argument("--io-eds", help="of the I/O nodes")
+    parser.add_argument("--io", type=int, nargs="*", default=[], metavar="NODE", help="node numbers of I/O nodes")
     parser.add_argument("nodes", type=int, nargs="+", help="node numbers")
     asked = parser.parse_args()
 
     network = canopen.Network(open_bus(asked.bus))
-    peers = [PeerNode(network, number, asked.eds, asked.cycle) for number in asked.nodes]
+    peers = [PeerDrive(network, number, asked.eds, asked.cycle) for number in asked.nodes]
+    peers += [PeerIo(network, number, asked.io_eds, asked.cycle) for number in asked.io]
     network.listeners += [peer.on_frame for peer in peers]
     network.connect()
     print("ready", flush=True)

@@ -1,4 +1,4 @@
-"""One node of the bus: a CiA 402 drive over python-canopen, with the network management and the heartbeats of CiA 301."""
+"""One node of the bus over python-canopen, with the network management and the heartbeats of CiA 301; its profile is a subclass."""
 
 import threading
 import time
@@ -6,23 +6,17 @@ import time
 import canopen
 from canopen.sdo import SdoAbortedError
 
-from peer_motor import MODES, Motor
 from peer_pdo import ProcessData
-from peer_states import State, error_register
+from peer_states import error_register
 
 HEARTBEAT_LOST, WRONG_VALUE = 0x8130, 0x06090030
 OPERATIONAL, PRE_OPERATIONAL = 5, 127
-RESET_NODE, RESET_COMMUNICATION = 129, 130
-
-
-def wrapped(value):
-    """As the value of a 32-bit object."""
-    return (round(value) + 0x80000000) % 0x100000000 - 0x80000000
+STOP, RESET_NODE, RESET_COMMUNICATION = 2, 129, 130
 
 
 class PeerNode:
     def __init__(self, network, number, eds, cycle=None):
-        """`cycle`: s by which each SYNC advances an operational drive's motor; None: the motor runs in real time."""
+        """`cycle`: s by which each SYNC advances an operational device; None: it runs in real time."""
         self.network, self.lock, self.silent, self.cycle = network, threading.RLock(), False, cycle
         self.node = network.create_node(number, canopen.import_od(eds, number))
         for identifier, handler in ((0, self.node.nmt.on_command), (self.node.sdo.rx_cobid, self.node.sdo.on_request)):
@@ -37,36 +31,50 @@ class PeerNode:
         return self.node.object_dictionary.get_variable(index, subindex).decode_raw(self.node.get_data(index, subindex))
 
     def read(self, index, subindex, **_):
-        motor = self.motor
-        actual = {
-            0x1001: lambda: error_register(self.error), 0x603F: lambda: self.error, 0x6041: motor.statusword,
-            0x6061: lambda: motor.mode, 0x6062: lambda: wrapped(motor.demand), 0x6064: lambda: wrapped(motor.position),
-            0x606C: lambda: wrapped(motor.velocity), 0x6077: lambda: motor.torque, 0x6078: lambda: motor.torque,
-            0x60F4: lambda: wrapped(motor.demand - motor.position), 0x60FD: lambda: motor.inputs,
-        }.get(index)
+        if index == 0x1001:
+            return error_register(self.error)
         if index == 0x1003:
             return len(self.history) if subindex == 0 else (self.history + [0] * 8)[subindex - 1]
-        return actual() if actual else None
+        return self.actual(index, subindex)
 
     def written(self, index, subindex, data, **_):
         if index == 0x1003:
             if any(data):
                 raise SdoAbortedError(WRONG_VALUE)
             self.history = []
-        if index == 0x6060 and int.from_bytes(data, "little", signed=True) not in MODES:
-            raise SdoAbortedError(WRONG_VALUE)
-        if index == 0x6040 and self.motor.control(int.from_bytes(data, "little")):
-            self.error = 0
-            self.send_emergency()
+        self.change(index, subindex, data)
+
+    # --- the profile
+    def power_on(self):
+        """The device as after power-on."""
+
+    def actual(self, index, subindex):
+        """The present value of an object; None: the one that was written."""
+
+    def change(self, index, subindex, data):
+        """An object has been written; an exception refuses it."""
+
+    def step(self, seconds):
+        """Time passes."""
+
+    def react(self):
+        """The device fails."""
+
+    def stopped(self):
+        """The node has been stopped (NMT)."""
 
     # --- faults
     def fault(self, code):
         with self.lock:
             self.error = code
             self.history = [code, *self.history][:8]
-            if self.motor.state is not State.FAULT:
-                self.motor.state = State.FAULT_REACTION_ACTIVE
+            self.react()
             self.send_emergency()
+
+    def heal(self):
+        """The fault has ended."""
+        self.error = 0
+        self.send_emergency()
 
     def send_emergency(self):
         if self.node.nmt._state in (OPERATIONAL, PRE_OPERATIONAL) and not self.silent:
@@ -77,7 +85,7 @@ class PeerNode:
         """Power on and the reset of the node, or the reset of its communication."""
         with self.lock:
             if whole:
-                self.motor = Motor(self.number, self.fault)
+                self.power_on()
                 self.error, self.history = 0, []
             self.node.data_store = {index: stored for index, stored in self.node.data_store.items()
                                     if not whole and not 0x1000 <= index < 0x2000}
@@ -111,6 +119,8 @@ class PeerNode:
             if identifier == 0 and len(data) >= 2 and data[1] in (0, self.node.id):
                 self.node.nmt.on_command(identifier, data, message.timestamp)
                 self.data.changed = True
+                if data[0] == STOP:
+                    self.stopped()
                 if data[0] in (RESET_NODE, RESET_COMMUNICATION):
                     self.restart(data[0] == RESET_NODE)
             elif identifier == self.node.sdo.rx_cobid and state in (OPERATIONAL, PRE_OPERATIONAL):
@@ -119,7 +129,7 @@ class PeerNode:
                 self.heard[identifier - 0x700] = time.monotonic()
             elif identifier == self.number(0x1005) & 0x7FF and state == OPERATIONAL:
                 self.data.sync_in()
-                self.motor.step(self.cycle if self.cycle else self.passed())
+                self.step(self.cycle if self.cycle else self.passed())
                 self.data.sync_out()
             elif state == OPERATIONAL:
                 self.data.take(identifier, data)
@@ -133,7 +143,7 @@ class PeerNode:
         with self.lock:
             passed, operational = self.passed(), self.node.nmt._state == OPERATIONAL
             if not self.cycle or not operational:  # without SYNC there are no cycles
-                self.motor.step(passed)
+                self.step(passed)
             self.watch_producers(time.monotonic())
             if operational:
                 self.data.events()

@@ -37,14 +37,15 @@ class TwoSlides : public Gantry {
   }
 };
 
-/// peer_drive.py with nodes 1 and 2.
+/// peer_drive.py with drives 1 and 2, and `more` arguments.
 class Peer {
  public:
-  explicit Peer(const std::string& bus) {
+  explicit Peer(const std::string& bus, const std::string& more = "") {
     const std::string source = MRROC_SOURCE_DIR;
     const std::string command = "PYTHONPATH=" + source + "/.deps/python exec python3 " + source +
                                 "/tests/can/peer_drive.py --bus " + bus + " --eds " + source +
-                                "/src/canopen/cia402.eds --cycle " + std::to_string(kPeerPeriod) + " 1 2 > /dev/null";
+                                "/src/canopen/cia402.eds --cycle " + std::to_string(kPeerPeriod) + " 1 2 " + more +
+                                " > /dev/null";
     input_ = ::popen(command.c_str(), "w");
   }
   ~Peer() {
