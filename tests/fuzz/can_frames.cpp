@@ -3,48 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "can/raw_frame.hpp"
 #include "canopen/emergency.hpp"
 #include "canopen/sdo.hpp"
 #include "cli/can/can_frame_formatter.hpp"
 #include "cli/can/can_nodes.hpp"
 #include "drivers/socketcan/drive.hpp"
-#include "fuzz/fuzz.hpp"
+#include "fuzz/can_frame.hpp"
 
 namespace {
 
 using namespace mrroc;
 using namespace mrroc::canopen;
+using fuzz::check_sent;
 
 constexpr Tick kReset = 50;  // ticks between two attempts to recover
-
-can::Frame frame_from(fuzz::Bytes& input) {
-  canfd_frame raw{};
-  const auto kind = input.take<std::uint8_t>();
-  raw.can_id = input.take<std::uint16_t>() % 0x800u;
-  if ((kind & 7) == 7) raw.can_id |= CAN_ERR_FLAG;
-  if ((kind & 7) == 6) raw.can_id |= CAN_RTR_FLAG;
-  const bool fd = (kind & 8) != 0;
-  raw.len = input.take<std::uint8_t>();
-  input.take(raw.data, std::min<std::size_t>(raw.len, fd ? CANFD_MAX_DLEN : CAN_MAX_DLEN));
-  can::Frame frame;
-  fuzz::require(can::from_raw(raw, fd ? CANFD_MTU : CAN_MTU, frame), "it is a frame");
-  canfd_frame again;
-  can::Frame back;
-  fuzz::require(can::from_raw(again, can::to_raw(frame, again), back), "a frame is sent as a frame");
-  fuzz::require(back.size == frame.size && back.data == frame.data, "a frame round-trips");
-  return frame;
-}
 
 void check_words(const std::string& text) {
   fuzz::require(!text.empty(), "every frame has a description");
   fuzz::require(std::all_of(text.begin(), text.end(), [](char letter) { return letter >= 0x20 && letter < 0x7f; }),
                 "a description is one printable line");
-}
-
-void check_sent(const can::Frame& frame) {
-  fuzz::require(frame.id <= 0x7ff && frame.size <= can::kMaxClassicalData && !frame.fd && !frame.error,
-                "a sent frame is a classical frame");
 }
 
 /// The EDP's side: a drive in every mode, ticks at each SYNC.
@@ -87,7 +64,7 @@ class Master {
 class Slave {
  public:
   Slave(const config::DriveTable& table, const AxisParameters& axis)
-      : node_(table, table.drives[0], axis, 0.002, &check_sent) {
+      : node_(table, table.drives[0], axis, 0.002, &fuzz::check_sent) {
     node_.boot(0);
   }
 
@@ -145,7 +122,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   reads.upload(1, kDeviceName);
   writes.download(1, kDeviceName, std::array<std::uint8_t, 20>{});
   while (!input.empty()) {
-    const can::Frame frame = frame_from(input);
+    const can::Frame frame = fuzz::take_frame(input);
     check_words(words.line(frame));
     check_words(without.line(frame));
     if (const auto emergency = emergency_of(frame))
