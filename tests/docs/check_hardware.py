@@ -1,5 +1,6 @@
-"""Checks the table of docs/reference/on-hardware.md: each task's deployment, with its drives on CAN buses, its force sensors on Net F/Ts
-and its cameras real, is accepted by `mrroc run --check` where the page says so, and refused elsewhere, for the named device.
+"""Checks the table of docs/reference/on-hardware.md: each task's deployment, with its drives on CAN buses, its terminals
+on the I/O nodes of its TASK_io.toml, its force sensors on Net F/Ts and its cameras real, is accepted by `mrroc run --check`
+where the page says so, and refused elsewhere, for the named device.
 
 Usage: check_hardware.py SOURCE_DIR BINARY_DIR
 """
@@ -20,6 +21,8 @@ def on_hardware(deployment, folder):
         for key in ("can", "emergency_stop"):
             robot.pop(key, None)
         robot.update(hardware="socketcan", can={"interface": f"can{number}"})
+        if (terminals := folder / f"{folder.name}_io.toml").exists():
+            robot["can"]["io"] = str(terminals)
     for sensor in deployment.get("sensors", {}).values():
         if sensor["type"] == "force_torque" and sensor.get("source") != "replay":
             sensor.update(source="netft", netft={"address": "192.168.1.1"})
