@@ -124,7 +124,8 @@ void Servo::watch_force(Tick tick) noexcept {
   const Pose flange = synchronised ? model_->flange(joints_) : Pose::Identity();
   force_.read(tick, synchronised ? &flange : nullptr);
   ForceWatch::Doing doing = ForceWatch::Doing::resting;
-  if (running_ && state_ == ServoState::on) {
+  // between two macrosteps of a motion none is under way, and the robot moves
+  if (state_ == ServoState::on && (running_ || !desired_.at_rest())) {
     if (active_.kind == Macrostep::Kind::path) doing = ForceWatch::Doing::moving;
     if (active_.kind == Macrostep::Kind::force) doing = ForceWatch::Doing::following;
   }

@@ -192,6 +192,24 @@ TEST(ForceLimit, RefusedOutputsDoNotHideAnInterruption) {
   EXPECT_EQ(rig.exchange(joint_command(JointVector::Zero(4), 1000, 1000)).error.code, ErrorCode::force_limit);
 }
 
+/// Each of its macrosteps adds less than a tenth to the force that the one before has left.
+TEST(ForceLimit, StopsAMotionOfManyMacrosteps) {
+  for (const bool stops_between : {false, true}) {
+    GantryBeforeWall rig;
+    double most = 0;
+    RobotState state;
+    for (int i = 0; i < 2000 && well(state); ++i) {
+      RobotCommand command = joint_command((JointVector(4) << 0.0003, 0, 0, 0).finished(), 10, 8);
+      command.relative = true;
+      if (!stops_between) command.joint_velocity = (JointVector(4) << 0.015, 0, 0, 0).finished();
+      state = rig.exchange(command);
+      most = std::max(most, std::abs(rig.seen().wrench[0]));
+    }
+    EXPECT_EQ(state.error.code, ErrorCode::force_limit) << stops_between;
+    EXPECT_LT(most, 66) << stops_between;
+  }
+}
+
 TEST(ForceLimit, RobotAtRestIsNotDisturbed) {
   GantryBeforeWall rig;
   rig.sensor.extra[2] = 500;
