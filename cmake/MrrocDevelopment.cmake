@@ -149,7 +149,7 @@ function(mrroc_script_test name)
   mrroc_describe_test(${name} ${ARGN})
 endfunction()
 
-# mrroc_socket_test(NAME TIMEOUT s COMMAND ... [VARIABLES N=V ...] [LABELS ...] [ENVIRONMENT ...]): one ctest entry
+# mrroc_socket_test(NAME TIMEOUT s COMMAND ... [SLOTS n] [VARIABLES N=V ...] [LABELS ...] [ENVIRONMENT ...]): one ctest entry
 # whose command, with these environment variables, has the CAN interfaces can0 and can1: in a guest if this kernel has
 # none. Not with a sanitizer, because a guest's processes have no room for its shadow memory. One guest at a time: all
 # of them run on the last processor.
@@ -157,10 +157,13 @@ function(mrroc_socket_test name)
   if(MRROC_SANITIZE)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "TIMEOUT" "COMMAND;VARIABLES;LABELS;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;SLOTS" "COMMAND;VARIABLES;LABELS;ENVIRONMENT" ${ARGN})
+  if(NOT ARG_SLOTS)
+    set(ARG_SLOTS 2)
+  endif()
   list(TRANSFORM ARG_VARIABLES PREPEND "--env;")
   math(EXPR longest "${ARG_TIMEOUT} + 60")
   add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/tests/can/with_can --timeout ${ARG_TIMEOUT} ${ARG_VARIABLES} -- ${ARG_COMMAND})
-  mrroc_describe_test(${name} SLOW TIMEOUT ${longest} SLOTS 2 LABELS ${ARG_LABELS})
+  mrroc_describe_test(${name} SLOW TIMEOUT ${longest} SLOTS ${ARG_SLOTS} LABELS ${ARG_LABELS})
   set_tests_properties(${name} PROPERTIES RESOURCE_LOCK can_guest ENVIRONMENT "${ARG_ENVIRONMENT}")
 endfunction()

@@ -72,7 +72,7 @@ inline bool same(const OperatorAnswer& a, const OperatorAnswer& b) {
   return a.question == b.question && std::memcmp(&a.value, &b.value, sizeof a.value) == 0;
 }
 inline bool same(const Counters& a, const Counters& b) {
-  static_assert(sizeof(Counters) == 12 * 8, "no padding to compare");
+  static_assert(sizeof(Counters) == 17 * 8, "no padding to compare");
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 inline bool same(const ProcessStatus& a, const ProcessStatus& b) {
