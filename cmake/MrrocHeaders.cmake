@@ -4,6 +4,7 @@ set(MRROC_PUBLIC_HEADERS
   edp/driver.hpp
   edp/hardware.hpp
   edp/shell.hpp
+  src/clock/wall/package_clock.hpp
   src/config/resources.hpp
   src/config/robot_files.hpp
   src/config/robot_parameters_file.hpp
@@ -21,6 +22,7 @@ set(MRROC_PUBLIC_HEADERS
 # Headers that the public ones include: not for users, they may move. `headers` of ctest compares this list with the
 # sources.
 set(MRROC_INCLUDED_HEADERS
+  edp/robot_clock.hpp
   edp/safety/fault.hpp
   src/clock/clock.hpp
   src/clock/emergency_stop.hpp

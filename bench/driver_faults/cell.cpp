@@ -94,12 +94,14 @@ void Cell::judge(double elapsed) {
   if (continuous_ > 1) velocity = (position - position_) / (elapsed * kPeriod);
   if (continuous_ > 2) {
     worst.set_speed = std::max(worst.set_speed, velocity.cwiseAbs().maxCoeff() / axis.velocity_max);
-    // the first difference is that of a mean time, so is the second: a lost package makes it no larger
-    const double change = (velocity - velocity_).cwiseAbs().maxCoeff() / (elapsed * kPeriod);
+    // mean velocities are those of the middles of their intervals
+    const double between = (elapsed + elapsed_) / 2 * kPeriod;
+    const double change = (velocity - velocity_).cwiseAbs().maxCoeff() / between;
     worst.set_acceleration = std::max(worst.set_acceleration, change / axis.acceleration_max);
   }
   position_ = position;
   velocity_ = velocity;
+  elapsed_ = elapsed;
 }
 
 void Cell::ticks(int count) {

@@ -64,7 +64,7 @@ class Cell {
   edp::Reply reply_;
   std::uint64_t number_ = 0;
   Tick now_ = 0, moved_ = 0;
-  double then_ = 0;
+  double then_ = 0, elapsed_ = 1;
   JointVector position_, velocity_;
   int continuous_ = 0;  ///< ticks in which the set-points were those of one plan
 };

@@ -27,7 +27,6 @@ Fault MotionWatch::check(const RobotModel& model, const Seen& seen, Taken taken,
     begin(model, seen, taken);
     return {};
   }
-  if (taken.time <= ring_[(readings_ - 1) % kReadings].taken.time) return {};  // the same reading again
   const Fault fast = check_speed(model.parameters().axes, seen.joints, taken, homing);
   const Fault stuck = check_shafts(model, seen, homing);
   if (fast.code != ErrorCode::none || !moves) return fast;
@@ -51,6 +50,7 @@ void MotionWatch::begin(const RobotModel& model, const Seen& seen, Taken taken) 
 
 Fault MotionWatch::check_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken,
                                int homing) noexcept {
+  if (taken.time <= ring_[(readings_ - 1) % kReadings].taken.time) return {};  // the same reading again
   const Reading last = ring_[(readings_ - 1) % kReadings], oldest = ring_[readings_ % kReadings];
   const bool full = readings_ >= kReadings;
   ring_[readings_++ % kReadings] = {taken, joints};

@@ -12,7 +12,7 @@ namespace mrroc::edp {
 /// - a joint faster than kOverspeed times its velocity limit, over kReadings readings, has run away: its drive no
 /// longer obeys; so has one that will be as fast at the next reading if it continues to gain speed, even if kTremble
 /// increments of that are the encoder's (not one that homes on its own: drives may come to their speed within a tick);
-/// - a shaft that reads the very same position, in new readings, while its set-point continues by `stuck_max` is
+/// - a shaft that reads the very same position while its set-point continues by `stuck_max` is
 /// jammed, or its encoder has died and the regulator will push it faster and faster;
 /// - so is one that reads the very same position while its current has changed by what brings the free drive, its rotor
 /// and its friction, to a speed at which a joint is faster than kPushed times its velocity limit. The current is the

@@ -67,6 +67,10 @@ void Bench::open() {
   device().start(home());
   make();
   target = home();
+  connect();
+}
+
+void Bench::connect() {
   hardware_->open();
   if (edp::RobotClock* const clock = hardware_->clock(); clock != nullptr && !device().simulated_time())
     ticker_.emplace(*clock, clock::monotonic_ns(), period());

@@ -64,6 +64,8 @@ class Bench {
   void make();
   /// Starts the device at home, makes the driver, opens it.
   void open();
+  /// Opens the driver that `make` has made.
+  void connect();
   void close();
   edp::Hardware& hardware() { return *hardware_; }
 

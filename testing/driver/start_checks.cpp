@@ -110,7 +110,7 @@ void opens_again(Bench& bench) {
   bench.ticks(10);
   bench.close();
   bench.make();
-  bench.hardware().open();
+  bench.connect();
   expect(bench.until([](const edp::HardwareInput& input) { return input.motors.allFinite(); }, kFirstReading),
          "a second driver reads nothing after the first has ended");
 }

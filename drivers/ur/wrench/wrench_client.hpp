@@ -4,9 +4,9 @@
 #include <string>
 #include <thread>
 
+#include "clock/wall/package_clock.hpp"
 #include "core/lockfree/latest_value.hpp"
 #include "core/lockfree/shared_slot.hpp"
-#include "clock/wall/package_clock.hpp"
 #include "drivers/ur/rtde_connection.hpp"
 #include "drivers/ur/wrench/flange_wrench.hpp"
 
