@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <thread>
 
 #include "can_rig.hpp"
@@ -199,8 +200,15 @@ TEST(CanStart, BusReportsAreAddedToTheErrorOfADriveThatDoesNotBoot) {
   HeldGantry rig(table, table_for(Gantry{}.parameters(), DriveMode::cyclic_position));
   can::Frame passive{0x4, {0, 0x20, 0, 0, 0, 0, 0, 0}};
   passive.error = true;
-  rig.bus.open()->send(passive);
-  expect_contains(rig.refusal(), "or no wire (error passive: the controller has counted more than 127 errors)");
+  std::atomic<bool> refused{false};
+  std::thread controller([&] {  // it counts on: the driver opens the bus some time in its start
+    for (const auto bus = rig.bus.open(); !refused; std::this_thread::sleep_for(std::chrono::milliseconds(50)))
+      bus->send(passive);
+  });
+  const std::string refusal = rig.refusal();
+  refused = true;
+  controller.join();
+  expect_contains(refusal, "or no wire (error passive: the controller has counted more than 127 errors)");
 }
 
 TEST(CanStart, OnlyModesInUseAreRequired) {
