@@ -9,7 +9,7 @@
 
 namespace mrroc {
 
-/// Streams set-points of positions. A position is that of the tick whose set-point it answers. Silent after 10 ticks.
+/// Streams set-points of positions. A position is that of the tick whose set-point it answers. Silent after 50 ticks.
 class Stream final : public edp::Hardware {
  public:
   explicit Stream(const edp::DriverContext& context)
@@ -37,7 +37,7 @@ class Stream final : public edp::Hardware {
     input.current = JointVector::Zero(count_);
     input.synchronised = true;
     input.time = static_cast<double>(answered_);
-    input.fault = tick - answered_ > 10 ? ErrorCode::hardware_silent : ErrorCode::none;
+    input.fault = tick - answered_ > 50 ? ErrorCode::hardware_silent : ErrorCode::none;
   }
   void set_points(const JointVector& position, const JointVector&) noexcept override { target_ = position - offset_; }
   void write(Tick tick, const JointVector&) noexcept override { exchange(tick); }
