@@ -117,8 +117,8 @@ void CanHardware::send_stops(Tick tick) noexcept {
 /// One cycle's SYNC and its answers. SDO requests come after them, because they would delay the SYNC.
 void CanHardware::synchronise(Tick tick) noexcept {
   tick_ = tick;
-  const std::int64_t patience = ns(timing_.patience);
-  const std::int64_t end_of_mail = clock::monotonic_ns() + patience;
+  const std::int64_t timeout = ns(timing_.timeout);
+  const std::int64_t end_of_mail = clock::monotonic_ns() + timeout;
   can::Frame frame;
   // frames received since the last cycle
   while (clock::monotonic_ns() < end_of_mail && bus_->receive(frame, 0)) dispatch(frame);
@@ -132,7 +132,7 @@ void CanHardware::synchronise(Tick tick) noexcept {
   const std::int64_t tick_begin = static_cast<std::int64_t>(tick) * ns(period_);
   origin_ = std::min(origin_, clock::monotonic_ns() - tick_begin);
   send(sync_frame());
-  await_all(clock::monotonic_ns() + patience);
+  await_all(clock::monotonic_ns() + timeout);
   late_ = static_cast<double>(clock::monotonic_ns() - origin_ - tick_begin) / (period_ * 1e9);
   for (Drive& drive : drives_) drive.close_cycle();
   const bool answered =

@@ -32,7 +32,7 @@ namespace mrroc::edp {
 class CanHardware : public Hardware {
  public:
   struct Timing {
-    double patience;    ///< timeout for the answers to a SYNC, s of wall time
+    double timeout;     ///< timeout for the answers to a SYNC, s of wall time
     bool real = false;  ///< ticks follow the wall clock, and positions measured after their tick are reported as late
   };
 

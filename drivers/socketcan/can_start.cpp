@@ -4,7 +4,7 @@
 
 #include "clock/wall/monotonic.hpp"
 #include "drivers/socketcan/can_hardware.hpp"
-#include "drivers/socketcan/patient_sdo.hpp"
+#include "drivers/socketcan/repeated_sdo.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::edp {
@@ -113,7 +113,7 @@ void CanHardware::await_boot() {
 }
 
 void CanHardware::set_up(std::size_t place) {
-  SdoClient client(*bus_, kPatienceWithSdo, [this](const can::Frame& frame) { note(frame); });
+  SdoClient client(*bus_, kSdoTimeout, [this](const can::Frame& frame) { note(frame); });
   try {
     is_drive(place) ? prepare_drive(place, client) : prepare_io_node(place, client);
   } catch (const SdoError& error) {
@@ -127,7 +127,7 @@ void CanHardware::set_up(std::size_t place) {
 void CanHardware::write_settings(std::size_t place) {
   NodeSetup& setup = setup_at(place);
   begin_set_up(node_at(place), setup.start());
-  std::int64_t deadline = clock::monotonic_ns() + kPatienceWithSdo;
+  std::int64_t deadline = clock::monotonic_ns() + kSdoTimeout;
   bool asked_again = false;
   while (setup.status() == NodeSetup::Status::writing) {
     can::Frame frame, next;
@@ -146,7 +146,7 @@ void CanHardware::write_settings(std::size_t place) {
       continue;
     }
     send(next);
-    deadline = clock::monotonic_ns() + kPatienceWithSdo;
+    deadline = clock::monotonic_ns() + kSdoTimeout;
   }
   if (setup.status() == NodeSetup::Status::refused)
     fail(ErrorCode::configuration, place,
@@ -168,7 +168,7 @@ void CanHardware::await_answers() {
     for (Drive& drive : drives_) drive.expect();
     const std::int64_t next_sync = clock::monotonic_ns() + between;
     send(sync_frame());
-    await_all(clock::monotonic_ns() + kPatienceWithSdo / 10);
+    await_all(clock::monotonic_ns() + kSdoTimeout / 10);
     if (all_answer()) {
       for (Drive& drive : drives_) drive.close_cycle();
       return;

@@ -6,7 +6,7 @@
 #include "canopen/emergency.hpp"
 #include "clock/wall/monotonic.hpp"
 #include "drivers/socketcan/can_hardware.hpp"
-#include "drivers/socketcan/patient_sdo.hpp"
+#include "drivers/socketcan/repeated_sdo.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::edp {
@@ -25,7 +25,7 @@ void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
   if (table_.eds.find(kSupportedModes) == nullptr) return;
   std::uint64_t supported = 0;
   try {
-    supported = can::get(upload_patiently(client, drives_[axis].node(), kSupportedModes), 0, 4);
+    supported = can::get(upload_repeated(client, drives_[axis].node(), kSupportedModes), 0, 4);
   } catch (const SdoError& error) {
     if (error.abort() == SdoAbort::no_such_object) return;  // an EDS file of a family of drives
     throw;
@@ -45,7 +45,7 @@ DriveState CanHardware::read_state(std::size_t axis, SdoClient& client) {
   can::Frame frame;
   const std::int64_t next_look = clock::monotonic_ns() + kBetweenLooks;
   while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) note(frame);
-  const auto statusword = upload_patiently(client, drives_[axis].node(), kStatusword);
+  const auto statusword = upload_repeated(client, drives_[axis].node(), kStatusword);
   return drive_state(static_cast<std::uint16_t>(can::get(statusword, 0, 2)));
 }
 
@@ -56,7 +56,7 @@ void CanHardware::take_power(std::size_t axis, SdoClient& client) {
   };
   for (const std::uint16_t word : {kQuickStop, kDisableVoltage}) {
     if (!has_power(read_state(axis, client))) return;
-    download_patiently(client, drives_[axis].node(), kControlword, word, 2);
+    download_repeated(client, drives_[axis].node(), kControlword, word, 2);
     const std::int64_t end = clock::monotonic_ns() + std::llround(table_.switch_on_time * clock::kSecond);
     while (clock::monotonic_ns() < end)
       if (!has_power(read_state(axis, client))) return;
@@ -74,7 +74,7 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
     if (clock::monotonic_ns() > end) break;
     if (state == DriveState::fault)
       for (const std::uint16_t word : {kDisableVoltage, kFaultReset, kDisableVoltage})
-        download_patiently(client, node, kControlword, word, 2);
+        download_repeated(client, node, kControlword, word, 2);
   }
   std::uint16_t code = 0;
   try {
@@ -90,7 +90,7 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
 
 void CanHardware::prepare_drive(std::size_t axis, SdoClient& client) {
   const NodeId node = drives_[axis].node();
-  const std::vector<std::uint8_t> type = upload_patiently(client, node, kDeviceType);
+  const std::vector<std::uint8_t> type = upload_repeated(client, node, kDeviceType);
   if (can::get(type, 0, 2) != kProfile402)
     fail(ErrorCode::configuration, axis,
          "profile " + std::to_string(can::get(type, 0, 2)) + " in its device type, expected 402, a drive");

@@ -1,6 +1,6 @@
 // Prepares an I/O node for its set-up: the terminals of the table are there, PDOs may be changed.
 #include "drivers/socketcan/can_hardware.hpp"
-#include "drivers/socketcan/patient_sdo.hpp"
+#include "drivers/socketcan/repeated_sdo.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::edp {
@@ -29,7 +29,7 @@ std::string missing_parts(const Terminals& terminals, std::uint64_t there) {
 void CanHardware::prepare_io_node(std::size_t place, SdoClient& client) {
   const NodeId node = node_at(place);
   const IoPdos& pdos = io_node(place).pdos();
-  const std::vector<std::uint8_t> type = upload_patiently(client, node, kDeviceType);
+  const std::vector<std::uint8_t> type = upload_repeated(client, node, kDeviceType);
   if (can::get(type, 0, 2) != kProfile401)
     fail(ErrorCode::configuration, place,
          "profile " + std::to_string(can::get(type, 0, 2)) + " in its device type, expected 401, an I/O node");
@@ -42,7 +42,7 @@ void CanHardware::prepare_io_node(std::size_t place, SdoClient& client) {
           Terminals{digital ? kWriteOutputs : kWriteAnalogOutputs, pdos.receive(number),
                     digital ? "blocks of 8 digital outputs (6200h)" : "analogue outputs (6411h)"}}) {
       if (terminals.mapped.size() == 0) continue;
-      const std::uint64_t there = can::get(upload_patiently(client, node, {terminals.index, 0}), 0, 1);
+      const std::uint64_t there = can::get(upload_repeated(client, node, {terminals.index, 0}), 0, 1);
       if (const std::string missing = missing_parts(terminals, there); !missing.empty())
         fail(ErrorCode::configuration, place, missing);
     }

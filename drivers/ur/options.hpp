@@ -13,7 +13,7 @@ struct UrOptions {
   int dashboard_port = 29999;  ///< power, brakes, protective stop
   int script_port = 30002;     ///< secondary interface, which receives the control script
 
-  double frequency = 0;       ///< Hz, of the controller's packages; 0: 500 Hz, of a CB3 125 Hz
+  double frequency = 0;       ///< Hz, of the controller's packages; 0: the greatest, at most one in a servo period
   double timeout = 2;         ///< s, to connect and to get an answer
   double start_timeout = 60;  ///< s, until the robot has power, its brakes are released and the program runs
   double open_timeout = 0;    ///< s, for which `open` tries again: a simulated controller starts at the same time

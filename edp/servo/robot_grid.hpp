@@ -12,11 +12,11 @@ namespace mrroc::edp {
 ///   x* = (t + o - epoch) / T   (ticks, not an integer),   o the least r - t so far,
 ///
 /// which is when the quickest package came. o increases by kDrift of the time, because the two clocks differ. From
-/// package to package x advances by the controller's own time, and by at most kSlew of it towards x*: a jitter of the
-/// network is none of the motion. A distance above kFarthest, as after a first package that was late, is corrected at
+/// package to package x advances by the controller's own time, and by at most kSlew of it towards x*: the jitter of the
+/// network does not enter a motion. A distance above kFarthest, as after a first package that was late, is corrected at
 /// once. A time that goes back, or forward by more than kRestart, is another clock: its controller has restarted.
 ///
-/// Robots of one Move thereby share the grid for ever, each with a period and a phase of its own.
+/// Robots of one Move thereby share the grid at all times, each with a period and a phase of its own.
 class RobotGrid {
  public:
   /// `epoch` of CLOCK_MONOTONIC, ns; `period` T, s.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "system/equal_presses.hpp"
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
@@ -54,15 +55,7 @@ TEST(CanIo, IoNodesLeaveRunsInLockstepEqual) {
   const ScratchFolder folder;
   std::string text = deployment_of("press", {"press.xml"});
   put_on_bus(text, folder, "arm", io_of_16(folder));
-  const auto file = folder.write("press.toml", text);
-  std::string hashes[2];
-  for (int i = 0; i < 2; ++i) {
-    const auto trace = folder.path() / ("trace" + std::to_string(i));
-    const std::string output = run_mrroc({"run", file.string(), "--trace", trace.string()}, 0);
-    EXPECT_NE(output.find("press succeeded: 9.342 s"), std::string::npos) << output;
-    hashes[i] = trace_hash(trace);
-  }
-  EXPECT_EQ(hashes[0], hashes[1]);
+  expect_equal_presses(folder.write("press.toml", text), folder);
 }
 
 TEST(CanIo, EngravingWithoutTheOutputOfItsStylusStops) {

@@ -10,7 +10,6 @@ namespace {
 
 using namespace canopen;
 
-constexpr Tick kSettled = 12;            // ticks from an output to the input that it is wired to: two PDOs of inputs
 constexpr double kCount = 20.0 / 32767;  // of the coarsest range
 
 ControllerIo random_outputs(std::mt19937& random) {
@@ -100,15 +99,9 @@ INSTANTIATE_TEST_SUITE_P(
                            "node 40: error code 2310h"}),
     [](const auto& each) { return each.param.name; });
 
-/// The input 12 of node 41 releases the emergency stop; it is wired to the output 12.
 TEST(CanIo, EmergencyStopOfAnInputStopsTheRobotInMotion) {
   IoRig rig;
-  ControllerIo released;
-  released.set(12, true);
-  rig.put_out(released);
-  rig.run(kSettled);
-  rig.servo.use_emergency_stop(rig.operators);
-  rig.servo.use_emergency_terminal(12);
+  const ControllerIo released = rig.use_emergency_terminal();
   rig.run(5);
   ASSERT_EQ(rig.seen().fault.code, ErrorCode::none) << rig.text();
   ASSERT_FALSE(rig.send(relative_joints(JointVector::Constant(4, 0.6), 1500)));
@@ -132,12 +125,7 @@ TEST(CanIo, EmergencyStopOfAnInputStopsTheRobotInMotion) {
 
 TEST(CanIo, EmergencyStopIsPressedWhileItsNodeIsGone) {
   IoRig rig;
-  ControllerIo released;
-  released.set(12, true);
-  rig.put_out(released);
-  rig.run(kSettled);
-  rig.servo.use_emergency_stop(rig.operators);
-  rig.servo.use_emergency_terminal(12);
+  rig.use_emergency_terminal();
   ASSERT_FALSE(rig.send(relative_joints(JointVector::Constant(4, 0.6), 1500)));
   rig.run(400);
   rig.with_node(1, [](auto& node) { node.cut(true); });

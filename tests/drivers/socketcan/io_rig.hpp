@@ -5,6 +5,9 @@
 
 namespace mrroc::edp {
 
+/// Ticks from an output to the input that it is wired to: two PDOs of inputs.
+inline constexpr Tick kSettled = 12;
+
 inline canopen::EdsFile io_eds() {
   return canopen::EdsFile::load(std::filesystem::path(MRROC_SOURCE_DIR) / "src/canopen/cia401.eds");
 }
@@ -42,6 +45,17 @@ struct IoRig : CanRig<Gantry> {
     command.outputs = outputs;
     ASSERT_TRUE(send(command));
     ASSERT_EQ(answer.state.error.error_class, ErrorClass::none) << answer.state.error.detail.view();
+  }
+  /// From now on the input 12 of node 41, off, presses the emergency stop. It is wired to the output 12, which is on.
+  /// Returns the outputs that release it.
+  ControllerIo use_emergency_terminal() {
+    ControllerIo released;
+    released.set(12, true);
+    put_out(released);
+    run(kSettled);
+    servo.use_emergency_stop(operators);
+    servo.use_emergency_terminal(12);
+    return released;
   }
   /// The outputs as the nodes have them.
   ControllerIo physical() {

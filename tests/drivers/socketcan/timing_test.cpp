@@ -28,7 +28,7 @@ class Turning final : public Hardware {
 class TurningRig {
  public:
   explicit TurningRig(bool real)
-      : hardware_(table_, model_.parameters(), kCanPeriod, bus_.opener(), {kTestTiming.patience, real}, true),
+      : hardware_(table_, model_.parameters(), kCanPeriod, bus_.opener(), {kTestTiming.timeout, real}, true),
         thread_([this] { rack_.serve(); }) {
     hardware_.open();
     ear_ = bus_.open();

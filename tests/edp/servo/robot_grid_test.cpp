@@ -68,7 +68,7 @@ TEST(RobotGrid, LatePackagesDoNotDelayIt) {
   for (int n = 100; n < 200; ++n) EXPECT_NEAR(grid.place(peer.beat(n, 9)), n, 0.05) << n;
 }
 
-TEST(RobotGrid, AControllerThatRestartsIsPlacedAnew) {
+TEST(RobotGrid, AControllerThatRestartsHasAnotherClock) {
   const Peer peer;
   RobotGrid grid(kEpoch, kGridPeriod);
   for (int n = 0; n < 100; ++n) grid.place(peer.beat(n));

@@ -15,7 +15,7 @@ namespace {
 constexpr double kTickerPeriod = 0.001;
 constexpr std::int64_t kNs = 1'000'000;
 
-/// Gives the packages of a script, at once; where there is none, the deadline comes.
+/// Gives the packages of a script, at once; where one is missing, the deadline comes.
 class ScriptedClock final : public RobotClock {
  public:
   explicit ScriptedClock(double period = kTickerPeriod) : period_(period) {}

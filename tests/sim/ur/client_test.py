@@ -7,8 +7,6 @@ Usage: client_test.py UR_CONTROLLER
 """
 
 import math
-import random
-import subprocess
 import sys
 import time
 import unittest
@@ -18,32 +16,17 @@ import rtde_control
 import rtde_io
 import rtde_receive
 
+from controller import Controller
+
 HOME = [0, -1.5, 1.5, -1.5, -1.5, 0]
 POWER_OFF, IDLE, RUNNING = 3, 5, 7
 NORMAL = 1
 PROGRAM = ""
 
 
-class Controller:
-    def __init__(self, *options):
-        for _ in range(20):
-            self.address = "127.%d.%d.%d" % tuple(random.randrange(2, 250) for _ in range(3))
-            self.process = subprocess.Popen([PROGRAM, "--address", self.address, *options], stdout=subprocess.PIPE,
-                                            text=True)
-            if self.process.stdout.readline().startswith("RTDE"):
-                return
-            self.close()
-        raise RuntimeError("no free loopback address")
-
-    def close(self):
-        self.process.terminate()
-        self.process.wait()
-        self.process.stdout.close()
-
-
 class ClientTest(unittest.TestCase):
     def controller(self, *options):
-        controller = Controller(*options)
+        controller = Controller(PROGRAM, *options)
         self.addCleanup(controller.close)
         return controller.address
 

@@ -9,14 +9,14 @@ Usage: urx_test.py UR_CONTROLLER
 """
 
 import math
-import random
 import socket
-import subprocess
 import sys
 import time
 import unittest
 
 import urx.urrobot
+
+from controller import Controller
 
 TIMEOUT = 60  # s; long, so that a busy machine does not cause a failure
 HOME = [0, -1.5, 1.5, -1.5, -1.5, 0]
@@ -24,7 +24,7 @@ LOAD = [3.0, -2.0, 25.0, 0.1, 0.2, -0.3]  # N, N m, on the flange and in its fra
 PROGRAM = ""
 
 
-class PatientSockets:
+class LongTimeoutSockets:
     """Replaces the half second after which urx gives up."""
 
     @staticmethod
@@ -32,30 +32,13 @@ class PatientSockets:
         return socket.create_connection(address, TIMEOUT)
 
 
-urx.ursecmon.socket = PatientSockets
+urx.ursecmon.socket = LongTimeoutSockets
 urx.ursecmon.SecondaryMonitor.wait.__defaults__ = (TIMEOUT,)
-
-
-class Controller:
-    def __init__(self, *options):
-        for _ in range(20):
-            self.address = "127.%d.%d.%d" % tuple(random.randrange(2, 250) for _ in range(3))
-            command = [PROGRAM, "--address", self.address, "--polyscope", "3.4", "--powered", *options]
-            self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
-            if self.process.stdout.readline().startswith("RTDE"):
-                return
-            self.close()
-        raise RuntimeError("no free loopback address")
-
-    def close(self):
-        self.process.terminate()
-        self.process.wait()
-        self.process.stdout.close()
 
 
 class UrxTest(unittest.TestCase):
     def robot(self, *options):
-        controller = Controller(*options)
+        controller = Controller(PROGRAM, "--polyscope", "3.4", "--powered", *options)
         self.addCleanup(controller.close)
         robot = urx.urrobot.URRobot(controller.address)
         self.addCleanup(robot.close)
