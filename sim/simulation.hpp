@@ -58,7 +58,7 @@ class Simulation {
     std::size_t memory;         ///< slot in world::WorldMemory
     std::size_t world;          ///< index of the robot in the world
     world::JointDrive drive{};  ///< the newest
-    Tick given_up = 0;          ///< tick of the drive after which none came in time
+    Tick given_up = kNever;     ///< tick of the drive after which the next did not come in time
     bool on_bus = false;        ///< its drives are a separate process, which the clock does not wait for
   };
   struct SensorSlot {

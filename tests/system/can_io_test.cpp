@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "system/equal_presses.hpp"
+#include "system/equal_runs_on_a_bus.hpp"
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
@@ -45,17 +45,14 @@ TEST(CanIo, EngravingExtendsItsStylusByAnIoNode) {
   const ScratchFolder folder;
   std::string text = deployment_of("engraving", {"states.toml", "engraving.xml"});
   put_on_bus(text, folder, "machine", kTasks / "engraving/engraving_io.toml");
-  const auto file = folder.write("engraving.toml", text);
-  const std::string output = run_mrroc({"run", file.string()}, 0, MrrocRun::kLongPatience);
-  EXPECT_NE(output.find("touched 44 times"), std::string::npos) << output;
-  EXPECT_NE(output.find("engraving succeeded"), std::string::npos) << output;
+  expect_equal_runs_on_a_bus(folder.write("engraving.toml", text), folder, {"touched 44 times", "engraving succeeded"});
 }
 
 TEST(CanIo, IoNodesLeaveRunsInLockstepEqual) {
   const ScratchFolder folder;
   std::string text = deployment_of("press", {"press.xml"});
   put_on_bus(text, folder, "arm", io_of_16(folder));
-  expect_equal_presses(folder.write("press.toml", text), folder);
+  expect_equal_runs_on_a_bus(folder.write("press.toml", text), folder, {"press succeeded: 9.342 s"});
 }
 
 TEST(CanIo, EngravingWithoutTheOutputOfItsStylusStops) {
@@ -74,8 +71,7 @@ TEST(CanIo, TeachRunsWithTheTerminalsOfBothRobotsOnTheirBuses) {
   const auto io = io_of_16(folder);
   put_on_bus(text, folder, "arm", io);
   put_on_bus(text, folder, "person", io);
-  const std::string output = run_mrroc({"run", folder.write("teach.toml", text).string()}, 0, MrrocRun::kLongPatience);
-  EXPECT_NE(output.find("teach succeeded"), std::string::npos) << output;
+  expect_equal_runs_on_a_bus(folder.write("teach.toml", text), folder, {"teach succeeded"});
 }
 
 }  // namespace
